@@ -35,9 +35,9 @@ struct OpenFinding {
 constexpr OpenFinding open_findings[] = {
     // A program begun elsewhere has other roundings of path lengths: on them depend the cells of the grid,
     // with jerk=on the stages of its law too, and the time of blocks of 1e-6 mm.
-    {"optimal", "split", 165, 45},
+    {"optimal", "split", 225, 45},
     // Parts of nanoseconds in the peak of curvature of a near reversal.
-    {"optimal", "derivatives", 165, 22},
+    {"optimal", "derivatives", 255, 22},
     // The same peaks: the place of a path length on a blend is not known as finely as they are narrow.
     {"optimal", "acceleration-on-blend", 15, 8},
     {"optimal", "jerk-on-blend", 0, 5},

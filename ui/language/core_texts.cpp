@@ -12,7 +12,7 @@ QString core_text(const std::string& text) {
     return shown;
   }
   // "jerk of axis X" is translated as "jerk of axis %1".
-  static const QRegularExpression axis(QStringLiteral("\\b[XYZ]\\b"));
+  static const QRegularExpression axis(QStringLiteral("\\b[XYZABC]\\b"));
   const QRegularExpressionMatch match = axis.match(as_written);
   if (!match.hasMatch()) {
     return as_written;
