@@ -11,8 +11,8 @@
 namespace feedscope {
 namespace {
 
-/// In the order of CauseKind. Any two colours are 15 or more apart in CIELAB, that of indexing, which is
-/// never on the path, 13 from the others (tests/ui/scene/cause_colour_test).
+/// In the order of CauseKind. Any two colours are 15 or more apart in CIELAB
+/// (tests/ui/scene/cause_colour_test).
 constexpr std::array kinds{
     CauseInfo{CauseKind::programmed_feed, "programmed_feed", QT_TRANSLATE_NOOP("core", "programmed feed"), "",
               0xc3cad2, 0xcbd0d7},
@@ -78,7 +78,7 @@ constexpr std::array kinds{
     CauseInfo{CauseKind::spindle_start, "spindle_start", QT_TRANSLATE_NOOP("core", "spindle start"), "",
               0xf0f800, 0xfffe3b},
     CauseInfo{CauseKind::indexing, "indexing", QT_TRANSLATE_NOOP("core", "indexing of rotary axes"),
-              QT_TRANSLATE_NOOP("core", "indexing of axis %1"), 0xedccff, 0x734140},
+              QT_TRANSLATE_NOOP("core", "indexing of axis %1"), 0x7800fa, 0x9b00ff},
 };
 
 constexpr bool in_order() {

@@ -52,8 +52,7 @@ TEST_P(CauseColour, AnyTwoAreToldApartWithEveryKindOfColourVision) {
       for (std::size_t j = 0; j < i; ++j) {
         EXPECT_GE(test::lab_distance(seen(cause_colour(kinds[i], GetParam()), vision),
                                      seen(cause_colour(kinds[j], GetParam()), vision)),
-                  // Pauses are no part of the path; of the last of them no colour is left at 15.
-                  kinds[i] == CauseKind::indexing ? 13 : 15)
+                  15)
             << cause_title({kinds[i], -1}) << " and " << cause_title({kinds[j], -1});
       }
     }
