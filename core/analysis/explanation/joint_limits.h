@@ -22,7 +22,7 @@ struct HalfTurn {
   double sine = 1;  ///< 1: straight on
   double cosine = 0;
 };
-/// In the corner before `element`; none where there is no corner, or where the path turns back.
+/// In the corner before `element`; none at a dwell and where the path turns back.
 std::optional<HalfTurn> half_turn(const BlendedPath& path, std::uint32_t element);
 
 }  // namespace feedscope

@@ -32,7 +32,7 @@ class Candidates {
   Candidates(const Setup& setup, const std::optional<ToleranceInForce>& tolerance)
       : setup_(setup), specs_(settings_of(*setup.model)), tolerance_(tolerance) {}
 
-  /// Nothing where the machine has no such axis, or the axis no such limit.
+  /// Of axes that the machine has, with limits that the axis has; others are left out.
   void axis(int axis, const std::string& limit, double factor = more) {
     const char name = cause_axes[static_cast<std::size_t>(axis)].name;
     const bool is_there = axis_names(setup_.machine).find(name) != std::string::npos;
