@@ -47,7 +47,7 @@ constexpr std::array kinds{
               "", 0x7ba655, 0xdaffb4},
     CauseInfo{CauseKind::curvature_crossing, "curvature_crossing",
               QT_TRANSLATE_NOOP("core", "jerk at a change of curvature"),
-              QT_TRANSLATE_NOOP("core", "jerk of axis %1 at a change of curvature"), 0x4a0352, 0x8d4993},
+              QT_TRANSLATE_NOOP("core", "jerk of axis %1 at a change of curvature"), 0x4a0352, 0x78407b},
     CauseInfo{CauseKind::interpolation_period, "interpolation_period",
               QT_TRANSLATE_NOOP("core", "interpolation period"), "", 0x5b7339, 0x798d43},
     CauseInfo{CauseKind::contour_tolerance, "contour_tolerance",
@@ -78,7 +78,7 @@ constexpr std::array kinds{
     CauseInfo{CauseKind::spindle_start, "spindle_start", QT_TRANSLATE_NOOP("core", "spindle start"), "",
               0xf0f800, 0xfffe3b},
     CauseInfo{CauseKind::indexing, "indexing", QT_TRANSLATE_NOOP("core", "indexing of rotary axes"),
-              QT_TRANSLATE_NOOP("core", "indexing of axis %1"), 0x7800fa, 0x9b00ff},
+              QT_TRANSLATE_NOOP("core", "indexing of axis %1"), 0x230028, 0xaa58ad},
 };
 
 constexpr bool in_order() {
