@@ -2061,10 +2061,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>Mode de suivi de trajectoire</translation>
     </message>
     <message>
-        <source>Where the program gives none: G64 blends corners within the blend tolerance, G61 stops in them.</source>
-        <translation>Quand le programme n’en donne pas : G64 raccorde les coins dans la tolérance de raccord, G61 s’y arrête.</translation>
-    </message>
-    <message>
         <source>Blend tolerance</source>
         <translation>Tolérance de raccord</translation>
     </message>
@@ -2311,6 +2307,10 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>indexing of axis %1</source>
         <translation>positionnement de l&apos;axe %1</translation>
+    </message>
+    <message>
+        <source>Where the program gives none: G64 blends corners within the blend tolerance, G61 stops where blocks do not join tangentially, G61.1 at the end of every block.</source>
+        <translation>Quand le programme n’en donne pas : G64 raccorde les coins dans la tolérance de raccord, G61 s’arrête là où les blocs ne se suivent pas tangentiellement, G61.1 à la fin de chaque bloc.</translation>
     </message>
 </context>
 <context>

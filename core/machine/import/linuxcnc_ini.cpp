@@ -271,11 +271,8 @@ class LinuxCncReader {
       const std::string code = word.letter == 'G' ? word.text : "";
       if (code == "20" || code == "21") {
         unit = code == "20" ? mm_of_inch : 1;
-      } else if (code == "64" || code == "61") {
+      } else if (code == "64" || code == "61" || code == "61.1") {
         draft_.give("blend_mode", "G" + code, entry->given());
-      } else if (code == "61.1") {
-        draft_.note(Severity::warning, entry->place, "not-modelled",
-                    "G61.1 as start-up code is not modelled; write it into the program");
       }
     }
     for (const StartUpWord& word : words) {

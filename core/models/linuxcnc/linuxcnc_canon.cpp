@@ -43,8 +43,15 @@ LinuxCncCanon::LinuxCncCanon(const Toolpath& toolpath, const LinuxCncSettings& s
 }
 
 LinuxCncCanon::Mode LinuxCncCanon::mode_of_settings() const {
-  return settings_.blends ? Mode{LinuxCncEnd::parabolic, settings_.blend_tolerance, settings_.naive_tolerance}
-                          : Mode{LinuxCncEnd::exact, 0, 0};
+  switch (settings_.path_mode) {
+    case LinuxCncPathMode::exact_path:
+      return {LinuxCncEnd::exact, 0, 0};
+    case LinuxCncPathMode::exact_stop:
+      return {LinuxCncEnd::stop, 0, 0};
+    case LinuxCncPathMode::blend:
+      break;
+  }
+  return {LinuxCncEnd::parabolic, settings_.blend_tolerance, settings_.naive_tolerance};
 }
 
 LinuxCncCanon::Mode LinuxCncCanon::mode_of(std::size_t block) const {

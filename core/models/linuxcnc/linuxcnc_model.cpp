@@ -29,10 +29,11 @@ std::vector<SettingSpec> own_settings() {
                             "Version of LinuxCNC. 2.9 gives the last move of a program and one that stands "
                             "alone half of the acceleration under G64; master gives them all of it, but "
                             "limits arcs more.")),
-      choice("blend_mode", QT_TRANSLATE_NOOP("core", "Path control mode"), {"G64", "G61"},
+      choice("blend_mode", QT_TRANSLATE_NOOP("core", "Path control mode"), {"G64", "G61", "G61.1"},
              QT_TRANSLATE_NOOP("core",
                                "Where the program gives none: G64 blends corners within the blend tolerance, "
-                               "G61 stops in them.")),
+                               "G61 stops where blocks do not join tangentially, G61.1 at the end of every "
+                               "block.")),
       number_setting(
           "blend_tolerance_mm", QT_TRANSLATE_NOOP("core", "Blend tolerance"), "mm", 0, 100, 0,
           QT_TRANSLATE_NOOP("core",
@@ -64,6 +65,13 @@ std::vector<SettingSpec> own_settings() {
   return specs;
 }
 
+LinuxCncPathMode path_mode_of(std::string_view code) {
+  if (code == "G61") {
+    return LinuxCncPathMode::exact_path;
+  }
+  return code == "G61.1" ? LinuxCncPathMode::exact_stop : LinuxCncPathMode::blend;
+}
+
 }  // namespace
 
 LinuxCncSettings::LinuxCncSettings(const Machine& machine, const Settings& settings)
@@ -73,7 +81,7 @@ LinuxCncSettings::LinuxCncSettings(const Machine& machine, const Settings& setti
       max_velocity(std::numeric_limits<double>::infinity()),
       max_override(settings.number("max_feed_override")),
       master(settings.text("planner") == "master"),
-      blends(settings.text("blend_mode") == "G64"),
+      path_mode(path_mode_of(settings.text("blend_mode"))),
       blend_tolerance(settings.number("blend_tolerance_mm")),
       naive_tolerance(blend_tolerance) {
   if (settings.has("max_linear_velocity_m_min")) {

@@ -4,7 +4,13 @@
 #include "core/machine/machine.h"
 #include "core/machine/settings.h"
 
+#include <cstdint>
+
 namespace feedscope {
+
+/// Path control where the program says nothing: blended (G64), exact path (G61: stops where blocks are not
+/// tangential), exact stop (G61.1: at the end of every block).
+enum class LinuxCncPathMode : std::uint8_t { blend, exact_path, exact_stop };
 
 /// What an INI file of LinuxCNC says of the planner, in inside units.
 struct LinuxCncSettings {
@@ -14,9 +20,9 @@ struct LinuxCncSettings {
   double max_velocity = 0;           ///< MAX_LINEAR_VELOCITY [mm/s]
   double max_override = 1;           ///< MAX_FEED_OVERRIDE
   bool master = false;               ///< planner of master, else of 2.9
-  bool blends = true;                ///< G64 where the program says nothing, else G61
-  double blend_tolerance = 0;        ///< P of that G64; 0: as fast as possible [mm]
-  double naive_tolerance = 0;        ///< Q of it; 0: blocks are not joined [mm]
+  LinuxCncPathMode path_mode = LinuxCncPathMode::blend;
+  double blend_tolerance = 0;  ///< P of that G64; 0: as fast as possible [mm]
+  double naive_tolerance = 0;  ///< Q of it; 0: blocks are not joined [mm]
 
   LinuxCncSettings() = default;
   /// `settings` as complete_settings() gives them for the model: without a largest velocity there is none

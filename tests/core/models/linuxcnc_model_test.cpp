@@ -32,10 +32,13 @@ Machine machine() {
   return made;
 }
 
-Trajectory run(const std::string& text) {
+/// `text` on machine(), with path control `mode` where the text says nothing.
+Trajectory run(const std::string& text, const std::string& mode = "G64") {
   const LoadedProgram loaded = load_program(std::make_shared<const SourceText>(SourceText("test.ngc", text)));
   const ControlModel& linuxcnc = find_model("linuxcnc");
-  return linuxcnc.simulate(loaded.toolpath, machine(), complete_settings(linuxcnc, machine()));
+  Settings settings = complete_settings(linuxcnc, machine());
+  settings.set("blend_mode", mode);
+  return linuxcnc.simulate(loaded.toolpath, machine(), settings);
 }
 
 std::string blends_csv(const Trajectory& motion) {
@@ -89,6 +92,17 @@ TEST(LinuxCncModel, StopsInTangentialJointsUnderG61Point1Alone) {
   const double whole = run("G21 G90 G61\nG1 X40 F3000\nM2\n").duration();
   EXPECT_NEAR(run("G21 G90 G61\nG1 X20 F3000\nX40\nM2\n").duration(), whole, 2e-3);
   EXPECT_NEAR(run("G21 G90 G61.1\nG1 X20 F3000\nX40\nM2\n").duration(), whole + 50 / acceleration, 4e-3);
+}
+
+/// A mode of the settings is that of the program, but for the period that the word of the program takes.
+TEST(LinuxCncModel, TakesItsModeFromTheSettingsWhereTheProgramHasNone) {
+  const std::string moves = "G1 X20 F3000\nX40\nY20\nM2\n";
+  for (const std::string mode : {"G61", "G61.1", "G64"}) {
+    EXPECT_NEAR(run("G21 G90\n" + moves, mode).duration(), run("G21 G90 " + mode + "\n" + moves).duration(),
+                1.5e-3)
+        << mode;
+  }
+  EXPECT_GT(run("G21 G90\n" + moves, "G61.1").duration(), run("G21 G90\n" + moves, "G61").duration() + 0.04);
 }
 
 TEST(LinuxCncModel, RoundsNothingUnderAnExactStop) {

@@ -32,7 +32,7 @@ LinuxCncSettings settings_of(const nlohmann::json& configurations, const std::st
   settings.max_velocity = values.at("[TRAJ]MAX_LINEAR_VELOCITY mm/s").get<double>();
   settings.max_override = values.at("[DISPLAY]MAX_FEED_OVERRIDE").get<double>();
   settings.master = planner == "master";
-  settings.blends = mode != "g61";
+  settings.path_mode = mode == "g61" ? LinuxCncPathMode::exact_path : LinuxCncPathMode::blend;
   settings.blend_tolerance = mode.find("p05") != std::string::npos ? 0.05 : 0;
   settings.naive_tolerance = mode == "g64p05" ? 0.05 : 0;
   return settings;

@@ -93,6 +93,7 @@ TEST_F(LinuxCncIni, ReadsTolerancesOfTheStartUpCode) {
               HasSubstr("mill.ini:5: warning: P of G64 in the start-up code has no effect on blends"));
   EXPECT_EQ(with("RS274NGC_STARTUP_CODE = g21g64p0.02").machine.settings.number("naive_tolerance_mm"), 0.02);
   EXPECT_EQ(with("RS274NGC_STARTUP_CODE = G21 G61").machine.settings.text("blend_mode"), "G61");
+  EXPECT_EQ(with("RS274NGC_STARTUP_CODE = G21 G61.1").machine.settings.text("blend_mode"), "G61.1");
   const ImportedMachine usual = with("G64_DEFAULT_TOLERANCE = 0.03\nG64_DEFAULT_NAIVETOLERANCE = 0.01");
   EXPECT_EQ(usual.machine.settings.number("blend_tolerance_mm"), 0.03);
   EXPECT_EQ(usual.machine.settings.number("naive_tolerance_mm"), 0.01);
