@@ -33,7 +33,8 @@ class Window {
   bool has_program() const { return model_.program() != nullptr; }
   ui::Workbench& model() { return model_; }
   ui::MainWindow& window() { return window_; }
-  bool idle() const { return !model_.busy() && !window_.busy(); }
+  /// Nothing is simulated or compared for the pictures; what would help may still be tried, after a pause.
+  bool idle() { return !model_.busy() && !window_.scenes().comparison().busy(); }
 
   template <typename Condition>
   void wait_until(Condition condition) {
@@ -87,7 +88,7 @@ struct WindowWithRuns : Window {
     wait_until([&] { return model().shown() != nullptr && idle(); });
     model().runs().duplicate(0);
     model().set_tolerance(0.05);
-    wait_until([&] { return idle(); });
+    wait_until([&] { return !model().busy() && !window().busy(); });
   }
 };
 

@@ -9,29 +9,31 @@
 
 namespace feedscope::ui {
 
-/// Works out on another thread where the time of a run goes, then tries what would help. A new run drops the
-/// one under way. All signals in the thread of this object.
+/// Works out on another thread where the time of a run goes, and tries what would help. What is begun drops
+/// what is under way. All signals in the thread of this object.
 class TimeJob : public QObject {
   Q_OBJECT
 
  public:
   explicit TimeJob(QObject* parent = nullptr);
 
-  /// `with_changes`: also what would help.
-  void start(std::shared_ptr<const ShownRun> shown, bool with_changes);
+  /// Where the time goes.
+  void look(std::shared_ptr<const ShownRun> shown);
+  /// Simulates what would help `shown`, whose `report` look() has made.
+  void try_changes(std::shared_ptr<const ShownRun> shown, std::shared_ptr<const TimeReport> report);
   void cancel() { job_.cancel(); }
   bool busy() const { return job_.busy(); }
 
  signals:
-  /// Where the time goes; what would help is not tried yet.
-  void used(const std::shared_ptr<const feedscope::TimeReport>& report);
-  /// All of it: what would help is tried, unless it was not asked for.
+  /// Without what would help, or with it.
   void done(const std::shared_ptr<const feedscope::TimeReport>& report);
   void progressed(double fraction);
   /// Nothing more comes: done, cancelled, or `message` says why not.
   void ended(const QString& message);
 
  private:
+  void deliver(const JobOutcome<std::shared_ptr<const TimeReport>>& outcome);
+
   Job<std::shared_ptr<const TimeReport>> job_;
 };
 

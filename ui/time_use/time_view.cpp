@@ -24,6 +24,9 @@ namespace feedscope::ui {
 namespace {
 
 constexpr double longest_unasked = 5;  // simulation of one run after which changes wait to be asked for [s]
+constexpr int pause_ms =
+    1200;  // of a run's changes after those of another: values often change again at once
+constexpr std::size_t most_known = 16;
 constexpr int share_role = Qt::UserRole;
 constexpr int row_role = Qt::UserRole + 1;  // of TimeRow*
 
@@ -102,14 +105,18 @@ TimeView::TimeView(QWidget* parent)
     }
   });
   connect(tree_, &QTreeWidget::currentItemChanged, this, &TimeView::show_actions);
-  connect(&job_, &TimeJob::used, this, &TimeView::take);
-  connect(&job_, &TimeJob::done, this, [this](const std::shared_ptr<const TimeReport>& report) {
-    tried_ = tried_ || !report->changes.tried.empty();
-    take(report);
-  });
+  pause_.setSingleShot(true);
+  pause_.setInterval(pause_ms);
+  connect(&pause_, &QTimer::timeout, this, &TimeView::try_wanted);
+  connect(&job_, &TimeJob::done, this, &TimeView::take);
   connect(&job_, &TimeJob::progressed, this,
           [this](double fraction) { progress_->setValue(static_cast<int>(1000 * fraction)); });
-  connect(&job_, &TimeJob::ended, this, &TimeView::show_state);
+  connect(&job_, &TimeJob::ended, this, [this](const QString& failure) {
+    if (!pause_.isActive()) {
+      try_wanted();
+    }
+    show_state(failure);
+  });
 
   auto* buttons = new QHBoxLayout;
   buttons->setContentsMargins(6, 4, 6, 6);
@@ -134,6 +141,7 @@ TimeView::TimeView(QWidget* parent)
 void TimeView::follow(Workbench& workbench) {
   const auto show_run = [this, &workbench] { set_run(workbench.shown(), workbench.setup().state()); };
   connect(&workbench, &Workbench::run_changed, this, show_run);
+  connect(&workbench, &Workbench::busy_changed, this, &TimeView::give_way);
   connect(this, &TimeView::place_chosen, &workbench, &Workbench::show_place);
   connect(this, &TimeView::time_chosen, &workbench.cursor(), &Cursor::set_time);
   connect(this, &TimeView::run_wanted, &workbench, [&workbench](const SetupState& setup) {
@@ -146,17 +154,28 @@ void TimeView::set_run(std::shared_ptr<const ShownRun> shown, const SetupState& 
   if (shown == shown_) {
     return;
   }
-  job_.cancel();
+  const bool follows = shown_ != nullptr;
+  cancel();
   shown_ = std::move(shown);
   setup_ = setup;
-  report_.reset();
-  tried_ = false;
+  report_ = recall();
+  tried_ = report_ != nullptr && !report_->changes.tried.empty();
+  wanted_ = shown_ != nullptr && !tried_ && shown_->run.simulate_time < longest_unasked;
+  if (wanted_ && follows) {
+    pause_.start();
+  }
   show_sections();
-  stale_ = true;
+  stale_ = shown_ != nullptr && !tried_;
   if (is_seen()) {
     catch_up();
   }
   show_state({});
+}
+
+void TimeView::cancel() {
+  wanted_ = asked_ = false;
+  pause_.stop();
+  job_.cancel();
 }
 
 void TimeView::set_on_screen(bool on_screen) {
@@ -174,28 +193,87 @@ void TimeView::showEvent(QShowEvent* event) {
 }
 
 void TimeView::catch_up() {
-  if (stale_ && shown_ != nullptr) {
-    begin(shown_->run.simulate_time < longest_unasked);
+  if (!stale_) {
+    return;
+  }
+  if (report_ == nullptr) {
+    look();
+  } else if (!pause_.isActive()) {
+    try_wanted();
   }
 }
 
 void TimeView::try_changes() {
   emit attention_wanted();
-  if (shown_ != nullptr) {
-    begin(true);
+  if (shown_ == nullptr) {
+    return;
+  }
+  pause_.stop();
+  wanted_ = asked_ = true;
+  if (report_ == nullptr) {
+    look();
+  } else {
+    try_wanted();
   }
 }
 
-void TimeView::begin(bool with_changes) {
+void TimeView::look() {
   stale_ = false;
   progress_->setValue(0);
-  job_.start(shown_, with_changes);
+  job_.look(shown_);
   show_state({});
+}
+
+void TimeView::try_wanted() {
+  if (!wanted_ || job_.busy() || (gives_way_ && !asked_) || report_ == nullptr ||
+      !(report_->use.cycle_time > 0)) {
+    return;
+  }
+  wanted_ = false;
+  progress_->setValue(0);
+  job_.try_changes(shown_, report_);
+  show_state({});
+}
+
+void TimeView::give_way(bool to_others) {
+  gives_way_ = to_others;
+  if (asked_ || shown_ == nullptr || tried_) {
+    return;
+  }
+  if (to_others && report_ != nullptr && job_.busy()) {
+    wanted_ = true;
+    job_.cancel();
+  } else if (!to_others && wanted_ && report_ != nullptr && !job_.busy()) {
+    pause_.start();
+  }
 }
 
 void TimeView::take(const std::shared_ptr<const TimeReport>& report) {
   report_ = report;
+  tried_ = tried_ || !report->changes.tried.empty();
+  asked_ = asked_ && !tried_;
+  remember(report);
   show_sections();
+}
+
+void TimeView::remember(const std::shared_ptr<const TimeReport>& report) {
+  std::erase_if(known_, [&](const Known& known) {
+    const auto run = known.run.lock();
+    return run == nullptr || run == shown_->run.trajectory;
+  });
+  if (known_.size() == most_known) {
+    known_.erase(known_.begin());
+  }
+  known_.push_back({shown_->run.trajectory, report});
+}
+
+std::shared_ptr<const TimeReport> TimeView::recall() const {
+  for (const Known& known : known_) {
+    if (shown_ != nullptr && known.run.lock() == shown_->run.trajectory) {
+      return known.report;
+    }
+  }
+  return nullptr;
 }
 
 void TimeView::show_sections() {

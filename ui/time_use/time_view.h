@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QTimer>
+
 #include "ui/time_use/time_job.h"
 #include "ui/time_use/time_rows.h"
 #include "ui/workbench/panel.h"
@@ -17,7 +19,8 @@ namespace feedscope::ui {
 /// consists of, the places that lose most by what they have in common, changes that were simulated, causes
 /// and operations. A click goes to the place; a change becomes a run.
 ///
-/// Works while it can be seen. Changes of programs that take long to simulate are tried when asked for.
+/// Works while it can be seen. Changes of programs that take long to simulate are tried when asked for; those
+/// of a run that follows another one after a pause in which nothing else is simulated, and once.
 class TimeView : public Panel {
   Q_OBJECT
 
@@ -28,11 +31,11 @@ class TimeView : public Panel {
   /// The run, and the setup that it was made with; null: none.
   void set_run(std::shared_ptr<const ShownRun> shown, const SetupState& setup);
   void set_on_screen(bool on_screen) override;
-  bool busy() const override { return job_.busy(); }
+  bool busy() const override { return job_.busy() || pause_.isActive(); }
   QList<QAction*> panel_actions() const override { return actions_; }
   /// Simulates what would help, however long it takes.
   void try_changes();
-  void cancel() { job_.cancel(); }
+  void cancel();
 
   /// Null while nothing is known.
   const std::shared_ptr<const TimeReport>& report() const { return report_; }
@@ -54,9 +57,21 @@ class TimeView : public Panel {
 
  private:
   bool is_seen() const { return on_screen_ && isVisible(); }
+  /// What is known of a run that was shown before.
+  struct Known {
+    std::weak_ptr<const Trajectory> run;
+    std::shared_ptr<const TimeReport> report;
+  };
+
   void catch_up();
-  void begin(bool with_changes);
+  void look();
+  /// Tries changes now if that is wanted, nothing else is under way and there is something to gain.
+  void try_wanted();
+  /// Leaves the processors to another simulation, or takes up what it has interrupted.
+  void give_way(bool to_others);
   void take(const std::shared_ptr<const TimeReport>& report);
+  void remember(const std::shared_ptr<const TimeReport>& report);
+  std::shared_ptr<const TimeReport> recall() const;
   void show_sections();
   void add_rows(QTreeWidgetItem* parent, const std::vector<TimeRow>& rows);
   void show_state(const QString& failure);
@@ -80,7 +95,12 @@ class TimeView : public Panel {
   std::optional<SetupState> setup_;
   std::shared_ptr<const TimeReport> report_;
   std::vector<TimeSection> sections_;
-  bool tried_ = false;  ///< what would help is known
+  std::vector<Known> known_;  ///< the newest last
+  QTimer pause_;              ///< before changes are tried unasked
+  bool tried_ = false;        ///< what would help is known
+  bool wanted_ = false;       ///< what would help is to be tried
+  bool asked_ = false;        ///< by the user
+  bool gives_way_ = false;    ///< something else is simulated
   bool stale_ = false;
   bool on_screen_ = true;
 };

@@ -10,6 +10,7 @@
 
 #include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
+#include "ui/workbench/workbench.h"
 
 namespace feedscope::ui {
 namespace {
@@ -122,6 +123,34 @@ TEST_F(TimeViewTest, ALongProgramTriesChangesWhenAsked) {
   ASSERT_TRUE(finishes());
   EXPECT_TRUE(view.report()->changes.tried.empty());
   view.panel_actions().first()->trigger();
+  ASSERT_TRUE(finishes());
+  EXPECT_FALSE(view.report()->changes.tried.empty());
+}
+
+TEST_F(TimeViewTest, ARunThatWasLookedAtBeforeIsKnownAtOnce) {
+  set_run(run);
+  ASSERT_TRUE(finishes());
+  const auto first_shown = shown;
+  const auto first = view.report();
+  set_run(test::simulate_text("G21 G90\nG1 X20 F3000\nY20\nM2\n"));
+  EXPECT_EQ(view.report(), nullptr);
+  ASSERT_TRUE(finishes());
+  EXPECT_NE(view.report(), first);
+  view.set_run(make_shown(run), SetupState(run.setup));
+  EXPECT_FALSE(view.busy());
+  EXPECT_EQ(view.report(), first);
+}
+
+/// A value that is being changed is simulated, not what would help the value before it.
+TEST_F(TimeViewTest, LeavesTheProcessorsToAnotherSimulation) {
+  Workbench workbench(shipped_machines(), make_setup({}));
+  view.follow(workbench);
+  set_run(run);
+  emit workbench.busy_changed(true);
+  ASSERT_TRUE(finishes());
+  ASSERT_NE(view.report(), nullptr);
+  EXPECT_TRUE(view.report()->changes.tried.empty());
+  emit workbench.busy_changed(false);
   ASSERT_TRUE(finishes());
   EXPECT_FALSE(view.report()->changes.tried.empty());
 }
