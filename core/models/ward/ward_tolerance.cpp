@@ -101,8 +101,13 @@ void WardRunner::mark_neighbours() {
     if (corner_speeds_[i] == blocks[i].corner_speed && !slowed_[i]) {
       continue;
     }
-    const double first = blocks[i].start - train_.delay();
-    const double last = (slowed_[i] ? blocks[i + 1].start : blocks[i].start) + train_.delay();
+    // The pulses of this corner end within half of the delay; where its blocks are short their feeds change
+    // too, from their other corners on.
+    const double before = i > 0 ? std::max(blocks[i - 1].start, blocks[i].start - train_.delay()) : 0;
+    const double after =
+        slowed_[i] ? blocks[i + 1].start : std::min(blocks[i + 1].start, blocks[i].start + train_.delay());
+    const double first = before - train_.delay();
+    const double last = after + train_.delay();
     slowed_[i] = 0;
     for (std::size_t k = i; k > unmarked && blocks[k].start >= first; --k) {
       check_[k - 1] |= due;
@@ -185,7 +190,9 @@ double WardRunner::distance_of(const Vec3& point, double time, double tolerance)
     lag_ += step;
     const double allowed = tolerance * tolerance;
     const bool decided = !std::isfinite(allowed) || std::abs(nearest - allowed) > 2 * precision * allowed;
-    if (doubt <= precision * nearest && decided) {
+    // The jerk is in no term of these: what the step wins may be wrong by a tenth.
+    const bool near = -slope * step <= 10 * precision * nearest;
+    if (near && doubt <= precision * nearest && decided) {
       return std::sqrt(nearest);
     }
   } else {
