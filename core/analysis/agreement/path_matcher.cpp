@@ -9,7 +9,10 @@ namespace {
 
 constexpr double window_share = 3;       // of what was recorded
 constexpr double window_tolerances = 4;  // and as many tolerances
-constexpr double finest = 1e-3;          // [mm]: nearer than that two places are equally near
+constexpr double finest = 1e-3;          // [mm]: what is nearer than that is there
+constexpr double rounded_pause = 4e-3;   // [mm]: between the farthest places of a pause, rounded to 1 um
+constexpr double noise_of_a_pause = 10;  // times the noise: between the farthest places of a pause
+constexpr double noise_of_the_end = 3;   // times the noise: of the last place of the path
 constexpr double search_growth = 1.05;   // of the way between two searches where the path is lost
 constexpr double most_searched = 2e8;    // points in all while looking for the start
 
@@ -22,7 +25,11 @@ struct Found {
 class Matcher {
  public:
   Matcher(const ProgrammedCourse& course, const MotionRecord& record, const MatchOptions& options)
-      : course_(course), record_(record), options_(options), equal_(std::max(finest, 3 * options.noise)) {}
+      : course_(course),
+        record_(record),
+        options_(options),
+        equal_(std::max(rounded_pause, noise_of_a_pause * options.noise)),
+        end_reach_(std::max(finest, noise_of_the_end * options.noise)) {}
 
   MatchedRecord match(std::size_t from, Progress* progress) {
     const std::size_t count = record_.place.size();
@@ -73,7 +80,9 @@ class Matcher {
   double s_of(const Found& found) const {
     return course_.s(found.part) + found.share * (course_.s(found.part + 1) - course_.s(found.part));
   }
-  bool at_end() const { return course_.length() - s_of({part_, share_, 0}) <= std::max(equal_, same_point); }
+  bool at_end() const {
+    return course_.length() - s_of({part_, share_, 0}) <= std::max(end_reach_, same_point);
+  }
 
   Found project(std::size_t part, double least_share, const Vec3& place) const {
     const Vec3& a = course_.point(part);
@@ -146,7 +155,11 @@ class Matcher {
   const ProgrammedCourse& course_;
   const MotionRecord& record_;
   const MatchOptions& options_;
+  /// Two places are equally near that differ by less [mm]. In a pause at a turning point the place found
+  /// creeps ahead with the noise, as it never goes back: it must not take a later pass through there for
+  /// nearer.
   double equal_;
+  double end_reach_;  ///< the end is reached so far before it [mm]
   MatchedRecord matched_;
   std::size_t part_ = 0;  ///< where the last sample that fits is
   double share_ = 0;
