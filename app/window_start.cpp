@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/lessons/lesson.h"
+#include "ui/trace/trace_view.h"
 
 namespace feedscope {
 namespace {
@@ -40,6 +41,19 @@ void check(const RunOptions& options, const std::string& lesson) {
   }
 }
 
+void check(const RunOptions& options, const std::vector<std::string>& traces) {
+  if (!traces.empty() && options.file.empty()) {
+    throw InputError("--trace needs the program that was recorded; give the NC program too");
+  }
+  for (const std::string& trace : traces) {
+    if (!ui::TraceView::is_trace(trace)) {
+      throw InputError(fmt::format(
+          "--trace '{}' is no trace that can be read: no rows of samples; see: feedscope trace --help",
+          trace));
+    }
+  }
+}
+
 ui::SetupState setup_of(const RunOptions& options, bool run_asked) {
   if (!run_asked) {
     return ui::SetupState(make_setup({}));
@@ -54,9 +68,11 @@ ui::SetupState setup_of(const RunOptions& options, bool run_asked) {
 
 }  // namespace
 
-WindowStart::WindowStart(const RunOptions& options, const std::string& lesson)
-    : file_((check(options, lesson), options.file)),
+WindowStart::WindowStart(const RunOptions& options, const std::string& lesson,
+                         std::vector<std::string> traces)
+    : file_((check(options, lesson), check(options, traces), options.file)),
       lesson_(lesson.empty() ? std::filesystem::path() : find_lesson(lesson)),
+      traces_(std::move(traces)),
       reading_(options.reading()),
       run_asked_(std::ranges::any_of(given_of_run(options), is_given)),
       setup_(setup_of(options, run_asked_)) {}
@@ -69,6 +85,9 @@ void WindowStart::show(ui::MainWindow& window, ui::Workbench& model) const {
   if (!file_.empty()) {
     window.open(file_);
     model.set_reading(reading_);
+    for (const std::string& trace : traces_) {
+      window.part<ui::TraceView>().open(trace);
+    }
     window.session().begin_here();
   } else if (!lesson_.empty()) {
     window.open_lesson(lesson_);

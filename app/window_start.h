@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/run_options.h"
 #include "ui/window/main_window.h"
@@ -13,7 +14,8 @@ class WindowStart {
  public:
   /// Throws InputError naming what is wrong: an option beside a session or a lesson, one of the program
   /// without a program, an unreadable program, an unusable setup. `lesson`: id or file, "" for none.
-  WindowStart(const RunOptions& options, const std::string& lesson);
+  /// `traces`: files to lay beside the program.
+  WindowStart(const RunOptions& options, const std::string& lesson, std::vector<std::string> traces = {});
 
   /// What the first run is set up as.
   const ui::SetupState& setup() const { return setup_; }
@@ -24,6 +26,7 @@ class WindowStart {
  private:
   std::string file_;
   std::filesystem::path lesson_;
+  std::vector<std::string> traces_;
   ReadOptions reading_;
   bool run_asked_ = false;  ///< a machine, model, tolerance or setting
   ui::SetupState setup_;

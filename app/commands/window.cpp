@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "app/commands/command.h"
 #include "app/exit_codes.h"
@@ -86,8 +87,9 @@ int show_window(ui::Workbench& model, const WindowStart& start,
   return code;
 }
 
-int show_window(const RunOptions& options, const std::string& lesson) {
-  const WindowStart start(options, lesson);
+int show_window(const RunOptions& options, const std::string& lesson,
+                const std::vector<std::string>& traces) {
+  const WindowStart start(options, lesson, traces);
   check_display();
   qInstallMessageHandler(leave_on_fatal);
   int count = 1;
@@ -125,9 +127,13 @@ Command add_window_command(CLI::App& app) {
   app.add_option("--lesson", *lesson, "Open the window with a lesson, as 'feedscope lessons' lists them")
       ->type_name("ID|FILE")
       ->excludes(program);
-  return {&app, [options, lesson] {
+  const auto traces = std::make_shared<std::vector<std::string>>();
+  app.add_option("--trace", *traces, "Lay what a control recorded beside the program; may be repeated")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  return {&app, [options, lesson, traces] {
             move_tolerance(*options);
-            return show_window(*options, *lesson);
+            return show_window(*options, *lesson, *traces);
           }};
 }
 

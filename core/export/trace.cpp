@@ -50,6 +50,16 @@ Json agreement_json(const TraceOnProgram& found, const Agreement& agreement) {
                      {"simulated_feed_mm_min", finite(units::to_mm_min(place.simulated_feed))},
                      {"lost_s", finite(place.lost)}});
   }
+  Json corners = Json::array();
+  for (const CornerAgreement& corner : agreement.corners) {
+    corners.push_back({{"line", corner.line},
+                       {"path_mm", finite(corner.s)},
+                       {"place_mm", vector_json(corner.place)},
+                       {"turn_deg", finite(units::to_deg(corner.turn))},
+                       {"reach_mm", finite(corner.reach)},
+                       {"measured_feed_mm_min", finite(units::to_mm_min(corner.measured_feed))},
+                       {"simulated_feed_mm_min", finite(units::to_mm_min(corner.simulated_feed))}});
+  }
   Json operations = Json::array();
   for (const OperationAgreement& operation : agreement.operations) {
     operations.push_back({{"title", operation.title},
@@ -71,7 +81,9 @@ Json agreement_json(const TraceOnProgram& found, const Agreement& agreement) {
           {"offset_mm", vector_json(found.pose.offset)},
           {"remarks", found.remarks},
           {"worst", worst},
-          {"operations", operations}};
+          {"operations", operations},
+          {"corner_rms_percent", finite(100 * agreement.corner_rms())},
+          {"corners", corners}};
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/translatable.h"
 #include "core/trace/table_columns.h"
 #include "core/trace/trace_builder.h"
 #include "core/trace/trace_formats.h"
@@ -19,8 +20,9 @@ class TableReader {
   TableReader(TraceText& text, const TraceColumns& columns)
       : text_(text),
         head_(find_table(text.head(), text.name(), columns)),
-        builder_(text.name(), head_.titles.empty() && head_.style.separator == ' ' ? "LinuxCNC halsampler"
-                                                                                   : "table of samples"),
+        builder_(text.name(), head_.titles.empty() && head_.style.separator == ' '
+                                  ? "LinuxCNC halsampler"
+                                  : QT_TRANSLATE_NOOP("core", "table of samples")),
         found_(find_columns(head_, columns, text.name(), builder_)) {
     for (std::size_t axis = 0; axis < places.size(); ++axis) {
       if (found_.of(places[axis])) {

@@ -888,6 +888,161 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
 </context>
 <context>
+    <name>TraceTables</name>
+    <message>
+        <source>Click to go there</source>
+        <translation>Cliquer pour y aller</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Grandeur</translation>
+    </message>
+    <message>
+        <source>Trace</source>
+        <translation>Trace</translation>
+    </message>
+    <message>
+        <source>Simulated</source>
+        <translation>Simulé</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Écart</translation>
+    </message>
+    <message>
+        <source>Over the part of the program that the trace covers</source>
+        <translation>Sur la partie du programme que la trace couvre</translation>
+    </message>
+    <message>
+        <source>What the control recorded</source>
+        <translation>Ce que la commande a enregistré</translation>
+    </message>
+    <message>
+        <source>The current run</source>
+        <translation>La simulation actuelle</translation>
+    </message>
+    <message>
+        <source>Simulated against recorded</source>
+        <translation>Simulé par rapport à enregistré</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Lost [ms]</source>
+        <translation>Perdu [ms]</translation>
+    </message>
+    <message>
+        <source>Program line</source>
+        <translation>Ligne du programme</translation>
+    </message>
+    <message>
+        <source>Feed of the trace there</source>
+        <translation>Avance de la trace à cet endroit</translation>
+    </message>
+    <message>
+        <source>Feed of the current run there, in the same unit</source>
+        <translation>Avance de la simulation actuelle à cet endroit, dans la même unité</translation>
+    </message>
+    <message>
+        <source>Time that the control took more than the simulation; below 0: less</source>
+        <translation>Temps que la commande a mis en plus de la simulation ; sous 0 : en moins</translation>
+    </message>
+    <message>
+        <source>Turn [°]</source>
+        <translation>Angle [°]</translation>
+    </message>
+    <message>
+        <source>Off [%]</source>
+        <translation>Écart [%]</translation>
+    </message>
+    <message>
+        <source>Program line that ends at the corner</source>
+        <translation>Ligne du programme qui finit à l&apos;angle</translation>
+    </message>
+    <message>
+        <source>Change of direction</source>
+        <translation>Changement de direction</translation>
+    </message>
+    <message>
+        <source>Mean feed of the trace from 0.5 mm before the corner to 0.5 mm behind it, less where blocks are short</source>
+        <translation>Avance moyenne de la trace de 0,5 mm avant l&apos;angle à 0,5 mm après, moins là où les blocs sont courts</translation>
+    </message>
+    <message>
+        <source>The same of the current run, in the same unit</source>
+        <translation>La même de la simulation actuelle, dans la même unité</translation>
+    </message>
+    <message>
+        <source>Cycle time</source>
+        <translation>Temps de cycle</translation>
+    </message>
+    <message>
+        <source>Time of the part compared</source>
+        <translation>Temps de la partie comparée</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Ligne %1 : %2</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Feed (rms)</source>
+        <translation>Avance (moy. quadr.)</translation>
+    </message>
+    <message>
+        <source>Root mean square of the difference of the feeds over the path</source>
+        <translation>Moyenne quadratique de l&apos;écart des avances le long de la trajectoire</translation>
+    </message>
+    <message>
+        <source>%1 corners (rms)</source>
+        <translation>%1 angles (moy. quadr.)</translation>
+    </message>
+    <message>
+        <source>Root mean square of the difference of the mean feeds through corners</source>
+        <translation>Moyenne quadratique de l&apos;écart des avances moyennes dans les angles</translation>
+    </message>
+    <message>
+        <source>Largest distance from the path</source>
+        <translation>Plus grande distance à la trajectoire</translation>
+    </message>
+    <message>
+        <source>Pass %1</source>
+        <translation>Passage %1</translation>
+    </message>
+    <message>
+        <source>The simulation is %1 % faster than the control</source>
+        <translation>La simulation est %1 % plus rapide que la commande</translation>
+    </message>
+    <message>
+        <source>The simulation is %1 % slower than the control</source>
+        <translation>La simulation est %1 % plus lente que la commande</translation>
+    </message>
+    <message>
+        <source>The trace fits %1 % of the path alone: it is a part, or of another program. %2 there (%3 and %4).</source>
+        <translation>La trace ne correspond qu&apos;à %1 % de la trajectoire : c&apos;en est une partie, ou elle vient d&apos;un autre programme. %2 à cet endroit (%3 et %4).</translation>
+    </message>
+    <message>
+        <source>%1 (%2 and %3); their feeds differ by %4 (rms over the path).</source>
+        <translation>%1 (%2 et %3) ; leurs avances diffèrent de %4 (moyenne quadratique le long de la trajectoire).</translation>
+    </message>
+    <message>
+        <source>The trace was moved by X %1 Y %2 Z %3 onto the program.</source>
+        <translation>La trace a été déplacée de X %1 Y %2 Z %3 sur le programme.</translation>
+    </message>
+    <message>
+        <source>Read as %1: one sample each %2 ms, noise %3. Its feeds are means over %4 ms, accelerations over %5 ms.</source>
+        <translation>Lue comme %1 : un échantillon toutes les %2 ms, bruit %3. Ses avances sont des moyennes sur %4 ms, ses accélérations sur %5 ms.</translation>
+    </message>
+</context>
+<context>
     <name>WhyText</name>
     <message>
         <source>%1 ms</source>
@@ -2311,6 +2466,10 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>Where the program gives none: G64 blends corners within the blend tolerance, G61 stops where blocks do not join tangentially, G61.1 at the end of every block.</source>
         <translation>Quand le programme n’en donne pas : G64 raccorde les coins dans la tolérance de raccord, G61 s’arrête là où les blocs ne se suivent pas tangentiellement, G61.1 à la fin de chaque bloc.</translation>
+    </message>
+    <message>
+        <source>table of samples</source>
+        <translation>tableau d&apos;échantillons</translation>
     </message>
 </context>
 <context>
@@ -5221,6 +5380,18 @@ Ensemble&#xa0;: %4</translation>
         <source>Contour tolerance in force, from the program or the setting</source>
         <translation>Tolérance de contour en vigueur, du programme ou du réglage</translation>
     </message>
+    <message>
+        <source>recorded</source>
+        <translation>enregistré</translation>
+    </message>
+    <message>
+        <source>What a control recorded. The panel Trace says how well the current run agrees.</source>
+        <translation>Ce qu&apos;une commande a enregistré. Le panneau Trace dit à quel point la simulation actuelle concorde.</translation>
+    </message>
+    <message>
+        <source>It covers %1 % of the path: a cycle time is not known.</source>
+        <translation>Elle couvre %1 % de la trajectoire : le temps de cycle n&apos;est pas connu.</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::RunsView</name>
@@ -5247,10 +5418,6 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>&amp;Remove</source>
         <translation>&amp;Supprimer</translation>
-    </message>
-    <message>
-        <source>Remove the current run</source>
-        <translation>Supprimer la simulation actuelle</translation>
     </message>
     <message>
         <source>Ctrl+Delete</source>
@@ -5283,10 +5450,6 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>&amp;Colour …</source>
         <translation>&amp;Couleur …</translation>
-    </message>
-    <message>
-        <source>Colour of the current run in charts and 3D view</source>
-        <translation>Couleur de la simulation actuelle dans les graphiques et la vue 3D</translation>
     </message>
     <message>
         <source>The model of this run does not use a contour tolerance.</source>
@@ -5411,6 +5574,14 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>%1 cannot be written: %2.</source>
         <translation>%1 ne peut pas être écrit : %2.</translation>
+    </message>
+    <message>
+        <source>Remove the current run, or the trace that is selected</source>
+        <translation>Supprimer la simulation actuelle, ou la trace sélectionnée</translation>
+    </message>
+    <message>
+        <source>Colour of the current run in charts and 3D view, or of the selected trace in charts</source>
+        <translation>Couleur de la simulation actuelle dans les graphiques et la vue 3D, ou de la trace sélectionnée dans les graphiques</translation>
     </message>
 </context>
 <context>
@@ -6357,6 +6528,299 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>All of this as a page of a report</source>
         <translation>Tout ceci en page d’un rapport</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::TraceImportDialog</name>
+    <message>
+        <source>&amp;Keep as …</source>
+        <translation>&amp;Garder sous …</translation>
+    </message>
+    <message>
+        <source>&amp;Forget</source>
+        <translation>&amp;Oublier</translation>
+    </message>
+    <message>
+        <source>Import trace</source>
+        <translation>Importer une trace</translation>
+    </message>
+    <message>
+        <source>What are the columns of %1?</source>
+        <translation>Que contiennent les colonnes de %1 ?</translation>
+    </message>
+    <message>
+        <source>%1: %2. What are its columns?</source>
+        <translation>%1 : %2. Que contiennent ses colonnes ?</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Préréglage</translation>
+    </message>
+    <message>
+        <source>Keep what is chosen under a name, for other traces of this kind</source>
+        <translation>Garder ce choix sous un nom, pour d&apos;autres traces de ce type</translation>
+    </message>
+    <message>
+        <source>Remove this preset from the list</source>
+        <translation>Retirer ce préréglage de la liste</translation>
+    </message>
+    <message>
+        <source>First rows of the file</source>
+        <translation>Premières lignes du fichier</translation>
+    </message>
+    <message>
+        <source>&amp;Preset:</source>
+        <translation>&amp;Préréglage :</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>Nothing is chosen: there is nothing to keep.</source>
+        <translation>Rien n&apos;est choisi : il n&apos;y a rien à garder.</translation>
+    </message>
+    <message>
+        <source>Choose another name: it is empty, or that of a preset of the program.</source>
+        <translation>Choisir un autre nom : il est vide, ou celui d&apos;un préréglage du programme.</translation>
+    </message>
+    <message>
+        <source>Name of the preset:</source>
+        <translation>Nom du préréglage :</translation>
+    </message>
+    <message>
+        <source>Keep preset</source>
+        <translation>Garder le préréglage</translation>
+    </message>
+    <message>
+        <source>One sample each %1 ms</source>
+        <translation>Un échantillon toutes les %1 ms</translation>
+    </message>
+    <message>
+        <source>%1 from %2 to %3</source>
+        <translation>%1 de %2 à %3</translation>
+    </message>
+    <message>
+        <source>In the first %1 samples: %2.</source>
+        <translation>Dans les %1 premiers échantillons : %2.</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::TraceImportFields</name>
+    <message>
+        <source>found</source>
+        <translation>trouvé</translation>
+    </message>
+    <message>
+        <source>comma</source>
+        <translation>virgule</translation>
+    </message>
+    <message>
+        <source>semicolon</source>
+        <translation>point-virgule</translation>
+    </message>
+    <message>
+        <source>tab</source>
+        <translation>tabulation</translation>
+    </message>
+    <message>
+        <source>blanks</source>
+        <translation>espaces</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>point</translation>
+    </message>
+    <message>
+        <source>from the times</source>
+        <translation>selon les temps</translation>
+    </message>
+    <message>
+        <source>Samples a second of a table without times</source>
+        <translation>Échantillons par seconde d&apos;un tableau sans temps</translation>
+    </message>
+    <message>
+        <source>Lines before the table that are not read</source>
+        <translation>Lignes avant le tableau qui ne sont pas lues</translation>
+    </message>
+    <message>
+        <source>Column</source>
+        <translation>Colonne</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Sample number</source>
+        <translation>Numéro d&apos;échantillon</translation>
+    </message>
+    <message>
+        <source>Program line</source>
+        <translation>Ligne du programme</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Avance</translation>
+    </message>
+    <message>
+        <source>Columns parted by</source>
+        <translation>Colonnes séparées par</translation>
+    </message>
+    <message>
+        <source>Decimal mark</source>
+        <translation>Signe décimal</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Cadence</translation>
+    </message>
+    <message>
+        <source>Lines to skip</source>
+        <translation>Lignes à sauter</translation>
+    </message>
+    <message>
+        <source>found, if there is one</source>
+        <translation>trouvée, s&apos;il y en a une</translation>
+    </message>
+    <message>
+        <source>Column of %1</source>
+        <translation>Colonne de %1</translation>
+    </message>
+    <message>
+        <source>as the title says</source>
+        <translation>selon le titre</translation>
+    </message>
+    <message>
+        <source>Unit of %1</source>
+        <translation>Unité de %1</translation>
+    </message>
+    <message>
+        <source>mirrored</source>
+        <translation>inversé</translation>
+    </message>
+    <message>
+        <source>The trace counts this axis in the other direction; needs a unit</source>
+        <translation>La trace compte cet axe dans l&apos;autre sens ; il faut une unité</translation>
+    </message>
+    <message>
+        <source>%1 mirrored</source>
+        <translation>%1 inversé</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::TraceView</name>
+    <message>
+        <source>Trace</source>
+        <translation>Trace</translation>
+    </message>
+    <message>
+        <source>Trace that is shown</source>
+        <translation>Trace affichée</translation>
+    </message>
+    <message>
+        <source>Open &amp;trace …</source>
+        <translation>Ouvrir une &amp;trace …</translation>
+    </message>
+    <message>
+        <source>Lay what a control recorded beside the run: LinuxCNC halsampler, SINUMERIK trace, TwinCAT Scope or any table of samples</source>
+        <translation>Placer à côté de la simulation ce qu&apos;une commande a enregistré : halsampler de LinuxCNC, trace SINUMERIK, TwinCAT Scope ou un tableau d&apos;échantillons</translation>
+    </message>
+    <message>
+        <source>measurement oscilloscope recording machine compare real</source>
+        <translation>mesure oscilloscope enregistrement machine comparer réel</translation>
+    </message>
+    <message>
+        <source>Trace import &amp;options …</source>
+        <translation>&amp;Options d&apos;import de la trace …</translation>
+    </message>
+    <message>
+        <source>What the columns of the trace are, with a preview</source>
+        <translation>Ce que contiennent les colonnes de la trace, avec un aperçu</translation>
+    </message>
+    <message>
+        <source>Read and compare the trace again</source>
+        <translation>Relire et comparer la trace</translation>
+    </message>
+    <message>
+        <source>After its file has changed, or the comparison was cancelled</source>
+        <translation>Après un changement du fichier ou l&apos;annulation de la comparaison</translation>
+    </message>
+    <message>
+        <source>Save the agreement as JSON …</source>
+        <translation>Enregistrer la concordance en JSON …</translation>
+    </message>
+    <message>
+        <source>Figures, worst places and corners, as feedscope trace --json writes them</source>
+        <translation>Grandeurs, pires endroits et angles, tels que feedscope trace --json les écrit</translation>
+    </message>
+    <message>
+        <source>Remove the trace</source>
+        <translation>Retirer la trace</translation>
+    </message>
+    <message>
+        <source>Take the trace that is shown off the list</source>
+        <translation>Retirer de la liste la trace affichée</translation>
+    </message>
+    <message>
+        <source>Figures of the agreement</source>
+        <translation>Grandeurs de la concordance</translation>
+    </message>
+    <message>
+        <source>Places where trace and run differ most</source>
+        <translation>Endroits où trace et simulation diffèrent le plus</translation>
+    </message>
+    <message>
+        <source>Corners, where trace and run differ most first</source>
+        <translation>Angles, ceux où trace et simulation diffèrent le plus en premier</translation>
+    </message>
+    <message>
+        <source>%1 is a trace: open the program that it was recorded of first.</source>
+        <translation>%1 est une trace : ouvrir d&apos;abord le programme dont elle est l&apos;enregistrement.</translation>
+    </message>
+    <message>
+        <source>Open trace</source>
+        <translation>Ouvrir une trace</translation>
+    </message>
+    <message>
+        <source>Traces (*.txt *.csv *.xml *.tsv *.dat *.log *.gz);;All files (*)</source>
+        <translation>Traces (*.txt *.csv *.xml *.tsv *.dat *.log *.gz);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Drop what the control recorded onto the window, or open it here, to see how well the simulation agrees with your machine.</source>
+        <translation>Déposer sur la fenêtre ce que la commande a enregistré, ou l&apos;ouvrir ici, pour voir à quel point la simulation concorde avec votre machine.</translation>
+    </message>
+    <message>
+        <source>The comparison was cancelled. Read and compare the trace again to have it.</source>
+        <translation>La comparaison a été annulée. Relire et comparer la trace pour l&apos;obtenir.</translation>
+    </message>
+    <message>
+        <source>Reading the trace and laying it beside the run …</source>
+        <translation>Lecture de la trace et comparaison avec la simulation …</translation>
+    </message>
+    <message>
+        <source>The trace is read; it waits for the run to be simulated.</source>
+        <translation>La trace est lue ; elle attend que la simulation soit faite.</translation>
+    </message>
+    <message>
+        <source>There is no agreement to save: the trace is not compared with a run.</source>
+        <translation>Il n&apos;y a pas de concordance à enregistrer : la trace n&apos;est comparée à aucune simulation.</translation>
+    </message>
+    <message>
+        <source>Save the agreement</source>
+        <translation>Enregistrer la concordance</translation>
+    </message>
+    <message>
+        <source>JSON (*.json)</source>
+        <translation>JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2. Choose another folder.</source>
+        <translation>Impossible d&apos;écrire %1 : %2. Choisir un autre dossier.</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,8 @@
 //   window_case PROGRAM MODEL PANEL THEME WxH BASELINE RESULTS
 // PANEL is the name of a dock, film for a strip of playback, split or beside for two runs in the 3D view;
 // THEME light or dark. Leaves with 77 where PROGRAM is absent.
+#include <fmt/format.h>
+
 #include <QAction>
 #include <QApplication>
 #include <QDockWidget>
@@ -9,13 +11,16 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <fstream>
 #include <string>
 
+#include "core/analysis/agreement/agreement.h"
 #include "core/base/error.h"
 #include "core/lessons/lesson.h"
 #include "tests/render/baseline.h"
 #include "ui/annotations/annotations_view.h"
 #include "ui/study/study_view.h"
+#include "ui/trace/trace_view.h"
 #include "ui/why/why_view.h"
 #include "ui/window/main_window.h"
 #include "ui/window/pictures_of_panels.h"
@@ -66,6 +71,35 @@ void add_annotations(ui::MainWindow& window, ui::Workbench& bench, double durati
   }
 }
 
+/// Runs show results only once they have their own.
+void wait_for_runs(const ui::MainWindow& window, const ui::Workbench& bench) {
+  while (bench.busy() || window.busy()) {
+    QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+  }
+}
+
+/// What a machine with a tolerance of 0.02 mm would record: a table, one row each millisecond, moved in X.
+void lay_trace_beside(ui::MainWindow& window, const ui::Workbench& bench) {
+  Run recorded = bench.shown()->run;
+  set_tolerance(recorded.setup, 0.02);
+  recorded = simulate_run(recorded.input, recorded.setup);
+  constexpr double period = 1e-3;  // [s]
+  constexpr double moved = 25;     // [mm]
+  const MotionRecord record = record_of(*recorded.trajectory, period);
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "machine.csv";
+  {
+    std::ofstream out(file);
+    out << "time [s],x [mm],y [mm],z [mm]\n";
+    for (std::size_t i = 0; i < record.time.size(); ++i) {
+      const Vec3& at = record.place[i];
+      out << fmt::format("{:.4f},{:.4f},{:.4f},{:.4f}\n", record.time[i], at.x() + moved, at.y(), at.z());
+    }
+  }
+  window.part<ui::TraceView>().open(file);
+  wait_for_runs(window, bench);
+  std::filesystem::remove(file);
+}
+
 /// Does with a panel what it is for.
 void use(const std::string& panel, ui::MainWindow& window, ui::Workbench& bench) {
   constexpr double marked = 0.1;  // of the cycle time
@@ -75,15 +109,10 @@ void use(const std::string& panel, ui::MainWindow& window, ui::Workbench& bench)
     window.part<ui::StudyView>().run();
   } else if (panel == "annotations") {
     add_annotations(window, bench, marked * bench.shown()->run.trajectory->duration());
+  } else if (panel == "trace") {
+    lay_trace_beside(window, bench);
   } else if (panel == "lesson") {
     window.open_lesson(find_lesson("small_circle"));
-  }
-}
-
-/// Runs show results only once they have their own.
-void wait_for_runs(const ui::MainWindow& window, const ui::Workbench& bench) {
-  while (bench.busy() || window.busy()) {
-    QApplication::processEvents(QEventLoop::WaitForMoreEvents);
   }
 }
 

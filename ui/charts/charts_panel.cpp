@@ -151,20 +151,22 @@ void ChartsPanel::set_run(std::shared_ptr<const Trajectory> trajectory,
 
 void ChartsPanel::follow(Workbench& workbench) {
   RunList& runs = workbench.runs();
-  const auto show_others = [this, &runs] { set_overlays(other_runs(runs)); };
+  const TraceList& traces = workbench.traces();
+  const auto show_others = [this, &runs, &traces] { set_overlays(other_runs(runs), shown_traces(traces)); };
   connect(&workbench, &Workbench::run_changed, this, [this, &workbench] { show_run_of(workbench); });
-  for (const auto signal : {&RunList::list_changed, &RunList::current_changed}) {
-    connect(&runs, signal, this, show_others);
-  }
-  for (const auto signal : {&RunList::item_changed, &RunList::result_changed}) {
-    connect(&runs, signal, this, show_others);
-  }
+  connect(&runs, &RunList::list_changed, this, show_others);
+  connect(&runs, &RunList::current_changed, this, show_others);
+  connect(&runs, &RunList::item_changed, this, show_others);
+  connect(&runs, &RunList::result_changed, this, show_others);
+  connect(&traces, &TraceList::list_changed, this, show_others);
+  connect(&traces, &TraceList::changed, this, show_others);
   connect(&workbench, &Workbench::program_changed, this, [this, &workbench] {
     if (workbench.program() != nullptr && std::exchange(shown_file_, workbench.file()) != workbench.file()) {
       show_usual_curves();
     }
   });
   show_run_of(workbench);
+  show_others();
 }
 
 void ChartsPanel::show_run_of(Workbench& workbench) {
@@ -200,8 +202,9 @@ void ChartsPanel::show_held_range() {
   show_range(held.state);
 }
 
-void ChartsPanel::set_overlays(std::vector<RunOverlay> overlays) {
+void ChartsPanel::set_overlays(std::vector<RunOverlay> overlays, std::vector<TraceOverlay> traces) {
   overlays_.set_runs(std::move(overlays));
+  overlays_.set_traces(std::move(traces), acceleration_chart, rows_.charts[acceleration_chart]->spec());
   refresh_.start();
 }
 

@@ -47,7 +47,8 @@ class ChartsPanel : public Panel {
   void set_run(std::shared_ptr<const Trajectory> trajectory, std::shared_ptr<const Envelope> envelope,
                bool keep_range, const RunSources& sources = {});
   /// Other runs of the same program, drawn behind. Over path length they stand by place.
-  void set_overlays(std::vector<RunOverlay> overlays);
+  /// What a control recorded is drawn like them.
+  void set_overlays(std::vector<RunOverlay> overlays, std::vector<TraceOverlay> traces = {});
   /// The curve of other runs that a chart shows, by its number in the chart's spec; none: no curve. At first
   /// the achieved feed alone.
   void set_overlay_curve(std::size_t chart, std::optional<std::size_t> curve);
@@ -63,6 +64,7 @@ class ChartsPanel : public Panel {
   /// What its axes run; null where they follow exactly.
   const RunSources& sources() const { return sources_; }
   const std::vector<RunOverlay>& overlays() const { return overlays_.runs(); }
+  const std::vector<TraceOverlay>& traces() const { return overlays_.traces(); }
   std::optional<std::size_t> overlay_curve(std::size_t chart) const { return overlays_.chosen(chart); }
   Cursor& cursor() { return cursor_; }
   ViewRange& range() { return range_; }

@@ -30,6 +30,11 @@ int ColumnCache::shift_to(const Interval& range, int count) const {
 }
 
 void ColumnCache::update(const Envelope& envelope, const Interval& range, int count, const TimeAt& time_at) {
+  update([&envelope](std::span<const double> times) { return envelope.columns(times); }, range, count,
+         time_at);
+}
+
+void ColumnCache::update(const BandsOf& bands_of, const Interval& range, int count, const TimeAt& time_at) {
   const int shift = shift_to(range, count);
   if (shift == 0) {
     return;
@@ -57,7 +62,7 @@ void ColumnCache::update(const Envelope& envelope, const Interval& range, int co
   }
   const auto borders =
       std::span(times_).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(last - first) + 1);
-  std::ranges::copy(envelope.columns(borders), bands_.begin() + first);
+  std::ranges::copy(bands_of(borders), bands_.begin() + first);
 }
 
 }  // namespace feedscope::ui

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "core/analysis/envelope/envelope.h"
@@ -14,8 +15,11 @@ class ColumnCache {
  public:
   /// Time at a position along the abscissa [s], never falling.
   using TimeAt = std::function<double(double)>;
+  /// One band for each pair of neighbours in `times` [s].
+  using BandsOf = std::function<std::vector<Band>(std::span<const double>)>;
 
   /// Brings `count` columns over `range` up to date.
+  void update(const BandsOf& bands_of, const Interval& range, int count, const TimeAt& time_at);
   void update(const Envelope& envelope, const Interval& range, int count, const TimeAt& time_at);
   /// Another run or abscissa.
   void clear();

@@ -1,5 +1,6 @@
 #include "ui/charts/overlay_curves.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -10,8 +11,21 @@ void OverlayCurves::set_runs(std::vector<RunOverlay> runs) {
   columns_.assign(runs_.size(), {});
 }
 
+void OverlayCurves::set_traces(std::vector<TraceOverlay> traces, std::size_t chart, const ChartSpec& spec) {
+  if (traces_.empty() && !traces.empty() && !chosen_[chart].has_value()) {
+    const auto found =
+        std::ranges::find(spec.curves, QuantityId::tangential_acceleration, &CurveSpec::quantity);
+    chosen_[chart] = static_cast<std::size_t>(found - spec.curves.begin());
+  }
+  traces_ = std::move(traces);
+  trace_columns_.assign(traces_.size(), {});
+}
+
 void OverlayCurves::clear() {
   for (ColumnCache& columns : columns_) {
+    columns.clear();
+  }
+  for (ColumnCache& columns : trace_columns_) {
     columns.clear();
   }
 }
@@ -20,6 +34,12 @@ void OverlayCurves::update(const ViewRange& range, const Trajectory& run, int co
   for (std::size_t i = 0; i < runs_.size(); ++i) {
     columns_[i].update(*runs_[i].envelope, {range.lower(), range.upper()}, count,
                        [&](double position) { return time_of(runs_[i], range, run, position); });
+  }
+  for (std::size_t i = 0; i < traces_.size(); ++i) {
+    const TraceMotion& motion = traces_[i].shown->motion;
+    trace_columns_[i].update([&](std::span<const double> times) { return motion.columns(times); },
+                             {range.lower(), range.upper()}, count,
+                             [&](double position) { return traces_[i].time_at(range, position); });
   }
 }
 
@@ -45,6 +65,15 @@ std::vector<OverlayCurve> OverlayCurves::curves(std::size_t chart, const ChartSp
     }
     curves.push_back(std::move(curve));
   }
+  for (std::size_t i = 0; i < traces_.size(); ++i) {
+    if (traces_[i].shown->motion.knows(quantity)) {
+      OverlayCurve curve{{}, traces_[i].color, false};
+      for (const Band& band : trace_columns_[i].bands()) {
+        curve.columns.push_back(band[quantity]);
+      }
+      curves.push_back(std::move(curve));
+    }
+  }
   return curves;
 }
 
@@ -64,6 +93,18 @@ std::vector<LegendEntry> OverlayCurves::legend(std::size_t chart, const ChartSpe
       InstantSampler sampler(overlay.sources, time);
       const double value = quantity.of(sampler.at(state));
       entry.value = std::isnan(value) ? std::nullopt : std::optional(spec.convert(value));
+    }
+    entries.push_back(std::move(entry));
+  }
+  for (const TraceOverlay& trace : traces_) {
+    const TraceMotion& motion = trace.shown->motion;
+    if (!motion.knows(quantity.id)) {
+      continue;
+    }
+    LegendEntry entry{trace.name, trace.color, false, {}};
+    const double time = position.has_value() ? trace.time_at(range, *position) : MatchedRecord::unmatched;
+    if (run != nullptr && !std::isnan(time)) {
+      entry.value = spec.convert(quantity.of(Instant(motion.state(time))));
     }
     entries.push_back(std::move(entry));
   }

@@ -19,6 +19,10 @@ class OverlayCurves {
  public:
   void set_runs(std::vector<RunOverlay> runs);
   const std::vector<RunOverlay>& runs() const { return runs_; }
+  /// Drawn as runs are; of what a trace does not know there is no curve. With the first trace `chart`, whose
+  /// spec is `spec`, shows the tangential acceleration too, unless another curve was chosen.
+  void set_traces(std::vector<TraceOverlay> traces, std::size_t chart, const ChartSpec& spec);
+  const std::vector<TraceOverlay>& traces() const { return traces_; }
   /// The curve of a chart's spec that the other runs show in it; none: no curve. At first the achieved feed
   /// alone.
   void choose(std::size_t chart, std::optional<std::size_t> curve) { chosen_[chart] = curve; }
@@ -40,6 +44,8 @@ class OverlayCurves {
 
   std::vector<RunOverlay> runs_;
   std::vector<ColumnCache> columns_;  ///< one a run
+  std::vector<TraceOverlay> traces_;
+  std::vector<ColumnCache> trace_columns_;  ///< one a trace
   std::array<std::optional<std::size_t>, chart_count> chosen_{0};
 };
 

@@ -19,6 +19,24 @@ std::vector<RunOverlay> other_runs(const RunList& runs) {
   return others;
 }
 
+std::vector<TraceOverlay> shown_traces(const TraceList& traces) {
+  std::vector<TraceOverlay> shown;
+  for (std::size_t row = 0; row < traces.items().size(); ++row) {
+    const TraceItem& item = traces.items()[row];
+    if (const auto result = traces.result(row); item.visible && result != nullptr) {
+      shown.push_back({result, item.colour, item.name});
+    }
+  }
+  return shown;
+}
+
+/// Over time both begin to move together, over path length they are at the same place.
+double TraceOverlay::time_at(const ViewRange& range, double position) const {
+  const TraceAlignment& alignment = shown->alignment;
+  return range.abscissa() == Abscissa::time ? alignment.at_time(position)
+                                            : alignment.at_place(range.time_at(position));
+}
+
 std::optional<CuttingFeed> cutting_feed(const Envelope* run, std::span<const Band> shown,
                                         std::span<const RunOverlay> beside) {
   if (run == nullptr || run->cutting()[QuantityId::feed].empty()) {

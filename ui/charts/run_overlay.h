@@ -9,7 +9,9 @@
 
 #include "core/analysis/envelope/envelope.h"
 #include "ui/charts/value_fit.h"
+#include "ui/shared/view_range.h"
 #include "ui/workbench/run_list.h"
+#include "ui/workbench/trace_list.h"
 
 namespace feedscope::ui {
 
@@ -25,6 +27,19 @@ struct RunOverlay {
 
 /// Those of the list that are shown and simulated, but for the current one.
 std::vector<RunOverlay> other_runs(const RunList& runs);
+
+/// What a control recorded of the program, drawn beside its run.
+struct TraceOverlay {
+  std::shared_ptr<const ShownTrace> shown;
+  QColor color;
+  QString name;
+
+  /// Which instant of the trace stands at a position of the charts; not a number where none does [s].
+  double time_at(const ViewRange& range, double position) const;
+};
+
+/// Those of the list that are shown and compared with the current run.
+std::vector<TraceOverlay> shown_traces(const TraceList& traces);
 
 /// The largest feeds that a run and those beside it cut at [mm/s]; none without a run (null), and where what
 /// is `shown` of it are rapids alone.

@@ -8,6 +8,7 @@
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"
+#include "ui/shared/paths.h"
 #include "ui/workbench/tolerance_text.h"
 
 namespace feedscope::ui {
@@ -23,15 +24,29 @@ QString number(double value, int decimals) {
 }  // namespace
 
 RunTable::RunTable(RunList& runs, QObject* parent) : QAbstractTableModel(parent), runs_(runs) {
-  connect(&runs_, &RunList::list_changed, this, [this] {
-    beginResetModel();
-    endResetModel();
-    follow_figures();
-  });
+  connect(&runs_, &RunList::list_changed, this, &RunTable::reset);
   connect(&runs_, &RunList::item_changed, this, &RunTable::changed);
   connect(&runs_, &RunList::result_changed, this, &RunTable::all_changed);  // the best one may be another
   connect(&runs_, &RunList::current_changed, this, &RunTable::all_changed);
   connect(&runs_, &RunList::status_changed, this, &RunTable::changed);
+}
+
+void RunTable::set_traces(TraceList& traces) {
+  traces_ = &traces;
+  connect(&traces, &TraceList::list_changed, this, &RunTable::reset);
+  connect(&traces, &TraceList::changed, this, &RunTable::all_changed);
+  reset();
+}
+
+std::optional<std::size_t> RunTable::trace_of(int row) const {
+  const auto runs = static_cast<int>(runs_.items().size());
+  return row < runs ? std::nullopt : std::optional(static_cast<std::size_t>(row - runs));
+}
+
+void RunTable::reset() {
+  beginResetModel();
+  endResetModel();
+  follow_figures();
 }
 
 void RunTable::set_error_bound(std::optional<double> bound) {
@@ -95,7 +110,8 @@ std::optional<std::size_t> RunTable::best() const {
 }
 
 int RunTable::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(runs_.items().size());
+  const std::size_t traces = traces_ == nullptr ? 0 : traces_->items().size();
+  return parent.isValid() ? 0 : static_cast<int>(runs_.items().size() + traces);
 }
 
 int RunTable::columnCount(const QModelIndex& parent) const {
@@ -199,9 +215,88 @@ void RunTable::append_slower_tolerance(std::size_t row, QStringList& lines) cons
   }
 }
 
+QString RunTable::trace_text(std::size_t trace, int column) const {
+  const auto shown = traces_->result(trace);
+  switch (column) {
+    case name:
+      return traces_->items()[trace].name;
+    case machine:
+      return tr("recorded");
+    case cycle_time:
+      if (shown == nullptr) {
+        switch (traces_->status(trace)) {
+          case TraceStatus::cancelled:
+            return tr("cancelled");
+          case TraceStatus::failed:
+            return tr("failed");
+          default:
+            return QStringLiteral("…");
+        }
+      }
+      return shown->agreement.whole ? clock_text(shown->agreement.measured_time) : QStringLiteral("–");
+    case difference: {
+      const auto fastest = best();
+      if (shown == nullptr || !shown->agreement.whole || !fastest || !(summary(*fastest)->cycle_time > 0)) {
+        return {};
+      }
+      const double percent = 100 * (shown->agreement.measured_time / summary(*fastest)->cycle_time - 1);
+      return QStringLiteral("%1%2").arg(percent < 0 ? "" : "+", number(percent, 1));
+    }
+    case contour_error:
+      return shown == nullptr ? QStringLiteral("…")
+                              : number_text(shown->agreement.distance, Dimension::error);
+    default:
+      return QStringLiteral("–");
+  }
+}
+
+QString RunTable::trace_explanation(std::size_t trace) const {
+  const TraceItem& item = traces_->items()[trace];
+  QStringList lines{QStringLiteral("<b>%1</b>").arg(item.name.toHtmlEscaped()),
+                    to_qstring(item.file).toHtmlEscaped(),
+                    tr("What a control recorded. The panel Trace says how well the current run agrees.")};
+  const auto shown = traces_->result(trace);
+  if (shown != nullptr && !shown->agreement.whole) {
+    lines.append(tr("It covers %1 % of the path: a cycle time is not known.")
+                     .arg(number(100 * shown->found.share, 1)));
+  }
+  if (traces_->status(trace) == TraceStatus::failed) {
+    lines.append(tr("It failed: %1").arg(traces_->failure(trace).toHtmlEscaped()));
+  }
+  return QStringLiteral("<p>%1</p>").arg(lines.join(QStringLiteral("<br>")));
+}
+
+QVariant RunTable::trace_data(std::size_t trace, int column, int role) const {
+  const TraceItem& item = traces_->items()[trace];
+  switch (role) {
+    case Qt::DisplayRole:
+      return trace_text(trace, column);
+    case Qt::EditRole:
+      return column == name ? QVariant(item.name) : QVariant();
+    case Qt::CheckStateRole:
+      return column == name ? QVariant(item.visible ? Qt::Checked : Qt::Unchecked) : QVariant();
+    case Qt::DecorationRole:
+      return column == name ? QVariant(item.colour) : QVariant();
+    case Qt::TextAlignmentRole:
+      return column >= tolerance ? QVariant::fromValue(Qt::AlignRight | Qt::AlignVCenter) : QVariant();
+    case Qt::ToolTipRole:
+      return trace_explanation(trace);
+    case Qt::FontRole: {
+      QFont font;
+      font.setItalic(true);
+      return font;
+    }
+    default:
+      return {};
+  }
+}
+
 QVariant RunTable::data(const QModelIndex& index, int role) const {
   if (!checkIndex(index, CheckIndexOption::IndexIsValid)) {
     return {};
+  }
+  if (const auto trace = trace_of(index.row())) {
+    return trace_data(*trace, index.column(), role);
   }
   const auto row = static_cast<std::size_t>(index.row());
   const RunItem& item = runs_.items()[row];
@@ -234,6 +329,14 @@ QVariant RunTable::data(const QModelIndex& index, int role) const {
 bool RunTable::setData(const QModelIndex& index, const QVariant& value, int role) {
   if (!checkIndex(index, CheckIndexOption::IndexIsValid) || index.column() != name) {
     return false;
+  }
+  if (const auto trace = trace_of(index.row())) {
+    if (role == Qt::CheckStateRole) {
+      traces_->set_visible(*trace, value.value<Qt::CheckState>() == Qt::Checked);
+    } else if (role == Qt::EditRole) {
+      traces_->rename(*trace, value.toString());
+    }
+    return role == Qt::CheckStateRole || role == Qt::EditRole;
   }
   const auto row = static_cast<std::size_t>(index.row());
   if (role == Qt::CheckStateRole) {

@@ -5,11 +5,14 @@
 
 #include "core/analysis/source_figures.h"
 #include "ui/workbench/run_list.h"
+#include "ui/workbench/trace_list.h"
 
 namespace feedscope::ui {
 
 /// The runs as a table of results: a row a run, the current one bold. The check box shows or hides a run
 /// beside the current one; name and colour can be edited.
+///
+/// Below them the traces of the program: how long the control took, and how far it left the path.
 ///
 /// With a bound on the contour error, runs that keep it compete: the fastest of them is marked.
 class RunTable : public QAbstractTableModel {
@@ -21,6 +24,11 @@ class RunTable : public QAbstractTableModel {
 
   /// `runs` outlives this.
   explicit RunTable(RunList& runs, QObject* parent = nullptr);
+
+  /// Shows these below the runs; `traces` outlives this.
+  void set_traces(TraceList& traces);
+  /// Which of the traces a row is; none: a run.
+  std::optional<std::size_t> trace_of(int row) const;
 
   /// Largest contour error that counts [mm]; none: every run counts.
   void set_error_bound(std::optional<double> bound);
@@ -41,11 +49,16 @@ class RunTable : public QAbstractTableModel {
   void append_slower_tolerance(std::size_t row, QStringList& lines) const;
   const Summary* summary(std::size_t row) const;
   bool keeps_bound(const Summary& summary) const;
+  QVariant trace_data(std::size_t trace, int column, int role) const;
+  QString trace_text(std::size_t trace, int column) const;
+  QString trace_explanation(std::size_t trace) const;
+  void reset();
   void follow_figures();
   void changed(std::size_t row);
   void all_changed();
 
   RunList& runs_;
+  TraceList* traces_ = nullptr;
   std::optional<double> bound_;
   std::vector<const SourceFigure*> figures_;  ///< behind `columns`
 };

@@ -123,7 +123,12 @@ RunsView::RunsView(RunList& runs, QWidget* parent)
   connect(bound_, &NumberBox::valueChanged, this, set_bound);
   connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           [this](const QModelIndex& index) {
-            if (index.isValid()) {
+            if (!index.isValid()) {
+              return;
+            }
+            if (const auto trace = model_->trace_of(index.row())) {
+              emit trace_chosen(*trace);
+            } else {
               runs_.select(static_cast<std::size_t>(index.row()));
             }
           });
@@ -145,7 +150,8 @@ void RunsView::make_actions() {
   add_action(tr("R&ename"), tr("Type a name for the current run; empty: named by its machine and settings"),
              QKeySequence(Qt::Key_F2), &RunsView::rename);
   actions_.last()->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-  add_action(tr("&Remove"), tr("Remove the current run"), QKeySequence(tr("Ctrl+Delete")), &RunsView::remove);
+  add_action(tr("&Remove"), tr("Remove the current run, or the trace that is selected"),
+             QKeySequence(tr("Ctrl+Delete")), &RunsView::remove);
   add_action(tr("&Up"), tr("Move the current run up"), QKeySequence(tr("Alt+Up")), &RunsView::move_up);
   add_action(tr("Dow&n"), tr("Move the current run down"), QKeySequence(tr("Alt+Down")),
              &RunsView::move_down);
@@ -153,8 +159,10 @@ void RunsView::make_actions() {
       make_action(this, tr("&Simulate again"), tr("Simulate the current run, which was cancelled or failed"),
                   QKeySequence(Qt::Key_F9), [this] { emit again_wanted(runs_.current()); });
   actions_.append(again_);
-  table_->addAction(make_action(this, tr("&Colour …"), tr("Colour of the current run in charts and 3D view"),
-                                {}, [this] { choose_colour(runs_.current()); }));
+  table_->addAction(
+      make_action(this, tr("&Colour …"),
+                  tr("Colour of the current run in charts and 3D view, or of the selected trace in charts"),
+                  {}, [this] { choose_colour(); }));
 }
 
 void RunsView::add_action(const QString& text, const QString& tip, const QKeySequence& key,
@@ -208,12 +216,23 @@ QString RunsView::add_tolerances(const QString& text) {
 }
 
 void RunsView::remove() {
-  runs_.remove(runs_.current());
+  if (const auto trace = chosen_trace()) {
+    traces_->remove(*trace);
+  } else {
+    runs_.remove(runs_.current());
+  }
+}
+
+std::optional<std::size_t> RunsView::chosen_trace() const {
+  const QModelIndex index = table_->currentIndex();
+  return index.isValid() ? model_->trace_of(index.row()) : std::nullopt;
 }
 
 void RunsView::rename() {
   table_->setFocus();
-  table_->edit(model_->index(static_cast<int>(runs_.current()), RunTable::name));
+  const auto trace = chosen_trace();
+  const std::size_t row = trace ? runs_.items().size() + *trace : runs_.current();
+  table_->edit(model_->index(static_cast<int>(row), RunTable::name));
 }
 
 void RunsView::move_up() {
@@ -226,11 +245,14 @@ void RunsView::move_down() {
   runs_.move(runs_.current(), runs_.current() + 1);
 }
 
-void RunsView::choose_colour(std::size_t row) {
-  const QColor colour = QColorDialog::getColor(runs_.items()[row].colour, this, tr("Colour of the run"));
-  if (colour.isValid()) {
-    runs_.set_colour(row, colour);
+void RunsView::choose_colour() {
+  const auto trace = chosen_trace();
+  const QColor before = trace ? traces_->items()[*trace].colour : runs_.current_item().colour;
+  const QColor colour = QColorDialog::getColor(before, this, tr("Colour of the run"));
+  if (!colour.isValid()) {
+    return;
   }
+  trace ? traces_->set_colour(*trace, colour) : runs_.set_colour(runs_.current(), colour);
 }
 
 void RunsView::follow_current() {
@@ -311,6 +333,10 @@ void RunsView::save_csv() {
 }
 
 void RunsView::follow(Workbench& workbench) {
+  traces_ = &workbench.traces();
+  model_->set_traces(*traces_);
+  follow_current();
+  connect(traces_, &TraceList::list_changed, this, &RunsView::follow_current);
   for_all_->setChecked(workbench.setup().for_all());
   connect(for_all_, &QAction::toggled, &workbench.setup(), &SetupEdit::set_for_all);
   connect(this, &RunsView::again_wanted, &workbench, &Workbench::simulate_again);

@@ -38,6 +38,8 @@ class RunsView : public Panel {
  signals:
   /// The run of this row is to be simulated once more.
   void again_wanted(std::size_t row);
+  /// The row of a trace has been selected.
+  void trace_chosen(std::size_t trace);
 
  private:
   void make_actions();
@@ -50,13 +52,16 @@ class RunsView : public Panel {
   void rename();
   void move_up();
   void move_down();
-  void choose_colour(std::size_t row);
+  void choose_colour();
+  /// None: a run is selected.
+  std::optional<std::size_t> chosen_trace() const;
   void follow_current();
   void follow_status();
   void show_verdict();
   void save_csv();
 
   RunList& runs_;
+  TraceList* traces_ = nullptr;
   RunTable* model_;
   QTableView* table_;
   QCheckBox* bounded_;

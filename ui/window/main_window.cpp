@@ -32,6 +32,7 @@
 #include "ui/study/study_view.h"
 #include "ui/theme/icons.h"
 #include "ui/time_use/time_view.h"
+#include "ui/trace/trace_view.h"
 #include "ui/why/why_view.h"
 #include "ui/window/dock_sizes.h"
 #include "ui/window/file_menu.h"
@@ -72,8 +73,9 @@ MainWindow::MainWindow(Workbench& workbench, RenderBackend backend, QWidget* par
       contour_(new ContourView(workbench, this)),
       circular_(new CircularView(workbench, this)),
       load_(new LoadView(workbench, this)),
-      panels_{program_, time_,        setup_,       why_,   annotations_, lessons_,  charts_,
-              runs_,    slow_places_, diagnostics_, study_, contour_,     circular_, load_},
+      traces_(new TraceView(workbench, this)),
+      panels_{program_,     time_,        setup_, why_,     annotations_, lessons_, charts_, runs_,
+              slow_places_, diagnostics_, study_, contour_, circular_,    load_,    traces_},
       session_(new WindowSession(*this, workbench)),
       machines_(new MachineOpening(workbench, *this)) {
   setWindowTitle(tr("Feedscope"));
@@ -184,6 +186,7 @@ void MainWindow::make_menus() {
   runs->addActions(contour_->panel_actions());
   runs->addActions(circular_->panel_actions());
   runs->addActions(load_->panel_actions());
+  runs->addActions(traces_->panel_actions());
   runs->addSeparator();
   runs->addAction(make_action(this, tr("&Cancel simulation"),
                               tr("Stop reading, simulating or comparing runs"), Qt::Key_Escape,
@@ -249,6 +252,7 @@ void MainWindow::connect_panels() {
   scene().set_place_actions(annotations_->panel_actions());
   connect(&scene().annotations(), &AnnotationOverlay::edit_wanted, annotations_, &AnnotationsView::edit);
   annotations_->set_stretch([this] { return chosen_times(); });
+  connect(runs_, &RunsView::trace_chosen, traces_, &TraceView::choose);
   connect(time_, &TimeView::report_wanted, file_menu_, &FileMenu::ask_for_report);
 }
 
@@ -308,6 +312,10 @@ void MainWindow::show_title() {
 void MainWindow::open(const std::filesystem::path& file) {
   if (MachineOpening::is_machine(file)) {
     open_machine(file);
+    return;
+  }
+  if (TraceView::is_trace(file)) {
+    traces_->open(file);
     return;
   }
   if (!session_->may_go()) {

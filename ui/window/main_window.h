@@ -31,6 +31,7 @@ class SetupView;
 class SlowPlacesView;
 class StudyView;
 class TimeView;
+class TraceView;
 class WhyView;
 
 /// The 3D view with the panels around it and their commands in menus. Panels follow the workbench by
@@ -55,8 +56,8 @@ class MainWindow : public QMainWindow {
   bool busy() const;
   /// Opens a lesson in its panel, and what it begins with in all others.
   void open_lesson(const std::filesystem::path& file);
-  /// A program, a session or a machine file by the end of its name, the configuration of a control by its
-  /// content; asks before what is not saved goes.
+  /// A program, a session or a machine file by the end of its name, the configuration of a control and a
+  /// trace by their content; asks before what is not saved goes.
   void open(const std::filesystem::path& file);
   /// A machine file, or the configuration of a control.
   void open_machine(const std::filesystem::path& file);
@@ -121,7 +122,8 @@ class MainWindow : public QMainWindow {
   ContourView* contour_;
   CircularView* circular_;
   LoadView* load_;
-  std::array<Panel*, 14> panels_;  ///< in the order of their tabs
+  TraceView* traces_;
+  std::array<Panel*, 15> panels_;  ///< in the order of their tabs
   WindowSession* session_;
   MachineOpening* machines_;
   FileMenu* file_menu_ = nullptr;

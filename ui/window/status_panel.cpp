@@ -66,6 +66,8 @@ StatusPanel::StatusPanel(Workbench& workbench, RunComparison& comparison, QWidge
 void StatusPanel::cancel() {
   if (workbench_.busy()) {
     workbench_.cancel();
+  } else if (workbench_.traces().busy()) {
+    workbench_.traces().cancel();
   } else {
     comparison_.cancel();
   }

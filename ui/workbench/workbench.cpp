@@ -35,6 +35,7 @@ Workbench::Workbench(MachineLibrary machines, Setup setup, QObject* parent)
     show_current();
     schedule();
   });
+  connect(&traces_, &TraceList::failed, this, &Workbench::failed);
   connect(&job_, &SimulationJob::busy_changed, this, &Workbench::busy_changed);
   connect(&job_, &SimulationJob::progressed, this, &Workbench::report);
   connect(&job_, &SimulationJob::failed, this, &Workbench::take_failure);
@@ -60,6 +61,7 @@ void Workbench::show(const Run& run) {
   file_ = run.input.program->source->name();
   reading_ = {};
   program_ = {};
+  traces_.clear();
   annotations_.replace({});
   runs_.replace({{0, {}, runs_.current_item().colour, true, SetupState(run.setup)}}, 0, run.setup.load);
   program_ = make_shown(run.input);
@@ -74,6 +76,7 @@ void Workbench::open(const std::filesystem::path& file) {
     if (!file_.empty()) {
       begin_runs_again();
     }
+    traces_.clear();
     annotations_.replace({});
     reading_ = {};
   }
@@ -89,6 +92,7 @@ void Workbench::open(const std::filesystem::path& file) {
 void Workbench::open(const std::filesystem::path& file, std::vector<RunItem> runs, std::size_t current,
                      const ReadOptions& reading, const LoadSetup& load) {
   job_.cancel();
+  traces_.clear();
   file_ = file;
   reading_ = reading;
   machine_chosen_ = true;
@@ -328,6 +332,7 @@ void Workbench::show_current() {
   if (trajectory != nullptr) {
     return_to_place();
   }
+  traces_.set_run(result);
   emit run_changed();
 }
 

@@ -16,6 +16,7 @@
 #include "ui/workbench/run_list.h"
 #include "ui/workbench/setup_edit.h"
 #include "ui/workbench/simulation_job.h"
+#include "ui/workbench/trace_list.h"
 
 namespace feedscope::ui {
 
@@ -72,6 +73,8 @@ class Workbench : public QObject {
   /// The shipped machines; one whose file is faulty goes by its id.
   std::vector<MachineChoice> machine_choices() const;
   RunList& runs() { return runs_; }
+  /// What a control recorded of the program; another program has none.
+  TraceList& traces() { return traces_; }
   SetupEdit& setup() { return setup_; }
   Cursor& cursor() { return cursor_; }
   Playback& playback() { return playback_; }
@@ -128,6 +131,7 @@ class Workbench : public QObject {
 
   MachineLibrary machines_;
   RunList runs_;
+  TraceList traces_;
   SetupEdit setup_;
   Cursor cursor_;
   Playback playback_;

@@ -23,8 +23,7 @@ struct Compared {
   double to = 0;
 };
 
-Compared compared_part(const TraceOnProgram& trace, const TimeLaw& simulated) {
-  const double margin = std::max(moving, 4 * trace.noise);
+Compared compared_part(const TraceOnProgram& trace, const TimeLaw& simulated, double margin) {
   return {std::max(trace.law.first_s(), simulated.first_s()) + margin,
           std::min(trace.law.last_s(), simulated.last_s()) - margin};
 }
@@ -107,6 +106,14 @@ std::vector<WorstPlace> worst_of(const std::vector<AgreementCell>& cells, const 
 }
 
 }  // namespace
+
+double Agreement::corner_rms() const {
+  double squares = 0;
+  for (const CornerAgreement& corner : corners) {
+    squares += corner.error() * corner.error();
+  }
+  return corners.empty() ? 0 : std::sqrt(squares / static_cast<double>(corners.size()));
+}
 
 MotionRecord record_of(const Trajectory& trajectory, double step) {
   MotionRecord record;
@@ -253,7 +260,8 @@ Agreement agreement_of(const TraceOnProgram& trace, const ProgrammedCourse& cour
     throw InputError(
         "the run does not follow the path of the program within the tolerance of the comparison");
   }
-  const Compared part = compared_part(trace, simulated);
+  const double margin = std::max(moving, 4 * trace.noise);
+  const Compared part = compared_part(trace, simulated, margin);
   if (!(part.to > part.from)) {
     throw InputError("trace and run have no part of the path in common");
   }
@@ -289,6 +297,11 @@ Agreement agreement_of(const TraceOnProgram& trace, const ProgrammedCourse& cour
   agreement.feed_rms = length > 0 ? std::sqrt(squares / length) : 0;
   agreement.worst = worst_of(agreement.cells, course, *run.input.toolpath);
   agreement.operations = operations_of(run, course, trace.law, simulated, part);
+  constexpr double clear_of_noise = 20;
+  agreement.corners = corners_of(*run.input.toolpath, course, trace.law, simulated, part.from, part.to,
+                                 std::max(moving, clear_of_noise * trace.noise));
+  agreement.simulated = simulated;
+  agreement.margin = margin;
   return agreement;
 }
 

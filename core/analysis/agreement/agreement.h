@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/analysis/agreement/corner_agreement.h"
 #include "core/analysis/agreement/time_law.h"
 #include "core/analysis/agreement/trace_pose.h"
 #include "core/analysis/run.h"
@@ -66,7 +67,12 @@ struct Agreement {
   std::vector<AgreementCell> cells;
   std::vector<WorstPlace> worst;               ///< at most ten, the largest difference of time first
   std::vector<OperationAgreement> operations;  ///< empty: the program has one alone
+  std::vector<CornerAgreement> corners;        ///< those that both pass, in order of the program
+  TimeLaw simulated;                           ///< of the run, on the programmed path as the trace's
+  double margin = 0;                           ///< from where it stands: a motion has begun there [mm]
 
+  /// Root mean square of CornerAgreement::error(); 0 without corners.
+  double corner_rms() const;
   double time_error() const { return measured_time > 0 ? simulated_time / measured_time - 1 : 0; }
 };
 

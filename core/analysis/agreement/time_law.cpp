@@ -42,6 +42,32 @@ double TimeLaw::at(double s) const {
   return t_[i - 1] + (t_[i] - t_[i - 1]) * (s - s_[i - 1]) / (s_[i] - s_[i - 1]);
 }
 
+double TimeLaw::at(double s, double share, double near) const {
+  double from = at(s);
+  double pause = 0;
+  auto i = static_cast<std::size_t>(std::ranges::lower_bound(s_, s - near) - s_.begin());
+  for (; i + 1 < s_.size() && s_[i] <= s + near; ++i) {
+    if (s_[i + 1] == s_[i] && t_[i + 1] - t_[i] > pause) {
+      from = t_[i];
+      pause = t_[i + 1] - t_[i];
+    }
+  }
+  return from + share * pause;
+}
+
+TimeLaw::Place TimeLaw::place_at(double time) const {
+  const auto found = std::ranges::lower_bound(t_, time);
+  if (found == t_.end()) {
+    return {s_.back(), 0};
+  }
+  const auto i = static_cast<std::size_t>(found - t_.begin());
+  if (i == 0) {
+    return {s_.front(), 0};
+  }
+  const double share = (time - t_[i - 1]) / (t_[i] - t_[i - 1]);
+  return s_[i] == s_[i - 1] ? Place{s_[i], share} : Place{s_[i - 1] + share * (s_[i] - s_[i - 1]), 0};
+}
+
 double TimeLaw::distance(double from, double to) const {
   auto i = static_cast<std::size_t>(std::lower_bound(s_.begin(), s_.end(), from) - s_.begin());
   float largest = 0;

@@ -17,6 +17,14 @@ class TimeLaw {
   double first_s() const { return s_.front(); }  ///< [mm]
   double last_s() const { return s_.back(); }    ///< [mm]
   double at(double s) const;                     ///< clamped to what it covers [s]
+  /// The same at a share of the longest pause within `near` of there; at(s) where there is none [s].
+  double at(double s, double share, double near = 0) const;
+  /// Where the motion is.
+  struct Place {
+    double s = 0;      ///< programmed path length [mm]
+    double share = 0;  ///< of the pause there that is over; 0 in motion
+  };
+  Place place_at(double time) const;  ///< clamped to what it covers
   /// Farthest distance from the path between two places [mm].
   double distance(double from, double to) const;
   const std::vector<double>& places() const { return s_; }  ///< rising [mm]

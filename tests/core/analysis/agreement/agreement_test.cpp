@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "core/analysis/agreement/trace_alignment.h"
 #include "core/base/error.h"
 
 namespace feedscope {
@@ -169,6 +170,62 @@ TEST(Agreement, RefusesATraceOfAnotherProgram) {
   EXPECT_THROW(compare(trace, run), InputError);
 }
 
+TEST(TraceAlignment, OfATraceWithItsOwnRunIsTheSameInstantPausesIncluded) {
+  const auto run = run_of(program_text);
+  Trace trace = trace_of(run, 1e-3);
+  constexpr double late = 0.25;  // [s]
+  for (double& time : trace.time) {
+    time += late;
+  }
+  const auto [found, agreement] = compare(trace, run);
+  const TraceAlignment alignment(found, agreement);
+  for (double time = 0.05; time < run.trajectory->duration() - 0.05; time += 0.0137) {
+    EXPECT_NEAR(alignment.at_time(time), time + late, 1e-3);
+    EXPECT_NEAR(alignment.at_place(time), time + late, 3e-3) << time;
+  }
+  EXPECT_NEAR(alignment.run_time(60), alignment.at_place(alignment.run_time(60)) - late, 3e-3);
+}
+
+TEST(TraceAlignment, PutsASlowMachineAtTheSamePlaceAndStretchesNothingThatIsLost) {
+  const auto run = run_of(program_text);
+  const auto slow = run_of(program_text, {"X.acceleration=0.2", "Y.acceleration=0.2"});
+  Trace trace = trace_of(slow, 1e-3);
+  for (std::size_t i = 700; i < 900; ++i) {
+    trace.place[1][i] += 50;
+  }
+  const auto [found, agreement] = compare(trace, run);
+  const TraceAlignment alignment(found, agreement);
+  std::size_t lost = 0;
+  for (double time = 0.05; time < run.trajectory->duration() - 0.05; time += 0.002) {
+    const double at = alignment.at_place(time);
+    if (std::isnan(at)) {
+      ++lost;
+      continue;
+    }
+    EXPECT_TRUE(at <= 0.7 || at >= 0.899);
+    const Vec3 off = slow.trajectory->state(at).position - run.trajectory->state(time).position;
+    EXPECT_LT(off.norm(), 0.25) << time;
+  }
+  EXPECT_GT(lost, 20U);
+}
+
+TEST(CornerAgreement, HoldsTheFeedsOfBothThroughEachCorner) {
+  const std::string square = "G21 G90 G64 P0.05\nG1 X30 F3000\nY30\nX0\nY0\nM30\n";
+  const auto run = run_of(square);
+  const auto own = compare(trace_of(run, 1e-3), run);
+  ASSERT_EQ(own.agreement.corners.size(), 3U);
+  EXPECT_LT(own.agreement.corner_rms(), 0.01);
+  EXPECT_NEAR(own.agreement.corners[0].turn, 1.5708, 1e-3);
+  EXPECT_EQ(own.agreement.corners[1].line, 3U);
+  EXPECT_DOUBLE_EQ(own.agreement.corners[1].s, 60);
+  const auto wide = run_of("G21 G90 G64 P0.5\nG1 X30 F3000\nY30\nX0\nY0\nM30\n");
+  const auto other = compare(trace_of(wide, 1e-3), run);
+  ASSERT_EQ(other.agreement.corners.size(), 3U);
+  for (const CornerAgreement& corner : other.agreement.corners) {
+    EXPECT_LT(corner.error(), -0.05) << "the control that rounds more is faster";
+  }
+}
+
 TEST(PathMatcher, NeverGoesBackAndStaysDuringAPause) {
   const auto run = run_of(program_text);
   const ProgrammedCourse course(*run.input.toolpath, {true, true, true});
@@ -184,6 +241,30 @@ TEST(PathMatcher, NeverGoesBackAndStaysDuringAPause) {
   }
   EXPECT_GE(still, 290U);
   EXPECT_NEAR(before, course.length(), 1e-3);
+}
+
+/// Where a line is left the way it came, noise makes the pause look like any later pass through there.
+TEST(PathMatcher, StaysInANoisyPauseAtAPlaceThatIsPassedAgain) {
+  const auto run = run_of(
+      "G21 G90 G17\nG1 X0.6 F3000\nG4 P0.5\nG4 P0.5\nX0\nG4 P0.5\nX3\nG4 P0.5\nX0\nG4 P0.5\nX12\nM30\n");
+  const ProgrammedCourse course(*run.input.toolpath, {true, true, true});
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> error(0, 3e-4);
+    MotionRecord record = record_of(*run.trajectory, 4e-3);
+    const MotionRecord clean = record;
+    for (Vec3& place : record.place) {
+      for (double& value : place) {
+        value = 1e-3 * std::round(1e3 * (value + error(random)));
+      }
+    }
+    const MatchedRecord matched = match_record(course, record, {0.3, noise_of(record)});
+    const MatchedRecord exact = match_record(course, clean, {0.3, 0});
+    for (std::size_t i = 0; i < matched.s.size() && !std::isnan(exact.s[i]); ++i) {
+      ASSERT_NEAR(matched.s[i], exact.s[i], 0.01)
+          << "seed " << seed << ", sample " << i << ", noise " << noise_of(record);
+    }
+  }
 }
 
 }  // namespace

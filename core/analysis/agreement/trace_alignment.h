@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "core/analysis/agreement/agreement.h"
+
+namespace feedscope {
+
+/// Which instant of a trace stands for an instant of a run of the same program.
+class TraceAlignment {
+ public:
+  TraceAlignment() = default;
+  /// Both outlive this.
+  TraceAlignment(const TraceOnProgram& trace, const Agreement& agreement);
+
+  /// When the trace is at the place where the run is at `time` [s]; during a pause of both at the same share
+  /// of it. Not a number where the trace is not on the path of the program: before its start, beyond its end
+  /// and in stretches of two samples or more that are too far from it.
+  double at_place(double time) const;
+  /// As long after the trace's first motion as `time` after the run's [s]; not a number outside the trace.
+  double at_time(double time) const;
+  /// When the run first comes to a place of the programmed path [s]; `s`: programmed path length [mm].
+  double run_time(double s) const { return agreement_->simulated.at(s); }
+
+ private:
+  /// [s]
+  struct Stretch {
+    double from = 0;
+    double to = 0;
+  };
+
+  const TraceOnProgram* trace_ = nullptr;
+  const Agreement* agreement_ = nullptr;
+  double shift_ = 0;           ///< of the trace's time against the run's [s]
+  std::vector<Stretch> lost_;  ///< of the trace
+};
+
+}  // namespace feedscope

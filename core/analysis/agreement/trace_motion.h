@@ -1,0 +1,55 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/analysis/agreement/path_matcher.h"
+#include "core/analysis/agreement/programmed_course.h"
+#include "core/analysis/envelope/band.h"
+#include "core/analysis/envelope/pyramid.h"
+#include "core/trajectory/trajectory.h"
+
+namespace feedscope {
+
+/// How recorded places move: velocity and acceleration of parabolas that are fitted to short stretches of
+/// them (least squares; Savitzky, Golay 1964), at their own, not even, times.
+///
+/// A stretch has as many samples as it takes for the noise of the places to give no more than 0.5 % of the
+/// mean feed and 0.03 m/s2, but lasts no longer than 20 ms or three samples (feed), five (acceleration): what
+/// changes faster is smoothed, as is every differentiated record. Stretches do not reach across gaps.
+class TraceMotion {
+ public:
+  TraceMotion() = default;
+  /// `record` outlives this. `noise`: of its places [mm]; `period`: between its samples [s]. Throws
+  /// Cancelled.
+  TraceMotion(const MotionRecord& record, const SeenAxes& seen, double noise, double period,
+              Progress* progress = nullptr);
+
+  bool empty() const { return record_ == nullptr || record_->time.size() < 3; }
+  /// At the nearest sample to `time` [s]: time, position, velocity, acceleration, speed and tangential
+  /// acceleration; all else, and axes that are not seen, not a number or 0.
+  State state(double time) const;
+  /// Whether a record knows a quantity at all: feeds and accelerations of the axes that are seen.
+  bool knows(QuantityId id) const;
+  /// One band for each pair of neighbours in `times` [s], of which any may be not a number: where one of a
+  /// pair is, or nothing was recorded, the band is empty. Between two samples it is that of the nearest one.
+  std::vector<Band> columns(std::span<const double> times) const;
+
+  double feed_window() const { return span_of(feed_half_); }                  ///< fitted over [s]
+  double acceleration_window() const { return span_of(acceleration_half_); }  ///< [s]
+
+ private:
+  double span_of(std::size_t half) const { return 2 * static_cast<double>(half) * period_; }
+  State sample(std::size_t i) const;
+  Band known(const MotionBand& band) const;
+  std::size_t nearest(double time) const;
+
+  const MotionRecord* record_ = nullptr;
+  SeenAxes seen_{};
+  double period_ = 0;
+  std::size_t feed_half_ = 1;  ///< samples on each side
+  std::size_t acceleration_half_ = 2;
+  Pyramid<MotionBand> groups_;
+};
+
+}  // namespace feedscope

@@ -1,0 +1,239 @@
+#include "ui/workbench/trace_list.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/trace/read_trace.h"
+#include "ui/shared/paths.h"
+#include "ui/workbench/run_list.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+/// Colours of runs that these come to last.
+constexpr std::array<std::size_t, 4> trace_colours{5, 7, 6, 4};
+
+}  // namespace
+
+std::shared_ptr<const ShownTrace> lay_beside(std::shared_ptr<const Trace> trace,
+                                             std::shared_ptr<const ShownRun> run, Progress* progress) {
+  constexpr double step = 1e-3;  // [s]
+  auto shown = std::make_shared<ShownTrace>();
+  const Run& simulated = run->run;
+  const SeenAxes seen{trace->has(0), trace->has(1), trace->has(2)};
+  const ProgrammedCourse course(*simulated.input.toolpath, seen);
+  shown->found = find_on_program(*trace, course, deviation_of(*simulated.trajectory, course, step), progress);
+  shown->agreement = agreement_of(shown->found, course, simulated, progress);
+  shown->motion = TraceMotion(shown->found.record, seen, shown->found.noise, trace->period, progress);
+  shown->alignment = TraceAlignment(shown->found, shown->agreement);
+  shown->trace = std::move(trace);
+  shown->run = std::move(run);
+  return shown;
+}
+
+TraceList::TraceList(QObject* parent) : QObject(parent) {
+  connect(&job_, &JobBase::progressed, this, [this] { emit progressed(); });
+}
+
+void TraceList::add(const std::filesystem::path& file, const std::string& columns) {
+  if (!columns.empty()) {
+    parse_trace_columns(columns);
+  }
+  items_.push_back({next_id_++, file, columns, to_qstring(file.filename()), free_colour(), true});
+  emit list_changed();
+  work_on();
+}
+
+void TraceList::remove(std::size_t row) {
+  const int id = items_[row].id;
+  items_.erase(items_.begin() + static_cast<std::ptrdiff_t>(row));
+  states_.erase(id);
+  if (under_way_ == id) {
+    job_.cancel();
+  }
+  emit list_changed();
+}
+
+void TraceList::clear() {
+  if (items_.empty()) {
+    return;
+  }
+  items_.clear();
+  states_.clear();
+  job_.cancel();
+  emit list_changed();
+}
+
+void TraceList::rename(std::size_t row, const QString& name) {
+  items_[row].name = name.trimmed().isEmpty() ? to_qstring(items_[row].file.filename()) : name.trimmed();
+  emit changed(row);
+}
+
+void TraceList::set_colour(std::size_t row, const QColor& colour) {
+  items_[row].colour = colour;
+  emit changed(row);
+}
+
+void TraceList::set_visible(std::size_t row, bool visible) {
+  items_[row].visible = visible;
+  emit changed(row);
+}
+
+void TraceList::set_columns(std::size_t row, const std::string& columns) {
+  if (!columns.empty()) {
+    parse_trace_columns(columns);
+  }
+  items_[row].columns = columns;
+  states_.erase(items_[row].id);
+  if (under_way_ == items_[row].id) {
+    job_.cancel();
+  }
+  emit changed(row);
+  work_on();
+}
+
+void TraceList::set_run(std::shared_ptr<const ShownRun> run) {
+  if (run == run_) {
+    return;
+  }
+  run_ = std::move(run);
+  for (auto& [id, state] : states_) {
+    state.shown = nullptr;
+    state.given_up = false;
+    state.failure.clear();
+  }
+  const auto worked_on = states_.find(under_way_);
+  if (worked_on != states_.end() && worked_on->second.trace != nullptr) {
+    job_.cancel();  // it compares with the run before
+  }
+  for (std::size_t row = 0; row < items_.size(); ++row) {
+    emit changed(row);
+  }
+  work_on();
+}
+
+std::shared_ptr<const ShownTrace> TraceList::result(std::size_t row) const {
+  const auto found = states_.find(items_[row].id);
+  return found == states_.end() ? nullptr : found->second.shown;
+}
+
+std::shared_ptr<const Trace> TraceList::trace(std::size_t row) const {
+  const auto found = states_.find(items_[row].id);
+  return found == states_.end() ? nullptr : found->second.trace;
+}
+
+TraceStatus TraceList::status(std::size_t row) const {
+  const auto found = states_.find(items_[row].id);
+  if (found == states_.end()) {
+    return TraceStatus::waiting;
+  }
+  const State& state = found->second;
+  return state.shown != nullptr     ? TraceStatus::compared
+         : !state.failure.isEmpty() ? TraceStatus::failed
+         : state.given_up           ? TraceStatus::cancelled
+                                    : TraceStatus::waiting;
+}
+
+QString TraceList::failure(std::size_t row) const {
+  const auto found = states_.find(items_[row].id);
+  return found == states_.end() ? QString() : found->second.failure;
+}
+
+void TraceList::cancel() {
+  if (!busy()) {
+    return;
+  }
+  job_.cancel();
+  for (std::size_t row = 0; row < items_.size(); ++row) {
+    if (status(row) == TraceStatus::waiting) {
+      states_[items_[row].id].given_up = true;
+      emit changed(row);
+    }
+  }
+}
+
+void TraceList::resume(std::size_t row) {
+  State& state = states_[items_[row].id];
+  state.given_up = false;
+  state.failure.clear();
+  emit changed(row);
+  work_on();
+}
+
+std::size_t TraceList::row_of(int id) const {
+  return static_cast<std::size_t>(std::ranges::find(items_, id, &TraceItem::id) - items_.begin());
+}
+
+QColor TraceList::free_colour() const {
+  const auto used = [this](const QColor& colour) {
+    return std::ranges::count(items_, colour, &TraceItem::colour);
+  };
+  return run_colour(*std::ranges::min_element(trace_colours, {},
+                                              [&](std::size_t number) { return used(run_colour(number)); }));
+}
+
+/// A trace is read without a run too, so that what is wrong with its file is known.
+void TraceList::work_on() {
+  if (job_.busy()) {
+    return;
+  }
+  for (std::size_t row = 0; row < items_.size(); ++row) {
+    const auto known = trace(row);
+    if (status(row) != TraceStatus::waiting || (known != nullptr && run_ == nullptr)) {
+      continue;
+    }
+    const TraceItem& item = items_[row];
+    under_way_ = item.id;
+    const std::string columns = item.columns;
+    job_.start(
+        [file = item.file, columns, known, run = run_](JobControl& control) -> Result {
+          Result result;
+          result.trace = known != nullptr
+                             ? known
+                             : std::make_shared<const Trace>(read_trace(
+                                   file, columns.empty() ? TraceColumns() : parse_trace_columns(columns),
+                                   &control.progress));
+          if (run != nullptr) {
+            try {
+              result.shown = lay_beside(result.trace, run, &control.progress);
+            } catch (const InputError& error) {
+              result.failure = QString::fromUtf8(error.what());  // but it has been read
+            }
+          }
+          return result;
+        },
+        [this, id = item.id, columns, run = run_](const JobOutcome<Result>& outcome) {
+          JobOutcome<Result> became = outcome;
+          const std::size_t at = row_of(id);
+          if (at < items_.size() && items_[at].columns != columns) {
+            became = {};  // read in another way meanwhile
+          } else if (run != run_ && became.result) {
+            became.result->shown = nullptr;
+            became.result->failure.clear();
+          }
+          take(id, became);
+        });
+    emit progressed();
+    return;
+  }
+}
+
+void TraceList::take(int id, const JobOutcome<Result>& outcome) {
+  under_way_ = 0;
+  const std::size_t row = row_of(id);
+  if (row < items_.size() && !outcome.cancelled()) {
+    State& state = states_[id];
+    state = outcome.result.value_or(State{nullptr, nullptr, false, outcome.failure});
+    emit changed(row);
+    if (!state.failure.isEmpty()) {
+      emit failed(items_[row].name + QStringLiteral(": ") + state.failure);
+    }
+  }
+  work_on();
+  emit progressed();
+}
+
+}  // namespace feedscope::ui
