@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <utility>
 
 namespace feedscope {
@@ -15,6 +16,11 @@ constexpr std::size_t kind_count = cause_kind_count;
 bool holds_acceleration(const Piece& piece) {
   return piece.law == Law::ramp && piece.second != Piece::no_cause &&
          piece.cause.kind != CauseKind::ramp_down;
+}
+
+std::optional<CauseKind> longest(const std::array<double, kind_count>& by_kind) {
+  const auto most = std::ranges::max_element(by_kind);
+  return *most > 0 ? std::optional(static_cast<CauseKind>(most - by_kind.begin())) : std::nullopt;
 }
 
 }  // namespace
@@ -84,6 +90,14 @@ std::vector<double> CauseTimes::between(double from, double to) const {
   return times;
 }
 
+std::vector<double> CauseTimes::within(std::span<const ColumnStretch> stretches) const {
+  std::vector<double> sums(all_causes().size());
+  for (const ColumnStretch& stretch : stretches) {
+    std::ranges::transform(sums, between(stretch.from, stretch.to), sums.begin(), std::plus());
+  }
+  return sums;
+}
+
 std::vector<std::optional<CauseKind>> CauseTimes::dominating(std::span<const double> times) const {
   std::vector<std::optional<CauseKind>> kinds(times.empty() ? 0 : times.size() - 1);
   if (seen_.empty() || times.empty()) {
@@ -96,11 +110,25 @@ std::vector<std::optional<CauseKind>> CauseTimes::dominating(std::span<const dou
     for (std::size_t i = 0; i < seen_.size(); ++i) {
       by_kind[static_cast<std::size_t>(all_causes()[seen_[i]].kind)] += after[i] - before[i];
     }
-    const auto most = std::ranges::max_element(by_kind);
-    if (*most > 0) {
-      kinds[column] = static_cast<CauseKind>(most - by_kind.begin());
-    }
+    kinds[column] = longest(by_kind);
     before = std::move(after);
+  }
+  return kinds;
+}
+
+std::vector<std::optional<CauseKind>> CauseTimes::dominating(std::span<const ColumnStretch> stretches,
+                                                             std::size_t count) const {
+  std::vector<std::optional<CauseKind>> kinds(count);
+  for (std::size_t i = 0; i < stretches.size();) {
+    const std::size_t column = stretches[i].column;
+    std::array<double, kind_count> by_kind{};
+    for (; i < stretches.size() && stretches[i].column == column; ++i) {
+      const std::vector<double> times = between(stretches[i].from, stretches[i].to);
+      for (const std::uint8_t cause : seen_) {
+        by_kind[static_cast<std::size_t>(all_causes()[cause].kind)] += times[cause];
+      }
+    }
+    kinds[column] = longest(by_kind);
   }
   return kinds;
 }

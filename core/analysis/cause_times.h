@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/analysis/rapid_times.h"
 #include "core/trajectory/trajectory.h"
 
 namespace feedscope {
@@ -26,6 +27,11 @@ class CauseTimes {
   /// The kind that takes most of the time between each pair of neighbours in `times` [s], ascending; none
   /// where there is no time.
   std::vector<std::optional<CauseKind>> dominating(std::span<const double> times) const;
+  /// The same of `count` columns of which only these stretches count.
+  std::vector<std::optional<CauseKind>> dominating(std::span<const ColumnStretch> stretches,
+                                                   std::size_t count) const;
+  /// Time of every cause within these stretches, as of between() [s].
+  std::vector<double> within(std::span<const ColumnStretch> stretches) const;
 
  private:
   std::vector<double> until(double time) const;

@@ -2872,6 +2872,14 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <source>Show or hide the chart, where the run has its values</source>
         <translation>Afficher ou masquer le graphique, si la simulation en a les valeurs</translation>
     </message>
+    <message>
+        <source>&amp;Rapids</source>
+        <translation>&amp;Rapides</translation>
+    </message>
+    <message>
+        <source>Show rapids here and in the 3D view</source>
+        <translation>Afficher les rapides ici et dans la vue 3D</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ChartHeader</name>
@@ -3576,6 +3584,27 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     </message>
 </context>
 <context>
+    <name>feedscope::ui::FeedShares</name>
+    <message>
+        <source>Share of time at each feed</source>
+        <translation>Part du temps à chaque avance</translation>
+    </message>
+    <message>
+        <source>%1 %2 and more: %3 % of the time shown</source>
+        <translation>%1 %2 et plus : %3 % du temps affiché</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %3: %4 % of the time shown</source>
+        <translation>%1 à %2 %3 : %4 % du temps affiché</translation>
+    </message>
+    <message>
+        <source>time at feed
+longest: %1 %</source>
+        <translation>temps/avance
+max. : %1 %</translation>
+    </message>
+</context>
+<context>
     <name>feedscope::ui::FileMenu</name>
     <message>
         <source>&amp;File</source>
@@ -3955,6 +3984,14 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>line: mean of the columns</source>
         <translation>trait : moyenne des colonnes</translation>
+    </message>
+    <message>
+        <source>bands: 5 to 95 % of the time, pale: extremes</source>
+        <translation>bandes : 5 à 95 % du temps, pâle : extrêmes</translation>
+    </message>
+    <message>
+        <source>line: mean feed</source>
+        <translation>trait : avance moyenne</translation>
     </message>
 </context>
 <context>
@@ -5831,12 +5868,12 @@ Ensemble&#xa0;: %4</translation>
         <translation>Ra&amp;pides</translation>
     </message>
     <message>
-        <source>Draw the rapids; without them the path that cuts lies open</source>
-        <translation>Dessiner les rapides ; sans eux, la trajectoire d’usinage se voit seule</translation>
-    </message>
-    <message>
         <source>hide show G0</source>
         <translation>cacher masquer montrer G0</translation>
+    </message>
+    <message>
+        <source>Show rapids here and in the charts; without them the path that cuts lies open</source>
+        <translation>Afficher les rapides ici et dans les graphiques ; sans eux, la trajectoire qui usine est dégagée</translation>
     </message>
 </context>
 <context>

@@ -113,6 +113,11 @@ void ChartCommands::make_display_actions() {
   show_causes_->setCheckable(true);
   show_causes_->setChecked(true);
   connect(show_causes_, &QAction::toggled, &panel_.causes(), &QWidget::setVisible);
+  QAction* rapids = add_action(tr("&Rapids"), tr("Show rapids here and in the 3D view"));
+  rapids->setCheckable(true);
+  rapids->setChecked(panel_.range().rapids_shown());
+  connect(rapids, &QAction::triggered, &panel_.range(), &ViewRange::show_rapids);
+  connect(&panel_.range(), &ViewRange::rapids_shown_changed, rapids, &QAction::setChecked);
   auto* charts = new QMenu(tr("C&harts shown"), menu_);
   auto* curves = new QMenu(tr("Cur&ves"), menu_);
   auto* others = new QMenu(tr("Curves of &other runs"), menu_);

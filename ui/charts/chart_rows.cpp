@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "ui/charts/mean_line.h"
-
 namespace feedscope::ui {
 
 bool ChartRows::has(const Envelope* envelope, std::size_t chart) const {
@@ -25,14 +23,29 @@ void ChartRows::show(const Envelope* envelope, const QString& abscissa, QVBoxLay
   }
 }
 
-void ChartRows::show_columns(const std::shared_ptr<const Trajectory>& run, const std::vector<double>& times,
-                             std::span<const Band> bands, const OverlayCurves& overlays) const {
-  charts.front()->set_means(times.empty() ? std::vector<float>() : mean_feeds(*run, times));
+void ChartRows::show_columns(const ChartColumns& columns, const OverlayCurves& overlays) const {
+  const bool none = columns.times().empty();
+  charts.front()->set_means(columns.means());
   for (std::size_t i = 0; i < charts.size(); ++i) {
-    charts[i]->show_bands(
-        bands, times.empty() ? std::vector<OverlayCurve>() : overlays.curves(i, charts[i]->spec()));
+    charts[i]->show_bands(columns.bands(),
+                          none ? std::vector<OverlayCurve>() : overlays.curves(i, charts[i]->spec()));
   }
-  lost->show_runs(times.empty() ? nullptr : run, overlays.runs(), times);
+  lost->show_runs(none ? nullptr : columns.trajectory(), overlays.runs(), columns.times());
+  shares->update();
+}
+
+void ChartRows::show_usual(const UsualMotion& usual, QVBoxLayout& layout) const {
+  for (KinematicChart* chart : charts) {
+    chart->set_usual(usual.ranges, UsualCurves::columns_a_stretch);
+  }
+  shares->set_feeds(usual.feeds);
+  layout.setContentsMargins(0, 0, usual.feeds.empty() ? 0 : FeedShares::usual_width, 0);
+  place_shares();
+}
+
+void ChartRows::place_shares() const {
+  const QRect chart = charts.front()->geometry();
+  shares->setGeometry(chart.right() + 1, chart.top(), FeedShares::usual_width, chart.height());
 }
 
 void ChartRows::show_values(const State* state, const RunSources& sources) const {
@@ -92,6 +105,7 @@ void ChartRows::draw(QPainter& painter, const QWidget& content) const {
     draw_part(painter, content, *headers[i], [&] { headers[i]->draw(painter); });
     draw_part(painter, content, *charts[i], [&] { charts[i]->draw(painter); });
   }
+  draw_part(painter, content, *shares, [&] { shares->draw(painter); });
   draw_part(painter, content, *lost, [&] { lost->draw(painter); });
 }
 

@@ -4,11 +4,14 @@
 #include <QVBoxLayout>
 #include <array>
 
+#include "ui/charts/chart_columns.h"
 #include "ui/charts/chart_header.h"
 #include "ui/charts/charts_state.h"
+#include "ui/charts/feed_shares.h"
 #include "ui/charts/kinematic_chart.h"
 #include "ui/charts/lost_time_chart.h"
 #include "ui/charts/overlay_curves.h"
+#include "ui/charts/usual_curves.h"
 
 namespace feedscope::ui {
 
@@ -20,6 +23,7 @@ struct ChartRows {
   std::array<KinematicChart*, chart_count> charts{};
   std::array<bool, chart_count> hidden{};  ///< by the user
   LostTimeChart* lost = nullptr;           ///< below the first chart
+  FeedShares* shares = nullptr;            ///< beside the first chart
 
   /// Whether a run with this envelope (null: any run) has this chart.
   bool has(const Envelope* envelope, std::size_t chart) const;
@@ -27,9 +31,12 @@ struct ChartRows {
   /// Shows those that `envelope` has values for (null: the ones of every run) and that nobody has hidden; the
   /// last of them carries the abscissa, with this title.
   void show(const Envelope* envelope, const QString& abscissa, QVBoxLayout& layout) const;
-  /// What is in the columns between `times` [s]; without times none. `run`: that they belong to.
-  void show_columns(const std::shared_ptr<const Trajectory>& run, const std::vector<double>& times,
-                    std::span<const Band> bands, const OverlayCurves& overlays) const;
+  void show_columns(const ChartColumns& columns, const OverlayCurves& overlays) const;
+  /// Where the curves usually are, and beside the first chart the time at each feed. `layout`: of the
+  /// charts.
+  void show_usual(const UsualMotion& usual, QVBoxLayout& layout) const;
+  /// Beside the first chart, when that has moved.
+  void place_shares() const;
   /// In the headers, at `state`; null: no values. `sources`: of its run.
   void show_values(const State* state, const RunSources& sources) const;
   /// Ordinates that the user chose, in their unit.

@@ -57,6 +57,7 @@ ChartsPanel::ChartsPanel(Cursor& cursor, ViewRange& range, QWidget* parent)
     if (i == 0) {
       layout_->addWidget(causes_);
       rows_.lost = new LostTimeChart(range_, this);
+      rows_.shares = new FeedShares(*rows_.charts[i], scroll_->widget());
       layout_->addWidget(rows_.lost);
     }
   }
@@ -77,6 +78,8 @@ ChartsPanel::ChartsPanel(Cursor& cursor, ViewRange& range, QWidget* parent)
   rest_.setInterval(rest_after);
   connect(&rest_, &QTimer::timeout, this, &ChartsPanel::rest);
   connect(&range_, &ViewRange::changed, &refresh_, qOverload<>(&QTimer::start));
+  connect(&range_, &ViewRange::rapids_shown_changed, &refresh_, qOverload<>(&QTimer::start));
+  connect(&usual_, &UsualCurves::changed, this, [this] { rows_.show_usual(usual_.found(), *layout_); });
   connect(&range_, &ViewRange::changed, this, &ChartsPanel::begin_rest);
   connect(&cursor_, &Cursor::changed, this, &ChartsPanel::show_cursor);
 }
@@ -106,6 +109,7 @@ void ChartsPanel::connect_chart(KinematicChart& chart) {
   connect(&chart, &KinematicChart::second_position_clicked, this,
           [this](double position) { set_second_cursor(range_.time_at(position)); });
   connect(&chart, &KinematicChart::plot_resized, &refresh_, qOverload<>(&QTimer::start));
+  connect(&chart, &KinematicChart::plot_resized, this, [this] { rows_.place_shares(); });
   connect(&chart, &KinematicChart::values_chosen, this, &ChartsPanel::begin_rest);
   connect(&chart, &KinematicChart::fit_requested, this, &ChartsPanel::fit);
   connect(&chart, &KinematicChart::menu_requested, this,
@@ -127,11 +131,10 @@ void ChartsPanel::set_run(std::shared_ptr<const Trajectory> trajectory,
     second_.reset();
   }
   trajectory_ = trajectory;
-  envelope_ = std::move(envelope);
+  columns_.set_run(trajectory, std::move(envelope));
   sources_ = sources;
   rows_.set_bounds(sources_.load.get());
   show_charts_of_run();
-  columns_.clear();
   overlays_.clear();
   if (!keep_range) {
     rows_.choose_values({});
@@ -182,7 +185,7 @@ void ChartsPanel::show_run_of(Workbench& workbench) {
 
 void ChartsPanel::show_charts_of_run() {
   const bool time = range_.abscissa() == Abscissa::time;
-  rows_.show(envelope_.get(), time ? tr("Time [s]") : with_unit_of(tr("Path length"), Dimension::length),
+  rows_.show(columns_.envelope(), time ? tr("Time [s]") : with_unit_of(tr("Path length"), Dimension::length),
              *layout_);
   scroll_->updateGeometry();
 }
@@ -224,6 +227,7 @@ void ChartsPanel::hide_controls() {
   show_all_->hide();
   more_->hide();
   rows_.lost->switch_off();
+  usual_.find_at_once();
 }
 
 void ChartsPanel::show_curve(std::size_t chart, std::size_t curve, bool shown) {
@@ -244,7 +248,7 @@ void ChartsPanel::show_usual_curves() {
 void ChartsPanel::show_chart(std::size_t chart, bool shown) {
   std::size_t others = 0;
   for (std::size_t i = 0; i < rows_.charts.size(); ++i) {
-    others += i != chart && !rows_.hidden[i] && rows_.has(envelope_.get(), i) ? 1 : 0;
+    others += i != chart && !rows_.hidden[i] && rows_.has(columns_.envelope(), i) ? 1 : 0;
   }
   rows_.hidden[chart] = !shown && others > 0;
   commands_->set_chart_shown(chart, !rows_.hidden[chart]);
@@ -271,7 +275,7 @@ void ChartsPanel::set_second_cursor(std::optional<double> time) {
 }
 
 bool ChartsPanel::points_into_run() const {
-  return envelope_ != nullptr && cursor_.valid() && cursor_.trajectory() == trajectory_;
+  return columns_.envelope() != nullptr && cursor_.valid() && cursor_.trajectory() == trajectory_;
 }
 
 QString ChartsPanel::measurement_text() const {
@@ -283,28 +287,17 @@ QString ChartsPanel::measurement_text() const {
 
 void ChartsPanel::refresh() {
   refresh_.stop();
-  refresh_columns();
-  rows_.charts.front()->set_cutting_feed(cutting_feed(envelope_.get(), columns_.bands(), overlays_.runs()));
-  const std::vector<double> times = envelope_ != nullptr ? columns_.times() : std::vector<double>();
-  rows_.show_columns(trajectory_, times, columns_.bands(), overlays_);
-  if (envelope_ != nullptr) {
-    causes_->set_causes(envelope_->causes().dominating(times),
-                        envelope_->causes().between(times.front(), times.back()));
-  } else {
-    causes_->set_causes({}, {});
-  }
-  show_cursor();
-}
-
-void ChartsPanel::refresh_columns() {
-  if (envelope_ == nullptr) {
-    columns_.clear();
-    return;
-  }
   const int count = rows_.charts.front()->column_count();
-  const Interval shown{range_.lower(), range_.upper()};
-  columns_.update(*envelope_, shown, count, [this](double position) { return range_.time_at(position); });
-  overlays_.update(range_, *trajectory_, count);
+  columns_.update(range_, count);
+  if (columns_.envelope() != nullptr) {
+    overlays_.update(range_, *trajectory_, count);
+  }
+  usual_.follow(columns_, range_.rapids_shown());
+  rows_.charts.front()->set_cutting_feed(
+      cutting_feed(columns_.envelope(), columns_.bands(), overlays_.runs()));
+  rows_.show_columns(columns_, overlays_);
+  causes_->set_causes(columns_.dominating(), columns_.causes());
+  show_cursor();
 }
 
 void ChartsPanel::show_cursor() {

@@ -10,12 +10,13 @@
 #include "core/analysis/run_sources.h"
 #include "core/machine/machine.h"
 #include "ui/charts/cause_strip.h"
+#include "ui/charts/chart_columns.h"
 #include "ui/charts/chart_commands.h"
 #include "ui/charts/chart_rows.h"
 #include "ui/charts/chart_scroll.h"
 #include "ui/charts/charts_state.h"
-#include "ui/charts/column_cache.h"
 #include "ui/charts/overlay_curves.h"
+#include "ui/charts/usual_curves.h"
 #include "ui/charts/zoom_history.h"
 #include "ui/shared/cursor.h"
 #include "ui/workbench/panel.h"
@@ -77,6 +78,7 @@ class ChartsPanel : public Panel {
   ChartHeader& header(std::size_t i) { return *rows_.headers[i]; }
   CauseStrip& causes() { return *causes_; }
   LostTimeChart& lost() { return *rows_.lost; }
+  FeedShares& shares() { return *rows_.shares; }
   void show_curve(std::size_t chart, std::size_t curve, bool shown);
   void show_usual_curves();
   /// The last one that is shown stays.
@@ -97,7 +99,7 @@ class ChartsPanel : public Panel {
   void go_forward();
   void choose_abscissa(Abscissa abscissa);
 
-  bool busy() const override { return rows_.lost->busy(); }
+  bool busy() const override { return rows_.lost->busy() || usual_.busy(); }
   /// Every command of the panel, for menus, the list of keys and the command palette.
   QList<QAction*> panel_actions() const override { return commands_->actions(); }
   ChartCommands& commands() { return *commands_; }
@@ -121,7 +123,6 @@ class ChartsPanel : public Panel {
   QLayout* add_header(std::size_t i, const ChartSpec& spec);
   void connect_chart(KinematicChart& chart);
   void show_alone(std::size_t chart, std::size_t curve);
-  void refresh_columns();
   /// Whether the cursor points to an instant of the run that is shown: it hears of another one before.
   bool points_into_run() const;
   void show_cursor();
@@ -142,8 +143,8 @@ class ChartsPanel : public Panel {
   ViewRange& range_;
   std::shared_ptr<const Trajectory> trajectory_;
   RunSources sources_;
-  std::shared_ptr<const Envelope> envelope_;
-  ColumnCache columns_;
+  ChartColumns columns_;
+  UsualCurves usual_;
   OverlayCurves overlays_;
   std::optional<double> second_;
   ZoomHistory history_;

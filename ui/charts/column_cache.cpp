@@ -29,9 +29,13 @@ int ColumnCache::shift_to(const Interval& range, int count) const {
   return std::abs(shift - whole) <= same_border && std::abs(whole) < count ? static_cast<int>(whole) : count;
 }
 
-void ColumnCache::update(const Envelope& envelope, const Interval& range, int count, const TimeAt& time_at) {
-  update([&envelope](std::span<const double> times) { return envelope.columns(times); }, range, count,
-         time_at);
+void ColumnCache::update(const Envelope& envelope, const Interval& range, int count, const TimeAt& time_at,
+                         bool rapids) {
+  update(
+      [&envelope, rapids](std::span<const double> times) {
+        return rapids ? envelope.columns(times) : envelope.cutting_columns(times);
+      },
+      range, count, time_at);
 }
 
 void ColumnCache::update(const BandsOf& bands_of, const Interval& range, int count, const TimeAt& time_at) {

@@ -20,8 +20,10 @@ class ColumnCache {
 
   /// Brings `count` columns over `range` up to date.
   void update(const BandsOf& bands_of, const Interval& range, int count, const TimeAt& time_at);
-  void update(const Envelope& envelope, const Interval& range, int count, const TimeAt& time_at);
-  /// Another run or abscissa.
+  /// The same of a run. `rapids`: whether they are in the columns.
+  void update(const Envelope& envelope, const Interval& range, int count, const TimeAt& time_at,
+              bool rapids = true);
+  /// Another run or abscissa, or rapids that were not in the columns before.
   void clear();
 
   const std::vector<Band>& bands() const { return bands_; }

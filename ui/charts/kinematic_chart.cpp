@@ -15,6 +15,7 @@
 #include "ui/charts/curve_columns.h"
 #include "ui/charts/mean_line.h"
 #include "ui/charts/plot_margins.h"
+#include "ui/charts/usual_band.h"
 
 namespace feedscope::ui {
 
@@ -96,29 +97,6 @@ std::vector<ColumnSpan> spans_of(const KinematicChart& chart, const QRectF& plot
   return spans;
 }
 
-QFont limit_font(QFont font) {
-  font.setPixelSize(10);
-  return font;
-}
-
-/// What must be above `values` so that the names of the limits in it do not lie over curves. `plot`: height
-/// [px].
-double room_for_names(const std::vector<LimitLine>& limits, const Interval& values, const QFont& font,
-                      double plot) {
-  const double wanted = QFontMetricsF(limit_font(font)).height() + 2;
-  double highest = values.lower;
-  for (const LimitLine& limit : limits) {
-    highest = limit.value < values.upper ? std::max(highest, limit.value) : highest;
-  }
-  if (!(highest > values.lower) || plot < 2 * wanted) {
-    return 0;
-  }
-  // (upper - highest) / (upper - lower) * plot = wanted
-  const double share = wanted / plot;
-  const double upper = (highest - share * values.lower) / (1 - share);
-  return std::max(0.0, upper - values.upper);
-}
-
 }  // namespace
 
 KinematicChart::KinematicChart(ChartSpec spec, ViewRange& range, QWidget* parent)
@@ -126,6 +104,7 @@ KinematicChart::KinematicChart(ChartSpec spec, ViewRange& range, QWidget* parent
       spec_(std::move(spec)),
       range_(range),
       columns_(spec_.curves.size()),
+      usual_(spec_.curves.size()),
       shown_(spec_.curves.size(), true),
       input_(new ChartInput(*this, range)) {
   std::transform(spec_.curves.begin(), spec_.curves.end(), shown_.begin(),
@@ -340,7 +319,8 @@ void KinematicChart::draw_picture(QPainter& painter) {
   draw_curves(painter);
   const ThemeColours& colours = theme_colours(palette());
   draw_mean_lines(painter, mean_lines(), curve_colour(CurveRole::path, colours), colours.plot);
-  draw_limits(painter);
+  draw_limit_lines(painter, chart()->plotArea(), limits_, colours, font(),
+                   [this](double value) { return height_of(value); });
   draw_notes(painter);
   painter.restore();
   painter.setFont(abscissa_->labelsFont());
@@ -362,6 +342,21 @@ void KinematicChart::draw_curves(QPainter& painter) const {
   std::erase_if(order, [&](std::size_t k) { return !shown_[k]; });
   const ThemeColours& colours = theme_colours(palette());
   const QRectF plot = chart()->plotArea();
+  if (shows_usual()) {
+    for (const std::size_t k : order) {
+      constexpr double pale = 0.22;
+      draw_columns(painter, plot, spans_of(*this, plot, columns_[k]),
+                   {mixed(colours.plot, curve_colour(spec_.curves[k].role, colours), pale), 1});
+    }
+    for (const std::size_t k : order) {
+      if (!means_.empty() && k > 0) {
+        continue;  // beside the mean of one curve the bands of all others would hide it
+      }
+      draw_usual_band(painter, plot, spans_of(*this, plot, usual_[k]), columns_a_stretch_, columns_[k].size(),
+                      curve_colour(spec_.curves[k].role, colours));
+    }
+    return;
+  }
   for (const std::size_t k : order) {
     constexpr double pale = 0.3;
     const QColor colour = curve_colour(spec_.curves[k].role, colours);
@@ -380,35 +375,16 @@ void KinematicChart::draw_extents(QPainter& painter, const std::vector<Extent>& 
   draw_columns(painter, plot, spans_of(*this, plot, extents), {color, width, dashed, true});
 }
 
-void KinematicChart::draw_limits(QPainter& painter) const {
-  const QRectF plot = chart()->plotArea();
-  const ThemeColours& colours = theme_colours(palette());
-  painter.setFont(limit_font(font()));
-  const QFontMetricsF metrics(painter.font());
-  QColor behind = colours.plot;
-  behind.setAlpha(230);
-  double label_right = plot.right() - 4;
-  double highest = plot.bottom();  // of the limits that are seen: their names are above it, where no curve is
-  for (const LimitLine& limit : limits_) {
-    const double top = height_of(limit.value);
-    highest = top > plot.top() && top < highest ? top : highest;
-  }
-  const double above = highest - metrics.height() - 1;
-  for (const LimitLine& limit : limits_) {
-    const double top = height_of(limit.value);
-    const double bottom = height_of(-limit.value);
-    painter.setPen(QPen(limit.axis ? colours.axes[*limit.axis] : colours.shared, 1, Qt::DashLine));
-    painter.drawLine(QPointF(plot.left(), top), QPointF(plot.right(), top));
-    painter.drawLine(QPointF(plot.left(), bottom), QPointF(plot.right(), bottom));
-    if (top > plot.top() && top < plot.bottom()) {
-      const double width = metrics.horizontalAdvance(limit.label);
-      const double label_top = above >= plot.top() ? above : top + 1;
-      const QRectF label(label_right - width, label_top, width, metrics.height());
-      painter.fillRect(label.adjusted(-2, 1, 2, -1), behind);
-      painter.drawText(label, Qt::AlignCenter, limit.label);
-      label_right -= width + 12;
+void KinematicChart::set_usual(const std::vector<MotionBand>& ranges, std::size_t columns) {
+  columns_a_stretch_ = columns;
+  for (std::size_t k = 0; k < columns_.size(); ++k) {
+    usual_[k].clear();
+    for (std::size_t i = 0; spec_.source == QuantitySource::motion && i < ranges.size(); ++i) {
+      usual_[k].push_back(ranges[i][spec_.curves[k].quantity]);
     }
   }
+  picture_ = {};
+  viewport()->update();
 }
 
 void KinematicChart::set_means(std::vector<float> means) {
@@ -430,14 +406,17 @@ void KinematicChart::draw_notes(QPainter& painter) const {
   if (fastest_rapid_) {
     notes.append(tr("▴ rapids up to %1").arg(QLocale().toString(*fastest_rapid_, 'f', spec_.decimals)));
   }
+  if (shows_usual()) {
+    notes.append(tr("bands: 5 to 95 % of the time, pale: extremes"));
+  }
   if (!mean_lines().empty()) {
-    notes.append(tr("line: mean of the columns"));
+    notes.append(shows_usual() ? tr("line: mean feed") : tr("line: mean of the columns"));
   }
   if (notes.isEmpty()) {
     return;
   }
   const ThemeColours& colours = theme_colours(palette());
-  painter.setFont(limit_font(font()));
+  painter.setFont(chart_note_font(font()));
   const QFontMetricsF metrics(painter.font());
   const QString text = notes.join(QStringLiteral("   "));
   const QRectF plot = chart()->plotArea();

@@ -50,6 +50,10 @@ class KinematicChart : public QChartView {
   /// Mean of the first curve in each column, core units: drawn where the columns are high, which otherwise
   /// tell no more than the extremes. Empty: none. Columns as of show_bands().
   void set_means(std::vector<float> means);
+  /// Where curves of the motion usually are, over stretches of so many columns each: then the columns are
+  /// drawn pale, as the extremes. Empty: nothing is known of that.
+  void set_usual(const std::vector<MotionBand>& ranges, std::size_t columns);
+  bool shows_usual() const { return !usual_.empty() && !usual_.front().empty(); }
   /// Those that are drawn.
   std::vector<QPolygonF> mean_lines() const;
   void show_curve(std::size_t curve, bool shown);
@@ -104,7 +108,6 @@ class KinematicChart : public QChartView {
   void draw_curves(QPainter& painter) const;
   void draw_extents(QPainter& painter, const std::vector<Extent>& extents, const QColor& color, double width,
                     bool dashed) const;
-  void draw_limits(QPainter& painter) const;
   void draw_notes(QPainter& painter) const;
   void draw_cursors(QPainter& painter) const;
 
@@ -114,6 +117,8 @@ class KinematicChart : public QChartView {
   QValueAxis* ordinate_;
   QString abscissa_title_;
   std::vector<std::vector<Extent>> columns_;  ///< a curve each, core units
+  std::vector<std::vector<Extent>> usual_;    ///< a curve each, core units
+  std::size_t columns_a_stretch_ = 1;         ///< of usual_
   std::vector<bool> shown_;                   ///< a curve each
   std::vector<float> means_;                  ///< of the first curve, core units
   std::vector<OverlayCurve> overlays_;

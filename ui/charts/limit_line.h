@@ -1,12 +1,19 @@
 #pragma once
 
+#include <QFont>
+#include <QRectF>
 #include <QString>
+#include <functional>
 #include <optional>
 #include <vector>
 
 #include "core/analysis/load/run_load.h"
 #include "core/machine/machine.h"
 #include "ui/charts/chart_spec.h"
+#include "ui/charts/value_fit.h"
+#include "ui/theme/theme.h"
+
+class QPainter;
 
 namespace feedscope::ui {
 
@@ -23,5 +30,16 @@ std::vector<LimitLine> limit_lines(const ChartSpec& spec, const AxisVector<AxisL
 
 /// Those of the operations in a chart of their quantities, each value once.
 std::vector<LimitLine> bound_lines(const ChartSpec& spec, const RunLoad& load);
+
+/// Of names and notes in a chart.
+QFont chart_note_font(QFont font);
+/// What must be above `values` so that the names of the limits in it do not lie over curves. `plot`: height
+/// [px].
+double room_for_names(const std::vector<LimitLine>& limits, const Interval& values, const QFont& font,
+                      double plot);
+/// Lines and names. `height_of`: place of a value [px].
+void draw_limit_lines(QPainter& painter, const QRectF& plot, const std::vector<LimitLine>& limits,
+                      const ThemeColours& colours, const QFont& font,
+                      const std::function<double(double)>& height_of);
 
 }  // namespace feedscope::ui

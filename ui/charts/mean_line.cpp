@@ -2,21 +2,27 @@
 
 #include <QPainter>
 #include <cmath>
+#include <limits>
 
 namespace feedscope::ui {
 
-std::vector<float> mean_feeds(const Trajectory& trajectory, std::span<const double> times) {
-  std::vector<float> means;
-  if (times.size() < 2 || trajectory.pieces().empty()) {
-    return means;
+std::vector<float> mean_feeds(const Trajectory& trajectory, std::span<const ColumnStretch> stretches,
+                              std::size_t count) {
+  std::vector<double> lengths(count);
+  std::vector<double> times(count);
+  double end = -1;  // of the last stretch, where the next one often begins [s]
+  double reached = 0;
+  for (const ColumnStretch& stretch : stretches) {
+    const double from = stretch.from == end ? reached : trajectory.state(stretch.from).path_length;
+    end = stretch.to;
+    reached = trajectory.state(end).path_length;
+    lengths[stretch.column] += reached - from;
+    times[stretch.column] += end - stretch.from;
   }
-  means.reserve(times.size() - 1);
-  double from = trajectory.state(times.front()).path_length;
-  for (std::size_t i = 1; i < times.size(); ++i) {
-    const double to = trajectory.state(times[i]).path_length;
-    const double time = times[i] - times[i - 1];
-    means.push_back(static_cast<float>(time > 0 ? (to - from) / time : 0));
-    from = to;
+  std::vector<float> means(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    means[i] =
+        times[i] > 0 ? static_cast<float>(lengths[i] / times[i]) : std::numeric_limits<float>::quiet_NaN();
   }
   return means;
 }

@@ -5,13 +5,16 @@
 #include <span>
 #include <vector>
 
+#include "core/analysis/rapid_times.h"
 #include "core/trajectory/trajectory.h"
 #include "ui/charts/curve_columns.h"
 
 namespace feedscope::ui {
 
-/// Path length over time between neighbouring `times` [mm/s]; 0 where no time passes.
-std::vector<float> mean_feeds(const Trajectory& trajectory, std::span<const double> times);
+/// Path length over time of what `stretches` hold of each of `count` columns [mm/s]; NaN where that is
+/// nothing.
+std::vector<float> mean_feeds(const Trajectory& trajectory, std::span<const ColumnStretch> stretches,
+                              std::size_t count);
 
 /// The mean along columns so high that they tell no more than the extremes: lines over stretches of a dozen
 /// columns or more.

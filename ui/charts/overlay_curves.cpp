@@ -31,9 +31,13 @@ void OverlayCurves::clear() {
 }
 
 void OverlayCurves::update(const ViewRange& range, const Trajectory& run, int count) {
+  if (std::exchange(rapids_, range.rapids_shown()) != rapids_) {
+    clear();
+  }
   for (std::size_t i = 0; i < runs_.size(); ++i) {
-    columns_[i].update(*runs_[i].envelope, {range.lower(), range.upper()}, count,
-                       [&](double position) { return time_of(runs_[i], range, run, position); });
+    columns_[i].update(
+        *runs_[i].envelope, {range.lower(), range.upper()}, count,
+        [&](double position) { return time_of(runs_[i], range, run, position); }, rapids_);
   }
   for (std::size_t i = 0; i < traces_.size(); ++i) {
     const TraceMotion& motion = traces_[i].shown->motion;

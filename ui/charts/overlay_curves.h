@@ -44,6 +44,7 @@ class OverlayCurves {
 
   std::vector<RunOverlay> runs_;
   std::vector<ColumnCache> columns_;  ///< one a run
+  bool rapids_ = true;                ///< are in them
   std::vector<TraceOverlay> traces_;
   std::vector<ColumnCache> trace_columns_;  ///< one a trace
   std::array<std::optional<std::size_t>, chart_count> chosen_{0};

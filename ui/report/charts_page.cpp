@@ -56,6 +56,7 @@ void ChartsPage::set_runs(const ReportInput& input, std::size_t row) {
   const ShownRun& shown = *input.runs[row].shown;
   title_->setText(title_of(shown.run));
   charts_->set_limits(shown.run.setup.machine.axes);
+  range_.show_rapids(input.scene.rapids);
   charts_->set_run(shown.run.trajectory, shown.envelope, false, shown.run.sources);
   std::vector<RunOverlay> others;
   for (std::size_t i = 0; i < input.runs.size(); ++i) {
@@ -85,9 +86,13 @@ void ChartsPage::prepare(const QSize& size, double resolution) {
   }
   resize(size);
   show();
+  // What is usual beside the charts takes width of them; Qt Charts lays its axes out with the next turn of
+  // the event loop.
+  for (int turn = 0; turn < 3; ++turn) {
+    QApplication::processEvents();
+    charts_->refresh();
+  }
   QApplication::processEvents();
-  charts_->refresh();
-  QApplication::processEvents();  // Qt Charts lays its axes out with the next turn of the event loop
 }
 
 void ChartsPage::draw(QPainter& painter, bool background) {

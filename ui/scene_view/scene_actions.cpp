@@ -165,7 +165,8 @@ void SceneActions::make_views() {
                         QKeySequence(Qt::Key_A));
   actual_->setCheckable(true);
   connect(actual_, &QAction::triggered, this, [this](bool on) { view_.scene().set_actual_shown(on); });
-  rapids_ = add_command(tr("Rapi&ds"), tr("Draw the rapids; without them the path that cuts lies open"),
+  rapids_ = add_command(tr("Rapi&ds"),
+                        tr("Show rapids here and in the charts; without them the path that cuts lies open"),
                         QKeySequence(Qt::Key_R));
   rapids_->setCheckable(true);
   set_everyday_words(rapids_, tr("hide show G0"));

@@ -99,6 +99,10 @@ void SideBySide::follow_workbench() {
   ViewRange& range = workbench_.view_range();
   connect(&range, &ViewRange::changed, &first_,
           [this, &range] { first_.show_times(range.lower_time(), range.upper_time()); });
+  connect(&first_, &SceneView::changed, &range,
+          [this, &range] { range.show_rapids(first_.scene().rapids_shown()); });
+  connect(&range, &ViewRange::rapids_shown_changed, &first_,
+          [this](bool shown) { first_.scene().set_rapids_shown(shown); });
   connect(&first_, &SceneView::times_chosen, &range, &ViewRange::show_times);
   connect(&first_, &SceneView::picked, &workbench_.cursor(), &Cursor::set_time);
   first_.annotations().set_annotations(&workbench_.annotations());

@@ -21,6 +21,12 @@ void ViewRange::set_trajectory(std::shared_ptr<const Trajectory> trajectory, boo
   }
 }
 
+void ViewRange::show_rapids(bool shown) {
+  if (std::exchange(rapids_shown_, shown) != shown) {
+    emit rapids_shown_changed(shown);
+  }
+}
+
 void ViewRange::set_abscissa(Abscissa abscissa) {
   if (abscissa == abscissa_) {
     return;

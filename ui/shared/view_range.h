@@ -29,6 +29,9 @@ class ViewRange : public QObject {
   double lower() const { return lower_; }
   double upper() const { return upper_; }
   double length() const;  ///< whole run, in units of the abscissa
+  /// Whether rapids are shown: one switch for the path and the charts.
+  bool rapids_shown() const { return rapids_shown_; }
+  void show_rapids(bool shown);
   bool shows_all() const { return lower_ <= 0 && upper_ >= length(); }
 
   void fit();
@@ -49,12 +52,14 @@ class ViewRange : public QObject {
 
  signals:
   void changed();
+  void rapids_shown_changed(bool shown);
 
  private:
   std::shared_ptr<const Trajectory> trajectory_;
   Abscissa abscissa_ = Abscissa::time;
   double lower_ = 0;
   double upper_ = 1;
+  bool rapids_shown_ = true;
 };
 
 }  // namespace feedscope::ui

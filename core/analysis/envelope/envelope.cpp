@@ -40,6 +40,22 @@ std::vector<Band> Envelope::columns(std::span<const double> times) const {
   return bands;
 }
 
+std::vector<Band> Envelope::cutting_columns(std::span<const double> times) const {
+  std::vector<Band> bands(times.empty() ? 0 : times.size() - 1);
+  const std::vector<ColumnStretch> stretches = motion_.rapids().outside(times);
+  for (const ColumnStretch& stretch : stretches) {
+    bands[stretch.column].add(motion_.exact_column(stretch.from, stretch.to));
+  }
+  const auto add = [&bands](std::size_t i, const auto& band) { bands[i].add(band); };
+  if (drives_) {
+    drives_->exact_columns(stretches, add);
+  }
+  if (load_) {
+    load_->exact_columns(stretches, add);
+  }
+  return bands;
+}
+
 Band Envelope::overall() const {
   Band band;
   band.add(motion_.overall());

@@ -10,7 +10,6 @@ namespace feedscope {
 namespace {
 
 constexpr std::size_t pieces_a_group = 4;
-constexpr double whole_group_share = 1.0 / 8;
 
 }  // namespace
 
@@ -26,6 +25,8 @@ MotionEnvelope::MotionEnvelope(std::shared_ptr<const Trajectory> trajectory, Pro
     groups[part.piece / pieces_a_group].add(band);
     if (!trajectory_->is_rapid(part.element)) {
       cutting_.add(band);
+    } else {
+      rapids_.add(part.time, part.time + part.duration);
     }
     if (progress != nullptr && part.piece >= reported) {
       progress->report(static_cast<double>(part.piece) / static_cast<double>(pieces));
@@ -35,7 +36,7 @@ MotionEnvelope::MotionEnvelope(std::shared_ptr<const Trajectory> trajectory, Pro
   pyramid_ = Pyramid<MotionBand>(std::move(groups));
 }
 
-MotionBand MotionEnvelope::column(double from, double to) const {
+MotionBand MotionEnvelope::column(double from, double to, double whole_share) const {
   MotionBand band;
   if (trajectory_ == nullptr || trajectory_->pieces().empty() || to < 0 || from > trajectory_->duration()) {
     return band;
@@ -44,7 +45,7 @@ MotionBand MotionEnvelope::column(double from, double to) const {
   const std::size_t last = trajectory_->piece_at(to);
   std::size_t first_whole = first / pieces_a_group;
   std::size_t end_whole = last / pieces_a_group + 1;
-  const double short_enough = (to - from) * whole_group_share;
+  const double short_enough = (to - from) * whole_share;
   if (group_duration(first_whole) > short_enough) {
     const std::size_t group_end = (first_whole + 1) * pieces_a_group;
     add_pieces(band, first, std::min(last, group_end - 1), from, to);

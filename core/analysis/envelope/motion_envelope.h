@@ -5,6 +5,7 @@
 #include "core/analysis/cause_times.h"
 #include "core/analysis/envelope/band.h"
 #include "core/analysis/envelope/pyramid.h"
+#include "core/analysis/rapid_times.h"
 #include "core/base/progress.h"
 #include "core/trajectory/part_walk.h"
 
@@ -25,14 +26,20 @@ class MotionEnvelope {
   explicit MotionEnvelope(std::shared_ptr<const Trajectory> trajectory, Progress* progress = nullptr);
 
   /// From one time to another [s]; empty outside the trajectory.
-  MotionBand column(double from, double to) const;
+  MotionBand column(double from, double to) const { return column(from, to, whole_group_share); }
+  /// The same without anything beyond its borders.
+  MotionBand exact_column(double from, double to) const { return column(from, to, 0); }
   /// The band of the whole trajectory; empty for an empty trajectory.
   MotionBand overall() const { return pyramid_.overall(); }
   /// The band of everything except rapids.
   const MotionBand& cutting() const { return cutting_; }
   const CauseTimes& causes() const { return causes_; }
+  const RapidTimes& rapids() const { return rapids_; }
 
  private:
+  static constexpr double whole_group_share = 1.0 / 8;  ///< of a column
+
+  MotionBand column(double from, double to, double whole_share) const;
   double group_duration(std::size_t group) const;
   void add_piece(MotionBand& band, std::size_t piece, double from, double to) const;
   void add_pieces(MotionBand& band, std::size_t first, std::size_t last, double from, double to) const;
@@ -41,6 +48,7 @@ class MotionEnvelope {
   std::shared_ptr<const Trajectory> trajectory_;
   CauseTimes causes_;
   MotionBand cutting_;
+  RapidTimes rapids_;
   Pyramid<MotionBand> pyramid_;  ///< by group of pieces
 };
 

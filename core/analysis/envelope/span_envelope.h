@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/analysis/envelope/pyramid.h"
+#include "core/analysis/rapid_times.h"
 #include "core/base/progress.h"
 
 namespace feedscope {
@@ -59,7 +60,20 @@ class SpanEnvelope {
     Looker looker(source_);
     for (std::size_t i = 0; i + 1 < times.size(); ++i) {
       if (times[i + 1] >= 0 && times[i] <= source_.duration()) {
-        use(i, column(times[i], times[i + 1], looker));
+        use(i, column(times[i], times[i + 1], whole_group_share, looker));
+      }
+    }
+  }
+  /// The same for each of `stretches`, in order of time, without anything beyond their borders.
+  template <typename Use>
+  void exact_columns(std::span<const ColumnStretch> stretches, Use use) const {
+    if (pyramid_.empty()) {
+      return;
+    }
+    Looker looker(source_);
+    for (const ColumnStretch& stretch : stretches) {
+      if (stretch.to >= 0 && stretch.from <= source_.duration()) {
+        use(stretch.column, column(stretch.from, stretch.to, 0, looker));
       }
     }
   }
@@ -118,13 +132,13 @@ class SpanEnvelope {
   }
   double duration_of(std::size_t group) const { return starts_[group + 1] - starts_[group]; }
 
-  Band column(double from, double to, Looker& looker) const {
+  Band column(double from, double to, double whole_share, Looker& looker) const {
     Band band;
     const std::size_t first = group_at(from);
     const std::size_t last = group_at(to);
     std::size_t first_whole = first;
     std::size_t end_whole = last + 1;
-    const double short_enough = (to - from) * whole_group_share;
+    const double short_enough = (to - from) * whole_share;
     const auto look = [&](std::size_t group) {
       looker.look(band, std::max(from, starts_[group]), std::min(to, starts_[group + 1]), duration_of(group));
     };

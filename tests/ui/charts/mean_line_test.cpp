@@ -20,11 +20,11 @@ TEST(MeanLine, MeansTimesTheirTimesAddUpToThePath) {
   for (int i = 0; i <= 40; ++i) {
     times.push_back(duration * i / 40);
   }
-  const std::vector<float> means = mean_feeds(*run.trajectory, times);
+  const std::vector<float> means = mean_feeds(*run.trajectory, RapidTimes().outside(times), times.size() - 1);
   ASSERT_EQ(means.size(), 40U);
   const double sum = std::accumulate(means.begin(), means.end(), 0.0);
   EXPECT_NEAR(sum * duration / 40, run.trajectory->state(duration).path_length, 1e-3);
-  EXPECT_TRUE(mean_feeds(*run.trajectory, std::vector<double>{1}).empty());
+  EXPECT_TRUE(mean_feeds(*run.trajectory, {}, 0).empty());
 }
 
 TEST(MeanLine, StandsAlongHighColumnsOnly) {

@@ -76,6 +76,15 @@ TEST_F(SideBySideTest, BothTurnAndColourAlike) {
   EXPECT_EQ(window.scene().state().exaggeration, 50);
 }
 
+TEST_F(SideBySideTest, OneSwitchHidesRapidsInAllViewsAndTheCharts) {
+  window.scene().scene().set_rapids_shown(false);
+  EXPECT_FALSE(views.second()->scene().rapids_shown());
+  EXPECT_FALSE(model.view_range().rapids_shown());
+  model.view_range().show_rapids(true);  // as the charts do
+  EXPECT_TRUE(window.scene().scene().rapids_shown());
+  EXPECT_TRUE(views.second()->scene().rapids_shown());
+}
+
 TEST_F(SideBySideTest, APlacePickedOnTheRightIsThatOfTheProgram) {
   const Trajectory& other = *model.runs().result(0)->run.trajectory;
   const double time = other.duration() / 2;

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/analysis/envelope/envelope.h"
+#include "ui/charts/column_cache.h"
+#include "ui/shared/view_range.h"
+
+namespace feedscope::ui {
+
+/// What the charts show of a run over the visible range: its pixel columns, and what limits it in each.
+class ChartColumns {
+ public:
+  void set_run(std::shared_ptr<const Trajectory> trajectory, std::shared_ptr<const Envelope> envelope);
+  /// Another abscissa, or rapids shown or not: all columns are to be found again.
+  void clear() { cache_.clear(); }
+  /// Brings `count` columns over the range up to date.
+  void update(const ViewRange& range, int count);
+
+  const std::shared_ptr<const Trajectory>& trajectory() const { return trajectory_; }
+  /// Null without a run.
+  const Envelope* envelope() const { return envelope_.get(); }
+  /// Of the columns' borders [s]; none without a run.
+  const std::vector<double>& times() const { return cache_.times(); }
+  const std::vector<Band>& bands() const { return cache_.bands(); }
+  /// Path length over time of what is shown of each column [mm/s]; NaN where that is nothing.
+  std::vector<float> means() const;
+  /// The cause that takes most of the time of each column.
+  std::vector<std::optional<CauseKind>> dominating() const;
+  /// Times of all causes in the visible range [s].
+  std::vector<double> causes() const;
+  /// Whether a column holds so many pieces of motion that its extremes say little.
+  bool crowded() const;
+
+ private:
+  std::vector<ColumnStretch> shown_stretches() const;
+
+  std::shared_ptr<const Trajectory> trajectory_;
+  std::shared_ptr<const Envelope> envelope_;
+  ColumnCache cache_;
+  bool rapids_ = true;
+};
+
+}  // namespace feedscope::ui

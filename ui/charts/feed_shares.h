@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "ui/charts/kinematic_chart.h"
+
+namespace feedscope::ui {
+
+/// Beside the feed chart and along its ordinate: how much of the visible time passes at each feed, as bars
+/// that point to the right. Feeds above the ordinate stand in its uppermost bar.
+class FeedShares : public QWidget {
+  Q_OBJECT
+
+ public:
+  static constexpr int usual_width = 84;  ///< [px]
+
+  /// `chart` outlives this.
+  explicit FeedShares(const KinematicChart& chart, QWidget* parent = nullptr);
+
+  /// Achieved, ascending [mm/s]: each stands for as much time.
+  void set_feeds(std::vector<float> feeds);
+  /// Of the bars from the lowest feed of the ordinate above 0 on; their sum is 1. Empty without feeds.
+  std::vector<double> shares() const;
+  /// "820 to 860 mm/min: 12 % of the time" of the bar at this height; empty outside.
+  QString tip_at(int y) const;
+  void draw(QPainter& painter) const;
+
+ protected:
+  bool event(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  /// Edge of a bar, in the chart's unit.
+  double value_of(std::size_t bar) const;
+  std::size_t bar_count() const;
+
+  const KinematicChart& chart_;
+  std::vector<float> feeds_;
+};
+
+}  // namespace feedscope::ui

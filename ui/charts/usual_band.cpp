@@ -1,0 +1,44 @@
+#include "ui/charts/usual_band.h"
+
+#include <QPainter>
+#include <QPolygonF>
+#include <algorithm>
+
+namespace feedscope::ui {
+
+void draw_usual_band(QPainter& painter, const QRectF& plot, std::span<const ColumnSpan> stretches,
+                     std::size_t columns, std::size_t count, const QColor& colour) {
+  constexpr double edge = 1.3;  // [px]
+  constexpr int inside_opacity = 90;
+  if (count == 0) {
+    return;
+  }
+  const double width = plot.width() / static_cast<double>(count);
+  QColor inside = colour;
+  inside.setAlpha(inside_opacity);
+  const auto x_of = [&](std::size_t stretch) {
+    return plot.left() + width * static_cast<double>(std::min(stretch * columns, count));
+  };
+  for (std::size_t first = 0; first < stretches.size();) {
+    std::size_t end = first;
+    QPolygonF upper;
+    QPolygonF lower;
+    for (; end < stretches.size() && !stretches[end].empty(); ++end) {
+      for (const double x : {x_of(end), x_of(end + 1)}) {
+        upper.append({x, stretches[end].top});
+        lower.prepend({x, stretches[end].bottom});
+      }
+    }
+    if (end > first) {
+      painter.setPen(Qt::NoPen);
+      painter.setBrush(inside);
+      painter.drawPolygon(upper + lower);
+      painter.setPen(QPen(colour, edge, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+      painter.drawPolyline(upper);
+      painter.drawPolyline(lower);
+    }
+    first = end + 1;
+  }
+}
+
+}  // namespace feedscope::ui
