@@ -947,7 +947,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Time that the control took more than the simulation; below 0: less</source>
-        <translation>Temps que la commande a mis en plus de la simulation ; sous 0 : en moins</translation>
+        <translation>Temps que la commande a mis en plus de la simulation&#xa0;; sous 0&#xa0;: en moins</translation>
     </message>
     <message>
         <source>Turn [°]</source>
@@ -987,7 +987,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Line %1: %2</source>
-        <translation>Ligne %1 : %2</translation>
+        <translation>Ligne %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1 s</source>
@@ -1027,11 +1027,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>The trace fits %1 % of the path alone: it is a part, or of another program. %2 there (%3 and %4).</source>
-        <translation>La trace ne correspond qu&apos;à %1 % de la trajectoire : c&apos;en est une partie, ou elle vient d&apos;un autre programme. %2 à cet endroit (%3 et %4).</translation>
+        <translation>La trace ne correspond qu&apos;à %1 % de la trajectoire&#xa0;: c&apos;en est une partie, ou elle vient d&apos;un autre programme. %2 à cet endroit (%3 et %4).</translation>
     </message>
     <message>
         <source>%1 (%2 and %3); their feeds differ by %4 (rms over the path).</source>
-        <translation>%1 (%2 et %3) ; leurs avances diffèrent de %4 (moyenne quadratique le long de la trajectoire).</translation>
+        <translation>%1 (%2 et %3)&#xa0;; leurs avances diffèrent de %4 (moyenne quadratique le long de la trajectoire).</translation>
     </message>
     <message>
         <source>The trace was moved by X %1 Y %2 Z %3 onto the program.</source>
@@ -1039,7 +1039,26 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Read as %1: one sample each %2 ms, noise %3. Its feeds are means over %4 ms, accelerations over %5 ms.</source>
-        <translation>Lue comme %1 : un échantillon toutes les %2 ms, bruit %3. Ses avances sont des moyennes sur %4 ms, ses accélérations sur %5 ms.</translation>
+        <translation>Lue comme %1&#xa0;: un échantillon toutes les %2 ms, bruit %3. Ses avances sont des moyennes sur %4 ms, ses accélérations sur %5 ms.</translation>
+    </message>
+</context>
+<context>
+    <name>VersionTexts</name>
+    <message>
+        <source>%1–%2</source>
+        <translation>%1–%2</translation>
+    </message>
+    <message>
+        <source> (%1 %)</source>
+        <translation> (%1 %)</translation>
+    </message>
+    <message>
+        <source> &lt;b&gt;The older program was read with errors.&lt;/b&gt;</source>
+        <translation> &lt;b&gt;L&apos;ancien programme a été lu avec des erreurs.&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt; instead of %2: %3 instead of %4, &lt;b&gt;%5&lt;/b&gt;%6. %7 % of the new path is in the older program too. Max. contour error %8 instead of %9.</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt; au lieu de %2 : %3 au lieu de %4, &lt;b&gt;%5&lt;/b&gt;%6. %7 % de la nouvelle trajectoire est aussi dans l&apos;ancien programme. Erreur de contour max. %8 au lieu de %9.</translation>
     </message>
 </context>
 <context>
@@ -3950,6 +3969,14 @@ max. : %1 %</translation>
         <source>&lt;h3&gt;Feedscope %1&lt;/h3&gt;&lt;p&gt;Shows what a CNC control does with an NC program: path, feed, acceleration and jerk, and what limits the feed.&lt;/p&gt;&lt;p&gt;Models of published controls on published machines. How far to trust a number: &lt;i&gt;Help › Handbook&lt;/i&gt;, &lt;i&gt;Models and accuracy&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;BSD 3-clause licence. With Qt %2, VTK and the DejaVu fonts.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Feedscope %1&lt;/h3&gt;&lt;p&gt;Montre ce qu’une commande CNC fait d’un programme : trajectoire, avance, accélération et jerk, et ce qui limite l’avance.&lt;/p&gt;&lt;p&gt;Modèles de commandes publiées sur des machines publiées. Jusqu’où croire un nombre : &lt;i&gt;Aide › Manuel&lt;/i&gt;, &lt;i&gt;Modèles et précision&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;Licence BSD à 3 clauses. Avec Qt %2, VTK et les polices DejaVu.&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>&amp;Start page</source>
+        <translation>Page d&apos;&amp;accueil</translation>
+    </message>
+    <message>
+        <source>Samples, recent programs, lessons, what to do first</source>
+        <translation>Exemples, programmes récents, leçons, par où commencer</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::JobBase</name>
@@ -5427,7 +5454,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>It covers %1 % of the path: a cycle time is not known.</source>
-        <translation>Elle couvre %1 % de la trajectoire : le temps de cycle n&apos;est pas connu.</translation>
+        <translation>Elle couvre %1 % de la trajectoire&#xa0;: le temps de cycle n&apos;est pas connu.</translation>
     </message>
 </context>
 <context>
@@ -6226,10 +6253,110 @@ Ensemble&#xa0;: %4</translation>
     </message>
 </context>
 <context>
-    <name>feedscope::ui::StartHint</name>
+    <name>feedscope::ui::StartPage</name>
     <message>
-        <source>&lt;a href=&quot;program&quot;&gt;Open an NC program&lt;/a&gt; or drop one here, or begin with a &lt;a href=&quot;sample&quot;&gt;sample program&lt;/a&gt; or a &lt;a href=&quot;lesson&quot;&gt;lesson&lt;/a&gt;.</source>
-        <translation>&lt;a href=&quot;program&quot;&gt;Ouvrir un programme CN&lt;/a&gt; ou en déposer un ici, ou commencer par un &lt;a href=&quot;sample&quot;&gt;programme d&apos;exemple&lt;/a&gt; ou une &lt;a href=&quot;lesson&quot;&gt;leçon&lt;/a&gt;.</translation>
+        <source>Trochoidal slot</source>
+        <translation>Rainure trochoïdale</translation>
+    </message>
+    <message>
+        <source>ISO: short blocks against arcs</source>
+        <translation>ISO : blocs courts ou arcs</translation>
+    </message>
+    <message>
+        <source>Pocket</source>
+        <translation>Poche</translation>
+    </message>
+    <message>
+        <source>ISO: sharp and rounded corners</source>
+        <translation>ISO : angles vifs et arrondis</translation>
+    </message>
+    <message>
+        <source>Free-form surface</source>
+        <translation>Surface gauche</translation>
+    </message>
+    <message>
+        <source>ISO: 50 000 short blocks</source>
+        <translation>ISO : 50 000 blocs courts</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Plaque</translation>
+    </message>
+    <message>
+        <source>Heidenhain: contour and holes</source>
+        <translation>Heidenhain : contour et trous</translation>
+    </message>
+    <message>
+        <source>Plate with pockets</source>
+        <translation>Plaque à poches</translation>
+    </message>
+    <message>
+        <source>Sinumerik: frames and cycles</source>
+        <translation>Sinumerik : frames et cycles</translation>
+    </message>
+    <message>
+        <source>Flange</source>
+        <translation>Bride</translation>
+    </message>
+    <message>
+        <source>Fanuc: slots and drilling</source>
+        <translation>Fanuc : rainures et perçage</translation>
+    </message>
+    <message>
+        <source>Start page</source>
+        <translation>Page d&apos;accueil</translation>
+    </message>
+    <message>
+        <source>What does the control do with your program?</source>
+        <translation>Que fait la commande de votre programme ?</translation>
+    </message>
+    <message>
+        <source>Open an NC program or session …</source>
+        <translation>Ouvrir un programme CN ou une session …</translation>
+    </message>
+    <message>
+        <source>or drop a program, a session or a machine file here</source>
+        <translation>ou déposer ici un programme, une session ou un fichier machine</translation>
+    </message>
+    <message>
+        <source>What to do first</source>
+        <translation>Par où commencer</translation>
+    </message>
+    <message>
+        <source>&lt;ol style=&quot;margin-left: -24px&quot;&gt;&lt;li&gt;Open a program. Its language chooses a machine; your own: &lt;i&gt;File › Open machine file&lt;/i&gt;.&lt;/li&gt;&lt;li&gt;&lt;i&gt;Time&lt;/i&gt; says where the time goes and which changes would help, each simulated.&lt;/li&gt;&lt;li&gt;Try a change: &lt;i&gt;New run with this change&lt;/i&gt;, or another tolerance at the top.&lt;/li&gt;&lt;li&gt;On paper: &lt;i&gt;File › Report&lt;/i&gt;.&lt;/li&gt;&lt;/ol&gt;</source>
+        <translation>&lt;ol style=&quot;margin-left: -24px&quot;&gt;&lt;li&gt;Ouvrir un programme. Son langage choisit une machine ; la vôtre : &lt;i&gt;Fichier › Ouvrir un fichier machine&lt;/i&gt;.&lt;/li&gt;&lt;li&gt;&lt;i&gt;Temps&lt;/i&gt; dit où passe le temps et quels changements aideraient, chacun simulé.&lt;/li&gt;&lt;li&gt;Essayer un changement : &lt;i&gt;Nouvelle simulation avec ce changement&lt;/i&gt;, ou une autre tolérance en haut.&lt;/li&gt;&lt;li&gt;Sur papier : &lt;i&gt;Fichier › Rapport&lt;/i&gt;.&lt;/li&gt;&lt;/ol&gt;</translation>
+    </message>
+    <message>
+        <source>First steps in the handbook</source>
+        <translation>Premiers pas dans le manuel</translation>
+    </message>
+    <message>
+        <source>Opened recently</source>
+        <translation>Ouverts récemment</translation>
+    </message>
+    <message>
+        <source>Continue without a program (Esc)</source>
+        <translation>Continuer sans programme (Échap)</translation>
+    </message>
+    <message>
+        <source>Sample programs</source>
+        <translation>Programmes d&apos;exemple</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>Leçons</translation>
+    </message>
+    <message>
+        <source>No program has been opened yet</source>
+        <translation>Aucun programme n&apos;a encore été ouvert</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2 min)</source>
+        <translation>%1 (%2 min)</translation>
     </message>
 </context>
 <context>
@@ -6583,11 +6710,11 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>What are the columns of %1?</source>
-        <translation>Que contiennent les colonnes de %1 ?</translation>
+        <translation>Que contiennent les colonnes de %1&#xa0;?</translation>
     </message>
     <message>
         <source>%1: %2. What are its columns?</source>
-        <translation>%1 : %2. Que contiennent ses colonnes ?</translation>
+        <translation>%1&#xa0;: %2. Que contiennent ses colonnes&#xa0;?</translation>
     </message>
     <message>
         <source>Preset</source>
@@ -6607,7 +6734,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>&amp;Preset:</source>
-        <translation>&amp;Préréglage :</translation>
+        <translation>&amp;Préréglage&#xa0;:</translation>
     </message>
     <message>
         <source>none</source>
@@ -6615,15 +6742,15 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Nothing is chosen: there is nothing to keep.</source>
-        <translation>Rien n&apos;est choisi : il n&apos;y a rien à garder.</translation>
+        <translation>Rien n&apos;est choisi&#xa0;: il n&apos;y a rien à garder.</translation>
     </message>
     <message>
         <source>Choose another name: it is empty, or that of a preset of the program.</source>
-        <translation>Choisir un autre nom : il est vide, ou celui d&apos;un préréglage du programme.</translation>
+        <translation>Choisir un autre nom&#xa0;: il est vide, ou celui d&apos;un préréglage du programme.</translation>
     </message>
     <message>
         <source>Name of the preset:</source>
-        <translation>Nom du préréglage :</translation>
+        <translation>Nom du préréglage&#xa0;:</translation>
     </message>
     <message>
         <source>Keep preset</source>
@@ -6639,7 +6766,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>In the first %1 samples: %2.</source>
-        <translation>Dans les %1 premiers échantillons : %2.</translation>
+        <translation>Dans les %1 premiers échantillons&#xa0;: %2.</translation>
     </message>
 </context>
 <context>
@@ -6742,7 +6869,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>The trace counts this axis in the other direction; needs a unit</source>
-        <translation>La trace compte cet axe dans l&apos;autre sens ; il faut une unité</translation>
+        <translation>La trace compte cet axe dans l&apos;autre sens&#xa0;; il faut une unité</translation>
     </message>
     <message>
         <source>%1 mirrored</source>
@@ -6765,7 +6892,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Lay what a control recorded beside the run: LinuxCNC halsampler, SINUMERIK trace, TwinCAT Scope or any table of samples</source>
-        <translation>Placer à côté de la simulation ce qu&apos;une commande a enregistré : halsampler de LinuxCNC, trace SINUMERIK, TwinCAT Scope ou un tableau d&apos;échantillons</translation>
+        <translation>Placer à côté de la simulation ce qu&apos;une commande a enregistré&#xa0;: halsampler de LinuxCNC, trace SINUMERIK, TwinCAT Scope ou un tableau d&apos;échantillons</translation>
     </message>
     <message>
         <source>measurement oscilloscope recording machine compare real</source>
@@ -6817,7 +6944,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>%1 is a trace: open the program that it was recorded of first.</source>
-        <translation>%1 est une trace : ouvrir d&apos;abord le programme dont elle est l&apos;enregistrement.</translation>
+        <translation>%1 est une trace&#xa0;: ouvrir d&apos;abord le programme dont elle est l&apos;enregistrement.</translation>
     </message>
     <message>
         <source>Open trace</source>
@@ -6841,11 +6968,11 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>The trace is read; it waits for the run to be simulated.</source>
-        <translation>La trace est lue ; elle attend que la simulation soit faite.</translation>
+        <translation>La trace est lue&#xa0;; elle attend que la simulation soit faite.</translation>
     </message>
     <message>
         <source>There is no agreement to save: the trace is not compared with a run.</source>
-        <translation>Il n&apos;y a pas de concordance à enregistrer : la trace n&apos;est comparée à aucune simulation.</translation>
+        <translation>Il n&apos;y a pas de concordance à enregistrer&#xa0;: la trace n&apos;est comparée à aucune simulation.</translation>
     </message>
     <message>
         <source>Save the agreement</source>
@@ -6857,7 +6984,94 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2. Choose another folder.</source>
-        <translation>Impossible d&apos;écrire %1 : %2. Choisir un autre dossier.</translation>
+        <translation>Impossible d&apos;écrire %1&#xa0;: %2. Choisir un autre dossier.</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::VersionsView</name>
+    <message>
+        <source>Versions</source>
+        <translation>Versions</translation>
+    </message>
+    <message>
+        <source>Older program …</source>
+        <translation>Ancien programme …</translation>
+    </message>
+    <message>
+        <source>Compare with an &amp;older program …</source>
+        <translation>Comparer à un &amp;ancien programme …</translation>
+    </message>
+    <message>
+        <source>Which stretches of the program changed, and what they cost or gain</source>
+        <translation>Quels passages du programme ont changé, et ce qu&apos;ils coûtent ou gagnent</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+O</source>
+        <translation>Ctrl+Shift+O</translation>
+    </message>
+    <message>
+        <source>version diff old new before after</source>
+        <translation>version différence ancien nouveau avant après</translation>
+    </message>
+    <message>
+        <source>Differences between two versions of the program</source>
+        <translation>Différences entre deux versions du programme</translation>
+    </message>
+    <message>
+        <source>Compare with an older program</source>
+        <translation>Comparer à un ancien programme</translation>
+    </message>
+    <message>
+        <source>NC programs (*.nc *.ngc *.gcode *.tap *.mpf *.spf *.h *.i *.cnc *.iso *.txt);;All files (*)</source>
+        <translation>Programmes CN (*.nc *.ngc *.gcode *.tap *.mpf *.spf *.h *.i *.cnc *.iso *.txt);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Simulating the older program …</source>
+        <translation>Simulation de l&apos;ancien programme …</translation>
+    </message>
+    <message>
+        <source>Open a program to compare an older one with it.</source>
+        <translation>Ouvrir un programme pour lui comparer un ancien.</translation>
+    </message>
+    <message>
+        <source>Choose an older version of this program: both run on the machine, model and settings of the current run.</source>
+        <translation>Choisir une ancienne version de ce programme : les deux tournent sur la machine, le modèle et les réglages de la simulation courante.</translation>
+    </message>
+    <message>
+        <source>What became of the path</source>
+        <translation>Ce que devient la trajectoire</translation>
+    </message>
+    <message>
+        <source>Stretches</source>
+        <translation>Passages</translation>
+    </message>
+    <message>
+        <source>Older</source>
+        <translation>Ancien</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Nouveau</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Écart</translation>
+    </message>
+    <message>
+        <source>The times differ nowhere</source>
+        <translation>Les temps ne diffèrent nulle part</translation>
+    </message>
+    <message>
+        <source>Where the times differ most</source>
+        <translation>Où les temps diffèrent le plus</translation>
+    </message>
+    <message>
+        <source>Older lines</source>
+        <translation>Anciennes lignes</translation>
+    </message>
+    <message>
+        <source>New lines</source>
+        <translation>Nouvelles lignes</translation>
     </message>
 </context>
 <context>

@@ -51,7 +51,7 @@ std::vector<double> ChartColumns::causes() const {
 }
 
 bool ChartColumns::crowded() const {
-  constexpr std::size_t pieces_a_column = 24;
+  constexpr std::size_t pieces_a_column = 10;
   if (times().size() < 2 || trajectory_->pieces().empty()) {
     return false;
   }

@@ -4,6 +4,7 @@
 #include <QFont>
 #include <QProxyStyle>
 #include <QStyleOptionToolButton>
+#include <QTabBar>
 
 #include "ui/theme/bundled_fonts.h"
 #include "ui/theme/icons.h"
@@ -100,6 +101,14 @@ class ThemeStyle : public QProxyStyle {
       default:
         return QProxyStyle::styleHint(hint, option, widget, result);
     }
+  }
+  /// The names of five panels side by side find room where a lesson is one of them.
+  int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
+    constexpr int crowded = 5;
+    constexpr int narrow = 10;  // [px] beside a name
+    const auto* tabs = metric == PM_TabBarTabHSpace ? qobject_cast<const QTabBar*>(widget) : nullptr;
+    return tabs != nullptr && tabs->count() >= crowded ? narrow
+                                                       : QProxyStyle::pixelMetric(metric, option, widget);
   }
   /// Qt squeezes the arrow of a menu into the corner below the text, where it reads as a comma.
   void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,

@@ -34,6 +34,8 @@ HelpMenu::HelpMenu(Panel& lessons, QMainWindow& window)
   QAction* handbook = add(tr("Hand&book"), QKeySequence::HelpContents, tr("First steps, panels, commands"));
   set_everyday_words(handbook, tr("help manual documentation how to"));
   connect(handbook, &QAction::triggered, this, [this] { handbook_->show_page(QStringLiteral("index")); });
+  connect(add(tr("&Start page"), {}, tr("Samples, recent programs, lessons, what to do first")),
+          &QAction::triggered, this, &HelpMenu::start_page_wanted);
   connect(add(tr("&Lessons"), {}, tr("Lessons for courses, with questions on the simulation")),
           &QAction::triggered, &lessons, &Panel::attention_wanted);
   QMenu* lesson = addMenu(tr("L&esson"));
@@ -48,6 +50,10 @@ HelpMenu::HelpMenu(Panel& lessons, QMainWindow& window)
   addSeparator();
   connect(add(tr("&About Feedscope"), {}, tr("Version and licence")), &QAction::triggered, this,
           &HelpMenu::show_about);
+}
+
+void HelpMenu::show_first_steps() {
+  handbook_->show_page(QStringLiteral("first-steps"));
 }
 
 void HelpMenu::show_about() {

@@ -21,6 +21,10 @@ class HelpMenu : public QMenu {
 
   /// Every command of the menus, in their order.
   QList<ListedAction> commands() const;
+  void show_first_steps();
+
+ signals:
+  void start_page_wanted();
 
  private:
   void show_about();

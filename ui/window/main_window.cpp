@@ -33,12 +33,13 @@
 #include "ui/theme/icons.h"
 #include "ui/time_use/time_view.h"
 #include "ui/trace/trace_view.h"
+#include "ui/versions/versions_view.h"
 #include "ui/why/why_view.h"
 #include "ui/window/dock_sizes.h"
 #include "ui/window/file_menu.h"
 #include "ui/window/help_menu.h"
 #include "ui/window/machine_opening.h"
-#include "ui/window/start_hint.h"
+#include "ui/window/start_page.h"
 #include "ui/window/status_panel.h"
 #include "ui/window/view_menu.h"
 
@@ -74,10 +75,12 @@ MainWindow::MainWindow(Workbench& workbench, RenderBackend backend, QWidget* par
       circular_(new CircularView(workbench, this)),
       load_(new LoadView(workbench, this)),
       traces_(new TraceView(workbench, this)),
+      versions_(new VersionsView(this)),
       panels_{program_,     time_,        setup_, why_,     annotations_, lessons_, charts_, runs_,
-              slow_places_, diagnostics_, study_, contour_, circular_,    load_,    traces_},
+              slow_places_, diagnostics_, study_, contour_, circular_,    load_,    traces_, versions_},
       session_(new WindowSession(*this, workbench)),
-      machines_(new MachineOpening(workbench, *this)) {
+      machines_(new MachineOpening(workbench, *this)),
+      start_page_(new StartPage(workbench, desk_, this)) {
   setWindowTitle(tr("Feedscope"));
   resize(default_size);
   setAcceptDrops(true);
@@ -89,6 +92,7 @@ MainWindow::MainWindow(Workbench& workbench, RenderBackend backend, QWidget* par
   make_status();
   connect_panels();
   connect_lessons();
+  connect_start_page();
   connect(&workbench_, &Workbench::program_changed, this, &MainWindow::show_program);
   connect(&workbench_, &Workbench::failed, this, &MainWindow::show_failure);
   connect(session_, &WindowSession::file_changed, this, &MainWindow::show_title);
@@ -109,17 +113,13 @@ bool MainWindow::busy() const {
 }
 
 void MainWindow::make_centre() {
-  auto* start_hint = new StartHint(workbench_, this);
   auto* centre = new QWidget(this);
   auto* layout = new QVBoxLayout(centre);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
   layout->addWidget(new RunNotice(workbench_, this));
   layout->addWidget(scenes_, 1);
-  layout->addWidget(start_hint);
   layout->addWidget(playback_);
-  playback_->setVisible(start_hint->isHidden());
-  connect(start_hint, &StartHint::shown, playback_, &QWidget::setHidden);
   setCentralWidget(centre);
 }
 
@@ -187,6 +187,7 @@ void MainWindow::make_menus() {
   runs->addActions(circular_->panel_actions());
   runs->addActions(load_->panel_actions());
   runs->addActions(traces_->panel_actions());
+  runs->addActions(versions_->panel_actions());
   runs->addSeparator();
   runs->addAction(make_action(this, tr("&Cancel simulation"),
                               tr("Stop reading, simulating or comparing runs"), Qt::Key_Escape,
@@ -213,6 +214,8 @@ void MainWindow::make_menus() {
   });
   auto* help = new HelpMenu(*lessons_, *this);
   menuBar()->addMenu(help);
+  connect(start_page_, &StartPage::handbook_wanted, help, &HelpMenu::show_first_steps);
+  connect(help, &HelpMenu::start_page_wanted, start_page_, &StartPage::open);
 
   auto* bar = new SetupBar(workbench_, this);
   addToolBar(bar);
@@ -232,6 +235,7 @@ void MainWindow::make_status() {
   connect(status, &StatusPanel::diagnostics_clicked, &dock_of(*diagnostics_), &QDockWidget::raise);
   connect(this, &MainWindow::cancel_wanted, status, &StatusPanel::cancel);
   connect(this, &MainWindow::cancel_wanted, time_, &TimeView::cancel);
+  connect(this, &MainWindow::cancel_wanted, versions_, &VersionsView::cancel);
   const auto say = [this](const QString& message) { statusBar()->showMessage(message); };
   connect(charts_, &ChartsPanel::exported, this, say);
   connect(file_menu_, &FileMenu::done, this, say);
@@ -263,10 +267,33 @@ void MainWindow::connect_lessons() {
     dock_of(*setup_).raise();
     setup_->show_key(key == QStringLiteral("tolerance") ? "contour_tolerance_mm" : key.toStdString());
   });
-  auto* start_hint = findChild<StartHint*>();
-  connect(start_hint, &StartHint::program_wanted, file_menu_, &FileMenu::ask_for_program);
-  connect(start_hint, &StartHint::sample_wanted, file_menu_, &FileMenu::ask_for_sample);
-  connect(start_hint, &StartHint::lesson_wanted, lessons_, &Panel::attention_wanted);
+}
+
+void MainWindow::connect_start_page() {
+  connect(start_page_, &StartPage::program_wanted, file_menu_, &FileMenu::ask_for_program);
+  connect(start_page_, &StartPage::file_wanted, this, &MainWindow::open);
+  connect(start_page_, &StartPage::lesson_wanted, this, &MainWindow::open_lesson);
+  for (const Panel* panel : panels_) {
+    connect(panel, &Panel::attention_wanted, start_page_, &QWidget::hide);
+  }
+  connect(this, &MainWindow::cancel_wanted, start_page_, &QWidget::hide);
+}
+
+void MainWindow::place_start_page() {
+  int top = menuBar()->geometry().bottom() + 1;
+  for (const QToolBar* bar : findChildren<QToolBar*>(Qt::FindDirectChildrenOnly)) {
+    top = std::max(top, bar->geometry().bottom() + 1);
+  }
+  start_page_->cover({0, top, width(), std::max(0, statusBar()->geometry().top() - top)});
+}
+
+bool MainWindow::event(QEvent* event) {
+  const bool handled = QMainWindow::event(event);
+  if (event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest ||
+      event->type() == QEvent::Show) {
+    place_start_page();
+  }
+  return handled;
 }
 
 void MainWindow::restore_layout(const QByteArray& layout) {
@@ -362,6 +389,7 @@ std::array<double, 2> MainWindow::chosen_times() const {
 }
 
 void MainWindow::show_failure(const QString& message) {
+  start_page_->hide();  // the message stands below it
   diagnostics_->add_message(Severity::error, message);
   dock_of(*diagnostics_).raise();
   statusBar()->showMessage(message);

@@ -29,9 +29,11 @@ class ProgramPanel;
 class RunsView;
 class SetupView;
 class SlowPlacesView;
+class StartPage;
 class StudyView;
 class TimeView;
 class TraceView;
+class VersionsView;
 class WhyView;
 
 /// The 3D view with the panels around it and their commands in menus. Panels follow the workbench by
@@ -85,6 +87,7 @@ class MainWindow : public QMainWindow {
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
+  bool event(QEvent* event) override;
   /// Tabs of panels keep their whole names: Qt would cut them to "Why h…".
   void childEvent(QChildEvent* event) override;
 
@@ -97,6 +100,8 @@ class MainWindow : public QMainWindow {
   void make_status();
   void connect_panels();
   void connect_lessons();
+  void connect_start_page();
+  void place_start_page();
   void show_program();
   void show_title();
   void show_lesson(const LessonWindow& look);
@@ -123,9 +128,11 @@ class MainWindow : public QMainWindow {
   CircularView* circular_;
   LoadView* load_;
   TraceView* traces_;
-  std::array<Panel*, 15> panels_;  ///< in the order of their tabs
+  VersionsView* versions_;
+  std::array<Panel*, 16> panels_;  ///< in the order of their tabs
   WindowSession* session_;
   MachineOpening* machines_;
+  StartPage* start_page_;
   FileMenu* file_menu_ = nullptr;
   DockSizes* dock_sizes_ = nullptr;
   QByteArray first_layout_;

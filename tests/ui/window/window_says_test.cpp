@@ -38,7 +38,7 @@
 #include "ui/why/why_view.h"
 #include "ui/window/help_menu.h"
 #include "ui/window/main_window.h"
-#include "ui/window/start_hint.h"
+#include "ui/window/start_page.h"
 
 namespace feedscope::ui {
 namespace {
@@ -109,20 +109,61 @@ TEST_F(WindowSaysTest, TheStudyListsSettingsByTheirTitles) {
 }
 
 TEST_F(WindowSaysTest, AnEmptyStartSaysWhatToDoFirst) {
-  EXPECT_TRUE(window.part<StartHint>().isVisible());
-  emit window.part<StartHint>().text()->linkActivated("lesson");
-  EXPECT_TRUE(window.part<LessonView>().isVisible());
-  QString folder_shown;
-  QTimer::singleShot(0, [&] {
-    auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-    ASSERT_NE(dialog, nullptr);
-    folder_shown = dialog->directory().path();
-    dialog->reject();
-  });
-  emit window.part<StartHint>().text()->linkActivated("sample");
-  EXPECT_TRUE(folder_shown.endsWith("resources/programs")) << folder_shown.toStdString();
+  auto& page = window.part<StartPage>();
+  EXPECT_TRUE(page.isVisible());
+  const QRect around(QPoint(), window.size());
+  EXPECT_TRUE(around.contains(page.geometry()));
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return !page.busy() && !window.part<LessonView>().desk().busy(); }, patience));
+  for (const SampleProgram& sample : start_samples()) {
+    EXPECT_TRUE(std::filesystem::exists(sample.file)) << sample.file;
+  }
+  QApplication::processEvents();  // lays the lessons out
+  // By Tab through all of them, samples with their pictures, lessons too, and never out of the page.
+  const std::size_t count = page.buttons().size();
+  EXPECT_GE(count, 3 + start_samples().size() + 16);
+  std::set<QWidget*> reached;
+  std::size_t pictures = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    QWidget* focus = page.focusWidget();
+    ASSERT_NE(focus, nullptr);
+    pictures +=
+        reached.insert(focus).second && !qobject_cast<QAbstractButton*>(focus)->icon().isNull() ? 1 : 0;
+    QTest::keyClick(focus, Qt::Key_Tab);
+  }
+  EXPECT_EQ(reached.size(), count);
+  EXPECT_EQ(pictures, start_samples().size());
   open(test::small_program);
-  EXPECT_FALSE(window.part<StartHint>().isVisible());
+  EXPECT_FALSE(page.isVisible());
+}
+
+TEST_F(WindowSaysTest, FiveNamesOfPanelsFitBesideEachOther) {
+  for (const char* language : {"en", "fr"}) {
+    install_language(language);
+    MainWindow other(model, RenderBackend::software);
+    other.resize(1280, 800);
+    other.show();
+    emit other.part<LessonView>().attention_wanted();
+    QApplication::processEvents();
+    int most = 0;
+    for (const QTabBar* tabs : other.findChildren<QTabBar*>()) {
+      if (tabs->isVisible() && tabs->count() > 1) {
+        most = std::max(most, tabs->count());
+        EXPECT_LE(tabs->tabRect(tabs->count() - 1).right(), tabs->width()) << language;
+      }
+    }
+    EXPECT_EQ(most, 5) << "a lesson is beside four others";
+  }
+  install_language("en");
+}
+
+TEST_F(WindowSaysTest, TheStartPageMakesWayForWhatIsAskedFor) {
+  auto& page = window.part<StartPage>();
+  emit window.part<LessonView>().attention_wanted();
+  EXPECT_FALSE(page.isVisible());
+  page.open();
+  emit window.cancel_wanted();  // Escape
+  EXPECT_FALSE(page.isVisible());
 }
 
 TEST_F(WindowSaysTest, SettingsWithoutAValueAreShownWhenWanted) {
