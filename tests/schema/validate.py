@@ -92,6 +92,18 @@ with tempfile.TemporaryDirectory() as folder:
     check_command("compare", "--within", "0.03", "--merge", *studies)
     check_command("compare", "--merge", *studies)
 
+    motion = work / "motion.csv"
+    corner = work / "corner.ngc"
+    corner.write_text("G21 G90 G64 P0.05\nF3000\n(FIRST)\nG1 X30\nY20\n(SECOND)\nX0 Y0\nX30\nM30\n")
+    subprocess.run([feedscope, "simulate", corner, "--machine", "linuxcnc-mill", "--set", "X.acceleration=0.5", "--csv", motion,
+                    "--step", "0.002"], capture_output=True, check=True)
+    check_command("trace", motion)
+    alone = check_command("trace", motion, corner, "--machine", "linuxcnc-mill")
+    if not (alone["agreement"]["worst"] and alone["agreement"]["corners"] and alone["agreement"]["operations"]):
+        faults.append("the trace of the test has no places, corners or operations that could be validated")
+    check_command("identify", motion, "--program", corner, "--machine", "linuxcnc-mill", "--model", "linuxcnc", "--model", "grbl",
+                  "--fit", "X.acceleration,X.velocity")
+
     wrong = written("check", samples[0])
     del wrong["program"]["path_mm"]
     wrong["program"]["lines"] = "many"
