@@ -62,10 +62,10 @@ FitCase::FitCase(Trace trace, const LoadedProgram& program, const Setup& start, 
     }
   }
   for (std::size_t i = 0; i + 1 < borders_.size(); ++i) {
-    distances_.push_back(found_.law.distance(borders_[i], borders_[i + 1]));
-    if (distances_.back() > std::max(least_distance, clear_distance * found_.noise)) {
-      far_stretches_.push_back(i);
-      scale_.push_back(distance_unit + 2 * found_.noise + 0.02 * distances_.back());
+    const TimeLaw::Farthest farthest = found_.law.farthest(borders_[i], borders_[i + 1]);
+    if (farthest.distance > std::max(least_distance, clear_distance * found_.noise)) {
+      farthest_.push_back(farthest);
+      scale_.push_back(distance_unit + 2 * found_.noise + 0.02 * farthest.distance);
       stretch_.push_back(i);
     }
   }
@@ -95,8 +95,8 @@ std::vector<double> FitCase::residuals(const Setup& setup) const {
     off[i] = ((times[span.last] - times[span.first]) - (times_[span.last] - times_[span.first])) / scale_[i];
     ++i;
   }
-  for (const std::size_t stretch : far_stretches_) {
-    off[i] = (law.distance(borders_[stretch], borders_[stretch + 1]) - distances_[stretch]) / scale_[i];
+  for (const TimeLaw::Farthest& farthest : farthest_) {
+    off[i] = (law.distance_at(farthest.s) - farthest.distance) / scale_[i];
     ++i;
   }
   return off;

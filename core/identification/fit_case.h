@@ -48,8 +48,9 @@ class FitCase {
   std::vector<double> times_;    ///< measured there [s]
   std::vector<double> time_noise_;
   std::vector<Span> spans_;
-  std::vector<double> distances_;           ///< measured, by short stretch [mm]
-  std::vector<std::size_t> far_stretches_;  ///< whose distance counts
+  /// Where the trace is farthest from the path, by short stretches whose distance counts. A run is compared at
+  /// the same places: between its samples a trace has been farther away than it says.
+  std::vector<TimeLaw::Farthest> farthest_;
   std::vector<double> scale_;               ///< one unit of each residual [s], [mm]
   std::vector<std::size_t> stretch_;
 };

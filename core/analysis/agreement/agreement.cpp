@@ -226,9 +226,26 @@ TraceOnProgram find_on_program(const Trace& trace, const ProgrammedCourse& cours
 }
 
 std::vector<double> cell_borders(const TimeLaw& law, double least_time, double least_length) {
+  constexpr double shortest_pause = 0.05;   // [s]
+  constexpr double least_clearance = 0.01;  // [mm]
+  const double clearance = std::max(least_clearance, 2 * least_length);
+  std::vector<double> pauses;
+  for (std::size_t i = 1; i < law.places().size(); ++i) {
+    if (law.places()[i] == law.places()[i - 1] &&
+        law.times()[i] - law.times()[i - 1] >= std::min(least_time, shortest_pause)) {
+      pauses.push_back(law.places()[i]);
+    }
+  }
   std::vector<double> borders;
   double time = 0;
+  std::size_t pause = 0;
   for (std::size_t i = 0; i < law.places().size(); ++i) {
+    while (pause < pauses.size() && pauses[pause] < law.places()[i] - clearance) {
+      ++pause;
+    }
+    if (pause < pauses.size() && pauses[pause] <= law.places()[i] + clearance) {
+      continue;
+    }
     if (borders.empty() ||
         (law.places()[i] - borders.back() >= least_length && law.times()[i] - time >= least_time)) {
       borders.push_back(law.places()[i]);

@@ -94,7 +94,7 @@ Agreement agreement_of(const TraceOnProgram& trace, const ProgrammedCourse& cour
                        Progress* progress = nullptr);
 
 /// Stretches of the programmed path, none shorter in time than `least_time` [s], at whose ends the trace is
-/// known; `least_length` [mm].
+/// known; `least_length` [mm]. None ends near a pause: on which side of the end it lies is a matter of noise.
 std::vector<double> cell_borders(const TimeLaw& law, double least_time, double least_length);
 
 }  // namespace feedscope

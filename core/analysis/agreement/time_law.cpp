@@ -68,13 +68,33 @@ TimeLaw::Place TimeLaw::place_at(double time) const {
   return s_[i] == s_[i - 1] ? Place{s_[i], share} : Place{s_[i - 1] + share * (s_[i] - s_[i - 1]), 0};
 }
 
-double TimeLaw::distance(double from, double to) const {
-  auto i = static_cast<std::size_t>(std::lower_bound(s_.begin(), s_.end(), from) - s_.begin());
-  float largest = 0;
+TimeLaw::Farthest TimeLaw::farthest(double from, double to) const {
+  Farthest found{from, 0};
+  auto i = static_cast<std::size_t>(std::ranges::lower_bound(s_, from) - s_.begin());
   for (; i < s_.size() && s_[i] <= to; ++i) {
-    largest = std::max(largest, distance_[i]);
+    if (const auto distance = static_cast<double>(distance_[i]); distance > found.distance) {
+      found = {s_[i], distance};
+    }
   }
-  return static_cast<double>(largest);
+  return found;
+}
+
+double TimeLaw::distance(double from, double to) const {
+  return farthest(from, to).distance;
+}
+
+double TimeLaw::distance_at(double s) const {
+  const auto found = std::ranges::lower_bound(s_, s);
+  if (found == s_.end()) {
+    return static_cast<double>(distance_.back());
+  }
+  const auto i = static_cast<std::size_t>(found - s_.begin());
+  const auto here = static_cast<double>(distance_[i]);
+  if (i == 0 || s_[i] == s) {
+    return here;
+  }
+  const auto before = static_cast<double>(distance_[i - 1]);
+  return before + (here - before) * (s - s_[i - 1]) / (s_[i] - s_[i - 1]);
 }
 
 }  // namespace feedscope

@@ -27,6 +27,13 @@ class TimeLaw {
   Place place_at(double time) const;  ///< clamped to what it covers
   /// Farthest distance from the path between two places [mm].
   double distance(double from, double to) const;
+  /// Where the motion is farthest from the path, of what is known between two places.
+  struct Farthest {
+    double s = 0;         ///< [mm]
+    double distance = 0;  ///< [mm]
+  };
+  Farthest farthest(double from, double to) const;
+  double distance_at(double s) const;  ///< clamped to what it covers; even between known places [mm]
   const std::vector<double>& places() const { return s_; }  ///< rising [mm]
   const std::vector<double>& times() const { return t_; }   ///< [s]
 

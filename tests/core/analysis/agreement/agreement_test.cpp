@@ -150,6 +150,34 @@ TEST(Agreement, ComparesTheFirstOfSeveralPasses) {
   EXPECT_NEAR(compared.agreement.measured_time, once.trajectory->duration(), 0.01);
 }
 
+TEST(Agreement, CountsNoPauseToAStretchBesideIt) {
+  const auto run = run_of(
+      "G21 G90 G17\nF3000\nG1 X30\nG4 P0.3\nY20\nG4 P0.3\nG4 P0.3\nX0\nG4 P0.3\nX30\nG4 "
+      "P0.3\nY0\nX60\nM30\n");
+  for (const double noise : {0.0, 3e-4, 2e-3}) {
+    const Agreement agreement = compare(trace_of(run, 4e-3, noise), run).agreement;
+    ASSERT_FALSE(agreement.worst.empty());
+    EXPECT_LT(std::abs(agreement.worst.front().lost), 0.02) << "noise " << noise;
+  }
+}
+
+TEST(Agreement, TimesAtPlacesAndDistancesThereAreThoseOfTheRecord) {
+  MatchedRecord matched;
+  matched.s = {0, 1, 1, 1, 2, 4};
+  matched.distance = {0, 0.1F, 0.3F, 0.2F, 0.4F, 0};
+  matched.end = matched.s.size();
+  const TimeLaw law({0, 1, 2, 3, 4, 5}, matched);
+  EXPECT_DOUBLE_EQ(law.at(1), 1);
+  EXPECT_DOUBLE_EQ(law.at(1, 1), 3);
+  EXPECT_DOUBLE_EQ(law.at(1.001, 0.5, 0.01), 2);
+  EXPECT_DOUBLE_EQ(law.place_at(2).s, 1);
+  EXPECT_DOUBLE_EQ(law.place_at(2).share, 0.5);
+  EXPECT_DOUBLE_EQ(law.place_at(4.5).s, 3);
+  EXPECT_NEAR(law.farthest(0, 1.5).distance, 0.3, 1e-6);
+  EXPECT_DOUBLE_EQ(law.farthest(1.5, 4).s, 2);
+  EXPECT_NEAR(law.distance_at(3), 0.2, 1e-6);
+}
+
 TEST(Agreement, LearnsFromOneAxis) {
   const auto run = run_of(program_text);
   Trace trace = trace_of(run, 1e-3);
