@@ -115,7 +115,7 @@ py::dict samples(const Run& run, const Doubles& instants) {
   const std::span<const double> times(instants.data(), static_cast<std::size_t>(instants.size()));
   const std::size_t count = trajectory.pieces().empty() ? 0 : times.size();
   for (const QuantityInfo& quantity : all_quantities()) {
-    const bool has = run.sources.has(quantity.source);
+    const bool has = run.sources.has(quantity);
     if (!quantity.column.empty() && has) {
       columns.push_back({&quantity, Doubles(static_cast<py::ssize_t>(count))});
     }

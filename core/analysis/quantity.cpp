@@ -55,11 +55,22 @@ double of_load(const Instant& i) {
   return i.load != nullptr && i.load->has_load() ? (i.load->*at_feed).*number : unknown;
 }
 
+template <int axis>
+double rotary_position(const Instant& i) {
+  return i.rotary != nullptr ? i.rotary->angle[axis] : unknown;
+}
+
+template <int axis>
+double rotary_velocity(const Instant& i) {
+  return i.rotary != nullptr ? i.rotary->velocity[axis] : unknown;
+}
+
 constexpr auto predicted = &LoadSample::predicted;
 constexpr auto programmed = &LoadSample::programmed;
 
 constexpr QuantitySource drives = QuantitySource::drives;
 constexpr QuantitySource cut = QuantitySource::load;
+constexpr QuantitySource rotary = QuantitySource::rotary;
 
 constexpr std::array<QuantityInfo, quantity_count> quantities{{
     {Id::time, "time", "time_s", QT_TRANSLATE_NOOP("core", "Time"), time, -1, Chart::none, "", false, false,
@@ -173,6 +184,18 @@ constexpr std::array<QuantityInfo, quantity_count> quantities{{
     {Id::power_programmed, "power_programmed", "power_programmed_kw",
      QT_TRANSLATE_NOOP("core", "Cutting power at the programmed feed"), Dimension::power, -1, Chart::none, "",
      false, false, of_load<programmed, &CuttingLoad::power>, cut},
+    {Id::position_a, "a", "a_deg", QT_TRANSLATE_NOOP("core", "Position of %1"), angle, 3,
+     Chart::rotary_position, "", false, true, rotary_position<0>, rotary},
+    {Id::position_b, "b", "b_deg", QT_TRANSLATE_NOOP("core", "Position of %1"), angle, 4,
+     Chart::rotary_position, "", false, true, rotary_position<1>, rotary},
+    {Id::position_c, "c", "c_deg", QT_TRANSLATE_NOOP("core", "Position of %1"), angle, 5,
+     Chart::rotary_position, "", false, true, rotary_position<2>, rotary},
+    {Id::velocity_a, "va", "va_rev_min", QT_TRANSLATE_NOOP("core", "Velocity of %1"), turning, 3,
+     Chart::rotary_velocity, "", false, true, rotary_velocity<0>, rotary},
+    {Id::velocity_b, "vb", "vb_rev_min", QT_TRANSLATE_NOOP("core", "Velocity of %1"), turning, 4,
+     Chart::rotary_velocity, "", false, true, rotary_velocity<1>, rotary},
+    {Id::velocity_c, "vc", "vc_rev_min", QT_TRANSLATE_NOOP("core", "Velocity of %1"), turning, 5,
+     Chart::rotary_velocity, "", false, true, rotary_velocity<2>, rotary},
 }};
 
 constexpr bool is_in(QuantityId id, const ChartedRange& range) {
@@ -184,9 +207,10 @@ constexpr bool is_consistent() {
   std::size_t coloured = 0;
   for (std::size_t i = 0; i < quantities.size(); ++i) {
     const QuantityInfo& quantity = quantities[i];
-    const bool charted = is_in(quantity.id, quantity.source == drives ? charted_of_drives
-                                            : quantity.source == cut  ? charted_of_load
-                                                                      : charted_of_motion);
+    const bool charted = is_in(quantity.id, quantity.source == drives   ? charted_of_drives
+                                            : quantity.source == cut    ? charted_of_load
+                                            : quantity.source == rotary ? charted_of_rotary
+                                                                        : charted_of_motion);
     if (static_cast<std::size_t>(quantity.id) != i || charted != (quantity.chart != Chart::none)) {
       return false;
     }

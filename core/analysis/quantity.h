@@ -6,6 +6,7 @@
 
 #include "core/analysis/actual_path.h"
 #include "core/analysis/load/load_sample.h"
+#include "core/analysis/rotary_sample.h"
 #include "core/base/dimension.h"
 
 namespace feedscope {
@@ -14,12 +15,14 @@ namespace feedscope {
 struct Instant {
   // NOLINTNEXTLINE(google-explicit-constructor): a state is an instant of a run with nothing beside its
   // motion
-  Instant(const State& state, const ActualSample* drives = nullptr, const LoadSample* cut = nullptr)
-      : set(state), actual(drives), load(cut) {}
+  Instant(const State& state, const ActualSample* drives = nullptr, const LoadSample* cut = nullptr,
+          const RotarySample* turned = nullptr)
+      : set(state), actual(drives), load(cut), rotary(turned) {}
 
   const State& set;
   const ActualSample* actual;  ///< null without drives
   const LoadSample* load;      ///< null where no operations are known
+  const RotarySample* rotary;  ///< null where no rotary axis turns in the run
 };
 
 /// What a run has at every instant, in the order of CSV columns.
@@ -68,18 +71,35 @@ enum class QuantityId : std::uint8_t {
   feed_per_tooth_programmed,
   torque_programmed,
   power_programmed,
+  position_a,  ///< from here on of the rotary axes
+  position_b,
+  position_c,
+  velocity_a,
+  velocity_b,
+  velocity_c,
 };
-inline constexpr std::size_t quantity_count = static_cast<std::size_t>(QuantityId::power_programmed) + 1;
+inline constexpr std::size_t quantity_count = static_cast<std::size_t>(QuantityId::velocity_c) + 1;
 
 /// What a quantity is of.
 enum class QuantitySource : std::uint8_t {
   motion,  ///< that the control sets
   drives,  ///< what the axes make of it; not a number where a machine has no drives
   load,    ///< what the tool bears; not a number where it cuts nothing that an operation describes
+  rotary,  ///< rotary axes; not a number of one that the machine does not have
 };
 
 /// Where a quantity is drawn over time.
-enum class QuantityChart : std::uint8_t { none, feed, acceleration, jerk, following_error, force, chip };
+enum class QuantityChart : std::uint8_t {
+  none,
+  feed,
+  acceleration,
+  jerk,
+  following_error,
+  force,
+  chip,
+  rotary_position,
+  rotary_velocity
+};
 
 /// Quantities that are drawn over time: one behind the other for each source.
 struct ChartedRange {
@@ -91,12 +111,15 @@ inline constexpr ChartedRange charted_of_motion{QuantityId::feed, 14, 0};
 inline constexpr ChartedRange charted_of_drives{QuantityId::following_error_x, 5, charted_of_motion.count};
 inline constexpr ChartedRange charted_of_load{QuantityId::mean_force, 5,
                                               charted_of_drives.index + charted_of_drives.count};
-inline constexpr std::size_t charted_count = charted_of_load.index + charted_of_load.count;
+inline constexpr ChartedRange charted_of_rotary{QuantityId::position_a, 6,
+                                                charted_of_load.index + charted_of_load.count};
+inline constexpr std::size_t charted_count = charted_of_rotary.index + charted_of_rotary.count;
 /// Place of a quantity that is drawn among all that are.
 constexpr std::size_t charted_index(QuantityId id) {
-  const ChartedRange& range = id < charted_of_drives.first ? charted_of_motion
-                              : id < charted_of_load.first ? charted_of_drives
-                                                           : charted_of_load;
+  const ChartedRange& range = id < charted_of_drives.first   ? charted_of_motion
+                              : id < charted_of_load.first   ? charted_of_drives
+                              : id < charted_of_rotary.first ? charted_of_load
+                                                             : charted_of_rotary;
   return range.index + static_cast<std::size_t>(id) - static_cast<std::size_t>(range.first);
 }
 
@@ -111,7 +134,7 @@ struct QuantityInfo {
   std::string_view column;  ///< of CSV, with its unit: "an_m_s2"; empty: none
   std::string_view title;   ///< English, marked for translation; %1: the axis
   Dimension dimension = Dimension::number;
-  int axis = -1;  ///< 0 X, 1 Y, 2 Z; -1: of the path
+  int axis = -1;  ///< place in cause_axes: X, Y, Z, A, B, C; -1: of the path
   QuantityChart chart = QuantityChart::none;
   std::string_view curve;  ///< name of its curve there, marked for translation; empty: the axis
   bool colours = false;    ///< the executed path can be coloured by it

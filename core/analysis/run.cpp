@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/analysis/control_dialect.h"
+#include "core/analysis/envelope/rotary_walk.h"
 #include "core/analysis/run_stages.h"
 #include "core/base/data_folder.h"
 #include "core/base/error.h"
@@ -176,6 +177,7 @@ Run simulate_motion(const LoadedProgram& input, Setup setup, Progress* progress)
   if (has_drives(run.setup.machine)) {
     run.sources.actual = std::make_shared<const ActualPath>(run.trajectory, run.setup.machine, progress);
   }
+  run.sources.rotary = rotary_course_of(run.trajectory, run.setup.machine);
   set_load(run, std::move(load));
   run.simulate_time = watch.seconds();
   return run;
@@ -205,6 +207,9 @@ void add_summary(Run& run, Progress* progress) {
   }
   if (run.sources.load) {
     run.summary.load = load_figures(*run.sources.load, progress);
+  }
+  if (run.sources.rotary) {
+    run.summary.rotary_velocity = largest_velocities(run.sources.rotary);
   }
   run.simulate_time += watch.seconds();
 }

@@ -81,6 +81,14 @@ const char* jump_note(const Setup& setup) {
 }
 
 std::string machine_fault_note(const std::vector<Diagnostic>& faults) {
+  const auto errors = std::ranges::count(faults, Severity::error, &Diagnostic::severity);
+  if (errors < std::ssize(faults)) {  // what is to be known of them, without places beyond reach first
+    const auto note = std::ranges::find_if(faults, [&](const Diagnostic& fault) {
+      return errors > 0 ? fault.severity == Severity::error : true;
+    });
+    return fmt::format("Rotary axes: line {}: {}.{}", note->line, note->message,
+                       faults.size() == 1 ? "" : fmt::format(" {} more.", faults.size() - 1));
+  }
   return faults.empty()
              ? ""
              : fmt::format("Positions of rotary axes that the machine does not reach: line {}: {}.{}",

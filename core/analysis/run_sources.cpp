@@ -10,8 +10,15 @@ bool RunSources::has(QuantitySource source) const {
       return actual != nullptr;
     case QuantitySource::load:
       return load != nullptr;
+    case QuantitySource::rotary:
+      return rotary != nullptr;
   }
   return false;
+}
+
+bool RunSources::has(const QuantityInfo& quantity) const {
+  return has(quantity.source) && (quantity.source != QuantitySource::rotary ||
+                                  rotary->has(cause_axes[static_cast<std::size_t>(quantity.axis)].name));
 }
 
 InstantSampler::InstantSampler(const RunSources& sources, double from) {
@@ -21,6 +28,7 @@ InstantSampler::InstantSampler(const RunSources& sources, double from) {
   if (sources.load) {
     load_.emplace(*sources.load);
   }
+  rotary_ = sources.rotary.get();
 }
 
 Instant InstantSampler::at(const State& state) {
@@ -30,7 +38,11 @@ Instant InstantSampler::at(const State& state) {
   if (load_) {
     load_sample_ = load_->at(state);
   }
-  return Instant(state, actual_ ? &actual_sample_ : nullptr, load_ ? &load_sample_ : nullptr);
+  if (rotary_ != nullptr) {
+    rotary_sample_ = rotary_->at(state);
+  }
+  return Instant(state, actual_ ? &actual_sample_ : nullptr, load_ ? &load_sample_ : nullptr,
+                 rotary_ != nullptr ? &rotary_sample_ : nullptr);
 }
 
 }  // namespace feedscope

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -38,6 +39,9 @@ struct Summary {
   NotCounted not_counted;               ///< what takes time on the machine and none here
   std::optional<ActualFigures> actual;  ///< of a machine with drives
   std::optional<LoadFigures> load;      ///< of a run with a load file
+  /// Largest velocities of A, B and C, magnitudes [rad/s], of a run in which rotary axes turn; not a number
+  /// of one that the machine does not have.
+  std::optional<std::array<double, 3>> rotary_velocity;
 };
 
 /// `toolpath`: that the trajectory runs; `rapid_speed` per axis [mm/s].

@@ -8,7 +8,7 @@
 namespace feedscope {
 namespace {
 
-constexpr std::size_t dimension_count = static_cast<std::size_t>(Dimension::power) + 1;
+constexpr std::size_t dimension_count = static_cast<std::size_t>(Dimension::turn_change) + 1;
 constexpr double inch = 1 / units::from_inch(1);
 constexpr double pound_force = 4.4482216152605;                          // [N]
 constexpr double horsepower = 550 * units::from_inch(12) * pound_force;  // [N mm/s]: 550 lbf ft a second
@@ -31,6 +31,12 @@ constexpr std::array<ShownUnit, dimension_count> metric{{
     {"N", 1, 0},
     {"N m", units::to_n_m(1), 2},
     {"kW", units::to_kw(1), 3},
+    {"rev/min", units::to_turns_min(1), 2},
+    {"rev/s²", units::to_turns(1), 2},
+    {"rev/s³", units::to_turns(1), 1},
+    {"°/mm", units::to_deg(1), 3},
+    {"°/mm²", units::to_deg(1), 4},
+    {"°/mm³", units::to_deg(1), 5},
 }};
 
 /// A thou is a thousandth of an inch.
@@ -51,6 +57,12 @@ constexpr std::array<ShownUnit, dimension_count> in_inches{{
     {"lbf", 1 / pound_force, 1},
     {"lbf ft", 1 / (pound_force * units::from_inch(12)), 2},
     {"hp", 1 / horsepower, 3},
+    {"rev/min", units::to_turns_min(1), 2},
+    {"rev/s²", units::to_turns(1), 2},
+    {"rev/s³", units::to_turns(1), 1},
+    {"°/in", units::to_deg(1) / inch, 1},
+    {"°/in²", units::to_deg(1) / (inch * inch), 0},
+    {"°/in³", units::to_deg(1) / (inch * inch * inch), 0},
 }};
 
 }  // namespace

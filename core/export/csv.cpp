@@ -85,7 +85,7 @@ struct Columns {
 Columns columns_of(const RunSources& sources) {
   Columns columns;
   for (const QuantityInfo& quantity : all_quantities()) {
-    if (!quantity.column.empty() && sources.has(quantity.source)) {
+    if (!quantity.column.empty() && sources.has(quantity)) {
       std::vector<Column>& side =
           quantity.id <= QuantityId::tangential_jerk ? columns.before_cause : columns.behind_cause;
       side.push_back({quantity.column, quantity.of, shown_unit(quantity.dimension).factor});

@@ -150,7 +150,14 @@ Json peaks(const Summary& summary) {
     const AxisPeaks& axis = summary.axes[i];
     axes[std::string(1, summary.axes.name(i))] = axis_figures(axis.velocity, axis.acceleration, axis.jerk);
   }
-  return {{"feed_mm_min", finite(units::to_mm_min(summary.peak_feed))}, {"axes", axes}};
+  Json json{{"feed_mm_min", finite(units::to_mm_min(summary.peak_feed))}, {"axes", axes}};
+  for (std::size_t i = 0; summary.rotary_velocity && i < rotary_names.size(); ++i) {
+    if (const double velocity = (*summary.rotary_velocity)[i]; !std::isnan(velocity)) {
+      json["rotary_axes"][std::string(1, rotary_names[i])] = {
+          {"velocity_rev_min", units::to_turns_min(velocity)}};
+    }
+  }
+  return json;
 }
 
 /// Null for a run that leaves the programmed path nowhere.

@@ -64,6 +64,15 @@ constexpr std::array symbols{
     SymbolText{Symbol::corner_velocity, Dimension::feed, "V_sc"},
     SymbolText{Symbol::path_velocity, Dimension::feed, "V_max"},
     SymbolText{Symbol::largest_acceleration, Dimension::acceleration, "A_max"},
+    SymbolText{Symbol::rotary_velocity, Dimension::turning, "W_{}"},
+    SymbolText{Symbol::rotary_acceleration, Dimension::turning_acceleration, "A_{}"},
+    SymbolText{Symbol::rotary_jerk, Dimension::turning_jerk, "J_{}"},
+    SymbolText{Symbol::turn_slope, Dimension::turn_slope, "|q'_{}|"},
+    SymbolText{Symbol::turn_bend, Dimension::turn_bend, "|q''_{}|"},
+    SymbolText{Symbol::turn_change, Dimension::turn_change, "|q'''_{}|"},
+    SymbolText{Symbol::axis_slope, Dimension::number, "|q'_{}|"},
+    SymbolText{Symbol::axis_bend, Dimension::inverse_length, "|q''_{}|"},
+    SymbolText{Symbol::axis_change, Dimension::inverse_area, "|q'''_{}|"},
 };
 
 using Values = std::array<double, 5>;
@@ -166,6 +175,12 @@ constexpr std::array formulas{
     FormulaText{FormulaId::path_velocity, Dimension::feed, "V", "{0}", [](const Values& x) { return x[0]; }},
     FormulaText{FormulaId::level_acceleration, Dimension::acceleration, "a", "{0}",
                 [](const Values& x) { return x[0]; }},
+    FormulaText{FormulaId::turning_velocity, Dimension::feed, "V", "{0} / {1}",
+                [](const Values& x) { return x[0] / x[1]; }},
+    FormulaText{FormulaId::turning_acceleration, Dimension::feed, "V", "({0} {1} / {2})^(1/2)",
+                [](const Values& x) { return std::sqrt(x[0] * x[1] / x[2]); }},
+    FormulaText{FormulaId::turning_jerk, Dimension::feed, "V", "({0} {1} / {2})^(1/3)",
+                [](const Values& x) { return std::cbrt(x[0] * x[1] / x[2]); }},
 };
 
 template <typename Table, typename Key>
@@ -178,9 +193,9 @@ constexpr bool in_order(const Table& table, Key Table::value_type::*key) {
   return true;
 }
 static_assert(in_order(symbols, &SymbolText::symbol));
-static_assert(symbols.size() == static_cast<std::size_t>(Symbol::largest_acceleration) + 1);
+static_assert(symbols.size() == static_cast<std::size_t>(Symbol::axis_change) + 1);
 static_assert(in_order(formulas, &FormulaText::id));
-static_assert(formulas.size() == static_cast<std::size_t>(FormulaId::level_acceleration) + 1);
+static_assert(formulas.size() == static_cast<std::size_t>(FormulaId::turning_jerk) + 1);
 
 const FormulaText& text_of(FormulaId id) {
   return formulas[static_cast<std::size_t>(id)];

@@ -56,11 +56,20 @@ enum class Symbol : std::uint8_t {
   corner_velocity,       ///< V_sc, square corner velocity
   path_velocity,         ///< V_max, the control's limit of the speed
   largest_acceleration,  ///< A_max, the control's limit of the acceleration
+  rotary_velocity,       ///< W_C, of a rotary axis
+  rotary_acceleration,   ///< A_C
+  rotary_jerk,           ///< J_C
+  turn_slope,            ///< |q'_C|, turn of a rotary axis along the path of the tip
+  turn_bend,             ///< |q''_C|
+  turn_change,           ///< |q'''_C|
+  axis_slope,            ///< |q'_X|, motion of a linear axis along the path of the tip
+  axis_bend,             ///< |q''_X|
+  axis_change,           ///< |q'''_X|
 };
 
 struct Quantity {
   Symbol symbol = Symbol::feed;
-  std::int8_t axis = -1;  ///< 0 X, 1 Y, 2 Z; -1 none
+  std::int8_t axis = -1;  ///< place in cause_axes; -1 none
   double value = 0;       ///< inside units
 };
 
@@ -110,6 +119,9 @@ enum class FormulaId : std::uint8_t {
   braking_evenly,
   path_velocity,
   level_acceleration,
+  turning_velocity,
+  turning_acceleration,
+  turning_jerk,
 };
 
 /// A formula with the numbers of one place, in the order in which its text names them.

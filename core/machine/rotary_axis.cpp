@@ -160,23 +160,59 @@ void set_rotary_value(RotaryAxis& axis, std::size_t i, const SettingValue& value
   }
 }
 
+namespace {
+
 /// Rest to rest over D with limits V, A, J: the speed v that is reached is the largest whose two ramps fit, v
 /// t(v) <= D with the ramp's time t(v) = 2 sqrt(v/J) up to v = A^2/J, v/A + A/J above; the rest of D runs at
 /// v.
+struct RestToRest {
+  double reached = 0;     ///< v
+  double ramp = 0;        ///< t(v) [s]
+  double jerk_phase = 0;  ///< of the two jerks of a ramp, each [s]
+  double duration = 0;    ///< of all [s]
+
+  RestToRest(double way, double velocity, double acceleration, double jerk) {
+    const double knee = acceleration * acceleration / jerk;
+    double fits = std::cbrt(way * way * jerk / 4);
+    if (fits > knee) {
+      fits = (std::sqrt(knee * knee + 4 * acceleration * way) - knee) / 2;
+    }
+    reached = std::min(fits, velocity);
+    jerk_phase = reached <= knee ? std::sqrt(reached / jerk) : acceleration / jerk;
+    ramp = reached <= knee ? 2 * jerk_phase : reached / acceleration + jerk_phase;
+    duration = ramp + way / reached;
+  }
+
+  /// On the first ramp: jerk, constant acceleration, jerk back.
+  RestToRestPlace on_ramp(double time, double jerk) const {
+    const double t1 = std::min(time, jerk_phase);
+    const double a = jerk * t1;
+    RestToRestPlace at{jerk * t1 * t1 * t1 / 6, a * t1 / 2};
+    const double t2 = std::clamp(time - jerk_phase, 0.0, ramp - 2 * jerk_phase);
+    at = {at.way + t2 * (at.velocity + t2 * a / 2), at.velocity + t2 * a};
+    const double t3 = std::clamp(time - (ramp - jerk_phase), 0.0, jerk_phase);
+    return {at.way + t3 * (at.velocity + t3 * (a / 2 - t3 * jerk / 6)),
+            at.velocity + t3 * (a - t3 * jerk / 2)};
+  }
+};
+
+}  // namespace
+
 double rest_to_rest_time(double way, double velocity, double acceleration, double jerk) {
-  if (way == 0) {
-    return 0;
+  return way == 0 ? 0 : RestToRest(way, velocity, acceleration, jerk).duration;
+}
+
+RestToRestPlace rest_to_rest_at(double time, double way, double velocity, double acceleration, double jerk) {
+  const RestToRest law(way, velocity, acceleration, jerk);
+  const double t = std::clamp(time, 0.0, law.duration);
+  if (t <= law.ramp) {
+    return law.on_ramp(t, jerk);
   }
-  const double knee = acceleration * acceleration / jerk;
-  const auto ramp_time = [&](double v) {
-    return v <= knee ? 2 * std::sqrt(v / jerk) : v / acceleration + acceleration / jerk;
-  };
-  double reached = std::cbrt(way * way * jerk / 4);
-  if (reached > knee) {
-    reached = (std::sqrt(knee * knee + 4 * acceleration * way) - knee) / 2;
+  if (t < law.duration - law.ramp) {
+    return {law.reached * (t - law.ramp / 2), law.reached};
   }
-  const double v = std::min(reached, velocity);
-  return ramp_time(v) + way / v;
+  const RestToRestPlace mirrored = law.on_ramp(law.duration - t, jerk);
+  return {way - mirrored.way, mirrored.velocity};
 }
 
 double turning_time(const RotaryAxis& axis, double angle, double feed) {

@@ -58,6 +58,13 @@ void set_rotary_value(RotaryAxis& axis, std::size_t i, const SettingValue& value
 /// The least time over `way` from rest to rest with these limits, all > 0, phases of constant jerk and
 /// symmetric ramps (core/models/README.md), in the units of the way and s.
 double rest_to_rest_time(double way, double velocity, double acceleration, double jerk);
+/// Where such a motion is at one instant.
+struct RestToRestPlace {
+  double way = 0;       ///< from its start
+  double velocity = 0;  ///< along the way, >= 0
+};
+/// Of the motion that takes rest_to_rest_time(), `time` from its start, clamped to it [s]; `way` > 0.
+RestToRestPlace rest_to_rest_at(double time, double way, double velocity, double acceleration, double jerk);
 /// Time of a turn by `angle` [rad] from rest to rest: jerk-limited, at most at `feed` [rad/s], 0: as fast as
 /// the axis may (core/models/README.md) [s].
 double turning_time(const RotaryAxis& axis, double angle, double feed = 0);

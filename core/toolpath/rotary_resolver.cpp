@@ -127,6 +127,7 @@ class RotaryResolver {
       turn.to = k + 1 == last ? at_ : angles_at(done);
       if (turn.from != turn.to) {
         set_limits(turn, move.at_tip);
+        turn.tilt = tilt_of(turn);
         note_singular(turn);
         along_.push_back(turn);
         if (move.per_degree > 0) {
@@ -173,6 +174,7 @@ class RotaryResolver {
         if (value < turn.speed) {
           turn.speed = value;
           turn.speed_order = order;
+          turn.speed_slope = order == 1 ? axis.first : order == 2 ? axis.second : axis.third;
           turn.speed_axis = static_cast<std::int8_t>(i);
         }
       };
@@ -205,16 +207,10 @@ class RotaryResolver {
     }
   }
 
-  /// Where the first rotary axis holds the feed most while the tool lies near its direction, about which it
-  /// then turns by 1/sin of the angle between them.
-  void note_singular(const SegmentTurn& turn) {
-    const Segment& segment = from_.segments[turn.segment];
-    const RotaryAxis& first = *axes_.front();
-    constexpr double near = 10 * units::pi / 180;
-    const bool held = axes_.size() == 2 && segment.feed > turn.speed &&
-                      turn.speed_axis == static_cast<std::int8_t>(3 + place_of(first.name));
-    if (!held) {
-      return;
+  /// Of the tool to the first rotary axis in the middle of a turn [rad]; -1 where there is only one.
+  double tilt_of(const SegmentTurn& turn) const {
+    if (axes_.size() != 2) {
+      return -1;
     }
     std::vector<double> places(chain_.size(), 0);
     for (const std::size_t k : chain_.rotary()) {
@@ -223,32 +219,65 @@ class RotaryResolver {
     }
     const double along =
         std::abs(chain_.pose(places, 0).direction.dot(chain_.axes()[chain_.rotary()[0]].direction));
-    const double tilt = std::acos(std::min(1.0, along));
-    if (tilt > near) {
+    return std::acos(std::min(1.0, along));
+  }
+
+  /// Where the first rotary axis holds the feed most while the tool lies near its direction, about which it
+  /// then turns by 1/sin of the angle between them.
+  void note_singular(const SegmentTurn& turn) {
+    constexpr double near = 10 * units::pi / 180;
+    const Segment& segment = from_.segments[turn.segment];
+    const RotaryAxis& first = *axes_.front();
+    const bool held = turn.tilt >= 0 && turn.tilt <= near && segment.feed > turn.speed &&
+                      turn.speed_axis == static_cast<std::int8_t>(3 + place_of(first.name));
+    if (!held) {
       return;
     }
-    ++singular_;
-    if (turn.speed / segment.feed < slowest_share_) {
-      slowest_share_ = turn.speed / segment.feed;
-      slowest_.severity = Severity::info;
-      slowest_.line = segment.line;
-      slowest_.code = std::string(MessageCode("rotary-feed").text());
-      slowest_.message = fmt::format(
-          "axis {} holds the feed at {:.4g} of {:.4g} mm/min near its singular position: the tool is {:.2g} "
-          "degrees from its axis",
-          first.name, units::to_mm_min(turn.speed), units::to_mm_min(segment.feed), units::to_deg(tilt));
+    std::vector<SingularPlace>& places = path_.singular_places;
+    const bool goes_on = !places.empty() && last_singular_ + 1 == turn.segment;
+    last_singular_ = turn.segment;
+    if (!goes_on) {
+      places.push_back(
+          {segment.line, segment.line, segment.line, first.name, turn.tilt, turn.speed, segment.feed});
+    }
+    SingularPlace& place = places.back();
+    place.last_line = segment.line;
+    if (turn.speed / segment.feed < place.speed / place.feed) {
+      place.line = segment.line;
+      place.tilt = turn.tilt;
+      place.speed = turn.speed;
+      place.feed = segment.feed;
     }
   }
 
+  /// The slowest of the singular places, in the order of the path.
   void report_singular() {
-    if (singular_ == 0) {
-      return;
+    constexpr std::size_t most = 10;
+    std::vector<const SingularPlace*> slowest;
+    for (const SingularPlace& place : path_.singular_places) {
+      slowest.push_back(&place);
     }
-    slowest_.hint = fmt::format(
-        "the slowest of {} such blocks; tilting the part by some degrees in the clamping takes the path away "
-        "from it",
-        singular_);
-    path_.machine_faults.push_back(slowest_);
+    const std::size_t count = std::min(most, slowest.size());
+    std::ranges::partial_sort(slowest, slowest.begin() + static_cast<std::ptrdiff_t>(count), {},
+                              [](const SingularPlace* place) { return place->speed / place->feed; });
+    slowest.resize(count);
+    std::ranges::sort(slowest);
+    for (const SingularPlace* place : slowest) {
+      Diagnostic note;
+      note.severity = Severity::info;
+      note.line = place->line;
+      note.code = std::string(MessageCode("rotary-feed").text());
+      note.message = fmt::format(
+          "axis {} holds the feed at {:.4g} of {:.4g} mm/min near its singular position: the tool is {:.2g} "
+          "degrees from its axis",
+          place->axis, units::to_mm_min(place->speed), units::to_mm_min(place->feed),
+          units::to_deg(place->tilt));
+      note.hint = fmt::format(
+          "lines {} to {}, one of {} such places; tilting the part by some degrees in the clamping takes the "
+          "path away from it",
+          place->first_line, place->last_line, path_.singular_places.size());
+      path_.machine_faults.push_back(std::move(note));
+    }
   }
 
   /// X, Y and Z while the tip runs along the segment and the rotary axes turn.
@@ -385,6 +414,7 @@ class RotaryResolver {
       least_jerk = std::min(least_jerk, axis->jerk / share);
     }
     const double feed = move.time > 0 ? way / move.time : move.feed;
+    turn.feed = feed;
     turn.time = feed > 0
                     ? rest_to_rest_time(way, std::min(feed, least_velocity), least_acceleration, least_jerk)
                     : longest;
@@ -439,9 +469,7 @@ class RotaryResolver {
   Vec3 part_zero_;                       ///< [mm]
   bool tip_follows_ = false;             ///< tool length and part zero are known
   bool tip_reported_ = false;
-  std::size_t singular_ = 0;  ///< segments near the singular position that it slows
-  double slowest_share_ = 1;  ///< of their programmed feed
-  Diagnostic slowest_;
+  std::size_t last_singular_ = 0;  ///< last segment of the last of Toolpath::singular_places
   Toolpath path_;
 };
 

@@ -28,8 +28,9 @@ struct RotaryTurn {
   std::size_t segment = 0;       ///< its pause, or what follows it where it has none
   std::array<double, 3> from{};  ///< angles of A, B and C [rad]
   std::array<double, 3> to{};
-  double time = 0;            ///< that it takes [s]
-  std::int8_t axis = -1;      ///< that takes this time, a place in cause_axes
+  double time = 0;        ///< that it takes [s]
+  std::int8_t axis = -1;  ///< that takes this time, a place in cause_axes
+  double feed = 0;        ///< of all axes together, which arrive together [rad/s]; 0: each as fast as it can
   bool beside_rapid = false;  ///< begins with the rapid before `segment`; its pause is what is left then
 };
 
@@ -55,13 +56,26 @@ struct SegmentTurn {
   std::size_t segment = 0;
   std::array<double, 3> from{};  ///< angles of A, B and C [rad]
   std::array<double, 3> to{};
-  double speed = 0;              ///< along the segment [mm/s]
+  double speed = 0;        ///< along the segment [mm/s]
+  double speed_slope = 0;  ///< derivative of its axis by the path, of that order [rad/mm^n] or [mm/mm^n]
+  double tilt = -1;        ///< of the tool to the first of two rotary axes, in the middle [rad]; -1: only one
   std::uint8_t speed_order = 1;  ///< by a limit of velocity (1), acceleration (2) or jerk (3) of its axis
   double acceleration = 0;       ///< along it, at this speed [mm/s2]
   double jerk = 0;               ///< [mm/s3]
   std::int8_t speed_axis = -1;
   std::int8_t acceleration_axis = -1;
   std::int8_t jerk_axis = -1;
+};
+
+/// Neighbouring segments along which the first of two rotary axes holds the feed while the tool lies near it.
+struct SingularPlace {
+  std::uint32_t line = 0;        ///< of the slowest segment
+  std::uint32_t first_line = 0;  ///< of them all
+  std::uint32_t last_line = 0;
+  char axis = 'C';
+  double tilt = 0;   ///< of the tool to the axis at the slowest one [rad]
+  double speed = 0;  ///< that is possible there [mm/s]
+  double feed = 0;   ///< programmed there [mm/s]
 };
 
 /// The zero point of a work offset that the program uses.
@@ -86,10 +100,11 @@ struct Toolpath {
   std::vector<std::string> cutting_axes;                  ///< as Program::cutting_axes
   /// As Program::rotary_moves with segments for motions; none once a machine has made pauses of them.
   std::vector<RotaryMove> rotary_moves;
-  std::vector<SegmentTurn> segment_turns;  ///< in which rotary axes turn, by segment
-  std::vector<RotaryTurn> rotary_turns;    ///< what they came to on the machine
-  std::vector<Diagnostic> machine_faults;  ///< what the machine cannot do
-  std::vector<ZeroPoint> zero_points;      ///< of Program::work_offsets
+  std::vector<SegmentTurn> segment_turns;      ///< in which rotary axes turn, by segment
+  std::vector<RotaryTurn> rotary_turns;        ///< what they came to on the machine
+  std::vector<SingularPlace> singular_places;  ///< in the order of the path
+  std::vector<Diagnostic> machine_faults;      ///< what the machine cannot do
+  std::vector<ZeroPoint> zero_points;          ///< of Program::work_offsets
   /// The text, where it is words of G code, which some controls read in ways of their own; null: none.
   std::shared_ptr<const SourceText> source;
   bool read_by_control = false;  ///< `source` has been read in a control's own way

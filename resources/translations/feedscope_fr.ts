@@ -296,6 +296,14 @@
         <source>Chip thickness</source>
         <translation>Épaisseur de copeau</translation>
     </message>
+    <message>
+        <source>Position of rotary axes</source>
+        <translation>Position des axes rotatifs</translation>
+    </message>
+    <message>
+        <source>Velocity of rotary axes</source>
+        <translation>Vitesse des axes rotatifs</translation>
+    </message>
 </context>
 <context>
     <name>LimitLines</name>
@@ -1298,6 +1306,18 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>Rotary axis %1 turns while the tool stands: it takes what the limits of this axis allow, or the programmed feed if that is lower.</source>
         <translation>L&apos;axe rotatif %1 tourne pendant que l&apos;outil s&apos;arrête : cela prend ce que permettent les limites de cet axe, ou l&apos;avance programmée si elle est plus basse.</translation>
+    </message>
+    <message>
+        <source>Rotary axis %1 turns along this block at its maximum velocity, %2: it turns by %3 of path.</source>
+        <translation>L&apos;axe rotatif %1 tourne le long de ce bloc à sa vitesse maximale, %2 : il tourne de %3 de trajectoire.</translation>
+    </message>
+    <message>
+        <source>Rotary axes turn along this block; axis %1, which makes up for that, runs at its maximum velocity, %2: it moves %3 times as far as the tip.</source>
+        <translation>Des axes rotatifs tournent le long de ce bloc ; l&apos;axe %1, qui le compense, se déplace à sa vitesse maximale, %2 : il parcourt %3 fois le chemin de la pointe.</translation>
+    </message>
+    <message>
+        <source>The tool is %1 from the first rotary axis, near the singular position, where that axis turns by 1/sin of this angle.</source>
+        <translation>L&apos;outil est à %1 du premier axe rotatif, près de la position singulière, où cet axe tourne de 1/sin de cet angle.</translation>
     </message>
 </context>
 <context>

@@ -30,7 +30,10 @@ QFont bold(QFont font) {
 }  // namespace
 
 ChartHeader::ChartHeader(ChartSpec spec, QWidget* parent)
-    : QWidget(parent), spec_(std::move(spec)), shown_(spec_.curves.size(), true) {
+    : QWidget(parent),
+      spec_(std::move(spec)),
+      shown_(spec_.curves.size(), true),
+      available_(spec_.curves.size(), true) {
   std::transform(spec_.curves.begin(), spec_.curves.end(), shown_.begin(),
                  [](const CurveSpec& curve) { return !curve.on_demand; });
   QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
@@ -54,6 +57,14 @@ void ChartHeader::show_values(const std::optional<Instant>& instant) {
 void ChartHeader::show_curve(std::size_t curve, bool shown) {
   shown_[curve] = shown;
   update();
+}
+
+void ChartHeader::set_available(std::vector<bool> available) {
+  if (available != available_) {
+    available_ = std::move(available);
+    updateGeometry();
+    update();
+  }
 }
 
 void ChartHeader::set_runs(std::vector<LegendEntry> runs) {
@@ -118,8 +129,12 @@ ChartHeader::Layout ChartHeader::lay_out(int width) const {
   int x = left + QFontMetrics(bold(font())).horizontalAdvance(spec_.title) + name_gap +
           metrics.horizontalAdvance(unit_text()) + curve_gap;
   int y = 0;
-  for (const CurveSpec& curve : spec_.curves) {
-    const int room = item_width(curve.name);
+  for (std::size_t i = 0; i < spec_.curves.size(); ++i) {
+    if (!available_[i]) {
+      layout.curves.emplace_back();
+      continue;
+    }
+    const int room = item_width(spec_.curves[i].name);
     if (x + room > width && x > plot_left_margin) {
       x = plot_left_margin;
       y += row_height();
@@ -231,7 +246,9 @@ void ChartHeader::draw(QPainter& painter) const {
   const Layout layout = lay_out(width());
   draw_title(painter);
   for (std::size_t i = 0; i < spec_.curves.size(); ++i) {
-    draw_curve(painter, i, layout.curves[i]);
+    if (available_[i]) {
+      draw_curve(painter, i, layout.curves[i]);
+    }
   }
   draw_note(painter, layout.note);
   draw_runs(painter, layout);

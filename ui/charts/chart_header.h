@@ -28,12 +28,14 @@ class ChartHeader : public QWidget {
   /// Of the cursor's place; none: no values.
   void show_values(const std::optional<Instant>& instant);
   void show_curve(std::size_t curve, bool shown);
+  /// Which curves the run has; the others are not listed.
+  void set_available(std::vector<bool> available);
   void set_runs(std::vector<LegendEntry> runs);
   const std::vector<LegendEntry>& runs() const { return runs_; }
   /// What the curves do not show, behind them; empty: nothing.
   void set_note(const QString& note);
   const QString& note() const { return note_; }
-  /// Where a curve stands, value included.
+  /// Where a curve stands, value included; null of one that is not available.
   QRect item(std::size_t curve) const;
   QString tip_at(const QPoint& place) const;
   void draw(QPainter& painter) const;
@@ -76,6 +78,7 @@ class ChartHeader : public QWidget {
 
   ChartSpec spec_;
   std::vector<bool> shown_;
+  std::vector<bool> available_;
   std::vector<LegendEntry> runs_;
   QString note_;
   std::vector<std::optional<double>> values_;  ///< a curve each, in the chart's unit

@@ -117,6 +117,22 @@ void ChartRows::set_limits(const AxisVector<AxisLimits>& limits) const {
   }
 }
 
+void ChartRows::set_rotary_limits(const MachineKinematics& kinematics) const {
+  KinematicChart& chart = *charts[rotary_velocity_chart];
+  chart.set_limits(rotary_limit_lines(chart.spec(), kinematics));
+}
+
+void ChartRows::set_sources(const RunSources& sources) const {
+  for (std::size_t i = 0; i < charts.size(); ++i) {
+    std::vector<bool> available;
+    for (const CurveSpec& curve : charts[i]->spec().curves) {
+      const QuantityInfo& quantity = info_of(curve.quantity);
+      available.push_back(!sources.has(quantity.source) || sources.has(quantity));
+    }
+    headers[i]->set_available(std::move(available));
+  }
+}
+
 void ChartRows::set_bounds(const RunLoad* load) const {
   for (const std::size_t chart : {force_chart, chip_chart}) {
     charts[chart]->set_limits(load != nullptr ? bound_lines(charts[chart]->spec(), *load)

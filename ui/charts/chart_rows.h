@@ -50,6 +50,10 @@ struct ChartRows {
   void draw(QPainter& painter, const QWidget& content) const;
   /// Of velocity, acceleration and jerk.
   void set_limits(const AxisVector<AxisLimits>& limits) const;
+  /// Of the velocity of rotary axes.
+  void set_rotary_limits(const MachineKinematics& kinematics) const;
+  /// Lists the curves of what a run has.
+  void set_sources(const RunSources& sources) const;
   /// Bounds of the operations; null: none.
   void set_bounds(const RunLoad* load) const;
 };

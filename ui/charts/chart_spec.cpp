@@ -25,14 +25,14 @@ QString text_of(std::string_view text) {
 
 /// "vx" of "vx_mm_min".
 QString key_of(const QuantityInfo& quantity) {
-  static const QRegularExpression unit(QStringLiteral("_(mm|m)_(min|s2|s3)$"));
+  static const QRegularExpression unit(QStringLiteral("_((mm|m|rev)_(min|s2|s3)|deg)$"));
   QString key = QString::fromStdString(std::string(quantity.column));
   return key.remove(unit);
 }
 
 CurveRole role_of(const QuantityInfo& quantity) {
-  if (quantity.axis >= 0) {
-    return axis_roles[static_cast<std::size_t>(quantity.axis)];
+  if (quantity.axis >= 0) {  // A, B and C as the axes that they turn about
+    return axis_roles[static_cast<std::size_t>(quantity.axis) % axis_roles.size()];
   }
   switch (quantity.id) {
     case QuantityId::programmed_feed:
@@ -50,7 +50,7 @@ CurveRole role_of(const QuantityInfo& quantity) {
 
 CurveSpec curve_of(const QuantityInfo& quantity) {
   const bool of_axis = quantity.axis >= 0;
-  const QString name = of_axis ? QString(QChar(coordinate_names[static_cast<std::size_t>(quantity.axis)]))
+  const QString name = of_axis ? QString(QChar(cause_axes[static_cast<std::size_t>(quantity.axis)].name))
                                : text_of(quantity.curve);
   CurveSpec curve{quantity.id, key_of(quantity), name, role_of(quantity), of_axis ? axis_width : path_width};
   curve.may_be_cut = quantity.id == QuantityId::programmed_feed || quantity.id == QuantityId::tangential_jerk;
@@ -102,7 +102,11 @@ std::array<ChartSpec, chart_count> kinematic_chart_specs() {
           chart_of(QuantityChart::jerk, "jerk", KinematicCharts::tr("Jerk")),
           chart_of(QuantityChart::following_error, "following_error", KinematicCharts::tr("Following error")),
           chart_of(QuantityChart::force, "cutting_force", KinematicCharts::tr("Cutting force")),
-          chart_of(QuantityChart::chip, "chip_thickness", KinematicCharts::tr("Chip thickness"))};
+          chart_of(QuantityChart::chip, "chip_thickness", KinematicCharts::tr("Chip thickness")),
+          chart_of(QuantityChart::rotary_position, "rotary_position",
+                   KinematicCharts::tr("Position of rotary axes")),
+          chart_of(QuantityChart::rotary_velocity, "rotary_velocity",
+                   KinematicCharts::tr("Velocity of rotary axes"))};
 }
 
 }  // namespace feedscope::ui

@@ -38,15 +38,16 @@ struct ChartSpec {
   double convert(double value) const { return value * factor; }
 };
 
-inline constexpr std::size_t chart_count = 6;
+inline constexpr std::size_t chart_count = 8;
 /// Places of charts among them.
 inline constexpr std::size_t acceleration_chart = 1;
 inline constexpr std::size_t jerk_chart = 2;
 inline constexpr std::size_t force_chart = 4;
 inline constexpr std::size_t chip_chart = 5;
+inline constexpr std::size_t rotary_velocity_chart = 7;
 
-/// Feed, acceleration, jerk, following error, cutting force and chip thickness of a run: a curve for each
-/// charted quantity.
+/// Feed, acceleration, jerk, following error, cutting force, chip thickness, positions and velocities of
+/// rotary axes of a run: a curve for each charted quantity.
 std::array<ChartSpec, chart_count> kinematic_chart_specs();
 
 }  // namespace feedscope::ui

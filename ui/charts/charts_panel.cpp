@@ -134,6 +134,7 @@ void ChartsPanel::set_run(std::shared_ptr<const Trajectory> trajectory,
   columns_.set_run(trajectory, std::move(envelope));
   sources_ = sources;
   rows_.set_bounds(sources_.load.get());
+  rows_.set_sources(sources_);
   show_charts_of_run();
   overlays_.clear();
   if (!keep_range) {
@@ -175,7 +176,7 @@ void ChartsPanel::follow(Workbench& workbench) {
 void ChartsPanel::show_run_of(Workbench& workbench) {
   const auto shown = workbench.shown();
   const SetupEdit& setup = workbench.setup();
-  set_limits(setup.setup().machine.axes);
+  set_limits(setup.setup().machine.axes, setup.setup().machine.kinematics);
   set_run(shown == nullptr ? nullptr : shown->run.trajectory, shown == nullptr ? nullptr : shown->envelope,
           workbench.program() != nullptr, shown == nullptr ? RunSources() : shown->run.sources);
   if (const auto period = setup.interpolation_period()) {
@@ -216,8 +217,9 @@ void ChartsPanel::set_overlay_curve(std::size_t chart, std::optional<std::size_t
   refresh_.start();
 }
 
-void ChartsPanel::set_limits(const AxisVector<AxisLimits>& limits) {
+void ChartsPanel::set_limits(const AxisVector<AxisLimits>& limits, const MachineKinematics& kinematics) {
   rows_.set_limits(limits);
+  rows_.set_rotary_limits(kinematics);
   refresh_.start();
 }
 

@@ -53,7 +53,7 @@ class ChartsPanel : public Panel {
   /// The curve of other runs that a chart shows, by its number in the chart's spec; none: no curve. At first
   /// the achieved feed alone.
   void set_overlay_curve(std::size_t chart, std::optional<std::size_t> curve);
-  void set_limits(const AxisVector<AxisLimits>& limits);
+  void set_limits(const AxisVector<AxisLimits>& limits, const MachineKinematics& kinematics = {});
   /// Step of exported samples [s].
   void set_sample_time(double seconds) { sample_time_ = seconds; }
   double sample_time() const { return sample_time_; }

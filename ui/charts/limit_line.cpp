@@ -14,25 +14,41 @@ struct LimitLines {
   Q_DECLARE_TR_FUNCTIONS(LimitLines)
 };
 
+/// Next to the one before where both have the same value.
+void add_line(std::vector<LimitLine>& lines, double value, char name, std::size_t place) {
+  const QString axis{QChar(name)};
+  if (!lines.empty() && lines.back().value == value) {
+    lines.back().label += ' ' + axis;
+    lines.back().axis.reset();
+  } else {
+    lines.push_back({value, axis, place});
+  }
+}
+
+std::vector<LimitLine> labelled(std::vector<LimitLine> lines) {
+  for (LimitLine& line : lines) {
+    line.label = LimitLines::tr("limit of %1").arg(line.label);
+  }
+  return lines;
+}
+
 }  // namespace
 
 std::vector<LimitLine> limit_lines(const ChartSpec& spec, const AxisVector<AxisLimits>& limits,
                                    double AxisLimits::*kind) {
   std::vector<LimitLine> lines;
   for (std::size_t i = 0; i < limits.size(); ++i) {
-    const double value = spec.convert(limits[i].*kind);
-    const QString axis(QChar(limits.name(i)));
-    if (!lines.empty() && lines.back().value == value) {
-      lines.back().label += ' ' + axis;
-      lines.back().axis.reset();
-    } else {
-      lines.push_back({value, axis, i});
-    }
+    add_line(lines, spec.convert(limits[i].*kind), limits.name(i), i);
   }
-  for (LimitLine& line : lines) {
-    line.label = LimitLines::tr("limit of %1").arg(line.label);
+  return labelled(std::move(lines));
+}
+
+std::vector<LimitLine> rotary_limit_lines(const ChartSpec& spec, const MachineKinematics& kinematics) {
+  std::vector<LimitLine> lines;
+  for (const RotaryAxis& axis : kinematics.rotary) {
+    add_line(lines, spec.convert(axis.velocity), axis.name, *cause_axes.find(axis.name));
   }
-  return lines;
+  return labelled(std::move(lines));
 }
 
 std::vector<LimitLine> bound_lines(const ChartSpec& spec, const RunLoad& load) {
@@ -94,7 +110,8 @@ void draw_limit_lines(QPainter& painter, const QRectF& plot, const std::vector<L
   for (const LimitLine& limit : limits) {
     const double top = height_of(limit.value);
     const double bottom = height_of(-limit.value);
-    painter.setPen(QPen(limit.axis ? colours.axes[*limit.axis] : colours.shared, 1, Qt::DashLine));
+    painter.setPen(
+        QPen(limit.axis ? colours.axes[*limit.axis % colours.axes.size()] : colours.shared, 1, Qt::DashLine));
     painter.drawLine(QPointF(plot.left(), top), QPointF(plot.right(), top));
     painter.drawLine(QPointF(plot.left(), bottom), QPointF(plot.right(), bottom));
     if (top > plot.top() && top < plot.bottom()) {

@@ -222,6 +222,9 @@ QString charts_of(const RunSources& sources) {
   if (sources.load) {
     names.append({QStringLiteral("cutting force"), QStringLiteral("chip thickness")});
   }
+  if (sources.rotary) {
+    names.append({QStringLiteral("positions of rotary axes"), QStringLiteral("their velocities")});
+  }
   const QString last = names.takeLast();
   return QStringLiteral("%1 and %2").arg(names.join(QStringLiteral(", ")), last);
 }
@@ -254,7 +257,8 @@ QString charts_block(const ReportInput& input, ReportPictures& pictures) {
   for (std::size_t i = 0; i < std::min(input.runs.size(), max_charts); ++i) {
     const RunSources& sources = input.runs[i].shown->run.sources;
     html += run_charts(input, i, pictures,
-                       height + (sources.actual ? another : 0) + (sources.load ? 2 * another : 0));
+                       height + (sources.actual ? another : 0) + (sources.load ? 2 * another : 0) +
+                           (sources.rotary ? 2 * another : 0));
   }
   return html;
 }

@@ -12,8 +12,6 @@
 #include "core/base/units.h"
 #include "ui/scene/draw/axes_box.h"
 #include "ui/scene/draw/axes_cube.h"
-#include "ui/scene/draw/captions.h"
-#include "ui/scene/draw/path_marks.h"
 #include "ui/scene/draw/scene_pointers.h"
 #include "ui/scene/path/pick.h"
 #include "ui/scene/path/scene_paths.h"
@@ -140,7 +138,7 @@ class PathScene::Impl : public ScenePaths {
     const Projection view = projection();
     const std::optional<Vec3> tip = cursor ? std::optional(frame.to_scene(*cursor)) : std::nullopt;
     layers.place(frame, view, scale, moving);
-    tool_drawn.place(tip, view, frame, scale);
+    tool_drawn.place(tip, tool_direction(cursor_at), view, frame, scale);
     constexpr double lifted = 40;  // pixels at most, of the path's layers
     camera.set_clipping(lifted * scale / view.scale + beyond, beyond);
 
@@ -149,7 +147,8 @@ class PathScene::Impl : public ScenePaths {
     under.end();
     over.begin();
     const auto place_of = [&](const Vec3& point) { return view.to_display(frame.to_scene(point)); };
-    draw_path_marks(over, programmed.get(), executed_samples.get(), place_of, {scale, colours(), texts});
+    draw_path_marks(over, programmed.get(), executed_samples.get(), place_of,
+                    {scale, colours(), texts, view.scale / frame.unit});
     draw_scene_pointers(over, pointers, place_of, height(), room(), scale, colours());
     draw_captions(over, layout(), captions(), view, view.scale / frame.unit);
     cube().draw(over, scale, colours(), texts);

@@ -44,6 +44,14 @@ struct SpanBox {
 };
 inline constexpr std::size_t spans_of_box = 64;
 
+/// Where the tool points on the way, for machines whose rotary axes turn.
+struct ToolAxis {
+  Eigen::Vector3f tip;        ///< offset from the path's origin [mm]
+  Eigen::Vector3f direction;  ///< from the tip to the spindle, unit
+};
+/// Most of them that a path keeps.
+inline constexpr std::size_t most_tool_axes = 4000;
+
 /// A path as points close enough that straight spans between them look like the path. Positions are single
 /// precision offsets from `origin`: one part in 10^7 of the path's size. An executed path takes 44 bytes a
 /// point, 8 more while it is compared with another run, its levels and what finds them 4 more.
@@ -62,10 +70,12 @@ struct SampledPath {
   /// By sample_index() of a colouring, in inside units; those against another run, and those of what a run
   /// has not, may be empty.
   std::array<std::vector<Stored>, sampled_count> values;
-  std::vector<CauseKind> causes;              ///< limiting cause
-  std::vector<StoredVector> deviations;       ///< PathDeviation::Result::along_bisector [mm]
-  std::vector<float> lost;                    ///< RunDifference::lost [s]; empty without another run
-  std::shared_ptr<const SampledPath> actual;  ///< what the axes run; null without drives
+  std::vector<CauseKind> causes;               ///< limiting cause
+  std::vector<StoredVector> deviations;        ///< PathDeviation::Result::along_bisector [mm]
+  std::vector<float> lost;                     ///< RunDifference::lost [s]; empty without another run
+  std::shared_ptr<const SampledPath> actual;   ///< what the axes run; null without drives
+  std::shared_ptr<const RotaryCourse> rotary;  ///< of the run; null where no rotary axis turns
+  std::vector<ToolAxis> tool_axes;             ///< along its feed motions; empty without `rotary`
 
   std::size_t size() const { return positions.size(); }
   bool executed() const { return !times.empty(); }
@@ -79,9 +89,10 @@ struct SampledPath {
   double value(Colouring colouring, std::size_t i) const { return double(float(values_of(colouring)[i])); }
   /// Whether an executed path has what comes from this source.
   bool has(QuantitySource source) const {
-    return source == QuantitySource::drives ? actual != nullptr
-           : source == QuantitySource::load ? !values_of(Colouring::peak_force).empty()
-                                            : executed();
+    return source == QuantitySource::drives   ? actual != nullptr
+           : source == QuantitySource::load   ? !values_of(Colouring::peak_force).empty()
+           : source == QuantitySource::rotary ? rotary != nullptr
+                                              : executed();
   }
 };
 

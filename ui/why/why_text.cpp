@@ -38,7 +38,7 @@ QString axis_text(Cause cause) {
   return cause.axis < 0 ? QString() : QString(QLatin1Char(axis_name(cause)));
 }
 
-QString turn_sentence(Cause cause) {
+QString turn_kind_sentence(Cause cause) {
   const QString text =
       cause.kind == CauseKind::axis_velocity
           ? WhyText::tr("Rotary axis %1 turns along this block as fast as its velocity limit allows.")
@@ -58,7 +58,7 @@ QString axis_of_formula(const Reason& reason) {
   const auto found = std::ranges::find_if(reason.formula.numbers, of_axis);
   return found == reason.formula.numbers.end()
              ? QStringLiteral("–")
-             : QString(QLatin1Char(known_axes[static_cast<std::size_t>(found->axis)].name));
+             : QString(QLatin1Char(cause_axes[static_cast<std::size_t>(found->axis)].name));
 }
 
 QString of_symbol(const Reason& reason, Symbol symbol) {
@@ -70,6 +70,33 @@ QString percent(const Reason& reason, Symbol symbol) {
   const Quantity* found = reason.formula.find(symbol);
   return found == nullptr ? QStringLiteral("–")
                           : QStringLiteral("%1 %").arg(significant_number(100 * found->value, 3));
+}
+
+/// With the limit and the speed of the axis where a formula has them, and how near the singular place is.
+QString turn_sentence(const Reason& reason) {
+  QString text = turn_kind_sentence(reason.cause);
+  const bool velocity = reason.formula.id == FormulaId::turning_velocity;
+  if (velocity && reason.formula.find(Symbol::rotary_velocity) != nullptr) {
+    text = WhyText::tr(
+               "Rotary axis %1 turns along this block at its maximum velocity, %2: it turns by %3 of "
+               "path.")
+               .arg(axis_text(reason.cause), of_symbol(reason, Symbol::rotary_velocity),
+                    of_symbol(reason, Symbol::turn_slope));
+  } else if (velocity) {
+    text = WhyText::tr(
+               "Rotary axes turn along this block; axis %1, which makes up for that, runs at its "
+               "maximum velocity, %2: it moves %3 times as far as the tip.")
+               .arg(axis_text(reason.cause), of_symbol(reason, Symbol::axis_velocity),
+                    of_symbol(reason, Symbol::axis_slope));
+  }
+  constexpr double near = 10 * units::pi / 180;
+  if (reason.tilt && *reason.tilt <= near) {
+    text += ' ' + WhyText::tr(
+                      "The tool is %1 from the first rotary axis, near the singular position, where "
+                      "that axis turns by 1/sin of this angle.")
+                      .arg(WhyText::number(*reason.tilt, Dimension::angle));
+  }
+  return text;
 }
 
 /// Powers and indices as such, Greek letters by their signs.
@@ -234,8 +261,9 @@ QString WhyText::joint_sentence(const Reason& reason) {
 QString WhyText::limit_sentence(const Reason& reason, const State& state) {
   const QString axis = axis_text(reason.cause);
   const bool rotary = reason.cause.axis >= static_cast<std::int8_t>(known_axes.size());
-  if (rotary && !is_pause(reason.cause.kind)) {
-    return turn_sentence(reason.cause);
+  const bool of_turn = reason.formula.id >= FormulaId::turning_velocity;
+  if ((rotary || of_turn) && !is_pause(reason.cause.kind)) {
+    return turn_sentence(reason);
   }
   const QString radius = of_symbol(reason, Symbol::radius);
   switch (reason.cause.kind) {

@@ -51,6 +51,7 @@ struct SourceBand : Extents<range.count> {
 using MotionBand = SourceBand<charted_of_motion>;
 using DriveBand = SourceBand<charted_of_drives>;
 using LoadBand = SourceBand<charted_of_load>;
+using RotaryBand = SourceBand<charted_of_rotary>;
 
 /// Extents of all quantities that are drawn over time, in inside units; those that a run has not are empty.
 struct Band : Extents<charted_count> {

@@ -11,6 +11,9 @@ Envelope::Envelope(std::shared_ptr<const Trajectory> trajectory, const RunSource
   if (sources.load) {
     load_.emplace(LoadWalk::Source(sources.load), progress);
   }
+  if (sources.rotary) {
+    rotary_.emplace(RotaryWalk::Source(sources.rotary), progress);
+  }
 }
 
 bool Envelope::has(QuantitySource source) const {
@@ -21,6 +24,8 @@ bool Envelope::has(QuantitySource source) const {
       return drives_.has_value();
     case QuantitySource::load:
       return load_.has_value();
+    case QuantitySource::rotary:
+      return rotary_.has_value();
   }
   return false;
 }
@@ -36,6 +41,9 @@ std::vector<Band> Envelope::columns(std::span<const double> times) const {
   }
   if (load_) {
     load_->columns(times, add);
+  }
+  if (rotary_) {
+    rotary_->columns(times, add);
   }
   return bands;
 }
@@ -64,6 +72,9 @@ Band Envelope::overall() const {
   }
   if (load_) {
     band.add(load_->overall());
+  }
+  if (rotary_) {
+    band.add(rotary_->overall());
   }
   return band;
 }

@@ -8,6 +8,7 @@
 #include "core/analysis/envelope/drive_walk.h"
 #include "core/analysis/envelope/load_walk.h"
 #include "core/analysis/envelope/motion_envelope.h"
+#include "core/analysis/envelope/rotary_walk.h"
 #include "core/analysis/envelope/span_envelope.h"
 
 namespace feedscope {
@@ -38,6 +39,7 @@ class Envelope {
   MotionEnvelope motion_;
   std::optional<SpanEnvelope<DriveWalk>> drives_;
   std::optional<SpanEnvelope<LoadWalk>> load_;
+  std::optional<SpanEnvelope<RotaryWalk>> rotary_;
 };
 
 }  // namespace feedscope

@@ -15,6 +15,9 @@ struct Reason {
   double reached = 0;      ///< what the run has there of what the formula gives, inside units
   std::uint32_t line = 0;  ///< source line of the place that limits: a ramp may run over many
   std::string source;      ///< paper and equation; "" without formula
+  /// Of the tool to the first of two rotary axes, where they turn along the block that limits: the axis turns
+  /// by 1/sin of it [rad].
+  std::optional<double> tilt = {};
 
   /// The formula gives what the run has, to 1e-5 of it.
   bool sets_it() const;

@@ -1,6 +1,7 @@
 #include "core/analysis/explanation/reason_finder.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/analysis/explanation/joint_limits.h"
@@ -67,7 +68,7 @@ bool Reason::sets_it() const {
 }
 
 ReasonFinder::ReasonFinder(const Run& run)
-    : run_(*run.trajectory), settings_(run.setup.settings), limits_(run) {}
+    : run_(*run.trajectory), machine_(run.setup.machine), settings_(run.setup.settings), limits_(run) {}
 
 Reason ReasonFinder::made(Cause cause, Formula formula, double reached, std::uint32_t element) const {
   std::string source(source_of(formula.id, limits_.traits()));
@@ -81,7 +82,7 @@ Reason ReasonFinder::find(const State& state, Cause cause) const {
     return made(cause, {}, 0, state.element);
   }
   if (is_of_turn(run_, state, cause)) {
-    return made(cause, {}, state.speed, state.element);  // no formula speaks of it
+    return of_turn(state, cause);
   }
   if (run_.path().kind(state.element) == ElementKind::filtered) {
     return filtered(state, cause);
@@ -104,6 +105,75 @@ Reason ReasonFinder::find(const State& state, Cause cause) const {
       return is_sampled(state) && is_blend_row(cause.kind) ? sampled_on_blend(state, cause)
                                                            : of_speed(state, cause);
   }
+}
+
+namespace {
+
+/// The limit of an axis over the derivative of its place by the path that `turn` has of the same order.
+Formula formula_of(const SegmentTurn& turn, const Machine& machine) {
+  const auto axis = static_cast<std::size_t>(turn.speed_axis);
+  const std::size_t order = turn.speed_order - std::size_t{1};
+  constexpr std::array ids{FormulaId::turning_velocity, FormulaId::turning_acceleration,
+                           FormulaId::turning_jerk};
+  constexpr std::array rotary_limits{Symbol::rotary_velocity, Symbol::rotary_acceleration,
+                                     Symbol::rotary_jerk};
+  constexpr std::array linear_limits{Symbol::axis_velocity, Symbol::axis_acceleration, Symbol::axis_jerk};
+  constexpr std::array turns{Symbol::turn_slope, Symbol::turn_bend, Symbol::turn_change};
+  constexpr std::array slopes{Symbol::axis_slope, Symbol::axis_bend, Symbol::axis_change};
+  const char name = cause_axes[axis].name;
+  const RotaryAxis* rotary = machine.kinematics.find(name);
+  const AxisLimits* linear = machine.axes.find(name);
+  if (rotary == nullptr && linear == nullptr) {
+    return {};
+  }
+  const double limit = rotary != nullptr
+                           ? std::array{rotary->velocity, rotary->acceleration, rotary->jerk}[order]
+                           : std::array{linear->velocity, linear->acceleration, linear->jerk}[order];
+  Formula formula{ids[order], {}};
+  if (order > 0) {
+    formula.numbers.push_back({Symbol::turning_share, -1, turning_share});
+  }
+  formula.numbers.push_back(
+      {(rotary != nullptr ? rotary_limits : linear_limits)[order], turn.speed_axis, limit});
+  formula.numbers.push_back({(rotary != nullptr ? turns : slopes)[order], turn.speed_axis, turn.speed_slope});
+  return formula;
+}
+
+}  // namespace
+
+/// The block, or the one behind the corner that the tool rounds, whose turn allows about this speed.
+Reason ReasonFinder::of_turn(const State& state, Cause cause) const {
+  const BlendedPath& path = run_.path();
+  if (path.is_executed() || path.programmed() == nullptr) {
+    return made(cause, {}, state.speed, state.element);
+  }
+  const Toolpath& programmed = *path.programmed();
+  const std::size_t segment = path.segment(state.element);
+  const CauseKind kinds[]{CauseKind::axis_velocity, CauseKind::axis_acceleration, CauseKind::axis_jerk};
+  Reason best = made(cause, {}, state.speed, state.element);
+  const SegmentTurn* here = nullptr;
+  for (std::size_t i = segment; i < std::min(segment + 2, programmed.segments.size()); ++i) {
+    const SegmentTurn* turn = programmed.segment_turn(i);
+    if (turn == nullptr || turn->speed_axis < 0) {
+      continue;
+    }
+    here = here == nullptr ? turn : here;
+    const bool sets = turn->speed_axis == cause.axis && kinds[turn->speed_order - 1] == cause.kind;
+    const Formula formula = sets ? formula_of(*turn, machine_) : Formula();
+    if (sets && mismatch(formula, state.speed) < mismatch(best.formula, state.speed)) {
+      const bool speeds = same(formula.value(), state.speed);
+      best.formula = speeds || cause.kind == CauseKind::axis_velocity ? formula : best.formula;
+      best.line = programmed.segments[i].line;
+      here = turn;
+    }
+  }
+  if (!best.formula.empty()) {
+    best.source = source_of(best.formula.id, limits_.traits());
+  }
+  if (here != nullptr && here->tilt >= 0) {
+    best.tilt = here->tilt;
+  }
+  return best;
 }
 
 bool ReasonFinder::is_sampled(const State& state) const {
@@ -402,6 +472,10 @@ std::string_view source_of(FormulaId id, const LimitTraits& traits) {
     case FormulaId::path_velocity:
     case FormulaId::level_acceleration:
       return {};  // each model has its own
+    case FormulaId::turning_velocity:
+    case FormulaId::turning_acceleration:
+    case FormulaId::turning_jerk:
+      return "chain rule over the kinematics of the machine";
     case FormulaId::whole_acceleration:
     case FormulaId::whole_jerk:
       return "Pham and Pham 2018";

@@ -25,6 +25,8 @@ class ReasonFinder {
   Reason braking_evenly(const Piece& piece, double duration, std::uint32_t element) const;
   Reason at_junction(const State& state, Cause cause) const;
   Reason of_joints(const State& state, Cause cause) const;
+  /// Along a block in which rotary axes turn: by its own limits or by theirs.
+  Reason of_turn(const State& state, Cause cause) const;
   Reason of_speed(const State& state, Cause cause) const;
   Reason on_blend(const State& state, Cause cause, std::uint32_t element) const;
   Reason sampled_on_blend(const State& state, Cause cause) const;
@@ -35,6 +37,7 @@ class ReasonFinder {
   Reason made(Cause cause, Formula formula, double reached, std::uint32_t element) const;
 
   const Trajectory& run_;
+  const Machine& machine_;
   const Settings& settings_;
   ElementLimits limits_;
 };

@@ -5,6 +5,7 @@
 #include <locale>
 #include <sstream>
 
+#include "core/analysis/run.h"
 #include "core/base/error.h"
 #include "core/drives/drive_response.h"
 #include "core/export/export.h"
@@ -179,6 +180,24 @@ TEST(Csv, DrivesAddTheirColumnsBehindTheOthers) {
   EXPECT_NEAR(values[6], 0, 1e-9);
   // Across the direction (0.6, 0.8): |0.6 * 0.8 - 0.5 * 0.6| mm.
   EXPECT_NEAR(values[7], 180, 1e-6);
+}
+
+/// Columns of the axes that the machine has, behind all others: 30 and 90 degrees, at rest in the end.
+TEST(Csv, HasTheRotaryAxesOfTheMachineLast) {
+  SetupRequest request;
+  request.machine = "five-axis-table-ac";
+  const feedscope::Setup setup = make_setup(request);
+  const auto program =
+      load_program(std::make_shared<const SourceText>("test.nc", "G21\nG0 X5\nG0 A30 C-90\n"), nullptr,
+                   reading_on({}, setup.machine));
+  const feedscope::Run run = simulate_run(program, setup);
+  std::ostringstream out;
+  write_csv(out, *run.trajectory, 1.0, nullptr, run.sources);
+  const std::string text = out.str();
+  const std::string plain(csv_header);
+  EXPECT_EQ(text.substr(0, text.find('\n')),
+            plain.substr(0, plain.size() - 1) + ",a_deg,c_deg,va_rev_min,vc_rev_min");
+  EXPECT_THAT(text, ::testing::EndsWith(",30,-90,0,0\n"));
 }
 
 /// Steady at 10 mm/s over 100/s and two teeth; nothing where no operation applies.

@@ -89,7 +89,7 @@ class Files {
         "N1 G17 G90 G54 CYCLE832(0.02,1,1)\nT=\"MILL\"\nM6\nG0 X0 Y0 Z5\nG41 G1 X10 Y0 F3000\nG1 Z0\n"
         "N7 X40\nN8 G2 X50 Y10 I0 J10\nG1 Y40\nG4 F0.5\nG40 X0 Y60\nfoo\n"));
     auto corners = load_program(std::make_shared<const SourceText>(
-        "corners.nc", "G21\nT1 M6\nN1 G1 X20 F3000\nN2 Y20\nN3 X40\nN4 G2 X60 Y40 I20 J0\nM30\n"));
+        "corners.nc", "G21\nT1 M6\nN1 G1 X20 F3000\nN2 Y20\nN3 X40\nN4 G2 X60 Y40 I20 J0\nN5 G0 A20\nM30\n"));
     Program called = *program.program;
     called.diagnostics.back().file = "called.spf";
     program.program = std::make_shared<const Program>(std::move(called));

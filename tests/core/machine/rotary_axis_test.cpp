@@ -141,6 +141,50 @@ TEST(MachineKinematics, RefuseAChainThatCannotHoldADirection) {
   EXPECT_THAT([&] { chain_of(kinematics); }, ThrowsMessage<InputError>(HasSubstr("parallel")));
 }
 
+/// 1 rev/s and 2 rev/s2 with a jerk that takes 0.1 s to them: ramps of 0.6 s, each 0.3 rev long.
+TEST(RestToRest, IsWhereTheRampsOfConstantJerkAre) {
+  const auto at = [](double time) { return rest_to_rest_at(time, 2, 1, 2, 20); };
+  EXPECT_NEAR(rest_to_rest_time(2, 1, 2, 20), 2.6, 1e-12);
+  EXPECT_EQ(at(0).way, 0);
+  EXPECT_EQ(at(-1).way, 0);
+  EXPECT_NEAR(at(0.1).way, 20 * 0.001 / 6, 1e-12);
+  EXPECT_NEAR(at(0.1).velocity, 20 * 0.01 / 2, 1e-12);
+  EXPECT_NEAR(at(0.3).velocity, 0.5, 1e-12);  // the middle of the ramp
+  EXPECT_NEAR(at(0.6).way, 0.3, 1e-12);
+  EXPECT_NEAR(at(0.6).velocity, 1, 1e-12);
+  EXPECT_NEAR(at(1.3).way, 1, 1e-12);
+  EXPECT_NEAR(at(2.0).way, 1.7, 1e-12);
+  EXPECT_NEAR(at(2.6).way, 2, 1e-12);
+  EXPECT_EQ(at(9).way, 2);
+  EXPECT_EQ(at(9).velocity, 0);
+}
+
+TEST(RestToRest, KeepsItsLimitsAndIsSmoothOnRandomWays) {
+  std::mt19937 random(22);
+  std::uniform_real_distribution<double> exponent(-2, 2);
+  for (int i = 0; i < 200; ++i) {
+    const auto any = [&] { return std::pow(10, exponent(random)); };
+    const double way = any();
+    const double v = any();
+    const double a = any();
+    const double j = any();
+    const double end = rest_to_rest_time(way, v, a, j);
+    constexpr int steps = 2000;
+    const double h = end / steps;
+    double before = 0;
+    for (int k = 1; k < steps; ++k) {
+      const auto at = [&](double time) { return rest_to_rest_at(time, way, v, a, j); };
+      const RestToRestPlace place = at(k * h);
+      const double slope = (at((k + 0.01) * h).way - at((k - 0.01) * h).way) / (0.02 * h);
+      ASSERT_NEAR(place.velocity, slope, 1e-4 * way / end) << way << ' ' << v << ' ' << a << ' ' << j;
+      ASSERT_LE(place.velocity, v * (1 + 1e-12));
+      ASSERT_LE(std::abs(place.velocity - before) / h, a * (1 + 1e-6));
+      before = place.velocity;
+    }
+    EXPECT_NEAR(rest_to_rest_at(end, way, v, a, j).way, way, 1e-12 * way);
+  }
+}
+
 TEST(RotaryAxisKeys, AreSetAndReadInTheirUnits) {
   Machine machine = shipped("five-axis-table-ac");
   set_axis_value(machine, 'A', "velocity", 30.0);

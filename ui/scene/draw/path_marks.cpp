@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/units.h"
+#include "ui/scene/draw/tool_axes.h"
 
 namespace feedscope::ui {
 namespace {
@@ -73,6 +74,9 @@ void draw_zero_points(Canvas& canvas, const std::vector<ZeroPoint>& points, cons
 
 void draw_path_marks(Canvas& canvas, const SampledPath* programmed, const SampledPath* executed,
                      const PlaceInWindow& place_of, const MarkStyle& style) {
+  if (executed != nullptr) {
+    draw_tool_axes(canvas, *executed, place_of, style);
+  }
   if (programmed != nullptr) {
     draw_zero_points(canvas, programmed->zero_points, place_of, style);
   }

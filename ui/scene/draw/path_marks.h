@@ -15,10 +15,11 @@ struct MarkStyle {
   double scale;
   const SceneColours& colours;
   const SceneTexts& texts;
+  double pixels_per_mm = 1;  ///< where the view has its middle
 };
 
-/// Where the path starts, and the zero points of a program that uses several work offsets, with their names;
-/// those in one place together. Paths that there are not are null.
+/// Where the tool points along the path, where the path starts, and the zero points of a program that uses
+/// several work offsets, with their names; those in one place together. Paths that there are not are null.
 void draw_path_marks(Canvas& canvas, const SampledPath* programmed, const SampledPath* executed,
                      const PlaceInWindow& place_of, const MarkStyle& style);
 

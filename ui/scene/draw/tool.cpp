@@ -10,6 +10,7 @@
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -113,12 +114,15 @@ void Tool::set_colour(const Rgb& colour) {
   actor_->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
 }
 
-void Tool::place(const std::optional<Vec3>& tip, const Projection& view, const SceneFrame& frame,
-                 double scale) {
+void Tool::place(const std::optional<Vec3>& tip, const Vec3& direction, const Projection& view,
+                 const SceneFrame& frame, double scale) {
   const bool shown = tip && shape_.kind != ToolKind::none;
   actor_->SetVisibility(shown ? 1 : 0);
   if (shown) {
     actor_->SetPosition(tip->x(), tip->y(), tip->z());
+    const Eigen::AngleAxisd turn(Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), direction));
+    actor_->SetOrientation(0, 0, 0);
+    actor_->RotateWXYZ(units::to_deg(turn.angle()), turn.axis().x(), turn.axis().y(), turn.axis().z());
     actor_->SetScale(shape_.kind == ToolKind::marker
                          ? marker_pixels * scale / view.scale / view.magnification(*tip)
                          : 1 / frame.unit);

@@ -22,7 +22,7 @@ enum class ToolKind : std::uint8_t {
   bull,  ///< end mill with rounded corners
 };
 
-/// What is drawn with its tip on the path, along +Z. Sizes count for milling cutters only.
+/// What is drawn with its tip on the path, along the tool's direction. Sizes count for milling cutters only.
 struct ToolShape {
   ToolKind kind = ToolKind::marker;
   double diameter = 10;      ///< > 0 [mm]
@@ -40,8 +40,9 @@ class Tool {
   void set_shape(const ToolShape& shape);
   const ToolShape& shape() const { return shape_; }
   void set_colour(const Rgb& colour);
-  /// Before each frame. None hides the tool.
-  void place(const std::optional<Vec3>& tip, const Projection& view, const SceneFrame& frame, double scale);
+  /// Before each frame. None hides the tool. `direction`: unit, from the tip to the spindle.
+  void place(const std::optional<Vec3>& tip, const Vec3& direction, const Projection& view,
+             const SceneFrame& frame, double scale);
   /// How far it may reach from its tip [scene units].
   double reach(const Projection& view, const SceneFrame& frame, double scale) const;
 

@@ -8,6 +8,7 @@
 #include "core/analysis/path_deviation.h"
 #include "core/base/parallel.h"
 #include "core/trajectory/part_walk.h"
+#include "ui/scene/path/sample_tool_axes.h"
 #include "ui/scene/path/sampler.h"
 
 namespace feedscope::ui {
@@ -376,6 +377,10 @@ SampledPath sample_executed(const Trajectory& trajectory, std::size_t max_points
   SampledPath path = joined(std::move(parts));
   path.levels = levels_of(path);
   path.boxes = boxes_of(path.positions);
+  if (sources.rotary) {
+    path.rotary = sources.rotary;
+    path.tool_axes = sample_tool_axes(*sources.rotary, path.origin);
+  }
   if (sources.actual) {
     Progress rest(watched, share_of_actual);
     path.actual = std::make_shared<const SampledPath>(sample_actual(*sources.actual, max_points, &rest));

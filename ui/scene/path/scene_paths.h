@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "ui/scene/path/path_layers.h"
@@ -14,6 +15,13 @@ struct ScenePaths {
   std::shared_ptr<const Trajectory> trajectory;
   std::vector<OverlayRun> overlays;
   bool actual_shown = true;  ///< what the axes run, where the executed path has it
+
+  /// At an instant of the executed path [s]; up where no rotary axis turns, or nowhere on the path.
+  Vec3 tool_direction(const std::optional<double>& time) const {
+    const bool turns =
+        time && trajectory != nullptr && executed_samples != nullptr && executed_samples->rotary != nullptr;
+    return turns ? executed_samples->rotary->tool_direction(trajectory->state(*time)) : Vec3(Vec3::UnitZ());
+  }
 
   /// Other runs, and what the axes run.
   std::vector<OverlayRun> shown_overlays(const SceneColours& colours, const SceneTexts& texts) const {

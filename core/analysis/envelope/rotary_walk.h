@@ -1,0 +1,74 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "core/analysis/envelope/band.h"
+#include "core/analysis/envelope/part_looks.h"
+#include "core/analysis/rotary_course.h"
+
+namespace feedscope {
+
+/// Instants of a part at which its rotary axes are looked at: those of its motion; where the axes of an
+/// indexing machine turn, evenly spaced ones.
+class RotaryLooks {
+ public:
+  RotaryLooks(const Trajectory& trajectory, const Part& part, const ElementCurve& curve)
+      : motion_(trajectory, part, curve),
+        start_(part.time),
+        duration_(part.duration),
+        waits_(is_pause(part.cause.kind)) {}
+  int count() const { return waits_ ? looks_at_rest + 1 : motion_.count(); }
+  double at(int i) const { return waits_ ? start_ + duration_ * i / looks_at_rest : motion_.at(i); }
+  int first_after(double time) const;
+
+ private:
+  static constexpr int looks_at_rest = 24;
+  PartLooks motion_;
+  double start_;     ///< [s]
+  double duration_;  ///< [s]
+  bool waits_;
+};
+
+/// The rotary axes of a run part by part, for a SpanEnvelope.
+class RotaryWalk {
+ public:
+  using Band = RotaryBand;
+  /// The course, which this shares.
+  class Source {
+   public:
+    explicit Source(std::shared_ptr<const RotaryCourse> course) : course_(std::move(course)) {}
+    const RotaryCourse& course() const { return *course_; }
+    double duration() const { return course_->trajectory().duration(); }
+
+   private:
+    std::shared_ptr<const RotaryCourse> course_;
+  };
+
+  /// `source` must outlive this.
+  RotaryWalk(const Source& source, double time);
+
+  bool done() const { return walk_.done(); }
+  double begin() const { return walk_.part().time; }
+  double end() const { return begin() + walk_.part().duration; }
+  RotaryLooks looks() { return {course_.trajectory(), walk_.part(), motion().curve()}; }
+  void add(Band& band, double time);
+  /// At an instant of the part [s].
+  RotarySample sample(double time);
+  void next();
+
+ private:
+  const PartMotion& motion();
+
+  const RotaryCourse& course_;
+  PartWalk walk_;
+  std::optional<PartMotion> motion_;  ///< of the part under way
+};
+
+/// The largest velocities of A, B and C in a run, magnitudes [rad/s]; not a number of one that the machine
+/// does not have.
+std::array<double, 3> largest_velocities(const std::shared_ptr<const RotaryCourse>& course);
+
+}  // namespace feedscope

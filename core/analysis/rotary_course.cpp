@@ -1,0 +1,210 @@
+#include "core/analysis/rotary_course.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/base/units.h"
+
+namespace feedscope {
+namespace {
+
+std::size_t place_of(const RotaryAxis& axis) {
+  return rotary_names.find(axis.name);
+}
+
+/// How far a turn about the arc's axis has gone, of an arc that may turn several times; `near`: a share that
+/// is close.
+double share_of_arc(const Arc& arc, const Vec3& position, double near) {
+  const Vec3 from = position - arc.center;
+  const double angle = std::atan2(from.dot(arc.y), from.dot(arc.x));
+  const double turns = std::round((near * arc.sweep - angle) / (2 * units::pi));
+  return (angle + turns * 2 * units::pi) / arc.sweep;
+}
+
+}  // namespace
+
+RotaryCourse::RotaryCourse(std::shared_ptr<const Trajectory> trajectory, const Machine& machine)
+    : trajectory_(std::move(trajectory)),
+      axes_(machine.kinematics.rotary),
+      chain_(chain_of(machine.kinematics)) {
+  for (std::size_t i = 0; i < path().rotary_turns.size(); ++i) {
+    const RotaryTurn& turn = path().rotary_turns[i];
+    const std::size_t first = turn.beside_rapid && turn.segment > 0 ? turn.segment - 1 : turn.segment;
+    events_.push_back({first, trajectory_->duration(), 1, i, false});
+  }
+  for (std::size_t i = 0; i < path().segment_turns.size(); ++i) {
+    events_.push_back({path().segment_turns[i].segment, 0, 1, i, true});
+  }
+  std::ranges::stable_sort(events_, {}, &Event::segment);
+  set_starts();
+}
+
+/// When the segment of each turn, or the next one that the control runs, begins, and how much time it has.
+void RotaryCourse::set_starts() {
+  auto event = events_.begin();
+  for (const Piece& piece : trajectory_->pieces()) {
+    const std::uint32_t segment = trajectory_->path().segment(piece.element);
+    for (; event != events_.end() && event->segment <= segment; ++event) {
+      event->start = piece.time;
+    }
+  }
+  auto turn = events_.begin();
+  for (const Piece& piece : trajectory_->pieces()) {
+    const std::uint32_t segment = trajectory_->path().segment(piece.element);
+    for (; turn != events_.end() && last_of(*turn) < segment; ++turn) {
+      const double time = turn->along ? 0 : path().rotary_turns[turn->index].time;
+      const double room = piece.time - turn->start;
+      turn->rate = time > room && room > 0 ? time / room : 1;
+    }
+  }
+}
+
+/// The last segment while it turns: its pause, or the rapid beside it.
+std::size_t RotaryCourse::last_of(const Event& event) const {
+  if (event.along) {
+    return event.segment;
+  }
+  const std::size_t pause = path().rotary_turns[event.index].segment;
+  const bool waits = pause < path().segments.size() && path().segments[pause].kind == SegmentKind::dwell &&
+                     path().pause_of(path().segments[pause]).kind == Pause::indexing;
+  return waits ? pause : event.segment;
+}
+
+bool RotaryCourse::has(char axis) const {
+  return std::ranges::find(axes_, axis, &RotaryAxis::name) != axes_.end();
+}
+
+RotarySample RotaryCourse::at(const State& state) const {
+  const Way way = trajectory_->pieces().empty() ? Way() : way_of(state);
+  const auto after = std::ranges::upper_bound(events_, way.segment, {}, &Event::segment);
+  RotarySample sample;
+  if (after != events_.begin()) {
+    const Event& event = *std::prev(after);
+    sample = event.along ? along(path().segment_turns[event.index], way, state.speed)
+                         : turning(path().rotary_turns[event.index], (state.time - event.start) * event.rate);
+    if (!event.along) {
+      for (double& velocity : sample.velocity) {
+        velocity *= event.rate;
+      }
+    }
+  }
+  for (std::size_t i = 0; i < rotary_names.size(); ++i) {
+    if (!has(rotary_names[i])) {
+      sample.angle[i] = sample.velocity[i] = std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+  return sample;
+}
+
+Vec3 RotaryCourse::tool_direction(const State& state) const {
+  const RotarySample sample = at(state);
+  std::vector<double> places(chain_.size(), 0);
+  for (const std::size_t axis : chain_.rotary()) {
+    places[axis] = sample.angle[rotary_names.find(chain_.axes()[axis].name)];
+  }
+  return chain_.pose(places, 0).direction;
+}
+
+RotaryCourse::Way RotaryCourse::way_of(const State& state) const {
+  const BlendedPath& blended = trajectory_->path();
+  const std::uint32_t i = blended.segment(state.element);
+  const Segment& segment = path().segments[i];
+  const double q = state.path_length - blended.s(state.element);
+  const double length = blended.length(state.element);
+  const double done = length > 0 ? std::clamp(q / length, 0.0, 1.0) : 0;
+  const bool line = segment.kind == SegmentKind::line;
+  switch (blended.kind(state.element)) {
+    case ElementKind::dwell:
+      return {i, 0, 0};
+    case ElementKind::blend:
+    case ElementKind::connecting_arc: {
+      const double transition = blended.corner_transition(blended.index(state.element));
+      const bool behind = done >= 0.5 && i + 1 < path().segments.size();
+      const std::uint32_t on = behind ? i + 1 : i;
+      const double whole = path().segments[on].length;
+      const double from_corner = transition * std::abs(2 * done - 1);
+      const double way = behind ? from_corner : whole - from_corner;
+      return whole > 0 && length > 0
+                 ? Way{on, std::clamp(way / whole, 0.0, 1.0), 2 * transition / length / whole}
+                 : Way{on, 1, 0};
+    }
+    case ElementKind::line:
+    case ElementKind::curve: {
+      if (!line) {
+        break;
+      }
+      const Vec3 start = path().start_of(i);
+      const double way = (state.position - start).dot(segment.end - start) / segment.length;
+      return {i, std::clamp(way / segment.length, 0.0, 1.0), 1 / segment.length};
+    }
+    case ElementKind::arc:
+      if (segment.kind == SegmentKind::arc) {
+        const double share = share_of_arc(path().arc_of(segment), state.position, done);
+        return {i, std::clamp(share, 0.0, 1.0), 1 / segment.length};
+      }
+      break;
+    case ElementKind::filtered:
+    case ElementKind::fitted:
+      break;
+  }
+  return {i, done, length > 0 ? 1 / length : 0};
+}
+
+RotarySample RotaryCourse::along(const SegmentTurn& turn, const Way& way, double speed) const {
+  const bool on_it = way.segment == turn.segment;
+  RotarySample sample;
+  for (std::size_t i = 0; i < rotary_names.size(); ++i) {
+    const double angle = turn.to[i] - turn.from[i];
+    sample.angle[i] = turn.from[i] + (on_it ? way.share : 1) * angle;
+    sample.velocity[i] = on_it ? angle * way.slope * speed : 0;
+  }
+  return sample;
+}
+
+RotarySample RotaryCourse::turning(const RotaryTurn& turn, double time) const {
+  RotarySample sample;
+  sample.angle = turn.to;
+  double way = 0;
+  for (const RotaryAxis& axis : axes_) {
+    way = std::hypot(way, turn.to[place_of(axis)] - turn.from[place_of(axis)]);
+  }
+  double velocity = turn.feed;
+  double acceleration = HUGE_VAL;
+  double jerk = HUGE_VAL;
+  for (const RotaryAxis& axis : axes_) {
+    const double share = way > 0 ? std::abs(turn.to[place_of(axis)] - turn.from[place_of(axis)]) / way : 0;
+    if (share > 0) {
+      velocity = std::min(velocity, axis.velocity / share);
+      acceleration = std::min(acceleration, axis.acceleration / share);
+      jerk = std::min(jerk, axis.jerk / share);
+    }
+  }
+  for (const RotaryAxis& axis : axes_) {
+    const std::size_t i = place_of(axis);
+    const double angle = turn.to[i] - turn.from[i];
+    if (angle == 0) {
+      continue;
+    }
+    const RestToRestPlace place =
+        turn.feed > 0 ? rest_to_rest_at(time, way, velocity, acceleration, jerk)
+                      : rest_to_rest_at(time, std::abs(angle), axis.velocity, axis.acceleration, axis.jerk);
+    const double share = turn.feed > 0 ? angle / way : std::copysign(1, angle);
+    sample.angle[i] = turn.from[i] + share * place.way;
+    sample.velocity[i] = share * place.velocity;
+  }
+  return sample;
+}
+
+std::shared_ptr<const RotaryCourse> rotary_course_of(std::shared_ptr<const Trajectory> trajectory,
+                                                     const Machine& machine) {
+  const auto& path = trajectory->path().programmed();
+  if (machine.kinematics.empty() || path == nullptr ||
+      (path->rotary_turns.empty() && path->segment_turns.empty())) {
+    return nullptr;
+  }
+  return std::make_shared<const RotaryCourse>(std::move(trajectory), machine);
+}
+
+}  // namespace feedscope

@@ -1,0 +1,185 @@
+#include "core/analysis/rotary_course.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "core/analysis/envelope/envelope.h"
+#include "core/analysis/explanation/explanation.h"
+#include "core/analysis/run.h"
+#include "core/base/units.h"
+
+namespace feedscope {
+namespace {
+
+constexpr double deg = units::pi / 180;
+using TurnedRun = feedscope::Run;  // in tests Run is a member of testing::Test
+
+TurnedRun turned(const std::string& text, const std::string& model = "essid",
+                 const std::vector<std::string>& assignments = {}) {
+  SetupRequest request;
+  request.machine = "five-axis-table-ac";
+  request.model = model;
+  request.assignments = assignments;
+  Setup setup = make_setup(request);
+  ReadOptions options;
+  options.dialect = Dialect::sinumerik;
+  options.unit = LengthUnit::mm;
+  const auto source = std::make_shared<const SourceText>("test.mpf", text);
+  return simulate_run(load_program(source, nullptr, reading_on(options, setup.machine)), setup);
+}
+
+RotarySample at(const TurnedRun& run, double time) {
+  return run.sources.rotary->at(run.trajectory->state(time));
+}
+
+TEST(RotaryCourse, IsThereOnlyWhereAnAxisTurns) {
+  EXPECT_EQ(turned("G0 X10\nG1 X20 F1000\n").sources.rotary, nullptr);
+  EXPECT_NE(turned("G0 X10\nG0 A20\nG1 X20 F1000\n").sources.rotary, nullptr);
+}
+
+/// C turns 90 degrees at the limits of the machine: half of it after half of its time, fastest there.
+TEST(RotaryCourse, IndexesFromRestToRest) {
+  const TurnedRun run = turned("G0 C90\n");
+  const RotaryAxis& c = *run.setup.machine.kinematics.find('C');
+  const double end = turning_time(c, 90 * deg);
+  ASSERT_NEAR(run.trajectory->duration(), end, 1e-9);
+  EXPECT_NEAR(at(run, end / 2).angle[2], 45 * deg, 1e-9);
+  EXPECT_NEAR(at(run, end).angle[2], 90 * deg, 1e-9);
+  EXPECT_NEAR(at(run, 0.01).angle[2], c.jerk * 1e-6 / 6, 1e-12);
+  EXPECT_NEAR(at(run, end / 2).velocity[2], run.summary.rotary_velocity->at(2), 1e-9);
+  EXPECT_TRUE(std::isnan(at(run, 0).angle[1]));  // the machine has no B
+  EXPECT_EQ(at(run, end / 2).angle[0], 0);
+}
+
+/// 60 degrees along 20 mm at 10 mm/s: 30 degrees a second in the middle.
+TEST(RotaryCourse, GoesLinearlyAlongAFeedBlock) {
+  const TurnedRun run = turned("G1 X20 C60 F600\n", "cam");
+  const double middle = run.trajectory->duration() / 2;
+  EXPECT_NEAR(at(run, middle).angle[2], 30 * deg, 1e-9);
+  EXPECT_NEAR(at(run, middle).velocity[2], 30 * deg, 1e-9);
+}
+
+TEST(RotaryCourse, GivesTheToolItsDirectionInThePart) {
+  const TurnedRun run = turned("G0 A30\nG0 C90\nG1 X1 F1000\n");
+  const double a = turning_time(*run.setup.machine.kinematics.find('A'), 30 * deg);
+  const auto direction = [&](double time) {
+    return run.sources.rotary->tool_direction(run.trajectory->state(time));
+  };
+  EXPECT_LT((direction(0) - Vec3::UnitZ()).norm(), 1e-12);
+  // A turns the tool counter-clockwise about X against the part: towards -Y.
+  EXPECT_LT((direction(a) - Vec3(0, -0.5, std::sqrt(0.75))).norm(), 1e-9);
+  // Then C by 90 degrees about Z: -Y becomes +X.
+  const double end = run.trajectory->duration();
+  EXPECT_LT((direction(end) - Vec3(0.5, 0, std::sqrt(0.75))).norm(), 1e-9);
+}
+
+std::string random_turns(unsigned seed) {
+  std::mt19937 random(seed);
+  const auto any = [&](double from, double to) {
+    return std::uniform_real_distribution<double>(from, to)(random);
+  };
+  std::string text = "G17 G90 F3000\nTRAORI\n";
+  for (int i = 0; i < 60; ++i) {
+    const double which = any(0, 1);
+    if (which < 0.1) {
+      text += fmt::format("G0 A{:.3f} C{:.3f}\n", any(-60, 45), any(-170, 170));
+    } else if (which < 0.2) {
+      text += fmt::format("G0 X{:.3f} Y{:.3f} C{:.3f}\n", any(-50, 50), any(-50, 50), any(-90, 90));
+    } else if (which < 0.3) {
+      text += fmt::format("G1 X{:.3f} Y{:.3f}\n", any(-50, 50), any(-50, 50));
+    } else {
+      text += fmt::format("G1 X{:.3f} Y{:.3f} Z{:.3f} A{:.3f} C{:.3f}\n", any(-50, 50), any(-50, 50),
+                          any(-10, 10), any(-60, 45), any(-170, 170));
+    }
+  }
+  return text;
+}
+
+class RotaryCourses : public testing::TestWithParam<const char*> {};
+
+/// Positions do not jump, and velocities are their slopes.
+TEST_P(RotaryCourses, AreContinuousOnRandomPrograms) {
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    const TurnedRun run = turned(random_turns(seed), GetParam());
+    const double duration = run.trajectory->duration();
+    const int steps = 4000;
+    const double h = duration / steps;
+    double fastest = 0;
+    for (int i = 0; i < steps; ++i) {
+      const RotarySample from = at(run, i * h);
+      const RotarySample to = at(run, (i + 1) * h);
+      const RotarySample middle = at(run, (i + 0.5) * h);
+      for (const std::size_t axis : {std::size_t{0}, std::size_t{2}}) {
+        const double largest = (*run.summary.rotary_velocity)[axis];
+        ASSERT_LE(std::abs(to.angle[axis] - from.angle[axis]), 1.02 * largest * h + 1e-6)
+            << GetParam() << " seed " << seed << " at " << i * h << " s";
+        const RotarySample near = at(run, (i + 0.5) * h + 1e-6);
+        const double slope = (near.angle[axis] - middle.angle[axis]) / 1e-6;
+        fastest = std::max(fastest, std::abs(middle.velocity[axis]));
+        if (std::abs(near.velocity[axis] - middle.velocity[axis]) <
+            0.01 * largest) {  // no block ends between
+          ASSERT_NEAR(slope, middle.velocity[axis], 0.02 * largest)
+              << GetParam() << " seed " << seed << " at " << i * h << " s";
+        }
+      }
+    }
+    EXPECT_GT(fastest, 0.5);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, RotaryCourses,
+                         testing::Values("cam", "essid", "gassara", "tapie", "msaddek", "ward"));
+
+TEST(RotaryColumn, EnvelopeHoldsWhatEveryInstantHas) {
+  const TurnedRun run = turned(random_turns(4));
+  const Envelope envelope(run.trajectory, run.sources);
+  ASSERT_TRUE(envelope.has(QuantitySource::rotary));
+  std::vector<double> times;
+  for (int i = 0; i <= 40; ++i) {
+    times.push_back(run.trajectory->duration() * i / 40);
+  }
+  const std::vector<Band> bands = envelope.columns(times);
+  for (std::size_t i = 0; i < bands.size(); ++i) {
+    for (int k = 0; k <= 50; ++k) {
+      const RotarySample sample = at(run, times[i] + (times[i + 1] - times[i]) * k / 50);
+      const Extent& position = bands[i][QuantityId::position_c];
+      EXPECT_GE(sample.angle[2], double{position.min} - 0.02);
+      EXPECT_LE(sample.angle[2], double{position.max} + 0.02);
+    }
+    EXPECT_TRUE(bands[i][QuantityId::velocity_b].empty());
+  }
+}
+
+/// The machine's C makes 50 turns a minute, 300 degrees a second; 60 degrees a millimetre leave 5 mm/s.
+TEST(RotaryReason, IsTheVelocityOfTheAxisOverItsTurnByThePath) {
+  const TurnedRun run = turned("TRAORI\nG1 X10 A5 F6000\nG1 X30 C1200\nG1 X60\n");
+  double found = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const State state = run.trajectory->state(run.trajectory->duration() * i / 2000);
+    if (state.cause != Cause{CauseKind::axis_velocity, 5}) {
+      continue;
+    }
+    const Reason reason = explain(run, state).reason;
+    ASSERT_EQ(reason.formula.id, FormulaId::turning_velocity);
+    EXPECT_EQ(reason.formula.text(), "W_C / |q'_C|");
+    EXPECT_NEAR(reason.formula.value(), 5, 1e-9);
+    EXPECT_TRUE(reason.sets_it());
+    ASSERT_TRUE(reason.tilt);
+    EXPECT_NEAR(*reason.tilt, 5 * deg, 1e-9);
+    found += 1;
+  }
+  EXPECT_GT(found, 100);
+  ASSERT_EQ(run.input.toolpath->singular_places.size(), 1U);
+  const SingularPlace& place = run.input.toolpath->singular_places.front();
+  EXPECT_EQ(place.line, 3U);
+  EXPECT_EQ(place.axis, 'C');
+  EXPECT_NEAR(place.speed, 5, 1e-9);
+  EXPECT_NEAR(place.tilt, 5 * deg, 1e-9);
+}
+
+}  // namespace
+}  // namespace feedscope

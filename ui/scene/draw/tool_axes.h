@@ -1,0 +1,12 @@
+#pragma once
+
+#include "ui/scene/draw/path_marks.h"
+
+namespace feedscope::ui {
+
+/// A short stroke from the tip along the tool for some of path.tool_axes, of one length on the screen but for
+/// the view's angle: at most one in each square of the window that is half a stroke wide.
+void draw_tool_axes(Canvas& canvas, const SampledPath& path, const PlaceInWindow& place_of,
+                    const MarkStyle& style);
+
+}  // namespace feedscope::ui

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "core/analysis/rotary_course.h"
+#include "ui/scene/sampled_path.h"
+
+namespace feedscope::ui {
+
+/// Tool axes along the feed motions of a run, evenly by path length, most_tool_axes at most; offsets from
+/// `origin` [mm].
+std::vector<ToolAxis> sample_tool_axes(const RotaryCourse& course, const Vec3& origin);
+
+}  // namespace feedscope::ui
