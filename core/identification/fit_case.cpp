@@ -80,7 +80,7 @@ void FitCase::add_span(std::size_t first, std::size_t last) {
 std::vector<double> FitCase::residuals(const Setup& setup) const {
   const Trajectory run = setup.model->simulate(program_.toolpath, setup.machine, setup.settings);
   const MotionRecord record = record_of(run, step_);
-  const TimeLaw law(record.time, match_record(*course_, record, {found_.tolerance, 0}));
+  const TimeLaw law(record.time, match_record(*course_, record, {found_.tolerance, found_.noise}));
   std::vector<double> off(size(), hopeless);
   if (law.empty() || law.last_s() < borders_.back() || law.first_s() > borders_.front()) {
     return off;

@@ -271,7 +271,7 @@ Agreement agreement_of(const TraceOnProgram& trace, const ProgrammedCourse& cour
   const double step = std::max(finest_step, std::min(period, run.trajectory->duration() / 1000));
   const MotionRecord simulated_record = record_of(*run.trajectory, step);
   const MatchedRecord simulated_match =
-      match_record(course, simulated_record, {trace.tolerance, 0}, 0, progress);
+      match_record(course, simulated_record, {trace.tolerance, trace.noise}, 0, progress);
   const TimeLaw simulated(simulated_record.time, simulated_match);
   if (simulated.empty()) {
     throw InputError(

@@ -58,6 +58,9 @@ class Matcher {
       const Found found = nearest(here);
       matched_.distance[i] = static_cast<float>(found.distance);
       if (found.distance <= options_.tolerance) {
+        if (found.part > part_ || found.share > share_) {
+          usual_ = found.distance;
+        }
         part_ = found.part;
         share_ = found.share;
         moved_ = next_search = 0;
@@ -106,7 +109,7 @@ class Matcher {
     Found best;
     for (std::size_t part = part_; part < end; ++part) {
       const Found here = project(part, part == part_ ? share_ : 0, place);
-      const bool near_enough = best.distance <= least + equal_;
+      const bool near_enough = best.distance <= std::max(least, usual_) + equal_;
       if (near_enough && best.share < 1) {
         break;  // the nearest place is within its part: what is nearer behind is another pass
       }
@@ -159,6 +162,9 @@ class Matcher {
   /// creeps ahead with the noise, as it never goes back: it must not take a later pass through there for
   /// nearer.
   double equal_;
+  /// From the path where the motion last went on [mm]. A motion that runs beside the path, as one rounded to
+  /// steps, comes to a sharp corner nearer to the way back: so far away it is still on its way there.
+  double usual_ = 0;
   double end_reach_;  ///< the end is reached so far before it [mm]
   MatchedRecord matched_;
   std::size_t part_ = 0;  ///< where the last sample that fits is

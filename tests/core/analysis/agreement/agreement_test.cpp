@@ -271,6 +271,24 @@ TEST(PathMatcher, NeverGoesBackAndStaysDuringAPause) {
   EXPECT_NEAR(before, course.length(), 1e-3);
 }
 
+/// Rounded to steps a motion runs beside the path, and near a sharp corner nearer to the way back.
+TEST(PathMatcher, StaysOnTheWayToASharpCornerBesideThePath) {
+  const auto run = run_of("G21 G90 G17\nG1 X30 Y2 F3000\nG4 P0.3\nX0 Y3\nM30\n");
+  const ProgrammedCourse course(*run.input.toolpath, {true, true, true});
+  MotionRecord record = record_of(*run.trajectory, 4e-3);
+  for (Vec3& place : record.place) {
+    place.y() += 0.01;
+  }
+  const MatchedRecord matched = match_record(course, record, {0.3, 0});
+  const double corner = std::hypot(30, 2);
+  for (std::size_t i = 0; i < matched.s.size(); ++i) {
+    const bool before = record.place[i].y() - 0.01 < 2 - 1e-3;
+    if (before && !std::isnan(matched.s[i]) && i < matched.s.size() / 2) {
+      ASSERT_LE(matched.s[i], corner + 1e-6) << i;
+    }
+  }
+}
+
 /// Where a line is left the way it came, noise makes the pause look like any later pass through there.
 TEST(PathMatcher, StaysInANoisyPauseAtAPlaceThatIsPassedAgain) {
   const auto run = run_of(
