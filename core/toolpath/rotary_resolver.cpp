@@ -10,6 +10,7 @@
 #include "core/base/units.h"
 #include "core/kinematics/kinematic_chain.h"
 #include "core/program/text/message_codes.h"
+#include "core/toolpath/rotary_notes.h"
 
 namespace feedscope {
 namespace {
@@ -73,7 +74,7 @@ class RotaryResolver {
         }
       }
     }
-    report_singular();
+    notes_.report_singular();
     path_.rotary_moves.clear();
     std::erase_if(path_.other_axes, [&](const std::string& name) {
       return name.size() == 1 && machine_.kinematics.find(name[0]) != nullptr &&
@@ -128,7 +129,9 @@ class RotaryResolver {
       if (turn.from != turn.to) {
         set_limits(turn, move.at_tip);
         turn.tilt = tilt_of(turn);
-        note_singular(turn);
+        if (axes_.size() == 2) {
+          notes_.add_singular(turn, from_.segments[turn.segment], *axes_.front());
+        }
         along_.push_back(turn);
         if (move.per_degree > 0) {
           feeds_[k] = from_.segments[k].feed * length / std::hypot(length, turned * move.per_degree);
@@ -222,64 +225,6 @@ class RotaryResolver {
     return std::acos(std::min(1.0, along));
   }
 
-  /// Where the first rotary axis holds the feed most while the tool lies near its direction, about which it
-  /// then turns by 1/sin of the angle between them.
-  void note_singular(const SegmentTurn& turn) {
-    constexpr double near = 10 * units::pi / 180;
-    const Segment& segment = from_.segments[turn.segment];
-    const RotaryAxis& first = *axes_.front();
-    const bool held = turn.tilt >= 0 && turn.tilt <= near && segment.feed > turn.speed &&
-                      turn.speed_axis == static_cast<std::int8_t>(3 + place_of(first.name));
-    if (!held) {
-      return;
-    }
-    std::vector<SingularPlace>& places = path_.singular_places;
-    const bool goes_on = !places.empty() && last_singular_ + 1 == turn.segment;
-    last_singular_ = turn.segment;
-    if (!goes_on) {
-      places.push_back(
-          {segment.line, segment.line, segment.line, first.name, turn.tilt, turn.speed, segment.feed});
-    }
-    SingularPlace& place = places.back();
-    place.last_line = segment.line;
-    if (turn.speed / segment.feed < place.speed / place.feed) {
-      place.line = segment.line;
-      place.tilt = turn.tilt;
-      place.speed = turn.speed;
-      place.feed = segment.feed;
-    }
-  }
-
-  /// The slowest of the singular places, in the order of the path.
-  void report_singular() {
-    constexpr std::size_t most = 10;
-    std::vector<const SingularPlace*> slowest;
-    for (const SingularPlace& place : path_.singular_places) {
-      slowest.push_back(&place);
-    }
-    const std::size_t count = std::min(most, slowest.size());
-    std::ranges::partial_sort(slowest, slowest.begin() + static_cast<std::ptrdiff_t>(count), {},
-                              [](const SingularPlace* place) { return place->speed / place->feed; });
-    slowest.resize(count);
-    std::ranges::sort(slowest);
-    for (const SingularPlace* place : slowest) {
-      Diagnostic note;
-      note.severity = Severity::info;
-      note.line = place->line;
-      note.code = std::string(MessageCode("rotary-feed").text());
-      note.message = fmt::format(
-          "axis {} holds the feed at {:.4g} of {:.4g} mm/min near its singular position: the tool is {:.2g} "
-          "degrees from its axis",
-          place->axis, units::to_mm_min(place->speed), units::to_mm_min(place->feed),
-          units::to_deg(place->tilt));
-      note.hint = fmt::format(
-          "lines {} to {}, one of {} such places; tilting the part by some degrees in the clamping takes the "
-          "path away from it",
-          place->first_line, place->last_line, path_.singular_places.size());
-      path_.machine_faults.push_back(std::move(note));
-    }
-  }
-
   /// X, Y and Z while the tip runs along the segment and the rotary axes turn.
   void add_linear(const SegmentTurn& turn, std::array<AxisCourse, 6>& axes) const {
     constexpr int places = 5;
@@ -356,10 +301,14 @@ class RotaryResolver {
     if (found.empty()) {
       fault(move, "rotary-direction",
             fmt::format("no position of the rotary axes of machine '{}' gives the tool the direction {:.4g}, "
-                        "{:.4g}, {:.4g} of the tilted plane",
-                        machine_.id, move.direction->x(), move.direction->y(), move.direction->z()),
+                        "{:.4g}, {:.4g} of {}",
+                        machine_.id, move.direction->x(), move.direction->y(), move.direction->z(),
+                        move.with_feed || move.with_rapid ? "the tool vector" : "the tilted plane"),
             "the rotary axes stay; tilt less, or choose another machine");
       return to;
+    }
+    if (move.with_feed) {
+      notes_.add_unclear(move.line, found, from, *axes_.front());
     }
     const auto on_side = [&](const RotaryPlaces& places) {
       return move.side == 0 || move.side * places.angles.back() > -same_angle;
@@ -469,8 +418,8 @@ class RotaryResolver {
   Vec3 part_zero_;                       ///< [mm]
   bool tip_follows_ = false;             ///< tool length and part zero are known
   bool tip_reported_ = false;
-  std::size_t last_singular_ = 0;  ///< last segment of the last of Toolpath::singular_places
   Toolpath path_;
+  RotaryNotes notes_{path_};
 };
 
 }  // namespace

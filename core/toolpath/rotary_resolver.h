@@ -11,7 +11,8 @@ namespace feedscope {
 /// Pause::indexing, each as long as its slowest axis turns (turning_time()), and the angles in
 /// Toolpath::rotary_turns. Beside a rapid only what the turn lasts longer than the rapid from rest to rest at
 /// the limits of X, Y and Z, after it. All axes start at zero; a direction takes the angles that
-/// KinematicChain::turn_to() gives, those with the sign that is asked for, else the nearest. Tool and part
+/// KinematicChain::turn_to() gives, those with the sign that is asked for, else the nearest. Tool vectors
+/// beside feed motions take the nearer of two positions; what is unclear of them is noted. Tool and part
 /// stand still meanwhile: how the linear axes follow a turn is not part of it.
 ///
 /// Beside a feed motion the angles go linearly along it, and Toolpath::segment_turns holds what its axes

@@ -106,7 +106,9 @@ void MFunctions::start(const MotionWords& words) {
     }
     const auto unread = std::find_if(unread_functions.begin(), unread_functions.end(),
                                      [number](const UnreadFunction& f) { return f.number == number; });
-    if (unread != unread_functions.end()) {
+    constexpr int tool_centre_point = 128;
+    const bool followed = number == tool_centre_point && machining_.other_axes.turns();
+    if (unread != unread_functions.end() && !followed) {
       report(unread->severity, "unread-m", number, words.m_column, [&] {
         return Text{fmt::format("M{} ({}) is not supported", number, unread->subject),
                     std::string(unread->effect)};

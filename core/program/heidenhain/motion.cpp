@@ -50,6 +50,7 @@ void Motions::run(PathKind kind, const MotionWords& words) {
   m_functions_.start(words);
   feeds_.apply(words);
   move_other_axes(words);
+  orient_tool(words);
   tools_.select_side(words);
   const bool moves =
       words.has_axes() || words.has_polar() || (kind == PathKind::center_arc || kind == PathKind::polar_arc);
@@ -236,6 +237,33 @@ bool Motions::goes_to_machine_position(const MotionWords& words) {
   path().go_to_machine_place(named, places, words.feed_word == FeedWord::rapid ? 0 : path().feed_rate());
   machining_.report_machine_move(words.has_m(91) ? "M91" : "M92", "machine-position", words.first_column);
   return true;
+}
+
+/// TX, TY and TZ of LN.
+void Motions::orient_tool(const MotionWords& words) {
+  if (!words.tool_vector || !machining_.other_axes.turns()) {
+    return;
+  }
+  if (!modal_.tool_centre_point) {
+    report(Severity::warning, "rotary-direction", 1, words.vector_column, [] {
+      return Text{"a tool direction (TX TY TZ) without M128 or FUNCTION TCPM",
+                  "the rotary axes stay; switch tool centre point control on before it"};
+    });
+    return;
+  }
+  if (!(words.tool_vector->norm() > 0)) {
+    report(Severity::error, "rotary-direction", 0, words.vector_column, [] {
+      return Text{"TX, TY and TZ are all zero, which is no direction of the tool",
+                  "the rotary axes stay; write the vector from the tip to the spindle, such as TZ+1"};
+    });
+    return;
+  }
+  end_contour(words.vector_column);
+  const bool moves = words.has_axes() || words.has_polar();
+  const bool rapid = words.feed_word == FeedWord::rapid;
+  machining_.other_axes.orient_tool(path().frame().turned(words.tool_vector->normalized()).normalized(),
+                                    rapid ? AxisMotion::positions : AxisMotion::at_tip, words.vector_column,
+                                    moves ? AxisBlock() : turning(rapid));
 }
 
 void Motions::move_other_axes(const MotionWords& words) {

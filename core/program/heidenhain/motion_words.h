@@ -33,6 +33,8 @@ struct MotionWords {
   std::array<OptionalWord, 6> other_axes;  ///< A B C U V W
   std::array<std::uint32_t, 6> other_columns{};
   bool has_other_axes = false;
+  std::optional<Vec3> tool_vector;  ///< TX TY TZ of LN, those that are not written zero
+  std::uint32_t vector_column = 0;
   OptionalWord polar_radius;
   OptionalWord polar_angle;
   std::optional<double> radius;        ///< R of an arc, rounding or approach

@@ -152,10 +152,15 @@ void ProgramStatements::preset(Scanner& scanner, std::uint32_t column) {
 }
 
 void ProgramStatements::function(Scanner& scanner, std::uint32_t column) {
-  if (scanner.take_keyword("RESET")) {
+  Scanner rest = scanner;
+  if (rest.take_keyword("RESET")) {
+    modal_.tool_centre_point = modal_.tool_centre_point && !rest.take_keyword("TCPM");
     return;
   }
-  Scanner rest = scanner;
+  if (machining_.other_axes.turns() && rest.take_keyword("TCPM")) {
+    tool_centre_point(rest, column);
+    return;
+  }
   if (rest.take_keyword("DWELL")) {
     if (rest.take("TIME")) {
       parts_.dwells.run(read_value(rest), column);
@@ -172,6 +177,20 @@ void ProgramStatements::function(Scanner& scanner, std::uint32_t column) {
     return;
   }
   unsupported_.report_known("FUNCTION", column);
+}
+
+/// F TCP or F CONT, AXIS POS or SPAT, PATHCTRL AXIS or VECTOR, REFPNT ...: X, Y and Z are those of the tip.
+void ProgramStatements::tool_centre_point(Scanner& scanner, std::uint32_t column) {
+  modal_.tool_centre_point = true;
+  const std::string_view words = scanner.rest();
+  const auto has = [&](std::string_view word) { return words.find(word) != std::string_view::npos; };
+  if (has("F CONT") || has("AXIS SPAT") || has("PATHCTRL VECTOR") || has("REFPNT TIP-CENTER") ||
+      has("REFPNT CENTER-CENTER")) {
+    report(Severity::info, "unread-statement", 90, column, [] {
+      return Text{"FUNCTION TCPM is followed as with F TCP, AXIS POS, PATHCTRL AXIS and REFPNT TIP-TIP",
+                  "F holds at the tip, angles are those of the axes, which go linearly along each block"};
+    });
+  }
 }
 
 void ProgramStatements::stop(Scanner& scanner, std::uint32_t column) {

@@ -30,6 +30,7 @@ class ProgramStatements : private Part {
   void label(Scanner& scanner, std::uint32_t column);
   void call(Scanner& scanner, std::uint32_t column);
   void stop(Scanner& scanner, std::uint32_t column);
+  void tool_centre_point(Scanner& scanner, std::uint32_t column);
   void function(Scanner& scanner, std::uint32_t column);
   void preset(Scanner& scanner, std::uint32_t column);
   void select(Scanner& scanner, std::uint32_t column);

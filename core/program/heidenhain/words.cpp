@@ -62,7 +62,7 @@ bool Words::read_word(Scanner& scanner, char letter, std::uint32_t column, Motio
              read_axis(scanner, letters::to_upper(scanner.peek()), false, column, words);
     case 'N':
     case 'T':
-      return read_normal(scanner, column);
+      return read_normal(scanner, letter, column, words);
     case 'I':
       return read_axis(scanner, letters::to_upper(scanner.peek_at(1)), true, column, words);
     default:
@@ -114,13 +114,28 @@ bool Words::read_axis(Scanner& scanner, char letter, bool incremental, std::uint
   }
 }
 
-bool Words::read_normal(Scanner& scanner, std::uint32_t column) {
+/// Components of LN: N of the surface, T of the tool.
+bool Words::read_normal(Scanner& scanner, char kind, std::uint32_t column, MotionWords& words) {
   const char axis = letters::to_upper(scanner.peek_at(1));
   if (axis != 'X' && axis != 'Y' && axis != 'Z') {
     return false;
   }
   scanner.move_to(scanner.at() + 2);
-  read_value(scanner);
+  const double value = read_value(scanner);
+  if (kind == 'T') {
+    words.tool_vector = words.tool_vector.value_or(Vec3::Zero());
+    (*words.tool_vector)[axis - 'X'] = value;
+    words.vector_column = words.vector_column == 0 ? column : words.vector_column;
+  }
+  if (machining_.other_axes.turns()) {
+    if (kind == 'N') {
+      report(Severity::info, "unread-vector", 1, column, [] {
+        return Text{"surface normals (LN) are not used",
+                    "X, Y and Z are shown as programmed, without a compensation along them"};
+      });
+    }
+    return true;
+  }
   report(Severity::info, "unread-vector", 0, column, [] {
     return Text{"surface normals and tool directions (LN) are not supported",
                 "X, Y and Z are shown as programmed"};

@@ -19,7 +19,7 @@ class Words : private Part {
   /// False, and nothing is consumed, if the letter is not a word.
   bool read_word(Scanner& scanner, char letter, std::uint32_t column, MotionWords& words);
   bool read_axis(Scanner& scanner, char letter, bool incremental, std::uint32_t column, MotionWords& words);
-  bool read_normal(Scanner& scanner, std::uint32_t column);
+  bool read_normal(Scanner& scanner, char kind, std::uint32_t column, MotionWords& words);
   void read_feed(Scanner& scanner, std::uint32_t column, MotionWords& words);
   void read_radius(Scanner& scanner, std::uint32_t column, MotionWords& words);
 

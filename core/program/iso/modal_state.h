@@ -26,7 +26,8 @@ struct ModalState {
   int spline_code = 0;  ///< of MotionMode::spline
   Plane plane = Plane::xy;
   bool inch = false;
-  bool tool_centre_point = false;  ///< G43.4: X, Y and Z are those of the tip
+  bool tool_centre_point = false;  ///< G43.4, G43.5: X, Y and Z are those of the tip
+  bool tool_vectors = false;       ///< G43.5: I, J and K of lines are the tool's direction
   bool incremental = false;        ///< G91
   bool absolute_centers = false;   ///< G90.1
   double selected_tool = 0;        ///< T; 0: none yet

@@ -47,17 +47,21 @@ void ModalWords::apply_g(const Block& block, const Word& word) {
     }
     return;
   }
-  if (!code->subject.empty()) {
+  constexpr int tool_centre_point = 434;
+  constexpr int tool_vectors = 435;
+  const bool followed =
+      (number == tool_centre_point || number == tool_vectors) && machining_.other_axes.turns();
+  if (!code->subject.empty() && !followed) {
     report(code->severity, "unread-g", number, word.column, [&] {
       return Text{fmt::format("{} ({}) is not supported", g_name(number), code->subject),
                   std::string(code->effect)};
     });
   }
   apply(*code, word);
-  constexpr int tool_centre_point = 434;
   constexpr int turn_tool_axis = 531;
   if (code->group == GGroup::tool_length) {
-    modal_.tool_centre_point = number == tool_centre_point;
+    modal_.tool_vectors = number == tool_vectors && machining_.other_axes.turns();
+    modal_.tool_centre_point = number == tool_centre_point || modal_.tool_vectors;
   }
   if (number == turn_tool_axis) {
     machining_.other_axes.turn_tool(path().frame().turned(Vec3::UnitZ()));

@@ -2,11 +2,44 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace feedscope::iso {
 
 void WordChecks::run() {
   check_other_axes();
+  orient_tool();
   check_unused();
+}
+
+/// Components that are not written are zero.
+void WordChecks::orient_tool() {
+  const bool cuts = modal_.motion == MotionMode::line;
+  if (!modal_.tool_vectors || words_.own_words || words_.dwell > 0 || !words_.has_any("IJK") ||
+      !(cuts || modal_.motion == MotionMode::rapid)) {
+    return;
+  }
+  Vec3 direction = Vec3::Zero();
+  std::uint32_t column = 0;
+  for (int i = 0; i < 3; ++i) {
+    if (const char letter = "IJK"[i]; words_.has(letter)) {
+      direction[i] = words_[letter].value;
+      column = column == 0 ? words_[letter].column : column;
+    }
+  }
+  if (!(direction.norm() > 0)) {
+    report(Severity::error, "rotary-direction", 0, column, [] {
+      return Text{"I, J and K are all zero, which is no direction of the tool",
+                  "the rotary axes stay; write the vector from the tip to the spindle, such as K1"};
+    });
+    return;
+  }
+  AxisBlock block = beside_motion();
+  if (!words_.has_any("XYZ")) {
+    block = turning_alone(path(), modal_.to_mm(1), !cuts);
+  }
+  machining_.other_axes.orient_tool(path().frame().turned(direction.normalized()).normalized(),
+                                    cuts ? AxisMotion::at_tip : AxisMotion::positions, column, block);
 }
 
 void WordChecks::check_other_axes() {
@@ -54,8 +87,8 @@ void WordChecks::check_unused() const {
       return Text{"E (extruder) is not supported", "it does not change the path"};
     });
   }
-  const std::string_view unused = is_arc ? "LQ" : "IJKRPLQ";
-  if (!(is_arc ? words_.has_any("LQ") : words_.has_any("IJKRPLQ"))) {
+  const std::string_view unused = is_arc ? "LQ" : modal_.tool_vectors ? "RPLQ" : "IJKRPLQ";
+  if (std::ranges::none_of(unused, [&](char letter) { return words_.has(letter); })) {
     return;
   }
   for (const char letter : unused) {

@@ -15,6 +15,8 @@ class WordChecks : private Part {
 
  private:
   void check_other_axes();
+  /// I, J and K of a line under G43.5.
+  void orient_tool();
   AxisBlock beside_motion() const;
   void check_unused() const;
 

@@ -93,6 +93,31 @@ void OtherAxes::turn_tool(const Vec3& direction, int side, double feed) {
   program_.rotary_moves.push_back(move);
 }
 
+void OtherAxes::orient_tool(const Vec3& direction, AxisMotion motion, std::uint32_t column,
+                            const AxisBlock& block) {
+  constexpr double same_direction = 1e-12;
+  const std::vector<RotaryMove>& moves = program_.rotary_moves;
+  if (!moves.empty() && moves.back().direction &&
+      (*moves.back().direction - direction).squaredNorm() < same_direction * same_direction) {
+    return;
+  }
+  turn_tool(direction, 0, block.feed);
+  RotaryMove& move = program_.rotary_moves.back();
+  move.time = block.time;
+  move.with_rapid = !block.alone && motion == AxisMotion::positions;
+  move.with_feed = !block.alone && motion != AxisMotion::positions;
+  move.at_tip = move.with_feed && (block.at_tip || motion == AxisMotion::at_tip);
+  if (!turns()) {
+    this->move("tool orientation", 0, motion, column, block);
+  } else if (move.with_feed) {
+    log_.add(Severity::info, "rotary-feed", 2, lines_.place(column), [] {
+      return DiagnosticLog::Text{"tool vectors turn the rotary axes",
+                                 "to the nearer of two positions, the axes linearly along each block; where "
+                                 "blocks meet, their velocity may jump"};
+    });
+  }
+}
+
 void OtherAxes::turn_to_zero(double feed) {
   RotaryMove& move = move_of_block();
   move.to = {0, 0, 0};

@@ -47,6 +47,10 @@ class OtherAxes {
             const AxisBlock& block = {});
   /// The control turns the rotary axes so that the tool has this unit direction in the coordinates shown.
   void turn_tool(const Vec3& direction, int side = 0, double feed = 0);
+  /// With the block, the control turns the rotary axes so that the tool comes to have this unit direction in
+  /// the coordinates shown (tool vectors of five-axis programs); a machine without rotary axes is reported.
+  void orient_tool(const Vec3& direction, AxisMotion motion, std::uint32_t column,
+                   const AxisBlock& block = {});
   /// All of them go to zero.
   void turn_to_zero(double feed = 0);
   /// The machine has rotary axes.

@@ -37,7 +37,8 @@ void ModalWords::apply(const Function& function, std::uint32_t column) {
   if (function.group != Group::none) {
     check_group(function, column);
   }
-  if (!function.subject.empty()) {
+  const bool followed = function.name == "TRAORI" && machining_.other_axes.turns();
+  if (!function.subject.empty() && !followed) {
     report(function.severity, "unread-function", kind_of(function.name), column, [&] {
       return Text{fmt::format("{} ({}) is not supported", function.name, function.subject),
                   std::string(function.effect)};

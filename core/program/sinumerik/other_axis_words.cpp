@@ -36,10 +36,44 @@ void OtherAxisWords::go(const std::string& name, const BlockWords::Value& word, 
                              word.column, block);
 }
 
+bool OtherAxisWords::orient(bool alone) {
+  Vec3 direction = Vec3::Zero();
+  std::uint32_t column = 0;
+  for (const auto& [name, word] : named_) {
+    const std::size_t axis = name.size() == 2 && name[1] == '3'
+                                 ? std::string_view("ABC").find(letters::to_upper(name[0]))
+                                 : std::string_view::npos;
+    if (axis != std::string_view::npos) {
+      direction[static_cast<Eigen::Index>(axis)] = word.value;
+      column = column == 0 ? word.column : column;
+    }
+  }
+  if (column == 0 || !oriented_ || !machining_.other_axes.turns()) {
+    return false;
+  }
+  if (!(direction.norm() > 0)) {
+    report(Severity::error, "rotary-direction", 0, column, [] {
+      return Text{"A3, B3 and C3 are all zero, which is no direction of the tool",
+                  "the rotary axes stay; write the vector from the tip to the spindle, such as C3=1"};
+    });
+    return true;
+  }
+  const bool cuts = modal_.motion == nullptr || modal_.moves_at_feed();
+  const double unit = modal_.inch_feed ? units::from_inch(1) : 1;
+  machining_.other_axes.orient_tool(path().frame().turned(direction.normalized()).normalized(),
+                                    cuts ? AxisMotion::at_tip : AxisMotion::positions, column,
+                                    alone ? turning_alone(path(), unit, !cuts) : AxisBlock());
+  return true;
+}
+
 void OtherAxisWords::run(bool own) {
   constexpr std::string_view axes = "ABCUVW";
   const bool alone = !words_.has_any("XYZIJKUVW");
+  const bool vector = !own && orient(alone);
   for (const auto& [name, value] : named_) {
+    if (vector && name.size() == 2 && name[1] == '3') {
+      continue;
+    }
     go(upper_case(name), value, alone);
   }
   named_.clear();

@@ -32,6 +32,9 @@ class OtherAxisWords : private Part {
   void run(bool own);
 
  private:
+  /// A3, B3, C3 under TRAORI: the tool's direction; those that are not written are zero. False if the block
+  /// has none of them that is to be followed.
+  bool orient(bool alone);
   void go(const std::string& name, const BlockWords::Value& value, bool alone);
 
   std::map<std::string, double> places_;                          ///< by upper-case name

@@ -368,5 +368,123 @@ TEST(SegmentTurns, NameTheSlowestPlaceNearTheSingularPosition) {
   EXPECT_TRUE(at_tip("TRAORI\nG0 X0 Y0 Z5 A40\nG1 X10 C90 F5000\n")->machine_faults.empty());
 }
 
+/// Directions within 45 degrees of the spindle, none next to it.
+std::vector<Vec3> random_directions(unsigned seed, int count) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> turn(-units::pi, units::pi);
+  std::uniform_real_distribution<double> tilt(0.2, units::pi / 4);
+  std::vector<Vec3> directions;
+  for (int i = 0; i < count; ++i) {
+    const double a = turn(random);
+    const double b = tilt(random);
+    directions.emplace_back(std::sin(b) * std::cos(a), std::sin(b) * std::sin(a), std::cos(b));
+  }
+  return directions;
+}
+
+/// A line for each direction, as `line` writes it with the number of the line.
+template <typename Line>
+std::string lines_of(const std::vector<Vec3>& directions, const Line& line) {
+  std::string text;
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    text += line(10 * (i + 1), directions[i]);
+  }
+  return text;
+}
+
+std::string traori(const std::vector<Vec3>& directions) {
+  return "G90 F1000\nTRAORI\n" + lines_of(directions, [](std::size_t x, const Vec3& d) {
+           return fmt::format("G1 X{} A3={:.15f} B3={:.15f} C3={:.15f}\n", x, 3 * d.x(), 3 * d.y(),
+                              3 * d.z());
+         });
+}
+
+TEST(ToolVectors, TurnTheAxesToTheirDirection) {
+  const Machine machine = trunnion();
+  const KinematicChain chain = chain_of(machine.kinematics);
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    const std::vector<Vec3> directions = random_directions(seed, 100);
+    const auto path = run_on(machine, traori(directions), Dialect::sinumerik);
+    ASSERT_EQ(path->segment_turns.size(), directions.size()) << seed;
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      const SegmentTurn& turn = path->segment_turns[i];
+      std::vector<double> places(chain.size(), 0);
+      places[chain.rotary()[0]] = turn.to[2];
+      places[chain.rotary()[1]] = turn.to[0];
+      EXPECT_LT((chain.pose(places, 0).direction - directions[i]).norm(), 1e-9) << seed << ' ' << i;
+      const std::vector<double> from{turn.from[2], turn.from[0]};
+      const auto largest = [](double a, double b) { return std::max(std::abs(a), std::abs(b)); };
+      const double way = largest(turn.to[2] - turn.from[2], turn.to[0] - turn.from[0]);
+      for (const RotaryPlaces& other : chain.turn_to(directions[i], from)) {
+        EXPECT_LE(way, largest(other.angles[0] - from[0], other.angles[1] - from[1]) + 1e-9);
+      }
+    }
+  }
+}
+
+TEST(ToolVectors, AreTheSameInAllDialects) {
+  const std::vector<Vec3> directions = random_directions(4, 30);
+  const auto sinumerik = run_on(trunnion(), traori(directions), Dialect::sinumerik);
+  const auto fanuc = run_on(
+      trunnion(), "G21 G90 G94 F1000\nG43.5 H1\n" + lines_of(directions, [](std::size_t x, const Vec3& d) {
+                    return fmt::format("G1 X{} I{:.15f} J{:.15f} K{:.15f}\n", x, d.x(), d.y(), d.z());
+                  }));
+  const auto heidenhain = run_on(
+      trunnion(),
+      "BEGIN PGM A MM\nTOOL CALL 1 Z S100 F1000\nL M128\n" +
+          lines_of(directions,
+                   [](std::size_t x, const Vec3& d) {
+                     return fmt::format("LN X+{} Y+0 Z+0 NX+0 NY+0 NZ+1 TX{:+.15f} TY{:+.15f} TZ{:+.15f}\n",
+                                        x, d.x(), d.y(), d.z());
+                   }),
+      Dialect::heidenhain);
+  for (const auto& other : {fanuc, heidenhain}) {
+    ASSERT_EQ(other->segment_turns.size(), sinumerik->segment_turns.size());
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      for (const std::size_t axis : {std::size_t{0}, std::size_t{2}}) {
+        EXPECT_NEAR(other->segment_turns[i].to[axis], sinumerik->segment_turns[i].to[axis], 1e-9) << i;
+      }
+      EXPECT_NEAR(other->segment_turns[i].speed, sinumerik->segment_turns[i].speed, 1e-6) << i;
+    }
+  }
+}
+
+TEST(ToolVectors, OfFunctionTcpmAreFollowedUntilItIsReset) {
+  const auto path =
+      run_on(trunnion(),
+             "BEGIN PGM A MM\nTOOL CALL 1 Z S100 F1000\nFUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS\n"
+             "LN X+10 Y+0 Z+0 TX+0 TY-0.5 TZ+1\nFUNCTION RESET TCPM\nLN X+20 Y+0 Z+0 TX+0 TY+0 TZ+1\n",
+             Dialect::heidenhain);
+  ASSERT_EQ(path->segment_turns.size(), 1U);
+  EXPECT_NEAR(path->segment_turns.front().to[0], std::atan(0.5), 1e-9);
+}
+
+TEST(ToolVectors, ThatCannotBeFollowedAreReported) {
+  const auto codes = [](const std::string& text, Dialect dialect) {
+    std::vector<std::string> found;
+    for (const Diagnostic& diagnostic : read_for(text, dialect).diagnostics) {
+      if (diagnostic.code == "rotary-direction") {
+        found.push_back(diagnostic.message);
+      }
+    }
+    return found;
+  };
+  EXPECT_THAT(codes("TRAORI\nG1 X1 F100 A3=0 B3=0 C3=0", Dialect::sinumerik),
+              ElementsAre("A3, B3 and C3 are all zero, which is no direction of the tool"));
+  EXPECT_THAT(codes("G43.5 H1\nG1 X1 F100 I0 J0 K0", Dialect::fanuc),
+              ElementsAre("I, J and K are all zero, which is no direction of the tool"));
+  EXPECT_THAT(codes("TOOL CALL 1 Z S1 F9\nLN X+1 TX+0 TY+0 TZ+1\n", Dialect::heidenhain),
+              ElementsAre("a tool direction (TX TY TZ) without M128 or FUNCTION TCPM"));
+  const auto below = run_on(trunnion(), "TRAORI\nG1 X10 F100 A3=0 B3=1 C3=-1\n", Dialect::sinumerik);
+  ASSERT_EQ(below->machine_faults.size(), 1U);
+  EXPECT_THAT(below->machine_faults.front().message, HasSubstr("of the tool vector"));
+  // From one side of the singular position to the other: C turns by 180 degrees or A changes its side.
+  const auto across =
+      run_on(trunnion(), "TRAORI\nG1 X10 F1000 B3=-0.9 C3=1\nX20 A3=0.9 B3=0 C3=1\n", Dialect::sinumerik);
+  EXPECT_THAT(across->machine_faults,
+              testing::Contains(
+                  testing::Field(&Diagnostic::message, HasSubstr("turns by 90 degrees within one block"))));
+}
+
 }  // namespace
 }  // namespace feedscope

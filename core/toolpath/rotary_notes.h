@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "core/kinematics/kinematic_chain.h"
+#include "core/machine/rotary_axis.h"
+#include "core/program/text/message_codes.h"
+#include "core/toolpath/toolpath.h"
+
+namespace feedscope {
+
+/// What is to be known of the turns of a path on a machine, as notes of Toolpath::machine_faults, and its
+/// singular places.
+class RotaryNotes {
+ public:
+  /// `path` outlives it.
+  explicit RotaryNotes(Toolpath& path) : path_(path) {}
+
+  /// Of a tool vector, with the positions that give it, the nearest first, and where the axes were: two of
+  /// them may be equally near, and near the singular position a small turn of the tool is a large one of the
+  /// first axis. The first ten of each.
+  void add_unclear(std::uint32_t line, std::span<const RotaryPlaces> found, std::span<const double> from,
+                   const RotaryAxis& first);
+  /// Of a turn along `segment` of a machine with two rotary axes: a place of Toolpath::singular_places, where
+  /// the first axis holds the feed while the tool lies near its direction, about which it then turns by 1/sin
+  /// of the angle between them.
+  void add_singular(const SegmentTurn& turn, const Segment& segment, const RotaryAxis& first);
+  /// Notes of the slowest singular places, ten at most, in the order of the path.
+  void report_singular();
+
+ private:
+  void add(std::uint32_t line, MessageCode code, std::string message, std::string hint);
+
+  Toolpath& path_;
+  std::size_t flips_ = 0;          ///< tool vectors with a large turn of the first axis
+  std::size_t equals_ = 0;         ///< with two positions equally near
+  std::size_t last_singular_ = 0;  ///< last segment of the last singular place
+};
+
+}  // namespace feedscope
