@@ -14,6 +14,9 @@
 #include "core/base/error.h"
 #include "core/base/geometry.h"
 #include "core/machine/import/machine_import.h"
+#ifdef FEEDSCOPE_WITH_UI
+#include "ui/report/kinematics_picture.h"
+#endif
 
 namespace feedscope {
 namespace {
@@ -88,6 +91,7 @@ struct MachinesOptions {
   std::string id;
   std::string file;
   std::string out;
+  std::string picture;
 };
 
 /// Of a file, or of standard input for "-", which includes nothing.
@@ -121,7 +125,20 @@ int import_configuration(const MachinesOptions& options) {
   return has_errors(imported.notes) ? exit_code::program_errors : exit_code::done;
 }
 
+#ifdef FEEDSCOPE_WITH_UI
+/// Instead of the numbers.
+void draw_machine(const MachinesOptions& options) {
+  const Machine machine = shipped_machines().load(options.id);
+  OutputFile file(options.picture);
+  file.stream() << ui::kinematics_picture(options.picture, machine);
+  file.commit();
+}
+#endif
+
 int run_machines(const MachinesOptions& options) {
+  if (!options.picture.empty() && (options.id.empty() || options.id == import_word)) {
+    throw InputError("--picture needs a machine: write feedscope machines ID --picture FILE.png");
+  }
   if (options.id == import_word) {
     if (options.file.empty()) {
       throw InputError("machines import needs a FILE: the configuration of a control");
@@ -133,6 +150,12 @@ int run_machines(const MachinesOptions& options) {
         fmt::format("'{}' is only known with import: write feedscope machines import FILE --out machine.toml",
                     options.file.empty() ? "--out" : options.file));
   }
+#ifdef FEEDSCOPE_WITH_UI
+  if (!options.picture.empty()) {
+    draw_machine(options);
+    return exit_code::done;
+  }
+#endif
   if (options.id.empty()) {
     list_machines();
   } else {
@@ -155,6 +178,13 @@ Command add_machines_command(CLI::App& app) {
       "Klipper, machine data of a Sinumerik, parameters of a Fanuc or Heidenhain");
   command->add_option("--out", options->out, "Machine file that import writes [standard output]")
       ->type_name("FILE.toml");
+#ifdef FEEDSCOPE_WITH_UI
+  command
+      ->add_option(
+          "--picture", options->picture,
+          "Draw the kinematics of a machine with rotary axes: axes, positive directions, points, chain")
+      ->type_name("FILE.png|svg|pdf");
+#endif
   command->footer("Example: feedscope machines import printer.cfg --out printer.toml");
   return {command, [options] { return run_machines(*options); }};
 }

@@ -57,5 +57,20 @@ TEST_F(MachinesCommand, RefusesWhatItCannotImport) {
   EXPECT_THAT(contents(folder_ / "router.txt"), StartsWith("$11"));
 }
 
+TEST_F(MachinesCommand, DrawsTheKinematicsOfMachinesWithRotaryAxes) {
+  for (const std::string id : {"five-axis-table-ac", "five-axis-head-b-table-c", "five-axis-head-bc"}) {
+    EXPECT_EQ(run("machines " + id + " --picture axes.png").code, 0) << id;
+    EXPECT_THAT(contents(folder_ / "axes.png"), StartsWith("\x89PNG")) << id;
+  }
+  EXPECT_EQ(run("machines five-axis-table-ac --picture axes.svg").code, 0);
+  const std::string svg = contents(folder_ / "axes.svg");
+  EXPECT_THAT(svg, HasSubstr("<svg"));
+  expect_wrong_use("machines five-axis-table-ac --picture axes.bmp",
+                   "its name must end in .png, .svg or .pdf");
+  expect_wrong_use("machines spinner-mvc850 --picture none.png", "has no rotary axes");
+  expect_wrong_use("machines --picture none.png", "--picture needs a machine");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "none.png"));
+}
+
 }  // namespace
 }  // namespace feedscope::test
