@@ -5986,6 +5986,14 @@ Ensemble&#xa0;: %4</translation>
         <source>&amp;Tolerance</source>
         <translation>&amp;Tolérance</translation>
     </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Chosen by the language of the program. For the times of your machine choose it here.</source>
+        <translation>Choisie par le langage du programme. Pour les temps de votre machine, la choisir ici.</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::SetupEdit</name>

@@ -4,6 +4,8 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QSignalBlocker>
+#include <utility>
+
 #include "ui/fields/number_box.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
@@ -13,7 +15,8 @@ namespace feedscope::ui {
 
 namespace {
 
-constexpr double several = -1;  // of the tolerance box: not one value, a text stands for it [mm]
+constexpr int id_role = Qt::UserRole + 1;  // of the machine; the data is what chooses it
+constexpr double several = -1;             // of the tolerance box: not one value, a text stands for it [mm]
 
 QLabel* make_label(const QString& text, QWidget* buddy, QWidget* parent) {
   auto* label = new QLabel(text, parent);
@@ -40,17 +43,13 @@ SetupBar::SetupBar(Workbench& workbench, QWidget* parent)
       tolerance_(new NumberBox(this)) {
   setObjectName(QStringLiteral("setup_bar"));
   setMovable(false);
-  for (const MachineChoice& choice : workbench_.machine_choices()) {
-    machine_->addItem(choice.name, choice.id);
-  }
-  machine_->setToolTip(tr("Machine whose axis limits and control settings apply"));
+  list_machines();
   for (const ControlModel* control : all_models()) {
     control_model_->addItem(core_text(control->info().title), QString::fromStdString(control->info().id));
     const QString summary = core_text(control->info().summary);
     control_model_->setItemData(control_model_->count() - 1, summary, Qt::ToolTipRole);
   }
   control_model_->setToolTip(tr("Control model: how the control turns the path into motion"));
-  fix_width(machine_, 20);
   fix_width(control_model_, 42);
   tolerance_->setDecimals(decimals_of(Dimension::length, 4));
   tolerance_->setRange(0, in_shown_unit(10, Dimension::length));
@@ -71,18 +70,45 @@ SetupBar::SetupBar(Workbench& workbench, QWidget* parent)
           [this] { workbench_.choose_model(control_model_->currentData().toString()); });
   connect(tolerance_, &NumberBox::valueChanged, this, &SetupBar::set_tolerance);
   connect(&workbench_.setup(), &SetupEdit::keys_changed, this, &SetupBar::show_setup);
+  connect(&workbench_, &Workbench::program_changed, this, &SetupBar::show_setup);
   connect(&workbench_.setup(), &SetupEdit::values_changed, this, &SetupBar::show_tolerance);
   connect(&workbench_.runs(), &RunList::item_changed, this, &SetupBar::show_tolerance);
   show_setup();
 }
 
+/// The shipped ones, then one's own with the owner of the file.
+void SetupBar::list_machines() {
+  machine_->clear();
+  bool own = false;
+  for (const MachineChoice& choice : workbench_.machine_choices()) {
+    if (!choice.file.isEmpty() && !std::exchange(own, true)) {
+      machine_->insertSeparator(machine_->count());
+    }
+    machine_->addItem(choice.owner.isEmpty() ? choice.name : tr("%1 (%2)").arg(choice.name, choice.owner),
+                      choice.key());
+    machine_->setItemData(machine_->count() - 1, choice.id, id_role);
+    machine_->setItemData(machine_->count() - 1, choice.file, Qt::ToolTipRole);
+  }
+  fix_width(machine_, 20);
+}
+
 void SetupBar::show_setup() {
   const Setup& file = workbench_.setup().file();
   const QString id = QString::fromStdString(file.machine.id);
-  if (machine_->findData(id) < 0) {
-    machine_->addItem(QString::fromStdString(file.machine.name), id);
+  if (machine_->findData(id, id_role) < 0) {
+    list_machines();  // one's own that has just been opened or saved
   }
-  machine_->setCurrentIndex(machine_->findData(id));
+  if (machine_->findData(id, id_role) < 0) {
+    machine_->addItem(QString::fromStdString(file.machine.name), id);
+    machine_->setItemData(machine_->count() - 1, id, id_role);
+  }
+  machine_->setCurrentIndex(machine_->findData(id, id_role));
+  const QString tip = tr("Machine whose axis limits and control settings apply");
+  machine_->setToolTip(
+      workbench_.machine_by_language()
+          ? tip + QLatin1Char('\n') +
+                tr("Chosen by the language of the program. For the times of your machine choose it here.")
+          : tip);
   control_model_->setCurrentIndex(control_model_->findData(QString::fromStdString(file.model->info().id)));
   show_tolerance();
 }

@@ -19,6 +19,7 @@ class SetupBar : public QToolBar {
   explicit SetupBar(Workbench& workbench, QWidget* parent = nullptr);
 
  private:
+  void list_machines();
   void show_setup();
   void show_tolerance();
   void set_tolerance(double tolerance);

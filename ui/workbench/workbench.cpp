@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/machine/contour_tolerance.h"
 #include "ui/shared/paths.h"
+#include "ui/workbench/own_machines.h"
 
 namespace feedscope::ui {
 
@@ -177,7 +178,11 @@ Setup Workbench::plain_setup(Machine machine) {
 
 void Workbench::choose_machine(const QString& id_or_file) {
   try {
-    use_machine(machines_.load(id_or_file.toStdString()));
+    Machine machine = machines_.load(id_or_file.toStdString());
+    if (QFileInfo(id_or_file).isFile()) {
+      OwnMachines::add(id_or_file);
+    }
+    use_machine(std::move(machine));
   } catch (const InputError& error) {
     emit failed(QString::fromUtf8(error.what()));
   }
@@ -242,6 +247,15 @@ std::vector<MachineChoice> Workbench::machine_choices() const {
       // choosing it says what is wrong with the file
     }
     choices.push_back(choice);
+  }
+  for (const QString& file : OwnMachines::list()) {
+    try {
+      const Machine machine = machines_.load(file.toStdString());
+      choices.push_back({QString::fromStdString(machine.id), QString::fromStdString(machine.name), file,
+                         QFileInfo(file).owner()});
+    } catch (const InputError&) {
+      continue;  // it has changed since; opening it says what is wrong
+    }
   }
   return choices;
 }

@@ -24,6 +24,11 @@ namespace feedscope::ui {
 struct MachineChoice {
   QString id;
   QString name;
+  QString file = {};   ///< of one's own; empty for a shipped machine
+  QString owner = {};  ///< of that file; empty where the system does not say
+
+  /// What Workbench::choose_machine() takes.
+  const QString& key() const { return file.isEmpty() ? id : file; }
 };
 
 /// What the window works on: one program, its runs, and the place that all views point at. Whatever is not up
@@ -70,7 +75,10 @@ class Workbench : public QObject {
   /// none, or the value is out of bounds.
   bool set_tolerance(double tolerance);
 
-  /// The shipped machines; one whose file is faulty goes by its id.
+  /// Whether the machine is that of the program's language, which nobody has chosen.
+  bool machine_by_language() const { return program() != nullptr && !machine_chosen_; }
+  /// The shipped machines, where one whose file is faulty goes by its id; then one's own, as far as they can
+  /// be read.
   std::vector<MachineChoice> machine_choices() const;
   RunList& runs() { return runs_; }
   /// What a control recorded of the program; another program has none.

@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <QFileInfo>
 #include <QSignalSpy>
 #include <QTemporaryDir>
+#include <algorithm>
 #include <fstream>
 
 #include "tests/ui/patience.h"
@@ -378,6 +380,31 @@ TEST_F(WorkbenchTest, OffersEveryMachineByName) {
   for (const MachineChoice& choice : choices) {
     EXPECT_NE(choice.name, choice.id);
   }
+}
+
+TEST_F(WorkbenchTest, AMachineOfOnesOwnStaysInTheListWithItsOwner) {
+  const std::filesystem::path file = write("my-mill.toml", "");
+  model.save_machine(file, "My mill");
+  model.choose_machine("huron-kx10");
+  const auto choices = model.machine_choices();
+  const auto own = std::ranges::find(choices, "My mill", &MachineChoice::name);
+  ASSERT_NE(own, choices.end());
+  EXPECT_EQ(own->file.toStdString(), file.string());
+  EXPECT_EQ(own->owner, QFileInfo(own->file).owner());
+  model.choose_machine(own->key());
+  EXPECT_EQ(model.setup().file().machine.id, "my-mill");
+  std::filesystem::remove(file);
+  const auto after = model.machine_choices();
+  EXPECT_EQ(std::ranges::find(after, "My mill", &MachineChoice::name), after.end()) << "a file that is gone";
+}
+
+TEST_F(WorkbenchTest, SaysWhereTheLanguageOfTheProgramChoseTheMachine) {
+  EXPECT_FALSE(model.machine_by_language()) << "there is no program";
+  model.open(write("plate.h", "BEGIN PGM A MM\nL X+10 F1000\nEND PGM A MM\n"));
+  wait_until_idle(model);
+  EXPECT_TRUE(model.machine_by_language());
+  model.choose_machine("huron-kx10");
+  EXPECT_FALSE(model.machine_by_language());
 }
 
 }  // namespace
