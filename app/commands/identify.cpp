@@ -22,6 +22,9 @@
 #include "core/export/identification.h"
 #include "core/identification/identification_program.h"
 #include "core/trace/read_trace.h"
+#ifdef FEEDSCOPE_WITH_UI
+#include "ui/scene/picture.h"
+#endif
 
 namespace feedscope {
 namespace {
@@ -37,6 +40,7 @@ struct IdentifyCommandOptions {
   std::string columns;
   std::string out;
   std::string json;
+  std::string picture;             ///< of the test program
   std::optional<double> size;      ///< of the test program [mm]
   std::optional<double> feed_max;  ///< of the test program [mm/min]
 };
@@ -169,10 +173,11 @@ int write_program(const IdentifyCommandOptions& options) {
   request.feed_max = options.feed_max ? units::from_mm_min(*options.feed_max) : request.feed_max;
   const IdentificationProgram made = identification_program(request);
   const std::string out = options.out.empty() ? "-" : options.out;
-  OutputFile file(out);
-  file.stream() << made.text;
-  file.commit();
-  if (out == "-") {
+  OutputFiles files;
+  files.add(out) << made.text;
+  std::ostream* picture = options.picture.empty() ? nullptr : &files.add(options.picture);
+  if (out == "-" && picture == nullptr) {
+    files.commit();
     return exit_code::done;
   }
   SetupRequest asked;
@@ -185,6 +190,16 @@ int write_program(const IdentifyCommandOptions& options) {
   reading.dialect = request.dialect;
   const Run run = simulate_run(
       load_program(std::make_shared<const SourceText>(SourceText(out, made.text)), nullptr, reading), setup);
+#ifdef FEEDSCOPE_WITH_UI
+  if (picture != nullptr) {
+    constexpr ui::PictureSize size{1280, 960};
+    *picture << ui::to_png(ui::draw_run(run, size, ui::StandardView::top));
+  }
+#endif
+  files.commit();
+  if (out == "-") {
+    return exit_code::done;
+  }
   fmt::print("{}: X and Y within +-{:.4g} mm of the zero point, Z from it up to {:.4g} mm; {} on {}\n", out,
              request.size / 2, made.height, time_text(run.summary.cycle_time), setup.machine.id);
   const LineTimes times(*run.trajectory);
@@ -204,8 +219,9 @@ int identify_machine(const IdentifyCommandOptions& options) {
   if (options.traces.empty()) {
     return write_program(options);
   }
-  if (options.size || options.feed_max) {
-    throw InputError("--size and --feed-max are of the test program; they have no effect on traces");
+  if (options.size || options.feed_max || !options.picture.empty()) {
+    throw InputError(
+        "--size, --feed-max and --picture are of the test program; they have no effect on traces");
   }
   check(options);
   OutputFiles files;
@@ -288,6 +304,12 @@ Command add_identify_command(CLI::App& app) {
       *command, "--feed-max", numbers(100, 100'000), [options](double feed) { options->feed_max = feed; },
       "Without traces: largest feed of the test program, in mm/min [15000]")
       ->type_name("MM_MIN");
+#ifdef FEEDSCOPE_WITH_UI
+  command
+      ->add_option("--picture", options->picture,
+                   "Without traces: draw the test program from above, coloured by its feed")
+      ->type_name("FILE.png");
+#endif
   state_number_rule(*command);
   command->footer(
       command->get_footer() +

@@ -56,6 +56,10 @@ TEST_F(IdentifyCommand, WritesTheTestProgramAndWhatItsPartsTell) {
   EXPECT_THAT(result.out, HasSubstr("X and Y within +-50 mm"));
   EXPECT_THAT(result.out, HasSubstr("CORNERS OF 10 TO 170 DEGREES"));
   EXPECT_EQ(run("simulate test.h").code, 0);
+  EXPECT_EQ(run("identify --program --dialect iso --size 100 --out test.nc --picture test.png").code, 0);
+  EXPECT_EQ(contents(folder_ / "test.png").substr(1, 3), "PNG");
+  expect_wrong_use("identify trace.csv --program moves.nc --model linuxcnc --picture test.png",
+                   "--picture are of the test program");
   expect_wrong_use("identify --program --out test.h", "the test program needs --dialect");
   expect_wrong_use("identify --program moves.nc --model linuxcnc", "identify needs traces");
 }

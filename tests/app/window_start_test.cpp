@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QDeadlineTimer>
 #include <QTemporaryDir>
 #include <fstream>
 
 #include "core/base/error.h"
+#include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
 
 namespace feedscope {
@@ -90,6 +92,25 @@ TEST_F(WindowStartTest, AMachineAloneWaitsForAProgram) {
   model.open(write("part.h", "0 BEGIN PGM A MM\n1 L X+20 F3000\n2 END PGM A MM\n"));
   wait_until_idle();
   EXPECT_EQ(model.setup().file().machine.id, "huron-kx10");
+}
+
+TEST_F(WindowStartTest, TracesAreLaidBesideTheProgram) {
+  std::string table = "time [s],x [mm]\n";
+  for (int i = 0; i <= 500; ++i) {
+    table += std::to_string(0.002 * i) + "," + std::to_string(0.02 * i) + "\n";
+  }
+  RunOptions options;
+  options.file = write("part.nc", "G21 G90 G1 X10 F600\nM30\n");
+  const std::string trace = write("machine.csv", table);
+  WindowStart(options, "", {trace}).show(window, model);
+  const QDeadlineTimer deadline(ui::patience);
+  while ((model.busy() || model.traces().busy()) && !deadline.hasExpired()) {
+    QApplication::processEvents(QEventLoop::AllEvents, 50);
+  }
+  ASSERT_EQ(model.traces().items().size(), 1U);
+  EXPECT_EQ(model.traces().status(0), ui::TraceStatus::compared) << model.traces().failure(0).toStdString();
+  EXPECT_THROW(WindowStart(RunOptions(), "", {trace}), InputError) << "no program";
+  EXPECT_THROW(WindowStart(options, "", {options.file}), InputError) << "a program is no trace";
 }
 
 TEST_F(WindowStartTest, EveryOptionIsRefusedWhereItWouldHaveNoEffect) {

@@ -56,10 +56,6 @@ QStringList row_of(int number, const CircularTest& test, const CirclePass& pass)
           deviation(test.d())};
 }
 
-QString paragraph(const QString& text) {
-  return QStringLiteral("<p class=\"caption\">%1</p>\n").arg(text);
-}
-
 }  // namespace
 
 ReportInput with_circles(ReportInput input, Progress* progress) {
@@ -96,11 +92,12 @@ QString circles_block(const ReportInput& input) {
   }
   QString html = table.html();
   if (rows > max_circle_rows) {
-    html += paragraph(QStringLiteral("The first %1 of %2 circles; “feedscope circular” lists all of them.")
-                          .arg(max_circle_rows)
-                          .arg(rows));
+    html += caption_paragraph(
+        QStringLiteral("The first %1 of %2 circles; “feedscope circular” lists all of them.")
+            .arg(max_circle_rows)
+            .arg(rows));
   }
-  html += paragraph(QStringLiteral(
+  html += caption_paragraph(QStringLiteral(
       "G: circular error, least radial separation of two concentric circles that hold the path; "
       "G<sub>ls</sub>: the same about the centre of the least-squares circle; F<sub>max</sub>, "
       "F<sub>min</sub>, F<sub>mean</sub>: largest, least and mean deviation from the programmed radius at "
@@ -110,7 +107,7 @@ QString circles_block(const ReportInput& input) {
       "programmed one, where the same circle is run in both at one feed. Centre and radius are those of the "
       "tool centre; ccw, cw: counter-clockwise, clockwise in the plane."));
   for (const std::string& note : program_circle_notes(circles)) {
-    html += paragraph(html_text(note));
+    html += caption_paragraph(html_text(note));
   }
   return html;
 }

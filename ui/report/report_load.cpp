@@ -14,10 +14,6 @@ namespace {
 
 constexpr std::size_t max_place_rows = 12;
 
-QString paragraph(const QString& text) {
-  return QStringLiteral("<p class=\"caption\">%1</p>\n").arg(text);
-}
-
 QString operations_table(const RunLoad& load, const LoadFigures& figures) {
   HtmlTable table("rllrrrrllr", {4, 18, 22, 8, 6, 6, 7, 7, 12, 10});
   table.add_head({QStringLiteral("No."), QStringLiteral("Operation"), QStringLiteral("Material"),
@@ -95,7 +91,7 @@ QString places_table(const LoadFigures& load) {
   }
   QString html = table.html();
   if (count > max_place_rows) {
-    html += paragraph(QStringLiteral("The %1 longest of %2 places.").arg(max_place_rows).arg(count));
+    html += caption_paragraph(QStringLiteral("The %1 longest of %2 places.").arg(max_place_rows).arg(count));
   }
   return html;
 }
@@ -116,15 +112,15 @@ QString load_block(const ReportInput& input) {
     html += QStringLiteral("<p>%1.</p>\n").arg(html_text(sentence));
   }
   html += places_table(load);
-  html += paragraph(html_text(assumptions_text(load)));
+  html += caption_paragraph(html_text(assumptions_text(load)));
   if (const QString without = without_load_text(load); !without.isEmpty()) {
-    html += paragraph(html_text(without));
+    html += caption_paragraph(html_text(without));
   }
   for (const LoadedOperation& operation : run.sources.load->model().operations()) {
     const QString source = QStringLiteral("%1: %2.").arg(html_text(operation.material.title),
                                                          html_text(operation.material.source));
     if (!html.contains(source)) {
-      html += paragraph(source);
+      html += caption_paragraph(source);
     }
   }
   return html;

@@ -9,6 +9,7 @@
 #include <QLocale>
 #include <QProgressBar>
 #include <QSaveFile>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QStandardItemModel>
@@ -32,6 +33,13 @@ namespace feedscope::ui {
 namespace {
 
 constexpr int progress_steps = 1000;
+constexpr int least_figures = 200;  // width of their table [px]
+
+/// In which all columns show their contents [px].
+int wanted_width(const QTreeView& view) {
+  view.header()->resizeSections(QHeaderView::ResizeToContents);
+  return view.header()->length() + view.verticalScrollBar()->sizeHint().width();
+}
 
 }  // namespace
 
@@ -252,6 +260,9 @@ void TraceView::show_result() {
   }
   figures_view_->header()->setSectionResizeMode(0,
                                                 QHeaderView::Stretch);  // long titles of operations are cut
+  const int places = wanted_width(*places_view_);
+  const int corners = wanted_width(*corners_view_);
+  tables_->setSizes({std::max(tables_->width() - places - corners, least_figures), places, corners});
 }
 
 void TraceView::show_progress() {
