@@ -25,7 +25,7 @@ namespace feedscope {
 ///    last resort the control stops in the corner.
 ///  - Arcs and helices are commanded as pulses that turn, not faster than the static limits of
 ///  segment_limits.h
-///    and, where the tolerance is enforced, than arc_speed() of corner_pulse.h; some points on each are
+///    and, where the tolerance is enforced, than arc_speed() of corner_pulse.h; a few points on each are
 ///    watched as corners are.
 class WardModel : public ControlModel {
  public:

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -62,15 +61,11 @@ class WardRunner {
   bool lower_corner(std::size_t block, double distance, int pass);
   bool lower_arc(std::size_t block, double distance, int pass);
   void mark_neighbours();
-  /// Of the arc that `block` is, whose first point is commanded at its start.
+  /// Calls f(point, time) for programmed points inside the arc that `block` is: every `step` [s] from its
+  /// ends up to `reach`, and in its middle; `time` is when the path is about there [s].
+  template <typename F>
+  void for_points_of_arc(std::size_t block, double step, double reach, F f) const;
   double distance_of_arc(std::size_t block);
-  /// Of the point that is commanded at `time` [s] inside that arc.
-  double distance_in_arc(std::size_t block, double time);
-  /// Points that are looked at near each end of an arc, the end itself among them.
-  static constexpr std::size_t end_points = 5;
-  /// The largest of `distance`, of points every `step` [s] from one end of the arc, and of what may lie
-  /// between them. `first`: from its start.
-  double distance_of_end(std::size_t block, double step, std::array<double, end_points> distance, bool first);
   /// Distance of a point from the path near `time` [mm]: by one evaluation and its Newton step where that is
   /// precise, which it mostly is because the path lags as much as at the point before.
   double distance_of(const Vec3& point, double time, double tolerance);

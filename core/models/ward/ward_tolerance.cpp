@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/models/ward/short_blocks.h"
@@ -120,47 +119,37 @@ void WardRunner::mark_neighbours() {
   }
 }
 
-double WardRunner::distance_in_arc(std::size_t block, double time) {
-  return distance_of(train_.commanded(block, time), time + train_.half_delay(), arc_tolerance(block));
-}
-
-double WardRunner::distance_of_end(std::size_t block, double step, std::array<double, end_points> distance,
-                                   bool first) {
-  const double end = train_.blocks[first ? block : block + 1].start;
-  const double allowed = arc_tolerance(block) * (1 + slack);
-  double largest = *std::max_element(distance.begin(), distance.end());
-  for (std::size_t k = 1; k + 1 < end_points && largest <= allowed; ++k) {
-    // The parabola through three points; what it misses near its peak is taken as its bend once more.
-    const double bend = 2 * distance[k] - distance[k - 1] - distance[k + 1];
-    if (distance[k] < distance[k - 1] || distance[k] < distance[k + 1] || distance[k] + 2 * bend <= allowed) {
-      continue;
-    }
-    const double peak = static_cast<double>(k) + (distance[k + 1] - distance[k - 1]) / (2 * bend);
-    for (const double beside : {-0.25, 0.0, 0.25}) {
-      const double from_end = (peak + beside) * step;
-      largest = std::max(largest, distance_in_arc(block, first ? end + from_end : end - from_end));
-    }
+template <typename F>
+void WardRunner::for_points_of_arc(std::size_t block, double step, double reach, F f) const {
+  const double begin = train_.blocks[block].start;
+  const double half = (train_.blocks[block + 1].start - begin) / 2;
+  const double c = train_.half_delay();
+  const auto at = [&](double t) { return f(train_.commanded(block, t), t + c); };
+  for (double from_end = step; from_end < std::min(half, reach); from_end += step) {
+    at(begin + from_end);
+    at(begin + 2 * half - from_end);
   }
-  return largest;
+  at(begin + half);
 }
 
 double WardRunner::distance_of_arc(std::size_t block) {
-  const double begin = train_.blocks[block].start;
-  const double end = train_.blocks[block + 1].start;
-  const double half = (end - begin) / 2;
-  // Farther from an end than the filters reach the distance no longer changes.
-  const double step = std::min(train_.half_delay() / 2, half / (end_points - 1));
-  std::array<double, end_points> before;
-  std::array<double, end_points> after;
-  for (std::size_t k = 0; k < end_points; ++k) {
-    before[k] = distance_in_arc(block, begin + static_cast<double>(k) * step);
+  // Where an arc is near its tolerance, its ends are looked at closely: there the neighbours add to what the
+  // filters take off.
+  constexpr double near_tolerance = 0.5;
+  const double c = train_.half_delay();
+  const double tolerance = arc_tolerance(block);
+  double largest = 0;
+  const auto look = [&](double step, double reach) {
+    for_points_of_arc(block, step, reach, [&](const Vec3& point, double time) {
+      largest = std::max(largest, distance_of(point, time, tolerance));
+    });
+  };
+  const double half = (train_.blocks[block + 1].start - train_.blocks[block].start) / 2;
+  look(std::min(c / 2, half / 2), 1.25 * c);
+  if (largest > near_tolerance * tolerance && largest <= tolerance * (1 + slack)) {
+    look(std::min(c / 8, half / 8), 2 * c);
   }
-  double largest = distance_in_arc(block, begin + half);
-  for (std::size_t k = end_points; k-- > 0;) {
-    after[k] = distance_in_arc(block, end - static_cast<double>(k) * step);
-  }
-  largest = std::max(largest, distance_of_end(block, step, before, true));
-  return std::max(largest, distance_of_end(block, step, after, false));
+  return largest;
 }
 
 WardRunner::BlockDistance WardRunner::distance_of_block(std::size_t block) {
