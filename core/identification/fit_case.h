@@ -48,10 +48,10 @@ class FitCase {
   std::vector<double> times_;    ///< measured there [s]
   std::vector<double> time_noise_;
   std::vector<Span> spans_;
-  /// Where the trace is farthest from the path, by short stretches whose distance counts. A run is compared at
-  /// the same places: between its samples a trace has been farther away than it says.
+  /// Where the trace is farthest from the path, by short stretches whose distance counts. A run is compared
+  /// at the same places: between its samples a trace has been farther away than it says.
   std::vector<TimeLaw::Farthest> farthest_;
-  std::vector<double> scale_;               ///< one unit of each residual [s], [mm]
+  std::vector<double> scale_;  ///< one unit of each residual [s], [mm]
   std::vector<std::size_t> stretch_;
 };
 

@@ -9,7 +9,6 @@
 #include <QLocale>
 #include <QProgressBar>
 #include <QSaveFile>
-#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QStandardItemModel>
@@ -38,7 +37,7 @@ constexpr int least_figures = 200;  // width of their table [px]
 /// In which all columns show their contents [px].
 int wanted_width(const QTreeView& view) {
   view.header()->resizeSections(QHeaderView::ResizeToContents);
-  return view.header()->length() + view.verticalScrollBar()->sizeHint().width();
+  return view.header()->length();
 }
 
 }  // namespace

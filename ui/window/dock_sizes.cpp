@@ -60,12 +60,14 @@ void DockSizes::adopt(Side& side, const QDockWidget& dock) const {
 }
 
 QDockWidget* DockSizes::shown_on(const Side& side) const {
-  const QList<QDockWidget*> docks = window_.findChildren<QDockWidget*>();
-  const auto found = std::ranges::find_if(docks, [&](QDockWidget* dock) {
-    return !dock->isFloating() && dock->isVisible() && !dock->visibleRegion().isEmpty() &&
-           window_.dockWidgetArea(dock) == side.area;
-  });
-  return found == docks.end() ? nullptr : *found;
+  // The last of those that share a place by tabs is in front; the start page may cover them all.
+  QDockWidget* front = nullptr;
+  for (QDockWidget* dock : window_.findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly)) {
+    if (!dock->isFloating() && dock->isVisible() && window_.dockWidgetArea(dock) == side.area) {
+      front = dock;
+    }
+  }
+  return front;
 }
 
 void DockSizes::follow_layout() {
