@@ -7,6 +7,7 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPainter>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QToolButton>
@@ -42,18 +43,58 @@ QLabel* heading(const QString& text, QWidget* parent) {
   return label;
 }
 
-/// A line that can be pressed, in a list.
-QPushButton* line_button(const QString& text, const QString& tip, QWidget* parent) {
-  auto* button = new QPushButton(text, parent);
-  button->setToolTip(tip);
-  button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-  button->setStyleSheet(
-      QStringLiteral("QPushButton { text-align: left; padding: 3px 5px; border: 1px solid transparent }"
-                     "QPushButton:hover { background: palette(midlight) }"
-                     "QPushButton:focus { border-color: palette(highlight) }"));
-  button->setFocusPolicy(Qt::StrongFocus);
-  return button;
-}
+/// A line that can be pressed, in a list. Drawn here, because a style sheet keeps the colours of the theme
+/// that it was set in.
+class LineButton : public QPushButton {
+ public:
+  LineButton(const QString& text, const QString& tip, QWidget* parent) : QPushButton(text, parent) {
+    setToolTip(tip);
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    setFocusPolicy(Qt::StrongFocus);
+    setAttribute(Qt::WA_Hover);
+  }
+  QSize sizeHint() const override {
+    return {fontMetrics().horizontalAdvance(text()) + 2 * side_space,
+            fontMetrics().height() + 2 * line_space};
+  }
+
+ protected:
+  void paintEvent(QPaintEvent* /*event*/) override {
+    QPainter painter(this);
+    if (underMouse() || isDown()) {
+      painter.fillRect(rect(), palette().color(isDown() ? QPalette::Mid : QPalette::Midlight));
+    }
+    painter.setPen(palette().color(QPalette::WindowText));
+    const QRect inside = rect().adjusted(side_space, 0, -side_space, 0);
+    painter.drawText(inside, Qt::AlignLeft | Qt::AlignVCenter,
+                     fontMetrics().elidedText(text(), Qt::ElideRight, inside.width()));
+    if (hasFocus()) {
+      painter.setPen(palette().color(QPalette::Highlight));
+      painter.drawRect(rect().adjusted(0, 0, -1, -1));
+    }
+  }
+
+ private:
+  static constexpr int side_space = 6;
+  static constexpr int line_space = 4;
+};
+
+/// Where files are dropped: a dashed frame.
+class DropFrame : public QWidget {
+ public:
+  using QWidget::QWidget;
+
+ protected:
+  void paintEvent(QPaintEvent* /*event*/) override {
+    constexpr double line = 2;
+    constexpr double corner = 6;
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(palette().color(QPalette::Mid), line, Qt::DashLine));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(line / 2, line / 2, -line / 2, -line / 2), corner,
+                            corner);
+  }
+};
 
 void empty(QLayout& layout) {
   while (QLayoutItem* item = layout.takeAt(0)) {
@@ -115,9 +156,7 @@ QWidget* StartPage::make_first_steps() {
   auto* layout = new QVBoxLayout(part);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(heading(tr("What does the control do with your program?"), part));
-  auto* drop = new QFrame(part);
-  drop->setObjectName(QStringLiteral("drop_area"));
-  drop->setStyleSheet(QStringLiteral("#drop_area { border: 2px dashed palette(mid); border-radius: 6px }"));
+  auto* drop = new DropFrame(part);
   auto* inside = new QVBoxLayout(drop);
   inside->setContentsMargins(14, 14, 14, 14);
   auto* open = new QPushButton(tr("Open an NC program or session …"), drop);
@@ -139,14 +178,14 @@ QWidget* StartPage::make_first_steps() {
       part);
   steps->setWordWrap(true);
   layout->addWidget(steps);
-  QPushButton* handbook = line_button(tr("First steps in the handbook"), {}, part);
+  auto* handbook = new LineButton(tr("First steps in the handbook"), {}, part);
   connect(handbook, &QPushButton::clicked, this, &StartPage::handbook_wanted);
   layout->addWidget(handbook);
   layout->addWidget(heading(tr("Opened recently"), part));
   recent_ = new QVBoxLayout;
   recent_->setSpacing(0);
   layout->addLayout(recent_);
-  QPushButton* close = line_button(tr("Continue without a program (Esc)"), {}, part);
+  auto* close = new LineButton(tr("Continue without a program (Esc)"), {}, part);
   connect(close, &QPushButton::clicked, this, &QWidget::hide);
   layout->addSpacing(8);
   layout->addWidget(close);
@@ -201,7 +240,7 @@ void StartPage::list_recent() {
   empty(*recent_);
   const QStringList files = RecentFiles::list();
   for (const QString& file : files.mid(0, most_recent)) {
-    QPushButton* button = line_button(QFileInfo(file).fileName(), file, this);
+    auto* button = new LineButton(QFileInfo(file).fileName(), file, this);
     connect(button, &QPushButton::clicked, this, [this, file] { emit file_wanted(to_path(file)); });
     recent_->addWidget(button);
   }
@@ -216,8 +255,8 @@ void StartPage::list_lessons() {
   const int rows = static_cast<int>(entries.size() + 1) / 2;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const LessonEntry& lesson = entries[i];
-    QPushButton* button = line_button(tr("%1. %2").arg(i + 1).arg(lesson.title),
-                                      tr("%1 (%2 min)").arg(lesson.learn).arg(lesson.minutes), this);
+    auto* button = new LineButton(tr("%1. %2").arg(i + 1).arg(lesson.title),
+                                  tr("%1 (%2 min)").arg(lesson.learn).arg(lesson.minutes), this);
     connect(button, &QPushButton::clicked, this, [this, file = lesson.file] { emit lesson_wanted(file); });
     const int place = static_cast<int>(i);
     lesson_grid_->addWidget(button, place % rows, place / rows);

@@ -35,6 +35,7 @@
 #include "ui/setup/setup_view.h"
 #include "ui/slow_places/slow_places_view.h"
 #include "ui/study/study_view.h"
+#include "ui/theme/theme.h"
 #include "ui/why/why_view.h"
 #include "ui/window/help_menu.h"
 #include "ui/window/main_window.h"
@@ -135,6 +136,28 @@ TEST_F(WindowSaysTest, AnEmptyStartSaysWhatToDoFirst) {
   EXPECT_EQ(pictures, start_samples().size());
   open(test::small_program);
   EXPECT_FALSE(page.isVisible());
+}
+
+/// As a page that was made in the theme, lines and buttons included.
+TEST_F(WindowSaysTest, TheStartPageTakesTheColoursOfAnotherTheme) {
+  const auto picture = [](MainWindow& of) {
+    auto& page = of.part<StartPage>();
+    of.resize(1280, 800);
+    of.show();
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return !page.busy() && !of.part<LessonView>().desk().busy(); }, patience));
+    QApplication::processEvents();
+    page.setFocus();
+    return page.grab().toImage();
+  };
+  const QImage light = picture(window);
+  apply_theme(ThemeKind::dark);
+  const QImage changed = picture(window);
+  MainWindow made_dark(model, RenderBackend::software);
+  const QImage dark = picture(made_dark);
+  apply_theme(ThemeKind::light);
+  EXPECT_NE(changed, light);
+  EXPECT_EQ(changed, dark);
 }
 
 TEST_F(WindowSaysTest, FiveNamesOfPanelsFitBesideEachOther) {
