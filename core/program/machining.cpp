@@ -17,4 +17,18 @@ void Machining::report_machine_move(std::string_view what, MessageCode code, std
   });
 }
 
+std::optional<Vec3> Machining::tool_direction(const Vec3& vector, std::string_view words,
+                                              std::string_view example, std::uint32_t column) const {
+  if (!(vector.norm() > 0)) {
+    report(Severity::error, "rotary-direction", 0, column, [&] {
+      return Text{
+          fmt::format("{} are all zero: the tool has no direction", words),
+          fmt::format("the rotary axes stay; write the vector from the tip to the spindle, such as {}",
+                      example)};
+    });
+    return std::nullopt;
+  }
+  return path.frame().turned(vector.normalized()).normalized();
+}
+
 }  // namespace feedscope

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "core/program/language/line_runner.h"
@@ -35,6 +36,11 @@ struct Machining {
   void report(const ReadFault& fault) const;
   /// `what` sends axes to a position that only the machine knows: a warning.
   void report_machine_move(std::string_view what, MessageCode code, std::uint32_t column) const;
+  /// Direction from the tip to the spindle in the coordinates that are shown, of length 1, that a vector of
+  /// the program gives. None, and an error, where it has no length: `words` names its words, `example` writes
+  /// one.
+  std::optional<Vec3> tool_direction(const Vec3& vector, std::string_view words, std::string_view example,
+                                     std::uint32_t column) const;
 };
 
 }  // namespace feedscope

@@ -251,19 +251,16 @@ void Motions::orient_tool(const MotionWords& words) {
     });
     return;
   }
-  if (!(words.tool_vector->norm() > 0)) {
-    report(Severity::error, "rotary-direction", 0, words.vector_column, [] {
-      return Text{"TX, TY and TZ are all zero, which is no direction of the tool",
-                  "the rotary axes stay; write the vector from the tip to the spindle, such as TZ+1"};
-    });
+  const std::optional<Vec3> tool =
+      machining_.tool_direction(*words.tool_vector, "TX, TY and TZ", "TZ+1", words.vector_column);
+  if (!tool) {
     return;
   }
   end_contour(words.vector_column);
   const bool moves = words.has_axes() || words.has_polar();
   const bool rapid = words.feed_word == FeedWord::rapid;
-  machining_.other_axes.orient_tool(path().frame().turned(words.tool_vector->normalized()).normalized(),
-                                    rapid ? AxisMotion::positions : AxisMotion::at_tip, words.vector_column,
-                                    moves ? AxisBlock() : turning(rapid));
+  machining_.other_axes.orient_tool(*tool, rapid ? AxisMotion::positions : AxisMotion::at_tip,
+                                    words.vector_column, moves ? AxisBlock() : turning(rapid));
 }
 
 void Motions::move_other_axes(const MotionWords& words) {

@@ -27,19 +27,15 @@ void WordChecks::orient_tool() {
       column = column == 0 ? words_[letter].column : column;
     }
   }
-  if (!(direction.norm() > 0)) {
-    report(Severity::error, "rotary-direction", 0, column, [] {
-      return Text{"I, J and K are all zero, which is no direction of the tool",
-                  "the rotary axes stay; write the vector from the tip to the spindle, such as K1"};
-    });
+  const std::optional<Vec3> tool = machining_.tool_direction(direction, "I, J and K", "K1", column);
+  if (!tool) {
     return;
   }
   AxisBlock block = beside_motion();
   if (!words_.has_any("XYZ")) {
     block = turning_alone(path(), modal_.to_mm(1), !cuts);
   }
-  machining_.other_axes.orient_tool(path().frame().turned(direction.normalized()).normalized(),
-                                    cuts ? AxisMotion::at_tip : AxisMotion::positions, column, block);
+  machining_.other_axes.orient_tool(*tool, cuts ? AxisMotion::at_tip : AxisMotion::positions, column, block);
 }
 
 void WordChecks::check_other_axes() {

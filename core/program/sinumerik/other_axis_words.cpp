@@ -51,17 +51,13 @@ bool OtherAxisWords::orient(bool alone) {
   if (column == 0 || !oriented_ || !machining_.other_axes.turns()) {
     return false;
   }
-  if (!(direction.norm() > 0)) {
-    report(Severity::error, "rotary-direction", 0, column, [] {
-      return Text{"A3, B3 and C3 are all zero, which is no direction of the tool",
-                  "the rotary axes stay; write the vector from the tip to the spindle, such as C3=1"};
-    });
+  const std::optional<Vec3> tool = machining_.tool_direction(direction, "A3, B3 and C3", "C3=1", column);
+  if (!tool) {
     return true;
   }
   const bool cuts = modal_.motion == nullptr || modal_.moves_at_feed();
   const double unit = modal_.inch_feed ? units::from_inch(1) : 1;
-  machining_.other_axes.orient_tool(path().frame().turned(direction.normalized()).normalized(),
-                                    cuts ? AxisMotion::at_tip : AxisMotion::positions, column,
+  machining_.other_axes.orient_tool(*tool, cuts ? AxisMotion::at_tip : AxisMotion::positions, column,
                                     alone ? turning_alone(path(), unit, !cuts) : AxisBlock());
   return true;
 }

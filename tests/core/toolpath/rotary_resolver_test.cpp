@@ -470,9 +470,9 @@ TEST(ToolVectors, ThatCannotBeFollowedAreReported) {
     return found;
   };
   EXPECT_THAT(codes("TRAORI\nG1 X1 F100 A3=0 B3=0 C3=0", Dialect::sinumerik),
-              ElementsAre("A3, B3 and C3 are all zero, which is no direction of the tool"));
+              ElementsAre("A3, B3 and C3 are all zero: the tool has no direction"));
   EXPECT_THAT(codes("G43.5 H1\nG1 X1 F100 I0 J0 K0", Dialect::fanuc),
-              ElementsAre("I, J and K are all zero, which is no direction of the tool"));
+              ElementsAre("I, J and K are all zero: the tool has no direction"));
   EXPECT_THAT(codes("TOOL CALL 1 Z S1 F9\nLN X+1 TX+0 TY+0 TZ+1\n", Dialect::heidenhain),
               ElementsAre("a tool direction (TX TY TZ) without M128 or FUNCTION TCPM"));
   const auto below = run_on(trunnion(), "TRAORI\nG1 X10 F100 A3=0 B3=1 C3=-1\n", Dialect::sinumerik);
