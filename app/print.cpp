@@ -54,6 +54,21 @@ std::string axis_table(const Run& run) {
   return table.text("lrrr");
 }
 
+/// The rotary axes of a run in which one turns; empty for every other one.
+std::string rotary_text(const Run& run) {
+  TextTable table;
+  for (std::size_t i = 0; run.summary.rotary_velocity && i < rotary_names.size(); ++i) {
+    const double velocity = (*run.summary.rotary_velocity)[i];
+    const RotaryAxis* axis = run.setup.machine.kinematics.find(rotary_names[i]);
+    if (axis != nullptr && !std::isnan(velocity)) {
+      table.add({fmt::format("velocity of axis {}", axis->name),
+                 fmt::format("{:.4g} of {:.4g} rev/min", units::to_turns_min(velocity),
+                             units::to_turns_min(axis->velocity))});
+    }
+  }
+  return table.text("ll");
+}
+
 /// What the drives make of it; empty where all axes follow exactly.
 std::string actual_text(const Summary& summary) {
   if (!summary.actual) {
@@ -332,8 +347,8 @@ std::string summary_text(const Run& run) {
   const std::string blends = fmt::format(", {} corner blends", run.trajectory->blend_count());
   figures.add(
       {"contour error", fmt::format("at most {:.4f} mm{}{}{}", s.max_contour_error, where, blends, curves)});
-  return out + figures.text("ll") + "\nLargest values\n" + axis_table(run) + jumps_text(run) +
-         actual_text(s) + load_text(s) + "\nTime by limiting cause\n" + cause_table(s);
+  return out + figures.text("ll") + "\nLargest values\n" + axis_table(run) + rotary_text(run) +
+         jumps_text(run) + actual_text(s) + load_text(s) + "\nTime by limiting cause\n" + cause_table(s);
 }
 
 }  // namespace feedscope
