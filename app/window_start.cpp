@@ -48,7 +48,7 @@ void check(const RunOptions& options, const std::vector<std::string>& traces) {
   for (const std::string& trace : traces) {
     if (!ui::TraceView::is_trace(trace)) {
       throw InputError(fmt::format(
-          "--trace '{}' is no trace that can be read: no rows of samples; see: feedscope trace --help",
+          "--trace '{}' holds no trace that can be read: no rows of samples; see: feedscope trace --help",
           trace));
     }
   }

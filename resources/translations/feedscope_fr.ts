@@ -6999,8 +6999,8 @@ Ensemble&#xa0;: %4</translation>
         <translation>La trace est lue&#xa0;; elle attend que la simulation soit faite.</translation>
     </message>
     <message>
-        <source>There is no agreement to save: the trace is not compared with a run.</source>
-        <translation>Il n&apos;y a pas de concordance à enregistrer&#xa0;: la trace n&apos;est comparée à aucune simulation.</translation>
+        <source>The agreement cannot be saved yet: compare the trace with a run first.</source>
+        <translation>La concordance ne peut pas encore être enregistrée&#xa0;: comparez d&apos;abord la trace à une simulation.</translation>
     </message>
     <message>
         <source>Save the agreement</source>

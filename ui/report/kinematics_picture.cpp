@@ -284,10 +284,9 @@ std::string kinematics_picture(const std::string& name, const Machine& machine) 
     throw InputError("cannot write '" + name + "' as a picture; its name must end in .png, .svg or .pdf");
   }
   if (machine.kinematics.empty()) {
-    throw InputError(
-        "machine '" + machine.id +
-        "' has no rotary axes, so there is no chain to draw; choose one with [kinematics], such as "
-        "five-axis-table-ac");
+    throw InputError("machine '" + machine.id +
+                     "' has no rotary axes to draw; choose a machine with [kinematics], such as "
+                     "five-axis-table-ac");
   }
   chain_of(machine.kinematics);
   const OffscreenApplication application;

@@ -159,7 +159,7 @@ void TraceImportDialog::ask_name() {
   } while (!problem.isEmpty());
 }
 
-/// The rows as they are parted now; false where there is no table.
+/// Shows the file's rows, separated as the fields say; false if it has no table.
 bool TraceImportDialog::show_rows() {
   try {
     const QString chosen = specification();

@@ -305,7 +305,7 @@ void TraceView::go_to(const QModelIndex& index) {
 void TraceView::save() {
   const auto shown = any() ? workbench_.traces().result(chosen_) : nullptr;
   if (shown == nullptr) {
-    emit failed(tr("There is no agreement to save: the trace is not compared with a run."));
+    emit failed(tr("The agreement cannot be saved yet: compare the trace with a run first."));
     return;
   }
   const std::string text = trace_json(*shown->trace, shown->found, shown->agreement, shown->run->run);

@@ -32,7 +32,7 @@ class Candidates {
   Candidates(const Setup& setup, const std::optional<ToleranceInForce>& tolerance)
       : setup_(setup), specs_(settings_of(*setup.model)), tolerance_(tolerance) {}
 
-  /// Of axes that the machine has, with limits that the axis has; others are left out.
+  /// Adds nothing for an axis that the machine does not have, or a limit that the axis does not have.
   void axis(int axis, const std::string& limit, double factor = more) {
     const char name = cause_axes[static_cast<std::size_t>(axis)].name;
     const bool is_there = axis_names(setup_.machine).find(name) != std::string::npos;
