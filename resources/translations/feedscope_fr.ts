@@ -731,6 +731,10 @@
         <source>smooth curve</source>
         <translation>courbe lisse</translation>
     </message>
+    <message>
+        <source>tool axis</source>
+        <translation>axe d’outil</translation>
+    </message>
 </context>
 <context>
     <name>TimeRows</name>

@@ -38,6 +38,7 @@ struct SceneTexts {
   std::string actual = "actual path";  ///< what the axes run
   std::string blend = "corner blend";
   std::string curve = "smooth curve";
+  std::string tool_axis = "tool axis";
   std::string assumed = "assumed";                   ///< of a zero point
   std::string exaggerated = "deviation drawn × %1";  ///< %1: the factor
   std::string warning;                               ///< PathScene::set_warning()

@@ -43,6 +43,7 @@ SceneTexts scene_texts() {
   texts.actual = Scene::tr("actual path").toStdString();
   texts.blend = Scene::tr("corner blend").toStdString();
   texts.curve = Scene::tr("smooth curve").toStdString();
+  texts.tool_axis = Scene::tr("tool axis").toStdString();
   texts.assumed = Scene::tr("assumed", "zero point of a work offset").toStdString();
   texts.exaggerated = Scene::tr("deviation drawn × %1").toStdString();
   texts.contour_error = Scene::tr("Contour error").toStdString();

@@ -9,6 +9,7 @@
 #include "core/base/ticks.h"
 #include "ui/scene/cause_colour.h"
 #include "ui/scene/draw/colour_panel.h"
+#include "ui/scene/draw/tool_axes.h"
 #include "ui/units/unit_system.h"
 
 namespace feedscope::ui {
@@ -106,6 +107,11 @@ std::vector<Entry> legend(const Captions& captions, double room, double k) {
     list.push_back({texts.blend, [&](Canvas& canvas, const Vec2& from, const Vec2& to, double scale) {
                       canvas.line(from, to, 7 * scale, colours.blend_edge);
                       draw_path_sample(canvas, captions, from, to, 4.4 * scale);
+                    }});
+  }
+  if (entries.tool_axis) {
+    list.push_back({texts.tool_axis, [&](Canvas& canvas, const Vec2& from, const Vec2& to, double scale) {
+                      draw_tool_axis(canvas, from, to, scale, colours);
                     }});
   }
   for (const auto& overlay : entries.overlays) {

@@ -20,7 +20,8 @@ struct LegendEntries {
   bool rapid = false;
   bool executed = false;
   bool blend = false;
-  bool curve = false;  ///< smooth curves
+  bool curve = false;      ///< smooth curves
+  bool tool_axis = false;  ///< of a tool that rotary axes turn
   std::vector<Overlay> overlays;
 };
 

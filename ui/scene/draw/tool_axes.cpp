@@ -6,12 +6,18 @@
 
 namespace feedscope::ui {
 
+void draw_tool_axis(Canvas& canvas, const Vec2& from, const Vec2& to, double scale,
+                    const SceneColours& colours) {
+  constexpr double width = 1.1;
+  constexpr double end_radius = 1.7;
+  canvas.line(from, to, width * scale, colours.text);
+  canvas.disc(to, end_radius * scale, colours.text);
+}
+
 void draw_tool_axes(Canvas& canvas, const SampledPath& path, const PlaceInWindow& place_of,
                     const MarkStyle& style) {
   constexpr double stroke = 36;  // [pixels]
   constexpr double square = stroke / 2;
-  constexpr double width = 1.1;
-  constexpr double end_radius = 1.7;
   constexpr double far_off = 1e6;  // [pixels]
   const auto cell = [&](double pixel) {
     return static_cast<std::uint64_t>(
@@ -31,8 +37,7 @@ void draw_tool_axes(Canvas& canvas, const SampledPath& path, const PlaceInWindow
     last = from;
     const double length = stroke * style.scale / style.pixels_per_mm;
     const Vec2 to = place_of(tip + length * axis.direction.cast<double>());
-    canvas.line(from, to, width * style.scale, style.colours.text);
-    canvas.disc(to, end_radius * style.scale, style.colours.text);
+    draw_tool_axis(canvas, from, to, style.scale, style.colours);
   }
 }
 

@@ -166,6 +166,7 @@ void PathLayers::show_executed(std::shared_ptr<const SampledPath> executed) {
   cut_length_ += curve_length_;
   blend_count_ = executed ? count_of_blends(*executed) : 0;
   entries_.executed = cut_length_ + blend_length_ > 0;
+  entries_.tool_axis = executed && !executed->tool_axes.empty();
   if (executed) {
     executed_ = std::make_unique<DrawnPath>(std::move(executed));
     executed_->exaggerate(look_.exaggeration);
