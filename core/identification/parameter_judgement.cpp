@@ -14,7 +14,10 @@
 namespace feedscope {
 namespace {
 
-constexpr double seen = 12;       // rise of the sum of squares over that of the optimum that is no chance
+constexpr double seen = 12;  // change of the sum of squares that is more than noise
+// Rise over the optimum that is no chance: a part of the trace that is off by chance is in the times of its
+// stretch and of those of eight and 64 together, and pulls all that depends on it.
+constexpr double certain = 50;
 constexpr double coarsest = 0.2;  // share of the value beyond which its uncertainty makes it no answer
 constexpr double most_in_one_block = 0.85;
 constexpr double model_error = 1e-3;  // share below which no uncertainty is claimed
@@ -103,7 +106,7 @@ double bound_below(ParameterSearch& search, Eigen::Index parameter, double cost_
       halve({at[parameter] - std::log(2.0), at[parameter]}, halvings, [&](double logarithm) {
         Eigen::VectorXd there = at;
         there[parameter] = logarithm;
-        return rise(search.evaluate(there), cost_here, stretches) > seen;
+        return rise(search.evaluate(there), cost_here, stretches) > certain;
       });
   return std::exp(bracket.low);
 }
@@ -167,11 +170,11 @@ std::vector<IdentifiedParameter> judge_parameters(ParameterSearch& search, const
     one.parameter = search.parameters()[p];
     one.start = start[p];
     one.value = std::exp(at[static_cast<Eigen::Index>(p)]);
-    const bool above = rise(all[2 * p], here, stretches_of(search)) > seen;
-    const bool below = rise(all[2 * p + 1], here, stretches_of(search)) > seen;
+    const bool above = rise(all[2 * p], here, stretches_of(search)) > certain;
+    const bool below = rise(all[2 * p + 1], here, stretches_of(search)) > certain;
     const double share = std::hypot(sureness * deviation[p], model_error);
     const auto stretches = static_cast<double>(search.stretches());
-    const bool needed = (without[p] - here) * stretches / std::max(here, 1.0) > seen;
+    const bool needed = (without[p] - here) * stretches / std::max(here, 1.0) > certain;
     const bool alone =
         search.parameters()[p].unit == "m/min" &&
         share_of_one_block(search, derivatives.col(static_cast<Eigen::Index>(p))) > most_in_one_block;
@@ -180,7 +183,7 @@ std::vector<IdentifiedParameter> judge_parameters(ParameterSearch& search, const
       one.uncertainty = share * one.value;
     } else if (!above && !below) {
       one.reason = without_influence;
-    } else if (!above) {
+    } else if (!above || (!needed && one.parameter.unit != "m/min")) {
       one.reason = only_bound;
       one.at_least = bound_below(search, static_cast<Eigen::Index>(p), here, stretches_of(search));
     } else if (!below) {
