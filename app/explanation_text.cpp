@@ -9,6 +9,7 @@
 
 #include "app/print.h"
 #include "core/analysis/not_counted.h"
+#include "core/base/clock_text.h"
 #include "core/base/units.h"
 #include "core/machine/contour_tolerance.h"
 
@@ -17,10 +18,6 @@ namespace {
 
 constexpr std::size_t most_rows = 12;
 constexpr double worth_a_row = 5e-4;  // of the cycle time
-
-std::string seconds(double time) {
-  return fmt::format("{:.3f} s", time);
-}
 
 std::string percent(double part, double of) {
   return of > 0 ? fmt::format("{:.1f} %", 100 * part / of) : "-";
@@ -31,7 +28,7 @@ std::string conclusion(const TimeReport& report) {
   const TimeUse& use = report.use;
   std::string text = fmt::format("{} for {} programmed: {} {} than the programmed feeds give",
                                  time_text(use.cycle_time), time_text(use.programmed_time),
-                                 seconds(std::abs(use.lost())), use.lost() >= 0 ? "more" : "less");
+                                 seconds_text(std::abs(use.lost())), use.lost() >= 0 ? "more" : "less");
   if (use.programmed_time > 0) {
     text += fmt::format(" ({:.2f} times)", use.cycle_time / use.programmed_time);
   }
@@ -39,13 +36,13 @@ std::string conclusion(const TimeReport& report) {
   if (!report.slow.groups.empty() && report.slow.groups.front().loss > worth_a_row * use.cycle_time) {
     const SlowGroup& most = report.slow.groups.front();
     text += fmt::format("Most is lost in {}, to {}: {}. ", info_of(most.shape).title, lost_to(most),
-                        seconds(most.loss));
+                        seconds_text(most.loss));
   }
   if (!report.changes.best.empty()) {
     const TriedChange& best = report.changes.tried[report.changes.best.front()];
-    text +=
-        fmt::format("The change that helps most gains {} ({}).", seconds(use.cycle_time - best.cycle_time),
-                    percent(use.cycle_time - best.cycle_time, use.cycle_time));
+    text += fmt::format("The change that helps most gains {} ({}).",
+                        seconds_text(use.cycle_time - best.cycle_time),
+                        percent(use.cycle_time - best.cycle_time, use.cycle_time));
   } else if (!report.changes.tried.empty()) {
     text += "None of the changes that were simulated helps.";
   }
@@ -56,8 +53,8 @@ std::string kinds_text(const TimeUse& use) {
   TextTable table;
   table.add({"", "time", "share", "programmed", "lost"});
   const auto add = [&](const std::string& title, const TimeShare& share) {
-    table.add({title, seconds(share.time), percent(share.time, use.cycle_time), seconds(share.programmed),
-               seconds(share.lost())});
+    table.add({title, seconds_text(share.time), percent(share.time, use.cycle_time),
+               seconds_text(share.programmed), seconds_text(share.lost())});
   };
   for (std::size_t i = 0; i < time_kind_count; ++i) {
     if (use.kinds[i].time > 0 || use.kinds[i].programmed > 0) {
@@ -74,8 +71,8 @@ std::string causes_text(const TimeUse& use) {
   CauseCost rest;
   for (const CauseCost& cost : use.causes) {
     if (std::max(cost.time, std::abs(cost.lost)) > worth_a_row * use.cycle_time) {
-      table.add({cause_title(cost.cause), seconds(cost.time), percent(cost.time, use.cycle_time),
-                 seconds(cost.lost)});
+      table.add({cause_title(cost.cause), seconds_text(cost.time), percent(cost.time, use.cycle_time),
+                 seconds_text(cost.lost)});
     } else {
       rest.time += cost.time;
       rest.lost += cost.lost;
@@ -83,14 +80,16 @@ std::string causes_text(const TimeUse& use) {
   }
   if (std::abs(use.saved_by_path) > worth_a_row * use.cycle_time) {
     table.add({use.saved_by_path > 0 ? "path shorter than programmed" : "path longer than programmed", "", "",
-               seconds(-use.saved_by_path)});
+               seconds_text(-use.saved_by_path)});
   } else {
     rest.lost -= use.saved_by_path;
   }
   if (rest.time > 0) {
-    table.add({"others", seconds(rest.time), percent(rest.time, use.cycle_time), seconds(rest.lost)});
+    table.add(
+        {"others", seconds_text(rest.time), percent(rest.time, use.cycle_time), seconds_text(rest.lost)});
   }
-  table.add({"all", seconds(use.cycle_time), percent(use.cycle_time, use.cycle_time), seconds(use.lost())});
+  table.add({"all", seconds_text(use.cycle_time), percent(use.cycle_time, use.cycle_time),
+             seconds_text(use.lost())});
   return table.text("lrrr");
 }
 
@@ -116,9 +115,9 @@ std::string operations_text(const TimeUse& use) {
   std::ranges::sort(shown);  // as they come in the program
   const auto add = [&](const std::string& title, const std::string& line, const OperationTime& operation,
                        const std::string& cause) {
-    table.add({title, line, seconds(operation.all.time), percent(operation.all.time, use.cycle_time),
-               seconds(operation.all.programmed), seconds(operation.all.lost()), seconds(operation.rapid),
-               cause});
+    table.add({title, line, seconds_text(operation.all.time), percent(operation.all.time, use.cycle_time),
+               seconds_text(operation.all.programmed), seconds_text(operation.all.lost()),
+               seconds_text(operation.rapid), cause});
   };
   for (const OperationTime* operation : shown) {
     const bool loses = operation->worst.lost > worth_a_row * use.cycle_time;
@@ -160,12 +159,12 @@ std::string groups_text(const TimeReport& report) {
     }
     ++rows;
     const SlowPlace& worst = group.worst.front();
-    table.add({fmt::format("{}: {}", info_of(group.shape).title, lost_to(group)), seconds(group.loss),
+    table.add({fmt::format("{}: {}", info_of(group.shape).title, lost_to(group)), seconds_text(group.loss),
                fmt::format("{}", group.count), fmt::format("{}-{}", group.first_line, group.last_line),
                fmt::format("{}", worst.line), measure_text(group)});
   }
-  table.add({"elsewhere", seconds(other), "", "", "", ""});
-  table.add({"all", seconds(report.slow.loss), "", "", "", ""});
+  table.add({"elsewhere", seconds_text(other), "", "", "", ""});
+  table.add({"all", seconds_text(report.slow.loss), "", "", "", ""});
   return table.text("lrrrrl");
 }
 
@@ -230,9 +229,9 @@ std::string changes_text(const Run& run, const TimeReport& report) {
   const double now = report.use.cycle_time;
   TextTable table;
   table.add({"", "cycle time", "gain", "", "contour error", "change"});
-  table.add({"now", seconds(now), "", "", fmt::format("{:.4f} mm", run.summary.max_contour_error), ""});
+  table.add({"now", seconds_text(now), "", "", fmt::format("{:.4f} mm", run.summary.max_contour_error), ""});
   const auto add = [&](const std::string& rank, const TriedChange& change) {
-    table.add({rank, seconds(change.cycle_time), seconds(now - change.cycle_time),
+    table.add({rank, seconds_text(change.cycle_time), seconds_text(now - change.cycle_time),
                percent(now - change.cycle_time, now), error_text(change),
                change_text(change.remedy, run.setup)});
   };
@@ -242,7 +241,7 @@ std::string changes_text(const Run& run, const TimeReport& report) {
   if (trials.together) {
     TriedChange together = *trials.together;
     const std::string options = as_options(together.remedy);
-    table.add({"together", seconds(together.cycle_time), seconds(now - together.cycle_time),
+    table.add({"together", seconds_text(together.cycle_time), seconds_text(now - together.cycle_time),
                percent(now - together.cycle_time, now), error_text(together), "those of this machine"});
   }
   std::size_t others = 0;

@@ -11,10 +11,6 @@ namespace {
 
 constexpr std::size_t most_rows = 20;
 
-std::string seconds(double time) {
-  return fmt::format("{:.3f} s", time);
-}
-
 /// "-12.345 s": less time in the new program.
 std::string change(double old, double now) {
   return fmt::format("{:+.3f} s", now - old);
@@ -38,7 +34,7 @@ std::string sums_text(const ProgramDifference& difference) {
     if (sum.count > 0) {
       table.add({std::string(program_change_title(static_cast<ProgramChange>(i))),
                  fmt::format("{}", sum.count), millimetres(sum.old.length), millimetres(sum.now.length),
-                 seconds(sum.old.time), seconds(sum.now.time), change(sum.old.time, sum.now.time)});
+                 seconds_text(sum.old.time), seconds_text(sum.now.time), change(sum.old.time, sum.now.time)});
     }
   }
   return table.text("lrrrrrr");
@@ -51,7 +47,7 @@ std::string stretches_text(const ProgramDifference& difference) {
   for (const std::size_t i : places) {
     const ProgramStretch& stretch = difference.stretches[i];
     table.add({lines(stretch.old), lines(stretch.now), std::string(program_change_title(stretch.change)),
-               seconds(stretch.old.time), seconds(stretch.now.time),
+               seconds_text(stretch.old.time), seconds_text(stretch.now.time),
                change(stretch.old.time, stretch.now.time)});
   }
   return places.empty() ? "Nowhere.\n" : table.text("lllrrr");

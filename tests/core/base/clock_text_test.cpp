@@ -13,5 +13,12 @@ TEST(ClockText, CountsHoursMinutesAndSeconds) {
   EXPECT_EQ(clock_text(100 * 3600), "100:00:00");
 }
 
+TEST(ClockText, GivesNoTimeNoSign) {
+  EXPECT_EQ(seconds_text(1.2504), "1.250 s");
+  EXPECT_EQ(seconds_text(-0.0006), "-0.001 s");
+  EXPECT_EQ(seconds_text(-4e-4), "0.000 s");
+  EXPECT_EQ(seconds_text(-1e-17), "0.000 s");
+}
+
 }  // namespace
 }  // namespace feedscope
