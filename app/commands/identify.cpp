@@ -23,7 +23,7 @@
 #include "core/identification/identification_program.h"
 #include "core/trace/read_trace.h"
 #ifdef FEEDSCOPE_WITH_UI
-#include "ui/scene/picture.h"
+#include "ui/report/picture_file.h"
 #endif
 
 namespace feedscope {
@@ -173,6 +173,11 @@ int write_program(const IdentifyCommandOptions& options) {
   request.feed_max = options.feed_max ? units::from_mm_min(*options.feed_max) : request.feed_max;
   const IdentificationProgram made = identification_program(request);
   const std::string out = options.out.empty() ? "-" : options.out;
+#ifdef FEEDSCOPE_WITH_UI
+  if (!options.picture.empty() && ui::picture_format_of(options.picture) != ui::PictureFormat::png) {
+    throw InputError("--picture '" + options.picture + "' is written as PNG; end its name in .png");
+  }
+#endif
   OutputFiles files;
   files.add(out) << made.text;
   std::ostream* picture = options.picture.empty() ? nullptr : &files.add(options.picture);

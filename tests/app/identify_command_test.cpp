@@ -58,6 +58,7 @@ TEST_F(IdentifyCommand, WritesTheTestProgramAndWhatItsPartsTell) {
   EXPECT_EQ(run("simulate test.h").code, 0);
   EXPECT_EQ(run("identify --program --dialect iso --size 100 --out test.nc --picture test.png").code, 0);
   EXPECT_EQ(contents(folder_ / "test.png").substr(1, 3), "PNG");
+  expect_wrong_use("identify --program --dialect iso --picture test.svg", "end its name in .png");
   expect_wrong_use("identify trace.csv --program moves.nc --model linuxcnc --picture test.png",
                    "--picture are of the test program");
   expect_wrong_use("identify --program --out test.h", "the test program needs --dialect");

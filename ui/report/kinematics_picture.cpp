@@ -274,15 +274,8 @@ class Drawing {
 }  // namespace
 
 std::string kinematics_picture(const std::string& name, const Machine& machine) {
-  const QString file = QString::fromStdString(name).toLower();
   PictureSpec spec;
-  if (file.endsWith(QStringLiteral(".svg"))) {
-    spec.format = PictureFormat::svg;
-  } else if (file.endsWith(QStringLiteral(".pdf"))) {
-    spec.format = PictureFormat::pdf;
-  } else if (!file.endsWith(QStringLiteral(".png"))) {
-    throw InputError("cannot write '" + name + "' as a picture; its name must end in .png, .svg or .pdf");
-  }
+  spec.format = picture_format_of(name);
   if (machine.kinematics.empty()) {
     throw InputError("machine '" + machine.id +
                      "' has no rotary axes to draw; choose a machine with [kinematics], such as "

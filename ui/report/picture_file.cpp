@@ -5,7 +5,9 @@
 #include <QPainter>
 #include <QPdfWriter>
 #include <cmath>
+#include <utility>
 
+#include "core/base/error.h"
 #include "ui/report/pdf_file.h"
 #include "ui/report/svg_device.h"
 
@@ -87,6 +89,18 @@ std::string pdf_of(const PictureSpec& spec, const Paint& paint) {
 }
 
 }  // namespace
+
+PictureFormat picture_format_of(const std::string& name) {
+  const QString file = QString::fromStdString(name).toLower();
+  for (const auto& [ending, format] :
+       {std::pair(".png", PictureFormat::png), std::pair(".svg", PictureFormat::svg),
+        std::pair(".pdf", PictureFormat::pdf)}) {
+    if (file.endsWith(QLatin1String(ending))) {
+      return format;
+    }
+  }
+  throw InputError("cannot write '" + name + "' as a picture; its name must end in .png, .svg or .pdf");
+}
 
 Picture picture_of(const QImage& image) {
   const QImage rgb = image.convertToFormat(QImage::Format_RGB888);

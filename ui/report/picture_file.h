@@ -17,6 +17,9 @@ namespace feedscope::ui {
 
 enum class PictureFormat : std::uint8_t { png, svg, pdf };
 
+/// By the ending of a file's name, in capitals or not. Throws InputError for any other ending.
+PictureFormat picture_format_of(const std::string& name);
+
 /// A picture to be painted, and the file that it becomes.
 struct PictureSpec {
   PictureFormat format = PictureFormat::png;

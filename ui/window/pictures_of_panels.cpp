@@ -185,15 +185,8 @@ Picture draw_study(const LoadedProgram& program, const Study& study,
 
 std::string circular_file(const std::string& name, const Setup& setup, const std::vector<CircularTest>& tests,
                           std::optional<PictureSize> wanted) {
-  const QString file = QString::fromStdString(name).toLower();
   PictureSpec spec;
-  if (file.endsWith(QStringLiteral(".svg"))) {
-    spec.format = PictureFormat::svg;
-  } else if (file.endsWith(QStringLiteral(".pdf"))) {
-    spec.format = PictureFormat::pdf;
-  } else if (!file.endsWith(QStringLiteral(".png"))) {
-    throw InputError("cannot write '" + name + "' as a picture; its name must end in .png, .svg or .pdf");
-  }
+  spec.format = picture_format_of(name);
   const OffscreenApplication application;
   PolarPlot plot;
   const QString path = tests.front().actual ? PolarPlot::tr("actual path of the axes")
