@@ -48,9 +48,10 @@ UsualMotion usual_motion(const Trajectory& trajectory, std::span<const double> t
     return usual;
   }
   usual.ranges.reserve(times.size() - 1);
+  Values values;
   double phase = 0;  // of the instant in its part
   for (std::size_t i = 0; i + 1 < times.size(); ++i) {
-    Values values;
+    std::ranges::for_each(values, [](std::vector<float>& of_one) { of_one.clear(); });
     for (int k = 0; k < instants; ++k) {
       phase = std::fmod(phase + golden, 1);
       const double time =
