@@ -27,8 +27,8 @@ double TraceAlignment::at_place(double time) const {
   if (std::isnan(place.s) || place.s < trace_->law.first_s() || place.s > trace_->law.last_s()) {
     return MatchedRecord::unmatched;
   }
-  const double at = place.share > 0 ? trace_->law.at(place.s, place.share, agreement_->margin)
-                                    : trace_->law.at(place.s);
+  const double at =
+      place.share > 0 ? trace_->law.at(place.s, place.share, agreement_->margin) : trace_->law.at(place.s);
   const auto next = std::ranges::upper_bound(lost_, at, {}, &Stretch::from);
   return next != lost_.begin() && at < std::prev(next)->to && at > std::prev(next)->from
              ? MatchedRecord::unmatched
