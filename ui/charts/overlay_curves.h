@@ -19,8 +19,8 @@ class OverlayCurves {
  public:
   void set_runs(std::vector<RunOverlay> runs);
   const std::vector<RunOverlay>& runs() const { return runs_; }
-  /// Drawn as runs are, but only in charts of quantities that a trace has. With the first trace `chart`, whose
-  /// spec is `spec`, shows the tangential acceleration too, unless another curve was chosen.
+  /// Drawn as runs are, but only in charts of quantities that a trace has. With the first trace `chart`,
+  /// whose spec is `spec`, shows the tangential acceleration too, unless another curve was chosen.
   void set_traces(std::vector<TraceOverlay> traces, std::size_t chart, const ChartSpec& spec);
   const std::vector<TraceOverlay>& traces() const { return traces_; }
   /// The curve of a chart's spec that the other runs show in it; none: no curve. At first the achieved feed
