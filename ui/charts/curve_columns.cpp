@@ -39,9 +39,12 @@ std::vector<ColumnSpan> joined(std::span<const ColumnSpan> columns) {
   return spans;
 }
 
+double overlap_of(const ColumnSpan& a, const ColumnSpan& b) {
+  return std::min(a.bottom, b.bottom) - std::max(a.top, b.top);
+}
+
 bool swings(const ColumnSpan& a, const ColumnSpan& b) {
-  const double overlap = std::min(a.bottom, b.bottom) - std::max(a.top, b.top);
-  return overlap > std::max(min_overlap, swinging_overlap * std::min(a.height(), b.height()));
+  return overlap_of(a, b) > std::max(min_overlap, swinging_overlap * std::min(a.height(), b.height()));
 }
 
 /// What of a curve is drawn.
@@ -175,6 +178,35 @@ void draw_part(QPainter& painter, const QRectF& plot, std::span<const ColumnSpan
 }
 
 }  // namespace
+
+bool hidden_in_bars(std::span<const ColumnSpan> columns) {
+  constexpr double least_height = 4;  // [px] that neighbours both cover
+  constexpr double least_share = 0.3;
+  double covered = 0;
+  std::size_t pairs = 0;
+  std::vector<double> tops;
+  std::vector<double> bottoms;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (columns[i].empty()) {
+      continue;
+    }
+    tops.push_back(columns[i].top);
+    bottoms.push_back(columns[i].bottom);
+    if (i + 1 < columns.size() && !columns[i + 1].empty()) {
+      covered += std::max(0.0, overlap_of(columns[i], columns[i + 1]));
+      ++pairs;
+    }
+  }
+  if (pairs == 0) {
+    return false;
+  }
+  constexpr std::size_t twentieths = 20;
+  const auto upper = tops.begin() + static_cast<std::ptrdiff_t>(tops.size() / twentieths);
+  const auto lower = bottoms.end() - 1 - static_cast<std::ptrdiff_t>(bottoms.size() / twentieths);
+  std::ranges::nth_element(tops, upper);
+  std::ranges::nth_element(bottoms, lower);
+  return covered > static_cast<double>(pairs) * std::max(least_height, least_share * (*lower - *upper));
+}
 
 void draw_columns(QPainter& painter, const QRectF& plot, std::span<const ColumnSpan> columns,
                   const CurvePen& pen) {

@@ -24,6 +24,11 @@ struct CurvePen {
   bool hollow = false;  ///< where the curve swings within the columns only its largest and least values
 };
 
+/// Whether the columns are bars that hide the curve: it swings within each, so that neighbours cover much of
+/// each other; a curve that rises and falls over many columns touches its neighbours only. Measured by what
+/// the curve reaches but for the 5 % at either end, so that single peaks do not count.
+bool hidden_in_bars(std::span<const ColumnSpan> columns);
+
 /// Draws a curve over equally wide columns of `plot`. Where it swings to and fro within the columns they are
 /// filled one by one, elsewhere they make one smooth band: linear in the columns, whatever the curve does.
 void draw_columns(QPainter& painter, const QRectF& plot, std::span<const ColumnSpan> columns,

@@ -387,6 +387,19 @@ void KinematicChart::set_usual(const std::vector<MotionBand>& ranges, std::size_
   viewport()->update();
 }
 
+bool KinematicChart::shows_usual() const {
+  if (usual_.empty() || usual_.front().empty()) {
+    return false;
+  }
+  const QRectF plot = chart()->plotArea();
+  for (std::size_t k = 0; k < columns_.size(); ++k) {
+    if (shown_[k] && hidden_in_bars(spans_of(*this, plot, columns_[k]))) {
+      return true;
+    }
+  }
+  return false;
+}
+
 void KinematicChart::set_means(std::vector<float> means) {
   means_ = std::move(means);
 }
@@ -396,8 +409,9 @@ std::vector<QPolygonF> KinematicChart::mean_lines() const {
     return {};
   }
   const QRectF plot = chart()->plotArea();
-  return ui::mean_lines(plot, spans_of(*this, plot, columns_.front()), means_,
-                        [this](double value) { return height_of(spec_.convert(value)); });
+  return ui::mean_lines(
+      plot, spans_of(*this, plot, columns_.front()), means_,
+      [this](double value) { return height_of(spec_.convert(value)); }, shows_usual());
 }
 
 /// What the chart leaves out or adds, in its upper left corner.

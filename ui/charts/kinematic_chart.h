@@ -50,10 +50,11 @@ class KinematicChart : public QChartView {
   /// Mean of the first curve in each column, core units: drawn where the columns are high, which otherwise
   /// tell no more than the extremes. Empty: none. Columns as of show_bands().
   void set_means(std::vector<float> means);
-  /// Where curves of the motion usually are, over stretches of so many columns each: then the columns are
-  /// drawn pale, as the extremes. Empty: nothing is known of that.
+  /// Where curves of the motion usually are, over stretches of so many columns each. Where a curve swings
+  /// within the columns and so covers much of the plot, this is drawn, and the columns pale, as the extremes.
+  /// Empty: nothing is known of that.
   void set_usual(const std::vector<MotionBand>& ranges, std::size_t columns);
-  bool shows_usual() const { return !usual_.empty() && !usual_.front().empty(); }
+  bool shows_usual() const;
   /// Those that are drawn.
   std::vector<QPolygonF> mean_lines() const;
   void show_curve(std::size_t curve, bool shown);

@@ -29,7 +29,7 @@ std::vector<float> mean_feeds(const Trajectory& trajectory, std::span<const Colu
 
 std::vector<QPolygonF> mean_lines(const QRectF& plot, std::span<const ColumnSpan> columns,
                                   std::span<const float> means,
-                                  const std::function<double(double)>& height_of) {
+                                  const std::function<double(double)>& height_of, bool everywhere) {
   constexpr qsizetype least_columns = 12;
   constexpr double high = 10;  // [px]
   std::vector<QPolygonF> lines;
@@ -39,8 +39,8 @@ std::vector<QPolygonF> mean_lines(const QRectF& plot, std::span<const ColumnSpan
   const double width = plot.width() / static_cast<double>(columns.size());
   QPolygonF line;
   for (std::size_t i = 0; i <= columns.size(); ++i) {
-    const bool dense =
-        i < columns.size() && !columns[i].empty() && columns[i].height() > high && std::isfinite(means[i]);
+    const bool dense = i < columns.size() && !columns[i].empty() &&
+                       (everywhere || columns[i].height() > high) && std::isfinite(means[i]);
     if (dense) {
       line.append({plot.left() + (static_cast<double>(i) + 0.5) * width, height_of(double{means[i]})});
       continue;

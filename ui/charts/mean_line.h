@@ -20,10 +20,11 @@ std::vector<float> mean_feeds(const Trajectory& trajectory, std::span<const Colu
 /// columns or more.
 ///
 /// `columns`: of the curve over `plot`'s width [px]; `means`: a value each, NaN where there is none;
-/// `height_of`: place of a value [px]. Empty where the numbers of columns and means differ.
+/// `height_of`: place of a value [px]; `everywhere`: along low columns, too. Empty where the numbers of
+/// columns and means differ.
 std::vector<QPolygonF> mean_lines(const QRectF& plot, std::span<const ColumnSpan> columns,
                                   std::span<const float> means,
-                                  const std::function<double(double)>& height_of);
+                                  const std::function<double(double)>& height_of, bool everywhere = false);
 
 /// Draws them so that they stand out from the columns. `behind`: colour of the plot.
 void draw_mean_lines(QPainter& painter, const std::vector<QPolygonF>& lines, const QColor& colour,

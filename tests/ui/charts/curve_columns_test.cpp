@@ -5,6 +5,7 @@
 #include <QImage>
 #include <QPainter>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -138,6 +139,46 @@ TEST(CurveColumns, CurvesThatSwingDoNotHideEachOther) {
   EXPECT_GT(count(88, height, is_red), width / 2);
   EXPECT_GT(count(15, 30, is_blue), width / 2) << "upper edge of the narrow curve";
   EXPECT_GT(count(30, 70, is_pale), 0.95 * 40 * width) << "the inside is pale";
+}
+
+/// Columns of 40 + 30 sin(2 pi t / `period`), t in columns.
+std::vector<ColumnSpan> wave(double period) {
+  std::vector<ColumnSpan> columns;
+  for (int x = 0; x < 1000; ++x) {
+    ColumnSpan span{1e9, -1e9};
+    for (int i = 0; i <= 100; ++i) {
+      const double y = 40 + 30 * std::sin(2 * std::numbers::pi * (x + i / 100.0) / period);
+      span = {std::min(span.top, y), std::max(span.bottom, y)};
+    }
+    columns.push_back(span);
+  }
+  return columns;
+}
+
+TEST(CurveColumns, HideACurveThatSwingsWithinThem) {
+  for (const double period : {5.0, 10.0, 24.0, 300.0}) {
+    EXPECT_FALSE(hidden_in_bars(wave(period))) << period;
+  }
+  for (const double period : {0.1, 0.5, 1.0, 1.5}) {
+    EXPECT_TRUE(hidden_in_bars(wave(period))) << period;
+  }
+}
+
+TEST(CurveColumns, HideACurveWhateverItsPeaks) {
+  std::vector<ColumnSpan> slow = wave(24);
+  std::vector<ColumnSpan> fast = wave(0.5);
+  for (std::size_t i = 0; i < slow.size(); i += 50) {
+    slow[i].top = fast[i].top = -1000;
+  }
+  EXPECT_FALSE(hidden_in_bars(slow));
+  EXPECT_TRUE(hidden_in_bars(fast));
+}
+
+TEST(CurveColumns, HideNothingWhereTheyAreLowOrEmpty) {
+  EXPECT_FALSE(hidden_in_bars({}));
+  EXPECT_FALSE(hidden_in_bars(std::vector<ColumnSpan>(100)));
+  EXPECT_FALSE(hidden_in_bars(std::vector<ColumnSpan>(100, {50, 53}))) << "no thicker than a pen";
+  EXPECT_TRUE(hidden_in_bars(std::vector<ColumnSpan>(100, {50, 60})));
 }
 
 }  // namespace

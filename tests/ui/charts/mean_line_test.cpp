@@ -46,6 +46,7 @@ TEST(MeanLine, StandsAlongHighColumnsOnly) {
   std::vector<float> broken = means;
   broken[25] = std::numeric_limits<float>::quiet_NaN();
   EXPECT_EQ(mean_lines(plot, columns, broken, height_of)[0].size(), 14);
+  EXPECT_EQ(mean_lines(plot, columns, means, height_of, true)[0].size(), 60) << "everywhere";
   EXPECT_TRUE(mean_lines(plot, columns, std::vector<float>(3), height_of).empty());
 }
 
