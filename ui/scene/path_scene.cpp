@@ -1,10 +1,8 @@
 #include "ui/scene/path_scene.h"
 
 #include <vtkCamera.h>
-#include <vtkNew.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkWeakPointer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +16,7 @@
 #include "ui/scene/path/shown_extent.h"
 #include "ui/scene/render_callback.h"
 #include "ui/scene/render_window.h"
+#include "ui/scene/window_layers.h"
 
 namespace feedscope::ui {
 namespace {
@@ -25,30 +24,20 @@ namespace {
 constexpr double largest_exaggeration = 1000;
 constexpr double cube_half = 24;    // [pixels]
 constexpr double cube_height = 98;  // of its centre, above the lower edge
-constexpr int layer_count = 3;
 
 }  // namespace
 
-/// Three layers of one window: behind, the frame's grid and labels and what underlays the path; then the
-/// path; in front the tool, and on top legend, panel and pointers.
 class PathScene::Impl : public ScenePaths {
  public:
   Impl()
-      : under(*behind),
-        over(*front),
-        layers(*middle, *behind),
-        tool_drawn(*front),
-        camera(*middle->GetActiveCamera()) {
-    int layer = 0;
-    for (vtkRenderer* renderer : renderers()) {
-      renderer->SetLayer(layer++);
-      renderer->InteractiveOff();
-    }
-    front->SetActiveCamera(middle->GetActiveCamera());
-    behind->SetActiveCamera(middle->GetActiveCamera());
-    call_before(*behind, this,
+      : under(stage.behind()),
+        over(stage.front()),
+        layers(stage.middle(), stage.behind()),
+        tool_drawn(stage.front()),
+        camera(*stage.middle().GetActiveCamera()) {
+    call_before(stage.behind(), this,
                 [](vtkObject*, unsigned long, void* self, void*) { static_cast<Impl*>(self)->prepare(); });
-    call_before(*front, this, [](vtkObject*, unsigned long, void* self, void*) {
+    call_before(stage.front(), this, [](vtkObject*, unsigned long, void* self, void*) {
       auto& scene = *static_cast<Impl*>(self);
       const double reach = scene.tool_drawn.reach(scene.projection(), scene.frame, scene.scale);
       scene.camera.set_clipping(reach + scene.beyond, reach + scene.beyond);
@@ -57,24 +46,30 @@ class PathScene::Impl : public ScenePaths {
     apply_colours();
   }
 
-  std::array<vtkRenderer*, layer_count> renderers() { return {behind, middle, front}; }
   const SceneColours& colours() const { return *look.colours; }
-  int width() const { return window != nullptr ? std::max(1, window->GetSize()[0]) : 1; }
-  int height() const { return window != nullptr ? std::max(1, window->GetSize()[1]) : 1; }
-  Vec2 display(const Pixel& pixel) const { return {pixel[0], height() - pixel[1]}; }
-  Projection projection() const { return camera.projection(width(), height()); }
+  Projection projection() const { return camera.projection(stage.width(), stage.height()); }
   Captions captions() const {
     return {layers.entries(), layers.key(), look.run, look.exaggeration, look.colours, &texts, transparent};
   }
-  ScreenLayout layout() const { return screen_layout(width(), height(), scale, captions()); }
+  ScreenLayout layout() const { return screen_layout(stage.width(), stage.height(), scale, captions()); }
   ScreenRectangle room() const {
     const ScreenLayout screen = layout();
     return {screen.low(), screen.high()};
   }
   PickablePath pickable() const {
     const DrawnPath* path = layers.executed();
-    return path != nullptr ? PickablePath{&path->samples(), &path->positions(), &path->boxes()}
+    return path != nullptr ? PickablePath{&path->samples(), &path->positions(), &path->boxes(),
+                                          stretch.rest_hidden ? shown_times() : std::nullopt}
                            : PickablePath{};
+  }
+  std::optional<TimeStretch> shown_times() const { return stretch.times(highlight, cursor_at); }
+  void apply_stretch() {
+    const auto times = shown_times();
+    const bool only = times && stretch.rest_hidden && layers.executed() != nullptr;
+    layers.set_stretch(
+        times, only ? std::optional(bounds_between(pickable(), (*times)[0], (*times)[1])) : std::nullopt);
+    layers.set_highlight(stretch.stretch == PathStretch::charts ? std::nullopt : highlight);
+    changed();
   }
   AxesCube cube() const {
     const ScreenLayout screen = layout();
@@ -95,6 +90,7 @@ class PathScene::Impl : public ScenePaths {
     frame = frame_around(extent.fitted);
     beyond = extent.beyond() / frame.unit;
     layers.show(programmed, executed_samples, shown_overlays(colours(), texts), frame);
+    apply_stretch();
     camera.set_state(state, frame);
     if (fitted) {
       fit_now();
@@ -103,7 +99,7 @@ class PathScene::Impl : public ScenePaths {
   }
 
   void fit_now() {
-    camera.fit(width(), height(), frame.box, room(), [this](const Projection& view) {
+    camera.fit(stage.width(), stage.height(), frame.box, room(), [this](const Projection& view) {
       const AxesLayout axes = lay_out_axes(frame, view, scale);
       return ScreenRectangle{axes.low, axes.high};
     });
@@ -123,8 +119,8 @@ class PathScene::Impl : public ScenePaths {
 
   void apply_colours() {
     const Rgb background = transparent ? Rgb{} : colours().background;
-    behind->SetBackground(background[0], background[1], background[2]);
-    behind->SetBackgroundAlpha(transparent ? 0 : 1);
+    stage.behind().SetBackground(background[0], background[1], background[2]);
+    stage.behind().SetBackgroundAlpha(transparent ? 0 : 1);
     tool_drawn.set_colour(colours().tool);
     apply_look();
   }
@@ -149,25 +145,24 @@ class PathScene::Impl : public ScenePaths {
     const auto place_of = [&](const Vec3& point) { return view.to_display(frame.to_scene(point)); };
     draw_path_marks(over, programmed.get(), executed_samples.get(), place_of,
                     {scale, colours(), texts, view.scale / frame.unit});
-    draw_scene_pointers(over, pointers, place_of, height(), room(), scale, colours());
+    draw_scene_pointers(over, pointers, place_of, stage.height(), room(), scale, colours());
     draw_captions(over, layout(), captions(), view, view.scale / frame.unit);
     cube().draw(over, scale, colours(), texts);
     over.end();
   }
 
-  vtkNew<vtkRenderer> behind;
-  vtkNew<vtkRenderer> middle;
-  vtkNew<vtkRenderer> front;
+  WindowLayers stage;
   Canvas under;
   Canvas over;
   PathLayers layers;
   Tool tool_drawn;
   SceneCamera camera;
-  vtkWeakPointer<vtkRenderWindow> window;
   std::function<void()> callback;
 
   std::optional<Vec3> cursor;       ///< as drawn
   std::optional<double> cursor_at;  ///< its time, where it is on the path
+  std::optional<TimeStretch> highlight;
+  StretchChoice stretch;
   ScenePointers pointers;
   PathLook look;
   SceneTexts texts;
@@ -184,20 +179,11 @@ PathScene::PathScene() : impl_(std::make_unique<Impl>()) {}
 PathScene::~PathScene() = default;
 
 void PathScene::attach(vtkRenderWindow& window) {
-  impl_->window = &window;
-  window.SetNumberOfLayers(layer_count);
-  for (vtkRenderer* renderer : impl_->renderers()) {
-    window.AddRenderer(renderer);
-  }
+  impl_->stage.attach(window);
 }
 
 void PathScene::detach() {
-  if (impl_->window != nullptr) {
-    for (vtkRenderer* renderer : impl_->renderers()) {
-      impl_->window->RemoveRenderer(renderer);
-    }
-  }
-  impl_->window = nullptr;
+  impl_->stage.detach();
 }
 
 void PathScene::on_change(std::function<void()> callback) {
@@ -249,13 +235,13 @@ bool PathScene::has(QuantitySource source) const {
 void PathScene::set_cursor(const std::optional<Vec3>& tip) {
   impl_->cursor = tip;
   impl_->cursor_at.reset();
-  impl_->changed();
+  impl_->apply_stretch();
 }
 
 void PathScene::set_cursor(const State& state) {
   impl_->cursor = drawn_at(state.time);
   impl_->cursor_at = state.time;
-  impl_->changed();
+  impl_->apply_stretch();
 }
 
 void PathScene::set_colouring(Colouring colouring) {
@@ -385,32 +371,41 @@ void PathScene::orbit(const Pixel& shift, const std::optional<Vec3>& pivot) {
 }
 
 void PathScene::pan(const Pixel& shift) {
-  impl_->camera.pan({shift[0], -shift[1]}, impl_->width(), impl_->height());
+  impl_->camera.pan({shift[0], -shift[1]}, impl_->stage.width(), impl_->stage.height());
   impl_->changed();
 }
 
 void PathScene::zoom(double factor, const Pixel& about) {
-  impl_->camera.zoom(factor, impl_->display(about), impl_->width(), impl_->height());
+  impl_->camera.zoom(factor, impl_->stage.display(about), impl_->stage.width(), impl_->stage.height());
   impl_->changed();
 }
 
 void PathScene::zoom_to_box(const Pixel& corner, const Pixel& opposite) {
-  const Vec2 low = impl_->display(corner).cwiseMin(impl_->display(opposite));
-  const Vec2 high = impl_->display(corner).cwiseMax(impl_->display(opposite));
-  impl_->camera.zoom_to_box({low, high}, impl_->room(), impl_->width(), impl_->height());
+  const Vec2 low = impl_->stage.display(corner).cwiseMin(impl_->stage.display(opposite));
+  const Vec2 high = impl_->stage.display(corner).cwiseMax(impl_->stage.display(opposite));
+  impl_->camera.zoom_to_box({low, high}, impl_->room(), impl_->stage.width(), impl_->stage.height());
   impl_->changed();
 }
 
 void PathScene::set_moving(bool moving) {
   if (std::exchange(impl_->moving, moving) != moving) {
-    set_rough_edges(impl_->window, moving);
+    set_rough_edges(impl_->stage.window(), moving);
     impl_->changed();
   }
 }
 
 void PathScene::set_highlight(std::optional<std::array<double, 2>> range) {
-  impl_->layers.set_highlight(range);
-  impl_->changed();
+  impl_->highlight = range;
+  impl_->apply_stretch();
+}
+
+void PathScene::set_stretch(const StretchChoice& stretch) {
+  if (std::exchange(impl_->stretch, stretch) != stretch) {
+    impl_->apply_stretch();
+  }
+}
+const StretchChoice& PathScene::stretch() const {
+  return impl_->stretch;
 }
 
 void PathScene::fit_times(double from, double to) {
@@ -421,20 +416,19 @@ void PathScene::fit_times(double from, double to) {
   Bounds box;
   box.add(impl_->frame.to_scene(part.min));
   box.add(impl_->frame.to_scene(part.max));
-  impl_->camera.fit_part(impl_->width(), impl_->height(), box, impl_->room());
+  impl_->camera.fit_part(impl_->stage.width(), impl_->stage.height(), box, impl_->room());
   impl_->changed();
 }
 
 std::optional<std::array<double, 2>> PathScene::visible_times() const {
-  const ScreenLayout layout = impl_->layout();
-  return ui::times_within(impl_->pickable(), {impl_->projection(), impl_->frame}, {0, 0},
-                          {layout.width - layout.panel_width, layout.height - layout.legend_height});
+  const auto [corner, opposite] = path_room();
+  return times_within(corner, opposite);
 }
 
 std::optional<std::array<double, 2>> PathScene::times_within(const Pixel& corner,
                                                              const Pixel& opposite) const {
-  const Vec2 a = impl_->display(corner);
-  const Vec2 b = impl_->display(opposite);
+  const Vec2 a = impl_->stage.display(corner);
+  const Vec2 b = impl_->stage.display(opposite);
   return ui::times_within(impl_->pickable(), {impl_->projection(), impl_->frame}, a.cwiseMin(b),
                           a.cwiseMax(b));
 }
@@ -459,11 +453,12 @@ void PathScene::set_rubber_band(const std::optional<std::array<Pixel, 2>>& corne
 std::optional<double> PathScene::pick_time(const Pixel& pixel, double radius) const {
   const bool exact = impl_->trajectory && exaggeration() == 1;
   return nearest_time(impl_->pickable(), exact ? impl_->trajectory.get() : nullptr,
-                      {impl_->projection(), impl_->frame}, impl_->display(pixel), radius * impl_->scale);
+                      {impl_->projection(), impl_->frame}, impl_->stage.display(pixel),
+                      radius * impl_->scale);
 }
 
 std::optional<StandardView> PathScene::cube_view(const Pixel& pixel) const {
-  return impl_->cube().view_at(impl_->display(pixel));
+  return impl_->cube().view_at(impl_->stage.display(pixel));
 }
 
 const std::shared_ptr<const Trajectory>& PathScene::trajectory() const {
@@ -493,7 +488,7 @@ std::array<Pixel, 2> PathScene::path_room() const {
 
 Pixel PathScene::pixel_of(const Vec3& point) const {
   const Vec2 display = impl_->projection().to_display(impl_->frame.to_scene(point));
-  return {display.x(), impl_->height() - display.y()};
+  return {display.x(), impl_->stage.height() - display.y()};
 }
 
 }  // namespace feedscope::ui

@@ -13,13 +13,11 @@
 #include "ui/scene/camera/scene_camera.h"
 #include "ui/scene/draw/tool.h"
 #include "ui/scene/path/path_layers.h"
+#include "ui/scene/window_layers.h"
 
 class vtkRenderWindow;
 
 namespace feedscope::ui {
-
-/// Pixel of the window, device pixels from its upper left corner.
-using Pixel = std::array<double, 2>;
 
 /// A distance shown between two places, with what is written beside it.
 struct SceneDimension {
@@ -110,6 +108,10 @@ class PathScene {
 
   /// Marks the executed path between two times [s]; none marks nothing.
   void set_highlight(std::optional<std::array<double, 2>> range);
+  /// Which stretch of the executed path is drawn in full: all, that which is marked, or up to the cursor.
+  /// What is hidden cannot be picked.
+  void set_stretch(const StretchChoice& stretch);
+  const StretchChoice& stretch() const;
   /// The executed path between two times [s] fills the window.
   void fit_times(double from, double to);
   /// First and last time [s] at which the executed path is in view, or in a rectangle of the window.

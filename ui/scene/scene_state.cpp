@@ -4,7 +4,7 @@ namespace feedscope::ui {
 
 SceneState scene_state(const PathScene& scene) {
   return {scene.camera(), scene.colouring(),    scene.exaggeration(), scene.tool(),
-          scene.grid(),   scene.actual_shown(), scene.rapids_shown()};
+          scene.grid(),   scene.actual_shown(), scene.rapids_shown(), scene.stretch()};
 }
 
 void set_scene_state(PathScene& scene, const SceneState& state) {
@@ -14,6 +14,7 @@ void set_scene_state(PathScene& scene, const SceneState& state) {
   scene.set_grid(state.grid);
   scene.set_actual_shown(state.actual);
   scene.set_rapids_shown(state.rapids);
+  scene.set_stretch(state.stretch);
   scene.set_camera(state.camera);
 }
 

@@ -13,6 +13,7 @@ struct SceneState {
   bool grid = true;
   bool actual = true;  ///< the path that the axes run is drawn
   bool rapids = true;  ///< are drawn
+  StretchChoice stretch = {};
 
   bool operator==(const SceneState&) const = default;
 };

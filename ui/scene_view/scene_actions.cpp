@@ -172,6 +172,47 @@ void SceneActions::make_views() {
   set_everyday_words(rapids_, tr("hide show G0"));
   connect(rapids_, &QAction::triggered, this, [this](bool on) { view_.scene().set_rapids_shown(on); });
   views_->addActions({perspective_, grid_, rapids_, actual_});
+  make_stretches();
+}
+
+/// Below the views: which stretch of the path is drawn in full.
+void SceneActions::make_stretches() {
+  views_->addSeparator();
+  stretch_ = new QActionGroup(this);
+  const auto add = [this](const QString& text, const QString& tip, const QKeySequence& key,
+                          PathStretch stretch) {
+    QAction* action = add_command(text, tip, key);
+    action->setCheckable(true);
+    action->setData(static_cast<int>(stretch));
+    stretch_->addAction(action);
+    views_->addAction(action);
+    connect(action, &QAction::triggered, this, &SceneActions::apply_stretch);
+    return action;
+  };
+  add(tr("&Whole path"), tr("Draw all of the path in full"), {}, PathStretch::whole);
+  QAction* charts = add(tr("&Only the chart range"),
+                        tr("Draw what the charts show in full, the rest of the path pale or not at all"),
+                        QKeySequence(Qt::Key_O), PathStretch::charts);
+  set_everyday_words(charts, tr("layer level clip transparent isolate"));
+  QAction* trail =
+      add(tr("&Up to the cursor"),
+          tr("Draw what has been run up to the cursor in full, the rest of the path pale or not at all"),
+          QKeySequence(Qt::Key_U), PathStretch::to_cursor);
+  set_everyday_words(trail, tr("trail trace playback"));
+  rest_hidden_ = add_command(
+      tr("&Hide the rest"),
+      tr("Hide the rest of the path, with all that lies outside of the box around what is drawn in full"),
+      QKeySequence(Qt::Key_H));
+  rest_hidden_->setCheckable(true);
+  connect(rest_hidden_, &QAction::triggered, this, &SceneActions::apply_stretch);
+  views_->addAction(rest_hidden_);
+}
+
+void SceneActions::apply_stretch() {
+  const QAction* chosen = stretch_->checkedAction();
+  view_.scene().set_stretch(
+      {chosen != nullptr ? static_cast<PathStretch>(chosen->data().toInt()) : PathStretch::whole,
+       rest_hidden_->isChecked()});
 }
 
 void SceneActions::make_tools() {
@@ -240,14 +281,14 @@ void SceneActions::make_modes() {
   bar_->addActions({measure_, box_, charts, fit});
 }
 
-void SceneActions::check(const Choice& choice, const QVariant& value) {
-  for (QAction* option : choice.group->actions()) {
+void SceneActions::check(QActionGroup& group, const QVariant& value) {
+  for (QAction* option : group.actions()) {
     if (option->data() == value) {
       option->setChecked(true);
       return;
     }
   }
-  if (QAction* another = choice.group->checkedAction()) {
+  if (QAction* another = group.checkedAction()) {
     another->setChecked(false);
   }
 }
@@ -261,11 +302,11 @@ void SceneActions::follow_scene() {
     return;
   }
   followed_ = shown;
-  check(colouring_, static_cast<int>(shown.colouring));
+  check(*colouring_.group, static_cast<int>(shown.colouring));
   colouring_.button->setText(tr("Colour: %1").arg(colouring_.group->checkedAction()->text()));
-  check(exaggeration_, shown.exaggeration);
+  check(*exaggeration_.group, shown.exaggeration);
   exaggeration_.button->setText(tr("Deviation %1").arg(exaggeration_text(shown.exaggeration)));
-  check(tool_, static_cast<int>(shown.tool.kind));
+  check(*tool_.group, static_cast<int>(shown.tool.kind));
   for (const auto& [size, value] :
        {std::pair(diameter_, shown.tool.diameter), std::pair(corner_radius_, shown.tool.corner_radius)}) {
     const QSignalBlocker blocker(size);  // it is told, it does not tell
@@ -275,6 +316,9 @@ void SceneActions::follow_scene() {
   grid_->setChecked(shown.grid);
   actual_->setChecked(shown.actual);
   rapids_->setChecked(shown.rapids);
+  check(*stretch_, static_cast<int>(shown.stretch.stretch));
+  rest_hidden_->setChecked(shown.stretch.rest_hidden);
+  rest_hidden_->setEnabled(shown.stretch.stretch != PathStretch::whole);
 }
 
 QList<QAction*> SceneActions::all() const {

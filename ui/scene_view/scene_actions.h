@@ -57,16 +57,20 @@ class SceneActions : public QObject {
   void make_colourings();
   void make_exaggerations();
   void make_views();
+  void make_stretches();
   void make_tools();
   void make_modes();
   void apply_tool();
-  void check(const Choice& choice, const QVariant& value);
+  void apply_stretch();
+  void check(QActionGroup& group, const QVariant& value);
 
   SceneView& view_;
   QToolBar* bar_;
   Choice colouring_;
   Choice exaggeration_;
   Choice tool_;
+  QActionGroup* stretch_ = nullptr;
+  QAction* rest_hidden_ = nullptr;
   QMenu* views_ = nullptr;
   QList<QAction*> commands_;
   QAction* perspective_ = nullptr;

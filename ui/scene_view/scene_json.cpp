@@ -7,6 +7,7 @@ namespace feedscope::ui {
 namespace {
 
 constexpr std::array tool_keys{"none", "marker", "flat", "ball", "bull"};  // in the order of ToolKind
+constexpr std::array stretch_keys{"whole", "charts", "to_cursor"};         // of PathStretch
 
 QString key_of(Colouring colouring) {
   return QString::fromStdString(colouring_key(colouring));
@@ -64,7 +65,9 @@ QJsonObject to_json(const SceneState& state) {
                                {"corner_radius_mm", state.tool.corner_radius}}},
           {"grid", state.grid},
           {"actual_path", state.actual},
-          {"rapids", state.rapids}};
+          {"rapids", state.rapids},
+          {"stretch", stretch_keys.at(static_cast<std::size_t>(state.stretch.stretch))},
+          {"rest_hidden", state.stretch.rest_hidden}};
 }
 
 void read_json(const QJsonObject& json, SceneState& state) {
@@ -79,6 +82,12 @@ void read_json(const QJsonObject& json, SceneState& state) {
   state.grid = json["grid"].toBool(state.grid);
   state.actual = json["actual_path"].toBool(state.actual);
   state.rapids = json["rapids"].toBool(state.rapids);
+  for (std::size_t stretch = 0; stretch < stretch_keys.size(); ++stretch) {
+    if (json["stretch"] == QLatin1String(stretch_keys[stretch])) {
+      state.stretch.stretch = static_cast<PathStretch>(stretch);
+    }
+  }
+  state.stretch.rest_hidden = json["rest_hidden"].toBool(state.stretch.rest_hidden);
 }
 
 }  // namespace feedscope::ui

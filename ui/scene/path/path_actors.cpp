@@ -43,19 +43,19 @@ vtkSmartPointer<vtkCellArray> polylines(const PathPart& part, std::size_t first,
   return cells;
 }
 
-vtkSmartPointer<vtkCellArray> blend_points(const PathPart& part) {
+vtkSmartPointer<vtkCellArray> blend_points(const PathPart& part, std::size_t first, std::size_t end) {
   constexpr std::size_t max_points = 100'000;
   const auto in_blend = [&](std::size_t k) {
     return part.kind(k) == SpanKind::blend || (k > 0 && part.kind(k - 1) == SpanKind::blend);
   };
   std::size_t count = 0;
-  for (std::size_t k = 0; k < part.size(); ++k) {
+  for (std::size_t k = first; k < end; ++k) {
     count += in_blend(k) ? 1 : 0;
   }
   const std::size_t step = 1 + count / max_points;
   auto cells = vtkSmartPointer<vtkCellArray>::New();
   std::size_t seen = 0;
-  for (std::size_t k = 0; k < part.size(); ++k) {
+  for (std::size_t k = first; k < end; ++k) {
     if (in_blend(k) && seen++ % step == 0) {
       const auto id = static_cast<vtkIdType>(k);
       cells->InsertNextCell(1, &id);

@@ -19,8 +19,9 @@ vtkSmartPointer<vtkCellArray> polylines(const PathPart& part, std::size_t first,
                                         const std::function<bool(SpanKind)>& wanted);
 
 /// Those of the points that are in blends, or every n-th of them where there are more than 100 000: drawn as
-/// discs, they round the joins of wide lines and show blends that are smaller than a pixel.
-vtkSmartPointer<vtkCellArray> blend_points(const PathPart& part);
+/// discs, they round the joins of wide lines and show blends that are smaller than a pixel. Of the points
+/// from `first` to `end` - 1.
+vtkSmartPointer<vtkCellArray> blend_points(const PathPart& part, std::size_t first, std::size_t end);
 
 /// The rapids of `path` as dashes of `dash` mm with gaps as long, the pattern running on over consecutive
 /// spans; dashes grow where there would be more than 100 000.

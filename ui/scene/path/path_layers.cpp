@@ -2,6 +2,8 @@
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>
+#include <vtkMapper.h>
+#include <vtkPlaneCollection.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
@@ -12,6 +14,7 @@
 
 #include "ui/scene/current_context.h"
 #include "ui/scene/path/path_actors.h"
+#include "ui/scene/path/view_detail.h"
 
 namespace feedscope::ui {
 namespace {
@@ -27,9 +30,8 @@ constexpr double blend_edge_width = 7;
 constexpr double curve_edge_width = 6;
 constexpr double range_width = 12;
 
-constexpr double max_covered = 0.5;            // of the path by edges of blends
-constexpr double dashes_across = 90;           // along the largest extent
-constexpr std::size_t points_moving = 30'000;  // drawn of a path while the view moves
+constexpr double max_covered = 0.5;   // of the path by edges of blends
+constexpr double dashes_across = 90;  // along the largest extent
 
 bool is_cut(SpanKind kind) {
   return kind != SpanKind::rapid && kind != SpanKind::gap;
@@ -171,6 +173,8 @@ void PathLayers::show_executed(std::shared_ptr<const SampledPath> executed) {
     executed_ = std::make_unique<DrawnPath>(std::move(executed));
     executed_->exaggerate(look_.exaggeration);
     add(Role::range, executed_.get());
+    add(Role::rest, executed_.get());
+    add(Role::stretch_end, executed_.get());
     if (curve_length_ > 0) {
       add(Role::curve_edge, executed_.get());
     }
@@ -238,19 +242,47 @@ LegendEntries PathLayers::entries() const {
   return shown;
 }
 
-void PathLayers::set_highlight(std::optional<std::array<double, 2>> range) {
-  if (range == range_) {
-    return;
+void PathLayers::set_highlight(std::optional<TimeStretch> range) {
+  if (std::exchange(range_, range) != range) {
+    redraw({Role::range});
   }
-  range_ = range;
+}
+
+void PathLayers::set_stretch(const std::optional<TimeStretch>& stretch, const std::optional<Bounds>& only) {
+  only_ = only;
+  if (!only_) {
+    clipping_ = nullptr;
+  }
+  if (std::exchange(stretch_, stretch) != stretch) {
+    redraw({Role::rest, Role::stretch_end, Role::cut, Role::curve_edge, Role::blend_edge, Role::blend});
+  }
+}
+
+/// Gives what is drawn of the executed path other lines; the points of its parts stay where they are.
+void PathLayers::redraw(const std::vector<Role>& roles) {
   const CurrentContext context(renderer_);
   for (Layer& layer : layers_) {
-    if (layer.role == Role::range) {
-      for (auto& actor : layer.actors) {
+    for (std::size_t i = 0; i < layer.actors.size() && std::ranges::count(roles, layer.role) > 0; ++i) {
+      if (layer.actors[i]) {
+        static_cast<vtkPolyDataMapper*>(layer.actors[i]->GetMapper())
+            ->SetInputData(lines_of(layer, *layer.path->part(i)));
+      }
+    }
+  }
+}
+
+/// What lies outside of the box around the stretch is cut off, where the rest is hidden.
+void PathLayers::place_clipping(const SceneFrame& frame, const Projection& view) {
+  if (only_) {
+    constexpr double margin = 8;  // [px]: lines are wide and lifted towards the eye
+    clipping_ = planes_around(frame.to_scene(only_->min), frame.to_scene(only_->max), margin / view.scale);
+  }
+  for (const Layer& layer : layers_) {
+    if (layer.role == Role::rapid || layer.role == Role::programmed || layer.role == Role::overlay) {
+      for (const auto& actor : layer.actors) {
         if (actor) {
-          below_.RemoveActor(actor);
+          actor->GetMapper()->SetClippingPlanes(clipping_);
         }
-        actor = nullptr;
       }
     }
   }
@@ -271,8 +303,11 @@ Rgb PathLayers::colour_of(const Layer& layer) const {
       return colours.blend_edge;
     case Role::curve_edge:
       return colours.curve_edge;
+    case Role::rest:
+      return mixed(colours.programmed, colours.background, 0.7);
     case Role::cut:
     case Role::blend:
+    case Role::stretch_end:
       break;
   }
   return colours.text;
@@ -283,49 +318,46 @@ vtkSmartPointer<vtkCellArray> PathLayers::highlighted(const PathPart& part) cons
   if (!range_) {
     return polylines(part, 0, 0, is_cut);
   }
-  const auto first_from = [&](double time) {
-    const auto& points = part.points_of_path();
-    const auto time_of = [&](std::uint32_t point) { return part.path().times[point]; };
-    return static_cast<std::size_t>(std::ranges::lower_bound(points, time, {}, time_of) - points.begin());
-  };
-  const std::size_t first = first_from((*range_)[0]);
-  const std::size_t end = std::min(part.size(), first_from((*range_)[1]) + 1);
-  return polylines(part, first > 0 ? first - 1 : 0, end, is_cut);
+  const PartWindow within = window_within(part, range_);
+  return polylines(part, within.first > 0 ? within.first - 1 : 0, std::min(part.size(), within.end + 1),
+                   is_cut);
 }
 
 vtkSmartPointer<vtkCellArray> PathLayers::cells_of(const Layer& layer, const PathPart& part) const {
   if (layer.role == Role::range) {
     return highlighted(part);
   }
+  if (layer.role == Role::rest) {
+    return stretch_ ? polylines_outside(part, *stretch_, is_cut) : polylines(part, 0, 0, is_cut);
+  }
+  const PartWindow shown =
+      layer.path == executed_.get() ? window_within(part, stretch_) : PartWindow{0, part.size()};
   if (layer.discs) {
-    return blend_points(part);
+    return blend_points(part, shown.first, shown.end);
   }
   const bool blends = layer.role == Role::blend || layer.role == Role::blend_edge;
-  return polylines(part, 0, part.size(),
+  return polylines(part, shown.first, shown.end,
                    blends                           ? is_blend
                    : layer.role == Role::curve_edge ? is_curve
                                                     : is_cut);
 }
 
-vtkSmartPointer<vtkActor> PathLayers::make_actor(const Layer& layer, const PathPart& part) const {
+vtkSmartPointer<vtkPolyData> PathLayers::lines_of(const Layer& layer, const PathPart& part) const {
+  if (layer.role == Role::stretch_end) {
+    return ends_of(part, stretch_.value_or(TimeStretch{0, 0}), is_cut);
+  }
   const auto cells = cells_of(layer, part);
-  const bool coloured = layer.role == Role::cut || layer.role == Role::blend;
-  auto actor = line_actor(*part.poly_data(*cells, layer.discs), coloured);
+  return part.poly_data(*cells, layer.discs);
+}
+
+vtkSmartPointer<vtkActor> PathLayers::make_actor(const Layer& layer, const PathPart& part) const {
+  const bool coloured =
+      layer.role == Role::cut || layer.role == Role::blend || layer.role == Role::stretch_end;
+  auto actor = line_actor(*lines_of(layer, part), coloured);
   const Rgb colour = colour_of(layer);
   actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
   renderer_of(layer).AddActor(actor);
   return actor;
-}
-
-/// Share of the box's outline on the screen that lines would cover; `drawn`: length times width [mm pixels].
-double PathLayers::crowding(const SceneFrame& frame, const Projection& view, double drawn) {
-  const Vec3 size = frame.box.max - frame.box.min;
-  const Vec3 faces(size.y() * size.z(), size.z() * size.x(), size.x() * size.y());
-  const Vec2 across(size.dot(view.right.cwiseAbs()), size.dot(view.up.cwiseAbs()));
-  constexpr double min_share = 0.15;  // of the square over its extent, for a box seen from its edge
-  const double area = view.scale * view.scale *
-                      std::max(faces.dot(view.towards.cwiseAbs()), min_share * across.squaredNorm());
-  return drawn * view.scale / frame.unit / std::max(area, 1.0);
 }
 
 /// Share of the path on the screen that the ends of the blends' edges cover: however short a blend is, its
@@ -347,7 +379,10 @@ PathLayers::Style PathLayers::style_of(Role role, double thinner) const {
       return {curve_edge_width * thinner, 2.6};
     case Role::blend_edge:
       return {blend_edge_width * thinner, 3};
+    case Role::rest:
+      return {cut_width * thinner, 4};
     case Role::cut:
+    case Role::stretch_end:
       return {cut_width * thinner, 8};
     case Role::blend:
       return {(look_.exaggeration == 1 ? blend_width : cut_width) * thinner, 10};
@@ -355,18 +390,6 @@ PathLayers::Style PathLayers::style_of(Role role, double thinner) const {
       return {overlay_width * thinner, 6};  // below the run itself: they show where the paths differ
   }
   return {thin_width, 0};
-}
-
-std::size_t PathLayers::level_of(const SampledPath& path, const SceneFrame& frame, const Projection& view,
-                                 bool moving) {
-  constexpr double invisible = 0.7;  // [pixels]
-  const auto& levels = path.levels;
-  std::size_t level = 0;
-  while (level + 1 < levels.size() && (levels[level + 1].spacing / frame.unit * view.scale < invisible ||
-                                       (moving && levels[level].size() > points_moving))) {
-    ++level;
-  }
-  return level;
 }
 
 /// Of the paths that are drawn; actors of parts that are no more go.
@@ -417,9 +440,10 @@ void PathLayers::place(const SceneFrame& frame, const Projection& view, double s
   update_parts(frame, view, moving);
   for (Layer& layer : layers_) {
     const bool emphasis = layer.role == Role::blend_edge || layer.role == Role::curve_edge || layer.discs;
-    const bool shown = (!emphasis || (edges && !moving)) && (layer.role != Role::range || range_) &&
-                       (layer.role != Role::overlay || overlays_shown()) &&
-                       (layer.role != Role::rapid || look_.rapids);
+    const bool shown =
+        (!emphasis || (edges && !moving)) && (layer.role != Role::range || range_) &&
+        (layer.role != Role::overlay || overlays_shown()) && (layer.role != Role::rapid || look_.rapids) &&
+        (layer.role != Role::rest || (stretch_ && !only_)) && (layer.role != Role::stretch_end || stretch_);
     const std::size_t level =
         layer.path != nullptr ? level_of(layer.path->samples(), frame, view, moving) : 0;
     for (std::size_t i = 0; i < layer.actors.size(); ++i) {
@@ -447,6 +471,7 @@ void PathLayers::place(const SceneFrame& frame, const Projection& view, double s
     actor.SetScale(lift.shrink / frame.unit);
     actor.SetPosition(at.x(), at.y(), at.z());
   }
+  place_clipping(frame, view);
 }
 
 }  // namespace feedscope::ui

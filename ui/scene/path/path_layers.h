@@ -12,9 +12,12 @@
 #include "ui/scene/draw/captions.h"
 #include "ui/scene/path/colouring.h"
 #include "ui/scene/path/drawn_path.h"
+#include "ui/scene/path/path_stretch.h"
 
 class vtkActor;
 class vtkCellArray;
+class vtkPlaneCollection;
+class vtkPolyData;
 class vtkRenderer;
 
 namespace feedscope::ui {
@@ -39,15 +42,16 @@ struct PathLook {
 };
 
 /// The lines of a run: rapids dashed, programmed path thin, executed path coloured, blends wide with an edge,
-/// other runs thin unless the colours compare with one, a range of time underlaid.
+/// other runs thin unless the colours compare with one, a range of time underlaid. Of the executed path a
+/// stretch may be drawn in full, the rest pale or not at all.
 ///
 /// Where lines would cover the picture, they are drawn thinner; where the edges of blends would cover the
 /// path, the edges are omitted. Zooming in brings both back. Paths of many points are drawn without what is
 /// smaller than a pixel, and coarser while the view moves.
 class PathLayers {
  public:
-  /// `below`: of a layer of the window below that of `renderer`, with the same camera: there a range covers
-  /// no path, however near it comes to the eye.
+  /// `below`: of a layer of the window below that of `renderer`, with the same camera: there a range and what
+  /// is pale cover no path, however near they come to the eye.
   PathLayers(vtkRenderer& renderer, vtkRenderer& below) : renderer_(renderer), below_(below) {}
 
   /// Replaces what is shown; each path may be null. A path that is shown already stays as it is drawn.
@@ -55,7 +59,10 @@ class PathLayers {
             std::vector<OverlayRun> overlays, const SceneFrame& frame);
   void set_look(const PathLook& look);
   /// Underlays the executed path between two times [s].
-  void set_highlight(std::optional<std::array<double, 2>> range);
+  void set_highlight(std::optional<TimeStretch> range);
+  /// What of the executed path is drawn in full; none: all of it. `only`: the box [mm] outside of which
+  /// nothing else is drawn, and of the executed path nothing but the stretch; none: the rest is pale.
+  void set_stretch(const std::optional<TimeStretch>& stretch, const std::optional<Bounds>& only);
   /// Before each frame. `scale`: size of text and lines.
   void place(const SceneFrame& frame, const Projection& view, double scale, bool moving);
 
@@ -68,7 +75,18 @@ class PathLayers {
   const DrawnPath* executed() const { return executed_.get(); }
 
  private:
-  enum class Role { rapid, programmed, range, curve_edge, blend_edge, overlay, cut, blend };
+  enum class Role {
+    rapid,
+    programmed,
+    range,
+    rest,
+    curve_edge,
+    blend_edge,
+    overlay,
+    cut,
+    blend,
+    stretch_end
+  };
 
   /// What is drawn of one path in one manner.
   struct Layer {
@@ -95,18 +113,18 @@ class PathLayers {
   vtkSmartPointer<vtkActor> make_actor(const Layer& layer, const PathPart& part) const;
   vtkSmartPointer<vtkCellArray> cells_of(const Layer& layer, const PathPart& part) const;
   vtkSmartPointer<vtkCellArray> highlighted(const PathPart& part) const;
+  vtkSmartPointer<vtkPolyData> lines_of(const Layer& layer, const PathPart& part) const;
+  void redraw(const std::vector<Role>& roles);
+  void place_clipping(const SceneFrame& frame, const Projection& view);
   void colour_executed();
   void colour_layers();
   Rgb colour_of(const Layer& layer) const;
   double covered_by_edges(double millimetre, double scale) const;
   Style style_of(Role role, double thinner) const;
   bool overlays_shown() const { return !needs_reference(look_.colouring); }
-  static std::size_t level_of(const SampledPath& path, const SceneFrame& frame, const Projection& view,
-                              bool moving);
-  static double crowding(const SceneFrame& frame, const Projection& view, double drawn);
 
   vtkRenderer& renderer_of(const Layer& layer) const {
-    return layer.role == Role::range ? below_ : renderer_;
+    return layer.role == Role::range || layer.role == Role::rest ? below_ : renderer_;
   }
 
   vtkRenderer& renderer_;
@@ -116,7 +134,10 @@ class PathLayers {
   std::unique_ptr<DrawnPath> executed_;
   std::vector<std::unique_ptr<DrawnPath>> overlays_;
   std::vector<Layer> layers_;
-  std::optional<std::array<double, 2>> range_;
+  std::optional<TimeStretch> range_;
+  std::optional<TimeStretch> stretch_;
+  std::optional<Bounds> only_;                    ///< [mm]
+  vtkSmartPointer<vtkPlaneCollection> clipping_;  ///< around only_; null: nothing is clipped
   LegendEntries entries_;
   ColourKey key_;
   std::shared_ptr<const SampledPath> rapids_of_;

@@ -63,6 +63,22 @@ bool PathPart::fits(const std::vector<bool>& boxes) const {
   return here <= few_boxes || here <= much * asked;
 }
 
+Eigen::Vector3d PathPart::position(std::size_t k) const {
+  Eigen::Vector3d position;
+  points_->GetPoint(static_cast<vtkIdType>(k), position.data());
+  return position;
+}
+
+bool PathPart::coloured() const {
+  return colours_->GetNumberOfTuples() > 0;
+}
+
+Rgba PathPart::colour(std::size_t k) const {
+  Rgba colour{};
+  colours_->GetTypedTuple(static_cast<vtkIdType>(k), colour.data());
+  return colour;
+}
+
 void PathPart::set_colours(const std::vector<Rgba>& colours) {
   colours_->SetNumberOfTuples(static_cast<vtkIdType>(colours.empty() ? 0 : size()));
   for (std::size_t k = 0; k < size() && !colours.empty(); ++k) {
@@ -74,7 +90,7 @@ void PathPart::set_colours(const std::vector<Rgba>& colours) {
 vtkSmartPointer<vtkPolyData> PathPart::poly_data(vtkCellArray& cells, bool points) const {
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points_);
-  if (colours_->GetNumberOfTuples() > 0) {
+  if (coloured()) {
     data->GetPointData()->SetScalars(colours_);
   }
   if (points) {

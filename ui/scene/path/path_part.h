@@ -39,6 +39,10 @@ class PathPart {
   /// Whether there is a span from point `k` to the next one; the last point has none.
   bool joined(std::size_t k) const { return joined_[k]; }
   const SampledPath& path() const { return path_; }
+  /// Of point `k` as drawn, offset from the path's origin [mm].
+  Eigen::Vector3d position(std::size_t k) const;
+  bool coloured() const;
+  Rgba colour(std::size_t k) const;
 
   /// Of all points of the path.
   void set_colours(const std::vector<Rgba>& colours);

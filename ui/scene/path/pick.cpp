@@ -33,8 +33,13 @@ class SeenPath {
   }
   Vec3 end(std::size_t span) const { return point(std::min(span + 1, path_.samples->size() - 1)); }
   bool is_gap(std::size_t span) const { return path_.samples->kinds[span] == SpanKind::gap; }
+  bool is_hidden(std::size_t span) const {
+    const auto& times = path_.samples->times;
+    return path_.only &&
+           (times[std::min(span + 1, times.size() - 1)] < (*path_.only)[0] || times[span] > (*path_.only)[1]);
+  }
   Passage passage_of(std::size_t span, const Vec2& place) const {
-    return is_gap(span) ? Passage() : passage(place, point(span), end(span));
+    return is_gap(span) || is_hidden(span) ? Passage() : passage(place, point(span), end(span));
   }
   ScreenMap::Rectangle rectangle(std::size_t box) const {
     const SpanBox& b = (*path_.boxes)[box];

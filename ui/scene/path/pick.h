@@ -40,6 +40,7 @@ struct PickablePath {
   const SampledPath* samples = nullptr;
   const std::vector<Eigen::Vector3f>* positions = nullptr;  ///< of the samples, as drawn
   const std::vector<SpanBox>* boxes = nullptr;              ///< boxes_of(*positions)
+  std::optional<std::array<double, 2>> only = {};  ///< the times at which it can be picked [s]; none: all
 };
 
 /// Time at which the path passes nearest to `place`, if within `radius` [pixels]; of several passes less than
