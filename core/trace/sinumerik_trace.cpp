@@ -40,10 +40,13 @@ class SinumerikReader {
   }
 
   Trace read() {
-    for (std::string_view piece = text_.next_piece(); !piece.empty(); piece = text_.next_piece()) {
-      parse(piece, false);
+    bool whole = true;
+    for (std::string_view piece = text_.next_piece(); !piece.empty() && whole; piece = text_.next_piece()) {
+      whole = parse(piece, false);
     }
-    parse({}, true);
+    if (whole) {
+      parse({}, true);
+    }
     if (error_) {
       std::rethrow_exception(error_);
     }
@@ -54,7 +57,8 @@ class SinumerikReader {
   }
 
  private:
-  void parse(std::string_view piece, bool last) {
+  /// False where nothing more can be parsed.
+  bool parse(std::string_view piece, bool last) {
     if (XML_Parse(parser_.get(), piece.data(), static_cast<int>(piece.size()), last ? 1 : 0) ==
             XML_STATUS_ERROR &&
         !error_) {
@@ -62,19 +66,12 @@ class SinumerikReader {
         builder_.note(Severity::warning, line(), "trace-xml",
                       fmt::format("the XML ends early: {}", XML_ErrorString(XML_GetErrorCode(parser_.get()))),
                       "the records before it are used");
-        drain();
-        return;
+        return false;
       }
       throw InputError(fmt::format("{}:{}: {}; this is no whole XML file", text_.name(), line(),
                                    XML_ErrorString(XML_GetErrorCode(parser_.get()))));
     }
-    if (error_) {
-      drain();
-    }
-  }
-  void drain() {
-    while (!text_.next_piece().empty()) {
-    }
+    return !error_;
   }
   std::uint32_t line() const { return static_cast<std::uint32_t>(XML_GetCurrentLineNumber(parser_.get())); }
 

@@ -195,6 +195,12 @@ TEST(ReadTrace, UsesWhatComesBeforeTheEndOfBrokenXml) {
   const Trace trace = parse_trace(sinumerik(sinumerik_records(), ""), "t.xml");
   EXPECT_EQ(trace.size(), 19U);
   EXPECT_THAT(codes(trace), HasSubstr("trace-xml"));
+  const std::string broken = sinumerik(sinumerik_records() + "<rec ti1\"/>\n", "");
+  const Trace read = parse_trace(broken, "t.xml");
+  EXPECT_EQ(std::ranges::count(read.notes, "trace-xml", &Diagnostic::code), 1) << "told once, at its line";
+  for (const Diagnostic& note : read.notes) {
+    EXPECT_LE(note.line, std::ranges::count(broken, '\n'));
+  }
   EXPECT_THAT(refusal("<a>"), HasSubstr("this is no whole XML file"));
   EXPECT_THAT(refusal("<a></a>"), HasSubstr("no record of a SINUMERIK trace"));
 }
