@@ -5,11 +5,13 @@
 #include <vtkNew.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <QPaintEngine>
 #include <QPainter>
 #include <cmath>
 #include <cstring>
 
 #include "core/base/error.h"
+#include "ui/report/scene_vectors.h"
 #include "ui/scene/picture.h"
 #include "ui/scene/render_window.h"
 #include "ui/workbench/reading_faults.h"
@@ -127,13 +129,33 @@ AnnotatedView ScenePicture::annotated(const QSizeF& size, const SceneScale& scal
           run.shown->run.sources};
 }
 
+/// False: the frame cannot be drawn as vectors.
+bool ScenePicture::paint_lines(QPainter& painter, const QRectF& place, const SceneScale& scale) {
+  prepare(place.size(), scale);
+  window_->Render();  // makes what it draws
+  painter.save();
+  if (!transparent_) {
+    const Rgb& colour =
+        scene_colours(theme_ == ThemeKind::dark ? Background::dark : Background::light).background;
+    painter.fillRect(place, QColor::fromRgbF(static_cast<float>(colour[0]), static_cast<float>(colour[1]),
+                                             static_cast<float>(colour[2])));
+  }
+  painter.translate(place.topLeft());
+  painter.scale(1 / scale.pixel_ratio, 1 / scale.pixel_ratio);
+  const bool drawn = paint_vectors(painter, *window_, scale.text_scale * scale.pixel_ratio);
+  painter.restore();
+  return drawn;
+}
+
 void ScenePicture::paint(QPainter& painter, const QRectF& asked, const SceneScale& scale) {
   const auto snapped = [&](double value) {
     return std::round(value * scale.pixel_ratio) / scale.pixel_ratio;
   };
   const QPointF corner(snapped(asked.left()), snapped(asked.top()));
   const QRectF place(corner, QPointF(snapped(asked.right()), snapped(asked.bottom())));  // whole pixels
-  painter.drawImage(place, image(place.size(), scale));
+  if (painter.paintEngine()->type() == QPaintEngine::Raster || !paint_lines(painter, place, scale)) {
+    painter.drawImage(place, image(place.size(), scale));
+  }
   if (input_.annotations.empty()) {
     return;
   }

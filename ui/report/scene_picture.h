@@ -33,7 +33,8 @@ class ScenePicture {
   void prepare(const QSizeF& size, const SceneScale& scale);
   /// The scene as it is now. Throws InputError if a side is too long for software OpenGL.
   QImage image(const QSizeF& size, const SceneScale& scale);
-  /// The same as part of a larger picture, the annotations above it as vectors.
+  /// The same as part of a larger picture, the annotations above it. In devices of shapes (SVG, PDF) all of
+  /// it is vectors; where there are too many lines for that (see paint_vectors), the scene is a bitmap.
   void paint(QPainter& painter, const QRectF& place, const SceneScale& scale);
   /// Where the annotations are in such a picture, as it was prepared.
   std::vector<PlacedAnnotation> annotations(const QSizeF& size, const SceneScale& scale) const;
@@ -42,6 +43,7 @@ class ScenePicture {
 
  private:
   std::shared_ptr<const SampledPath> samples();
+  bool paint_lines(QPainter& painter, const QRectF& place, const SceneScale& scale);
   AnnotatedView annotated(const QSizeF& size, const SceneScale& scale) const;
 
   PathScene scene_;

@@ -39,7 +39,7 @@ TEST(Report, PdfHasTitlePagesBookmarksAndFonts) {
   EXPECT_EQ(pdf.info("/Title"), "Flange <b> & lid");
   EXPECT_EQ(pdf.info("/Author"), "Somebody");
   EXPECT_TRUE(pdf.fonts_embedded());
-  EXPECT_GE(pdf.images().size(), 3U);
+  EXPECT_TRUE(pdf.images().empty()) << "all pictures are vectors";
   const auto bookmarks = pdf.bookmarks();
   ASSERT_FALSE(bookmarks.empty());
   EXPECT_EQ(bookmarks.front().title, "Flange <b> & lid");

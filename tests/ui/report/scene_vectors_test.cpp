@@ -1,0 +1,117 @@
+#include "ui/report/scene_vectors.h"
+
+#include <gmock/gmock.h>
+
+#include <QImage>
+#include <QPainter>
+#include <QSvgRenderer>
+
+#include "tests/ui/report/report_fixture.h"
+#include "ui/report/pictures.h"
+
+namespace feedscope::ui {
+namespace {
+
+constexpr QSize size(800, 600);
+
+PictureRequest request_of(PictureFormat format) {
+  PictureRequest request;
+  request.format = format;
+  request.size = size;
+  return request;
+}
+
+QImage drawn(const std::string& svg) {
+  QImage image(size, QImage::Format_ARGB32_Premultiplied);
+  image.fill(Qt::transparent);
+  QPainter painter(&image);
+  painter.setRenderHint(QPainter::Antialiasing);
+  QSvgRenderer(QByteArray::fromStdString(svg)).render(&painter);
+  return image;
+}
+
+/// Averages over squares of four pixels, so that edges may be smoothed in different ways.
+QImage averaged(const QImage& image) {
+  return image.convertToFormat(QImage::Format_ARGB32_Premultiplied)
+      .scaled(image.size() / 4, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+}
+
+struct Difference {
+  double mean = 0;  ///< of a colour channel, of 255
+  int largest = 0;
+};
+
+Difference difference(const QImage& one, const QImage& other) {
+  Difference found;
+  const QImage a = averaged(one);
+  const QImage b = averaged(other);
+  for (int y = 0; y < a.height(); ++y) {
+    for (int x = 0; x < a.width(); ++x) {
+      const QRgb p = qPremultiply(a.pixel(x, y));
+      const QRgb q = qPremultiply(b.pixel(x, y));
+      const int apart = std::max({std::abs(qRed(p) - qRed(q)), std::abs(qGreen(p) - qGreen(q)),
+                                  std::abs(qBlue(p) - qBlue(q)), std::abs(qAlpha(p) - qAlpha(q))});
+      found.mean += apart;
+      found.largest = std::max(found.largest, apart);
+    }
+  }
+  found.mean /= a.width() * a.height();
+  return found;
+}
+
+class SceneVectors : public testing::TestWithParam<std::tuple<StandardView, ThemeKind, bool>> {
+ protected:
+  ReportInput input() const {
+    ReportInput made = test::two_runs();
+    made.view = std::get<0>(GetParam());
+    made.annotations = {test::note(QStringLiteral("here"))};
+    return made;
+  }
+  PictureRequest asked(PictureFormat format) const {
+    PictureRequest request = request_of(format);
+    request.theme = std::get<1>(GetParam());
+    request.transparent = std::get<2>(GetParam());
+    return request;
+  }
+};
+
+TEST_P(SceneVectors, LookAsTheBitmap) {
+  const ReportInput made = input();
+  const QImage bitmap =
+      QImage::fromData(QByteArray::fromStdString(scene_file(made, asked(PictureFormat::png))));
+  const std::string svg = scene_file(made, asked(PictureFormat::svg));
+  const Difference found = difference(drawn(svg), bitmap);
+  EXPECT_LT(found.mean, 1.5);
+  EXPECT_LT(found.largest, 80) << "a line or a word that is missing is more than 100 apart";
+}
+
+INSTANTIATE_TEST_SUITE_P(Views, SceneVectors,
+                         testing::Combine(testing::Values(StandardView::iso, StandardView::top),
+                                          testing::Values(ThemeKind::light, ThemeKind::dark),
+                                          testing::Bool()));
+
+TEST(SceneVectorFiles, HoldNoBitmap) {
+  const ReportInput input = test::two_runs();
+  const std::string svg = scene_file(input, request_of(PictureFormat::svg));
+  EXPECT_EQ(svg.find("<image"), std::string::npos);
+  const std::string pdf = scene_file(input, request_of(PictureFormat::pdf));
+  EXPECT_EQ(pdf.find("/Subtype /Image"), std::string::npos);
+  EXPECT_LT(svg.size(), 1'000'000U);
+}
+
+TEST(SceneVectorFiles, AreTheSameBytesAgain) {
+  const ReportInput input = test::two_runs();
+  for (const PictureFormat format : {PictureFormat::svg, PictureFormat::pdf}) {
+    EXPECT_EQ(scene_file(input, request_of(format)), scene_file(input, request_of(format)));
+  }
+}
+
+TEST(SceneVectorFiles, ASheetsPathIsVectorsToo) {
+  const ReportInput input = test::two_runs();
+  PictureRequest request = request_of(PictureFormat::svg);
+  request.size = {1123, 794};
+  EXPECT_EQ(sheet_file(input, request).find("<image"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace feedscope::ui

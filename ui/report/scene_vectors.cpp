@@ -1,0 +1,261 @@
+#include "ui/report/scene_vectors.h"
+
+#include <vtkActor.h>
+#include <vtkActor2D.h>
+#include <vtkActor2DCollection.h>
+#include <vtkActorCollection.h>
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
+#include <vtkFloatArray.h>
+#include <vtkIntArray.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkPath.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkPolyDataMapper2D.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkRendererCollection.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+#include <vtkTextRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "ui/report/line_pieces.h"
+#include "ui/scene/camera/projection.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+constexpr int text_dots_per_inch = 72;  // as Canvas writes
+
+QColor colour_of(const double* rgb, double opacity) {
+  return QColor::fromRgbF(static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2]),
+                          static_cast<float>(opacity));
+}
+
+/// Colours of points; null: they have none.
+vtkUnsignedCharArray* colours_of(vtkPolyData& data) {
+  return vtkUnsignedCharArray::SafeDownCast(data.GetPointData()->GetScalars());
+}
+
+QColor colour_at(vtkUnsignedCharArray& colours, vtkIdType point) {
+  std::array<unsigned char, 4> rgba{0, 0, 0, 255};
+  colours.GetTypedTuple(point, rgba.data());
+  return {rgba[0], rgba[1], rgba[2], rgba[3]};
+}
+
+/// A filled shape of one colour.
+struct Shape {
+  QPainterPath path;
+  QColor colour;
+};
+
+/// What one layer of the window shows, in the order in which it is painted.
+struct LayerVectors {
+  std::vector<LinePieces::Polyline> lines;
+  std::vector<Shape> shapes;
+};
+
+/// Reads one layer of a window.
+class LayerReader {
+ public:
+  LayerReader(vtkRenderer& renderer, const std::array<int, 2>& size, double scale)
+      : renderer_(renderer),
+        height_(size[1]),
+        scale_(scale),
+        pieces_(QRectF(0, 0, size[0], size[1])),
+        view_(*renderer.GetActiveCamera(), size[0], size[1]) {}
+
+  /// False: the layer holds what cannot be read.
+  bool read() {
+    vtkActorCollection& actors = *renderer_.GetActors();
+    actors.InitTraversal();
+    while (vtkActor* actor = actors.GetNextActor()) {
+      if (actor->GetVisibility() != 0 && !read(*actor)) {
+        return false;
+      }
+    }
+    vtkActor2DCollection& flat = *renderer_.GetActors2D();
+    flat.InitTraversal();
+    while (vtkActor2D* actor = flat.GetNextActor2D()) {
+      if (actor->GetVisibility() == 0) {
+        continue;
+      }
+      if (auto* text = vtkTextActor::SafeDownCast(actor)) {
+        read(*text);
+      } else if (auto* mapper = vtkPolyDataMapper2D::SafeDownCast(actor->GetMapper())) {
+        read(*mapper->GetInput());
+      }
+    }
+    return true;
+  }
+
+  LayerVectors vectors() && { return {pieces_.sorted(), std::move(shapes_)}; }
+
+ private:
+  QPointF from_display(const Vec2& place) const { return {place.x(), height_ - place.y()}; }
+
+  /// Points that lie on lines need no discs: lines end and join round.
+  bool read(vtkActor& actor) {
+    auto* mapper = vtkPolyDataMapper::SafeDownCast(actor.GetMapper());
+    vtkPolyData* data = mapper != nullptr ? mapper->GetInput() : nullptr;
+    if (data == nullptr || data->GetNumberOfPolys() > 0 || data->GetNumberOfStrips() > 0) {
+      return data == nullptr;
+    }
+    vtkProperty& look = *actor.GetProperty();
+    const QColor uniform = colour_of(look.GetColor(), look.GetOpacity());
+    vtkUnsignedCharArray* colours = mapper->GetScalarVisibility() != 0 ? colours_of(*data) : nullptr;
+    const auto seen = [&](vtkIdType point) {
+      const Vec3 place = in_scene(*actor.GetMatrix(), *data, point);
+      return LineEnd{from_display(view_.to_display(place)), depth_of(place),
+                     colours != nullptr ? colour_at(*colours, point) : uniform};
+    };
+    const auto lines = vtk::TakeSmartPointer(data->GetLines()->NewIterator());
+    for (lines->GoToFirstCell(); !lines->IsDoneWithTraversal(); lines->GoToNextCell()) {
+      vtkIdType count = 0;
+      const vtkIdType* points = nullptr;
+      lines->GetCurrentCell(count, points);
+      for (vtkIdType i = 0; i + 1 < count; ++i) {
+        if (behind_the_eye(*actor.GetMatrix(), *data, points[i]) ||
+            behind_the_eye(*actor.GetMatrix(), *data, points[i + 1])) {
+          continue;
+        }
+        const bool dash = count == 2 && colours == nullptr;
+        if (!pieces_.add(seen(points[i]), seen(points[i + 1]), look.GetLineWidth(), !dash)) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  static Vec3 in_scene(vtkMatrix4x4& matrix, vtkPolyData& data, vtkIdType point) {
+    std::array<double, 4> at{0, 0, 0, 1};
+    data.GetPoint(point, at.data());
+    std::array<double, 4> moved{};
+    matrix.MultiplyPoint(at.data(), moved.data());
+    return {moved[0], moved[1], moved[2]};
+  }
+
+  /// Towards the eye [pixels at scale 1].
+  double depth_of(const Vec3& place) const {
+    return (place - view_.focal).dot(view_.towards) * view_.scale / scale_;
+  }
+
+  bool behind_the_eye(vtkMatrix4x4& matrix, vtkPolyData& data, vtkIdType point) const {
+    constexpr double near = 0.999;
+    return view_.perspective() &&
+           (in_scene(matrix, data, point) - view_.focal).dot(view_.towards) > near * view_.eye_distance;
+  }
+
+  /// Polygons of one colour each.
+  void read(vtkPolyData& data) {
+    vtkUnsignedCharArray* colours = colours_of(data);
+    if (colours == nullptr) {
+      return;
+    }
+    const auto polygons = vtk::TakeSmartPointer(data.GetPolys()->NewIterator());
+    for (polygons->GoToFirstCell(); !polygons->IsDoneWithTraversal(); polygons->GoToNextCell()) {
+      vtkIdType count = 0;
+      const vtkIdType* points = nullptr;
+      polygons->GetCurrentCell(count, points);
+      QPainterPath path;
+      for (vtkIdType i = 0; i < count; ++i) {
+        const double* at = data.GetPoint(points[i]);
+        const QPointF place = from_display({at[0], at[1]});
+        i == 0 ? path.moveTo(place) : path.lineTo(place);
+      }
+      path.closeSubpath();
+      shapes_.push_back({path, colour_at(*colours, points[0])});
+    }
+  }
+
+  void read(vtkTextActor& actor) {
+    const vtkNew<vtkPath> outline;
+    vtkTextProperty& style = *actor.GetTextProperty();
+    if (actor.GetInput() == nullptr || !vtkTextRenderer::GetInstance()->StringToPath(
+                                           &style, actor.GetInput(), outline, text_dots_per_inch)) {
+      return;
+    }
+    const double* position = actor.GetPosition();
+    const auto place = [&](vtkIdType i) {
+      const double* at = outline->GetPoint(i);
+      return from_display({position[0] + at[0], position[1] + at[1]});
+    };
+    QPainterPath path;
+    path.setFillRule(Qt::WindingFill);
+    vtkIntArray& codes = *outline->GetCodes();
+    for (vtkIdType i = 0; i < codes.GetNumberOfTuples();) {
+      switch (codes.GetValue(i)) {
+        case vtkPath::MOVE_TO:
+          path.moveTo(place(i));
+          i += 1;
+          break;
+        case vtkPath::CONIC_CURVE:
+          path.quadTo(place(i), place(i + 1));
+          i += 2;
+          break;
+        case vtkPath::CUBIC_CURVE:
+          path.cubicTo(place(i), place(i + 1), place(i + 2));
+          i += 3;
+          break;
+        default:
+          path.lineTo(place(i));
+          i += 1;
+      }
+    }
+    shapes_.push_back({path, colour_of(style.GetColor(), style.GetOpacity())});
+  }
+
+  vtkRenderer& renderer_;
+  int height_;
+  double scale_;
+  LinePieces pieces_;
+  Projection view_;
+  std::vector<Shape> shapes_;
+};
+
+}  // namespace
+
+bool paint_vectors(QPainter& painter, vtkRenderWindow& window, double scale) {
+  const std::array<int, 2> size{window.GetSize()[0], window.GetSize()[1]};
+  std::vector<vtkRenderer*> renderers;
+  vtkRendererCollection& all = *window.GetRenderers();
+  all.InitTraversal();
+  while (vtkRenderer* renderer = all.GetNextItem()) {
+    renderers.push_back(renderer);
+  }
+  std::ranges::stable_sort(renderers, {}, &vtkRenderer::GetLayer);
+  std::vector<LayerVectors> layers;
+  for (vtkRenderer* renderer : renderers) {
+    LayerReader reader(*renderer, size, scale);
+    if (!reader.read()) {
+      return false;
+    }
+    layers.push_back(std::move(reader).vectors());
+  }
+  for (const LayerVectors& layer : layers) {
+    painter.setBrush(Qt::NoBrush);
+    paint(painter, layer.lines);
+    painter.setPen(Qt::NoPen);
+    for (const Shape& shape : layer.shapes) {
+      painter.setBrush(shape.colour);
+      painter.drawPath(shape.path);
+    }
+  }
+  return true;
+}
+
+}  // namespace feedscope::ui
