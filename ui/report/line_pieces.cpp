@@ -52,7 +52,8 @@ bool LinePieces::look_alike(QRgb one, QRgb other) {
 }
 
 bool LinePieces::add(const LineEnd& from, const LineEnd& to, double width, bool round) {
-  const auto shares = inside(room_, from.at, to.at);
+  const double half = width / 2 + 0.5;  // smoothed edges too
+  const auto shares = inside(room_.adjusted(half, half, -half, -half), from.at, to.at);
   if (!shares) {
     return true;
   }

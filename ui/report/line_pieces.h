@@ -29,7 +29,7 @@ class LinePieces {
   /// More pieces than this are refused: files grow by some 40 bytes a piece.
   static constexpr std::size_t max_pieces = 250'000;
 
-  /// Lines outside of `room` [pixels] are omitted, and those that reach out of it cut.
+  /// Lines outside of `room` [pixels] are omitted, and those that reach out of it cut, ends and all.
   explicit LinePieces(const QRectF& room) : room_(room) {}
 
   /// `round`: its ends, and where it is joined to others. Lines in one place: those added later are above.

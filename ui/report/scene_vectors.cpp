@@ -29,6 +29,7 @@
 #include <QPainterPath>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "ui/report/line_pieces.h"
@@ -56,6 +57,16 @@ QColor colour_at(vtkUnsignedCharArray& colours, vtkIdType point) {
   return {rgba[0], rgba[1], rgba[2], rgba[3]};
 }
 
+double area_of(const QPolygonF& polygon) {
+  double twice = 0;
+  for (qsizetype i = 0; i < polygon.size(); ++i) {
+    const QPointF a = polygon[i] - polygon[0];
+    const QPointF b = polygon[(i + 1) % polygon.size()] - polygon[0];
+    twice += a.x() * b.y() - a.y() * b.x();
+  }
+  return std::abs(twice) / 2;
+}
+
 /// A filled shape of one colour.
 struct Shape {
   QPainterPath path;
@@ -73,9 +84,10 @@ class LayerReader {
  public:
   LayerReader(vtkRenderer& renderer, const std::array<int, 2>& size, double scale)
       : renderer_(renderer),
+        room_(0, 0, size[0], size[1]),
         height_(size[1]),
         scale_(scale),
-        pieces_(QRectF(0, 0, size[0], size[1])),
+        pieces_(room_),
         view_(*renderer.GetActiveCamera(), size[0], size[1]) {}
 
   /// False: the layer holds what cannot be read.
@@ -171,14 +183,17 @@ class LayerReader {
       vtkIdType count = 0;
       const vtkIdType* points = nullptr;
       polygons->GetCurrentCell(count, points);
-      QPainterPath path;
+      QPolygonF polygon;
       for (vtkIdType i = 0; i < count; ++i) {
         const double* at = data.GetPoint(points[i]);
-        const QPointF place = from_display({at[0], at[1]});
-        i == 0 ? path.moveTo(place) : path.lineTo(place);
+        polygon.append(from_display({at[0], at[1]}));
       }
-      path.closeSubpath();
-      shapes_.push_back({path, colour_at(*colours, points[0])});
+      if (area_of(polygon) > 0) {  // others would be hairlines in PDF viewers
+        QPainterPath path;
+        path.addPolygon(polygon);
+        path.closeSubpath();
+        add(path, colour_at(*colours, points[0]));
+      }
     }
   }
 
@@ -216,10 +231,23 @@ class LayerReader {
           i += 1;
       }
     }
-    shapes_.push_back({path, colour_of(style.GetColor(), style.GetOpacity())});
+    add(path, colour_of(style.GetColor(), style.GetOpacity()));
+  }
+
+  /// Cut to the window: not all readers of SVG know clips, and reports paint without one.
+  void add(const QPainterPath& path, const QColor& colour) {
+    const QRectF extent = path.controlPointRect();
+    if (room_.contains(extent)) {
+      shapes_.push_back({path, colour});
+    } else if (room_.intersects(extent)) {
+      QPainterPath room;
+      room.addRect(room_);
+      shapes_.push_back({path.intersected(room), colour});
+    }
   }
 
   vtkRenderer& renderer_;
+  QRectF room_;
   int height_;
   double scale_;
   LinePieces pieces_;

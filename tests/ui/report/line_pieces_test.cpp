@@ -43,7 +43,7 @@ TEST(LinePieces, ALevelPathIsOnePolylineInTheOrderItWasAdded) {
   const auto lines = pieces.sorted();
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_EQ(lines[0].points.size(), 10);
-  EXPECT_EQ(lines[0].points.front(), QPointF(0, 10));
+  EXPECT_EQ(lines[0].points.front(), QPointF(1.5, 10));
 }
 
 TEST(LinePieces, AColourThatChangesIsCutIntoStepsThatAreNotSeen) {
@@ -66,8 +66,11 @@ TEST(LinePieces, WhatIsOutsideIsOmittedAndWhatReachesOutIsCut) {
   pieces.add(end(-50, 40, 0), end(150, 60, 0), 2, true);
   const auto lines = pieces.sorted();
   ASSERT_EQ(lines.size(), 1U);
-  EXPECT_EQ(lines[0].points.front(), QPointF(0, 45));
-  EXPECT_EQ(lines[0].points.back(), QPointF(100, 55));
+  const double half = 1.5;  // of the width, and of a pixel
+  EXPECT_NEAR(lines[0].points.front().x(), half, 1e-9);
+  EXPECT_NEAR(lines[0].points.front().y(), 45.15, 1e-9);
+  EXPECT_NEAR(lines[0].points.back().x(), 100 - half, 1e-9);
+  EXPECT_NEAR(lines[0].points.back().y(), 54.85, 1e-9);
 }
 
 TEST(LinePieces, APointIsAPiece) {
@@ -79,9 +82,9 @@ TEST(LinePieces, APointIsAPiece) {
 TEST(LinePieces, MoreThanTheBoundAreRefused) {
   LinePieces pieces(room);
   const double depth = LinePieces::max_depth * static_cast<double>(LinePieces::max_pieces);
-  EXPECT_TRUE(pieces.add(end(0, 0, 0), end(100, 0, depth), 1, true));
+  EXPECT_TRUE(pieces.add(end(10, 50, 0), end(90, 50, depth), 1, true));
   EXPECT_EQ(pieces.count(), LinePieces::max_pieces);
-  EXPECT_FALSE(pieces.add(end(0, 0, 0), end(1, 1, 0), 1, true));
+  EXPECT_FALSE(pieces.add(end(10, 10, 0), end(11, 11, 0), 1, true));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "tests/ui/report/report_fixture.h"
 #include "ui/report/pictures.h"
+#include "ui/report/scene_picture.h"
 
 namespace feedscope::ui {
 namespace {
@@ -97,6 +98,28 @@ TEST(SceneVectorFiles, HoldNoBitmap) {
   const std::string pdf = scene_file(input, request_of(PictureFormat::pdf));
   EXPECT_EQ(pdf.find("/Subtype /Image"), std::string::npos);
   EXPECT_LT(svg.size(), 1'000'000U);
+}
+
+TEST(SceneVectorFiles, NothingReachesOutOfThePicturesPlace) {
+  // Close to the path, labels and lines of the box lie outside of the view.
+  const ReportInput input = test::two_runs();
+  ScenePicture picture(input, 0, ThemeKind::light);
+  const QRectF place(200, 150, 400, 300);
+  picture.prepare(place.size(), {});
+  picture.scene().zoom(5, {200, 150});
+  PictureSpec spec;
+  spec.format = PictureFormat::svg;
+  spec.size = size;
+  const std::string svg = make_picture(spec, [&](QPainter& painter) { picture.paint(painter, place, {}); });
+  EXPECT_EQ(svg.find("<image"), std::string::npos);
+  const QImage image = drawn(svg);
+  int outside = 0;
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      outside += !place.adjusted(-1, -1, 1, 1).contains(x, y) && image.pixel(x, y) != qRgb(255, 255, 255);
+    }
+  }
+  EXPECT_EQ(outside, 0);
 }
 
 TEST(SceneVectorFiles, AreTheSameBytesAgain) {
