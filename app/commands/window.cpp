@@ -18,6 +18,7 @@
 #include "ui/theme/theme.h"
 #include "ui/window/main_window.h"
 #include "ui/window/panel_states.h"
+#include "ui/window/presentation.h"
 #include "ui/workbench/recent_files.h"
 
 namespace feedscope {
@@ -81,7 +82,7 @@ int show_window(ui::Workbench& model, const WindowStart& start,
   }
   const int code = QApplication::exec();
   settings.setValue("geometry", window.saveGeometry());
-  settings.setValue("layout", window.saveState());
+  settings.setValue("layout", window.presentation().usual_layout());
   ui::keep_panel_states(window);
   before = window.hand_over();
   return code;

@@ -4826,6 +4826,33 @@ Utiliser la machine qu’elle décrit pour la simulation courante ?</translation
     </message>
 </context>
 <context>
+    <name>feedscope::ui::Presentation</name>
+    <message>
+        <source>&amp;Presentation</source>
+        <translation>Prése&amp;ntation</translation>
+    </message>
+    <message>
+        <source>Large type, 3D view and charts first, the lesson beside them: for a class</source>
+        <translation>Grands caractères, vue 3D et courbes d’abord, la leçon à côté : pour une classe</translation>
+    </message>
+    <message>
+        <source>Ctrl+F11</source>
+        <translation>Ctrl+F11</translation>
+    </message>
+    <message>
+        <source>class projector beamer large type bigger letters teach</source>
+        <translation>classe cours projecteur vidéoprojecteur grand caractères lettres agrandir enseigner</translation>
+    </message>
+    <message>
+        <source>F&amp;ull screen</source>
+        <translation>Plein écran</translation>
+    </message>
+    <message>
+        <source>Use the whole screen, without a frame</source>
+        <translation>Utiliser tout l’écran, sans cadre</translation>
+    </message>
+</context>
+<context>
     <name>feedscope::ui::ProgramMargin</name>
     <message>
         <source>Not in the cycle time: tool change; give the tool change time of the machine</source>

@@ -25,7 +25,8 @@ void must_be_same(const Session& a, const Session& b) {
   fuzz::must(a.scene == b.scene && a.scenes == b.scenes, "view");
   fuzz::must(a.charts == b.charts, "charts");
   fuzz::must(a.annotations == b.annotations, "annotations");
-  fuzz::must(a.layout == b.layout && a.theme == b.theme && a.program_font_size == b.program_font_size,
+  fuzz::must(a.layout == b.layout && a.presentation == b.presentation && a.theme == b.theme &&
+                 a.program_font_size == b.program_font_size,
              "window");
 }
 

@@ -47,9 +47,7 @@ QString cause_name(Cause cause) {
 
 CauseStrip::CauseStrip(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  QFont small = font();
-  small.setPixelSize(11);
-  setFont(small);
+  set_type_pixels(*this, 11);
   setMouseTracking(true);
 }
 
@@ -58,7 +56,7 @@ QSize CauseStrip::sizeHint() const {
 }
 
 QRect CauseStrip::strip() const {
-  return {plot_left_margin, height() - strip_height, width() - plot_left_margin - plot_right_margin,
+  return {plot_left_margin(), height() - strip_height, width() - plot_left_margin() - plot_right_margin,
           strip_height};
 }
 

@@ -39,9 +39,7 @@ ChartHeader::ChartHeader(ChartSpec spec, QWidget* parent)
   QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   policy.setHeightForWidth(true);
   setSizePolicy(policy);
-  QFont small = font();
-  small.setPixelSize(11);
-  setFont(small);
+  set_type_pixels(*this, 11);
   setMouseTracking(true);
 }
 
@@ -115,7 +113,7 @@ QSize ChartHeader::minimumSizeHint() const {
   for (const CurveSpec& curve : spec_.curves) {
     widest = std::max(widest, item_width(curve.name));
   }
-  return {plot_left_margin + widest, row_height()};
+  return {plot_left_margin() + widest, row_height()};
 }
 
 int ChartHeader::heightForWidth(int width) const {
@@ -135,8 +133,8 @@ ChartHeader::Layout ChartHeader::lay_out(int width) const {
       continue;
     }
     const int room = item_width(spec_.curves[i].name);
-    if (x + room > width && x > plot_left_margin) {
-      x = plot_left_margin;
+    if (x + room > width && x > plot_left_margin()) {
+      x = plot_left_margin();
       y += row_height();
     }
     layout.curves.emplace_back(x, y, room, row_height());
@@ -144,8 +142,8 @@ ChartHeader::Layout ChartHeader::lay_out(int width) const {
   }
   if (!note_.isEmpty()) {
     const int room = metrics.horizontalAdvance(note_) + curve_gap;  // a printed font may be wider
-    if (x + room > width && x > plot_left_margin) {
-      x = plot_left_margin;
+    if (x + room > width && x > plot_left_margin()) {
+      x = plot_left_margin();
       y += row_height();
     }
     layout.note = QRect(x, y, std::max(0, std::min(room, width - x)), row_height());
@@ -160,18 +158,18 @@ ChartHeader::Layout ChartHeader::lay_out(int width) const {
 void ChartHeader::add_runs(Layout& layout, int width) const {
   const QFontMetrics metrics(font());
   const int more = metrics.horizontalAdvance(tr("+ %1").arg(99));
-  int x = plot_left_margin;
+  int x = plot_left_margin();
   int row = 0;
   for (std::size_t i = 0; i < runs_.size(); ++i) {
     const int room = item_width(metrics.elidedText(runs_[i].name, Qt::ElideMiddle, longest_run_name));
     const bool last = i + 1 == runs_.size();
     const int end = x + room + (last || row + 1 < max_run_rows ? 0 : curve_gap + more);
-    if (end > width && x > plot_left_margin) {
+    if (end > width && x > plot_left_margin()) {
       if (row + 1 == max_run_rows) {
         break;
       }
       ++row;
-      x = plot_left_margin;
+      x = plot_left_margin();
     }
     layout.runs.emplace_back(x, layout.curves_height + row * row_height(), room, row_height());
     x += room + curve_gap;

@@ -1,6 +1,9 @@
 #include "ui/charts/chart_rows.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "ui/theme/type_size.h"
 
 namespace feedscope::ui {
 
@@ -39,13 +42,13 @@ void ChartRows::show_usual(const UsualMotion& usual, QVBoxLayout& layout) const 
     chart->set_usual(usual.ranges, UsualCurves::columns_a_stretch);
   }
   shares->set_feeds(usual.feeds);
-  layout.setContentsMargins(0, 0, usual.feeds.empty() ? 0 : FeedShares::usual_width, 0);
+  layout.setContentsMargins(0, 0, usual.feeds.empty() ? 0 : FeedShares::usual_width(), 0);
   place_shares();
 }
 
 void ChartRows::place_shares() const {
   const QRect chart = charts.front()->geometry();
-  shares->setGeometry(chart.right() + 1, chart.top(), FeedShares::usual_width, chart.height());
+  shares->setGeometry(chart.right() + 1, chart.top(), FeedShares::usual_width(), chart.height());
 }
 
 void ChartRows::show_values(const State* state, const RunSources& sources) const {
@@ -88,7 +91,7 @@ void ChartRows::choose_values(const std::array<std::optional<Interval>, chart_co
 }
 
 QSize ChartRows::least_size(const QWidget& content) const {
-  constexpr int most = 4;
+  const int most = std::max(2, static_cast<int>(std::lround(4 / TypeSize::of_application().scale())));
   QSize size = content.minimumSizeHint();
   int shown = 0;
   for (const KinematicChart* chart : charts) {

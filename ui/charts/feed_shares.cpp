@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "ui/theme/theme.h"
+#include "ui/theme/type_size.h"
 
 namespace feedscope::ui {
 
@@ -93,7 +94,7 @@ void FeedShares::draw(QPainter& painter) const {
   painter.drawLine(QPointF(0.5, chart_.chart()->plotArea().top()),
                    QPointF(0.5, chart_.chart()->plotArea().bottom()));
   QFont small = font();
-  small.setPixelSize(10);
+  small.setPixelSize(type_pixels(10));
   painter.setFont(small);
   painter.setPen(colours.text);
   const QRectF below(4, zero + 2, width() - 4, height() - zero - 2);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ui/charts/kinematic_chart.h"
+#include "ui/theme/type_size.h"
 
 namespace feedscope::ui {
 
@@ -13,7 +14,7 @@ class FeedShares : public QWidget {
   Q_OBJECT
 
  public:
-  static constexpr int usual_width = 84;  ///< [px]
+  static int usual_width() { return type_pixels(84); }  ///< [px]
 
   /// `chart` outlives this.
   explicit FeedShares(const KinematicChart& chart, QWidget* parent = nullptr);

@@ -16,6 +16,7 @@
 #include "ui/charts/mean_line.h"
 #include "ui/charts/plot_margins.h"
 #include "ui/charts/usual_band.h"
+#include "ui/theme/type_size.h"
 
 namespace feedscope::ui {
 
@@ -23,10 +24,11 @@ namespace {
 
 constexpr int least_height = 50;
 constexpr int least_labelled_height = 80;
+constexpr int label_size = 11;
 constexpr int top_margin = 6;
 constexpr int bottom_margin = 8;
 constexpr int labelled_bottom_margin = 36;
-constexpr double tick_distance = 14;  // [px]
+constexpr int tick_distance = 14;  // [px]
 constexpr double overlay_width = 1.4;
 constexpr double long_number = 1e6;   // would not fit beside the plot
 constexpr double finest_zoom = 1e-6;  // of the largest value; beyond, the numbers beside the plot are all one
@@ -34,9 +36,6 @@ constexpr double widest_values = 1e12;
 
 QValueAxis* make_axis(QChart* chart, Qt::Alignment side) {
   auto* axis = new QValueAxis(chart);
-  QFont font = chart->font();
-  font.setPixelSize(11);
-  axis->setLabelsFont(font);
   axis->setTickType(QValueAxis::TicksDynamic);
   axis->setTruncateLabels(false);
   chart->addAxis(axis, side);
@@ -121,12 +120,13 @@ KinematicChart::KinematicChart(ChartSpec spec, ViewRange& range, QWidget* parent
   apply_colours();
   setRenderHint(QPainter::Antialiasing);
   setFrameShape(QFrame::NoFrame);
-  setMinimumHeight(least_height);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   setFocusPolicy(Qt::StrongFocus);
   setToolTip(
       tr("Click: cursor. Shift+click: second cursor, differences. Wheel: zoom. Drag: pan.\n"
          "Right drag or Ctrl+drag: zoom to a box. Ctrl+wheel: zoom the values. Double click: show all."));
+  follow_type_size();
+  connect(&TypeSize::of_application(), &TypeSize::changed, this, &KinematicChart::follow_type_size);
   connect(scene(), &QGraphicsScene::changed, this, [this] {
     picture_ = {};
     viewport()->update();
@@ -145,7 +145,7 @@ void KinematicChart::apply_colours() {
 }
 
 int KinematicChart::column_count() const {
-  const int width = std::max(1, viewport()->width() - plot_left_margin - plot_right_margin);
+  const int width = std::max(1, viewport()->width() - plot_left_margin() - plot_right_margin);
   return static_cast<int>(std::lround(width * devicePixelRatioF() * resolution_));
 }
 
@@ -156,7 +156,16 @@ void KinematicChart::set_limits(std::vector<LimitLine> limits) {
 void KinematicChart::label_abscissa(const QString& title) {
   abscissa_title_ = title;
   abscissa_->setLabelsVisible(!title.isEmpty());
-  setMinimumHeight(title.isEmpty() ? least_height : least_labelled_height);
+  follow_type_size();
+}
+
+void KinematicChart::follow_type_size() {
+  QFont font = chart()->font();
+  font.setPixelSize(type_pixels(label_size));
+  for (QValueAxis* axis : {abscissa_, ordinate_}) {
+    axis->setLabelsFont(font);
+  }
+  setMinimumHeight(type_pixels(abscissa_title_.isEmpty() ? least_height : least_labelled_height));
   lay_out();
   picture_ = {};
   viewport()->update();
@@ -238,8 +247,9 @@ void KinematicChart::fit() {
   }
   values_ = chosen_values_.value_or(values_);
   const QRectF plot = chart()->plotArea();
-  set_range(ordinate_, values_, std::max(2, static_cast<int>(plot.height() / tick_distance)));
-  set_range(abscissa_, {range_.lower(), range_.upper()}, std::max(2, static_cast<int>(plot.width() / 80)));
+  set_range(ordinate_, values_, std::max(2, static_cast<int>(plot.height() / type_pixels(tick_distance))));
+  set_range(abscissa_, {range_.lower(), range_.upper()},
+            std::max(2, static_cast<int>(plot.width() / type_pixels(80))));
   picture_ = {};
   viewport()->update();
 }
@@ -325,7 +335,7 @@ void KinematicChart::draw_picture(QPainter& painter) {
   painter.restore();
   painter.setFont(abscissa_->labelsFont());
   painter.setPen(theme_colours(palette()).text);
-  painter.drawText(whole.adjusted(plot_left_margin, 0, -plot_right_margin, -2),
+  painter.drawText(whole.adjusted(plot_left_margin(), 0, -plot_right_margin, -2),
                    Qt::AlignHCenter | Qt::AlignBottom, abscissa_title_);
 }
 
@@ -460,12 +470,13 @@ void KinematicChart::draw_cursors(QPainter& painter) const {
       const double x = std::round(pixel_of(*position));
       painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
       if (second_cursor_.has_value()) {
-        painter.drawText(QRectF(x + 3, plot.top(), 12, 12), Qt::AlignLeft | Qt::AlignVCenter, name);
+        painter.drawText(QRectF(x + 3, plot.top(), type_pixels(12), type_pixels(12)),
+                         Qt::AlignLeft | Qt::AlignVCenter, name);
       }
     }
   };
   QFont small = font();
-  small.setPixelSize(10);
+  small.setPixelSize(type_pixels(10));
   painter.setFont(small);
   line(second_cursor_, colours.second_cursor, "B");
   line(cursor_, colours.cursor, "A");
@@ -477,9 +488,9 @@ void KinematicChart::resizeEvent(QResizeEvent* event) {
 }
 
 void KinematicChart::lay_out() {
-  const int bottom = abscissa_title_.isEmpty() ? bottom_margin : labelled_bottom_margin;
+  const int bottom = abscissa_title_.isEmpty() ? bottom_margin : type_pixels(labelled_bottom_margin);
   chart()->setPlotArea(
-      QRectF(viewport()->rect()).adjusted(plot_left_margin, top_margin, -plot_right_margin, -bottom));
+      QRectF(viewport()->rect()).adjusted(plot_left_margin(), top_margin, -plot_right_margin, -bottom));
   picture_ = {};
   emit plot_resized();
 }

@@ -103,6 +103,7 @@ class KinematicChart : public QChartView {
  private:
   void apply_colours();
   void lay_out();
+  void follow_type_size();
   void fit();
   CurveReach reach_of(const std::vector<Extent>& columns, bool may_be_cut) const;
   void draw_picture(QPainter& painter);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/analysis/load/limit_tracker.h"
+#include "ui/theme/type_size.h"
 
 namespace feedscope::ui {
 namespace {
@@ -73,7 +74,7 @@ std::vector<LimitLine> bound_lines(const ChartSpec& spec, const RunLoad& load) {
 }
 
 QFont chart_note_font(QFont font) {
-  font.setPixelSize(10);
+  font.setPixelSize(type_pixels(10));
   return font;
 }
 

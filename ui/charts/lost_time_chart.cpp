@@ -9,16 +9,23 @@
 #include "ui/charts/plot_margins.h"
 #include "ui/shared/plot_grid.h"
 #include "ui/theme/theme.h"
+#include "ui/theme/type_size.h"
 
 namespace feedscope::ui {
 
 namespace {
 
-constexpr int head_height = 18;
-constexpr int plot_height = 38;
 constexpr int below = 4;
 constexpr double curve_width = 1.8;
 constexpr int most_ticks = 3;
+
+int head_height() {
+  return type_pixels(18);
+}
+
+int plot_height() {
+  return type_pixels(38);
+}
 
 /// Between the samples linear; beyond them that at the end.
 double value_at(const std::vector<double>& times, const std::vector<double>& values, double time) {
@@ -103,11 +110,11 @@ Interval LostTimeChart::values() const {
 }
 
 QSize LostTimeChart::sizeHint() const {
-  return {400, head_height + plot_height + below};
+  return {400, head_height() + plot_height() + below};
 }
 
 QRectF LostTimeChart::plot() const {
-  return QRectF(rect()).adjusted(plot_left_margin, head_height, -plot_right_margin, -below);
+  return QRectF(rect()).adjusted(plot_left_margin(), head_height(), -plot_right_margin, -below);
 }
 
 void LostTimeChart::paintEvent(QPaintEvent*) {
@@ -118,7 +125,8 @@ void LostTimeChart::paintEvent(QPaintEvent*) {
 void LostTimeChart::draw(QPainter& painter) const {
   painter.setRenderHint(QPainter::Antialiasing);
   draw_head(painter);
-  painter.fillRect(QRectF(0, head_height, width(), height() - head_height), theme_colours(palette()).plot);
+  painter.fillRect(QRectF(0, head_height(), width(), height() - head_height()),
+                   theme_colours(palette()).plot);
   if (!lost_.others.empty() && !lost_.positions.empty()) {
     draw_curves(painter);
   }
@@ -133,7 +141,7 @@ void LostTimeChart::draw_head(QPainter& painter) const {
   painter.setFont(bold);
   painter.setPen(text);
   const QString title = tr("Time lost against");
-  painter.drawText(QRect(8, 0, width(), head_height), Qt::AlignLeft | Qt::AlignVCenter, title);
+  painter.drawText(QRect(8, 0, width(), head_height()), Qt::AlignLeft | Qt::AlignVCenter, title);
   int x = 8 + QFontMetrics(bold).horizontalAdvance(title) + gap;
   painter.setFont(font());
   const QFontMetrics metrics(font());
@@ -144,10 +152,10 @@ void LostTimeChart::draw_head(QPainter& painter) const {
       return;
     }
     painter.setPen(QPen(lost_.others[i].color, 3));
-    painter.drawLine(x, head_height / 2, x + swatch, head_height / 2);
+    painter.drawLine(x, head_height() / 2, x + swatch, head_height() / 2);
     painter.setPen(text);
     const QString shown = metrics.elidedText(entry, Qt::ElideMiddle, room);
-    painter.drawText(QRect(x + swatch + 4, 0, room, head_height), Qt::AlignLeft | Qt::AlignVCenter, shown);
+    painter.drawText(QRect(x + swatch + 4, 0, room, head_height()), Qt::AlignLeft | Qt::AlignVCenter, shown);
     x += swatch + 4 + metrics.horizontalAdvance(shown) + gap;
   }
 }
@@ -162,7 +170,7 @@ void LostTimeChart::draw_curves(QPainter& painter) const {
     return area.bottom() - (value - ordinate.lower) / ordinate.width() * area.height();
   };
   QFont small = font();
-  small.setPixelSize(11);
+  small.setPixelSize(type_pixels(11));
   painter.setFont(small);
   {
     PlotGrid grid(painter, area, {colours.grid, colours.frame, colours.text});

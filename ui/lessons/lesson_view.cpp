@@ -1,16 +1,19 @@
 #include "ui/lessons/lesson_view.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QAction>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSplitter>
 #include <QTextBrowser>
 #include <QToolButton>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <cmath>
 
 #include "core/base/markdown.h"
 #include "core/base/typed_number.h"
@@ -18,6 +21,7 @@
 #include "ui/fields/focus_outline.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/texts.h"
+#include "ui/shared/flow_layout.h"
 #include "ui/shared/panel_action.h"
 
 namespace feedscope::ui {
@@ -31,6 +35,17 @@ QTextBrowser* make_browser(const QString& name, QWidget* parent) {
   browser->setFrameShape(QFrame::NoFrame);
   browser->setOpenLinks(false);
   return browser;
+}
+
+/// As high as its text, without a scroll bar of its own.
+void fit_to_text(QTextBrowser& browser) {
+  browser.setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  const auto fit = [&browser](const QSizeF& text) {
+    browser.setFixedHeight(static_cast<int>(std::ceil(text.height())) + 2 * browser.frameWidth());
+  };
+  QObject::connect(browser.document()->documentLayout(), &QAbstractTextDocumentLayout::documentSizeChanged,
+                   &browser, fit);
+  fit(browser.document()->size());
 }
 
 /// A button that can be pressed and shows that it is.
@@ -94,6 +109,8 @@ LessonView::LessonView(LessonDesk& desk, QWidget* parent)
   lessons_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   value_->setTextFormat(Qt::RichText);
   value_->setWordWrap(true);
+  key_->setWordWrap(true);
+  fit_to_text(*question_);
   show_setting_->setText(tr("Show setting"));
   show_setting_->setToolTip(tr("Show the setting in the tables of axis limits and control settings"));
   lay_out();
@@ -134,23 +151,22 @@ void LessonView::make_actions() {
 }
 
 void LessonView::lay_out() {
-  auto* values = new QHBoxLayout(values_);
+  auto* values = new FlowLayout(values_);
   values->setContentsMargins(0, 0, 0, 0);
   values->setSpacing(2);
   auto* control = new QVBoxLayout(control_);
   control->setContentsMargins(0, 0, 0, 0);
   control->setSpacing(2);
-  auto* key = new QHBoxLayout;
-  key->addWidget(key_, 1);
-  key->addWidget(show_setting_);
-  control->addLayout(key);
-  control->addWidget(values_, 0, Qt::AlignLeft);
+  control->addWidget(key_);
+  control->addWidget(values_);
+  control->addWidget(show_setting_, 0, Qt::AlignLeft);
 
   auto* steps = new QHBoxLayout;
   steps->addWidget(number_, 1);
   steps->addWidget(before_);
   steps->addWidget(after_);
-  auto* help = new QHBoxLayout;
+  auto* help = new FlowLayout;
+  help->setSpacing(4);
   help->addWidget(hint_);
   help->addWidget(answer_);
 
@@ -159,17 +175,26 @@ void LessonView::lay_out() {
   above->setContentsMargins(0, 0, 0, 0);
   above->addWidget(text_, 1);
   above->addWidget(set_up_);
-  auto* lower = new QWidget(this);
-  auto* below = new QVBoxLayout(lower);
+  auto* content = new QWidget(this);
+  auto* below = new QVBoxLayout(content);
   below->setContentsMargins(0, 0, 0, 0);
   below->addLayout(steps);
-  below->addWidget(question_, 1);
+  below->addWidget(question_);
   below->addWidget(control_);
   below->addWidget(value_);
   below->addLayout(help);
+  below->addStretch(1);
+  auto* lower = new QScrollArea(this);
+  lower->setFrameShape(QFrame::NoFrame);
+  lower->setWidgetResizable(true);
+  lower->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  lower->setFocusPolicy(Qt::NoFocus);
+  lower->setWidget(content);
   auto* halves = new QSplitter(Qt::Vertical, this);
   halves->addWidget(upper);
   halves->addWidget(lower);
+  halves->setStretchFactor(0, 1);
+  halves->setStretchFactor(1, 1);
   halves->setChildrenCollapsible(false);
 
   auto* layout = new QVBoxLayout(this);

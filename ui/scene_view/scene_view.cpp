@@ -103,8 +103,8 @@ void SceneView::fill_menu(QMenu& menu) const {
   actions_->fill(menu);
 }
 
-void SceneView::hide_bar() {
-  actions_->bar()->hide();
+void SceneView::show_bar(bool shown) {
+  actions_->bar()->setVisible(shown);
 }
 
 int SceneView::bar_height() const {

@@ -51,8 +51,8 @@ class SceneView : public QWidget {
   QList<QAction*> panel_actions() const;
   /// Adds them to a menu, those that belong together as submenus.
   void fill_menu(QMenu& menu) const;
-  /// The commands stay, without a bar.
-  void hide_bar();
+  /// The commands stay, with or without their bar.
+  void show_bar(bool shown);
   int bar_height() const;
   void set_bar_height(int height);
   /// Beside another view, which this one is linked to: two commands with one key would be ambiguous and none

@@ -94,7 +94,7 @@ SplitOverlay::SplitOverlay(SceneView& left, SceneView* right, QWidget* right_nam
       right_note_(make_label(left)),
       share_(std::clamp(share, 0.0, 1.0)) {
   right_->setParent(pane_);
-  right_->hide_bar();
+  right_->show_bar(false);
   right_name_->setParent(&left);
   left_.canvas().installEventFilter(this);
   connect(handle_, &SplitHandle::stepped, this, &SplitOverlay::step);

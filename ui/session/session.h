@@ -32,6 +32,7 @@ struct Session {
   LoadSetup load;  ///< how the tools are engaged; may not fit the program
   std::vector<Annotation> annotations;
   QByteArray layout;                     ///< of the docks, as QMainWindow::saveState; may be empty
+  bool presentation = false;             ///< large type and few panels; `layout` is that without
   std::optional<ThemeKind> theme;        ///< none: as the one who opens it likes it
   std::optional<int> program_font_size;  ///< [pixels]
 };

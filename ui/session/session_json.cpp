@@ -231,8 +231,10 @@ void check_format(const QJsonObject& json) {
 }
 
 void read_window(const QJsonObject& json, Session& session, QStringList& notes) {
-  note_unknown(json, {"layout", "theme", "program_font_px"}, QStringLiteral("\"window\""), notes);
+  note_unknown(json, {"layout", "presentation", "theme", "program_font_px"}, QStringLiteral("\"window\""),
+               notes);
   session.layout = QByteArray::fromBase64(json["layout"].toString().toLatin1());
+  session.presentation = json["presentation"].toBool();
   if (json.contains("theme")) {
     session.theme = json["theme"] == QLatin1String("dark") ? ThemeKind::dark : ThemeKind::light;
   }
@@ -257,6 +259,9 @@ QJsonObject to_json(const Session& session, const std::filesystem::path& folder)
   QJsonObject window;
   if (!session.layout.isEmpty()) {
     window["layout"] = QString::fromLatin1(session.layout.toBase64());
+  }
+  if (session.presentation) {
+    window["presentation"] = true;
   }
   if (session.theme) {
     window["theme"] = *session.theme == ThemeKind::dark ? "dark" : "light";

@@ -8,6 +8,7 @@
 
 #include "ui/theme/bundled_fonts.h"
 #include "ui/theme/icons.h"
+#include "ui/theme/type_size.h"
 
 namespace feedscope::ui {
 
@@ -107,8 +108,23 @@ class ThemeStyle : public QProxyStyle {
     constexpr int crowded = 5;
     constexpr int narrow = 10;  // [px] beside a name
     const auto* tabs = metric == PM_TabBarTabHSpace ? qobject_cast<const QTabBar*>(widget) : nullptr;
-    return tabs != nullptr && tabs->count() >= crowded ? narrow
-                                                       : QProxyStyle::pixelMetric(metric, option, widget);
+    if (tabs != nullptr && tabs->count() >= crowded) {
+      return type_pixels(narrow);
+    }
+    const int usual = QProxyStyle::pixelMetric(metric, option, widget);
+    switch (metric) {
+      case PM_SmallIconSize:
+      case PM_ButtonIconSize:
+      case PM_ToolBarIconSize:
+      case PM_ScrollBarExtent:
+      case PM_IndicatorWidth:
+      case PM_IndicatorHeight:
+      case PM_ExclusiveIndicatorWidth:
+      case PM_ExclusiveIndicatorHeight:
+        return type_pixels(usual);  // what belongs to type is as large
+      default:
+        return usual;
+    }
   }
   /// Qt squeezes the arrow of a menu into the corner below the text, where it reads as a comma.
   void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
@@ -170,7 +186,7 @@ void apply_theme(ThemeKind kind) {
   QApplication::setStyle(new ThemeStyle);
   QApplication::setPalette(make_palette(kind == ThemeKind::dark ? dark_roles : light_roles));
   QFont font = QApplication::font();
-  font.setPixelSize(12);
+  font.setPixelSize(type_pixels(12));
   QApplication::setFont(font);
 }
 

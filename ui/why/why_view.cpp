@@ -1,7 +1,6 @@
 #include "ui/why/why_view.h"
 
 #include <QEvent>
-#include <QFontInfo>
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -22,6 +21,7 @@
 #include "ui/shared/panel_action.h"
 #include "ui/shared/row_copy.h"
 #include "ui/theme/theme.h"
+#include "ui/theme/type_size.h"
 #include "ui/why/why_text.h"
 #include "ui/workbench/workbench.h"
 
@@ -175,8 +175,8 @@ void WhyView::lay_out() {
   heading_ = add_label(content);
   QFont font = heading_->font();
   font.setBold(true);
-  font.setPixelSize(QFontInfo(font).pixelSize() * 115 / 100);
   heading_->setFont(font);
+  set_type_pixels(*heading_, 14);
   place_ = add_label(content);
   sentence_ = add_label(content);
   drives_ = add_label(content);

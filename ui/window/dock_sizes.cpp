@@ -23,7 +23,7 @@ DockSizes::DockSizes(QMainWindow& window, int left, int right, int bottom)
 }
 
 bool DockSizes::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::Resize) {
+  if (event->type() == QEvent::Resize && !paused_) {
     if (watched == &window_) {
       following_ = true;
       resized_.start();
@@ -99,7 +99,7 @@ void DockSizes::begin() {
 }
 
 void DockSizes::apply() {
-  if (!window_.isVisible()) {
+  if (paused_ || !window_.isVisible()) {
     following_ = false;
     return;
   }

@@ -23,6 +23,8 @@ class DockSizes : public QObject {
   void follow_layout();
   /// The layout of the beginning is back: the sizes too.
   void follow_first_layout();
+  /// While paused, the sizes of the panels are somebody else's, and nothing is noted.
+  void set_paused(bool paused) { paused_ = paused; }
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -53,6 +55,7 @@ class DockSizes : public QObject {
   QMainWindow& window_;
   std::array<Side, 3> sides_;
   QTimer resized_;
+  bool paused_ = false;
   bool begun_ = false;      ///< the window has been laid out
   bool restored_ = false;   ///< as the user once had it
   bool following_ = false;  ///< sizes are the window's doing, not the user's

@@ -39,6 +39,7 @@
 #include "ui/window/file_menu.h"
 #include "ui/window/help_menu.h"
 #include "ui/window/machine_opening.h"
+#include "ui/window/presentation.h"
 #include "ui/window/start_page.h"
 #include "ui/window/status_panel.h"
 #include "ui/window/view_menu.h"
@@ -86,9 +87,11 @@ MainWindow::MainWindow(Workbench& workbench, RenderBackend backend, QWidget* par
   setAcceptDrops(true);
   make_centre();
   make_docks();
+  dock_sizes_ = new DockSizes(*this, program_width, setup_width, charts_height);
+  presentation_ = new Presentation(*this, *dock_sizes_,
+                                   {dock_of(*lessons_), dock_of(*charts_), scene(), program_->view()});
   make_menus();
   first_layout_ = saveState();
-  dock_sizes_ = new DockSizes(*this, program_width, setup_width, charts_height);
   make_status();
   connect_panels();
   connect_lessons();
@@ -205,10 +208,11 @@ void MainWindow::make_menus() {
   go->addActions(contour_->step_actions());
   go->addActions(diagnostics_->panel_actions());
 
-  auto* view = new ViewMenu(*scenes_, workbench_.view_range(), *this);
+  auto* view = new ViewMenu(*scenes_, workbench_.view_range(), presentation_->actions(), *this);
   menuBar()->addMenu(view);
   connect(view, &ViewMenu::remake_wanted, this, &MainWindow::remake_wanted);
   connect(view, &ViewMenu::first_layout_wanted, this, [this] {
+    presentation_->set_on(false);
     restoreState(first_layout_);
     dock_sizes_->follow_first_layout();
   });
@@ -264,6 +268,7 @@ void MainWindow::connect_lessons() {
   connect(&desk_, &LessonDesk::failed, this, &MainWindow::show_failure);
   connect(&desk_, &LessonDesk::view_wanted, this, &MainWindow::show_lesson);
   connect(lessons_, &LessonView::setting_wanted, this, [this](const QString& key) {
+    dock_of(*setup_).show();
     dock_of(*setup_).raise();
     setup_->show_key(key == QStringLiteral("tolerance") ? "contour_tolerance_mm" : key.toStdString());
   });
@@ -297,6 +302,10 @@ bool MainWindow::event(QEvent* event) {
 }
 
 void MainWindow::restore_layout(const QByteArray& layout) {
+  if (layout.isEmpty()) {
+    return;
+  }
+  presentation_->set_on(false);
   if (restoreState(layout)) {
     dock_sizes_->follow_layout();
   }

@@ -25,6 +25,7 @@ class HelpMenu;
 class LessonView;
 class MachineOpening;
 class PlaybackBar;
+class Presentation;
 class ProgramPanel;
 class RunsView;
 class SetupView;
@@ -63,7 +64,9 @@ class MainWindow : public QMainWindow {
   void open(const std::filesystem::path& file);
   /// A machine file, or the configuration of a control.
   void open_machine(const std::filesystem::path& file);
-  /// As QMainWindow::restoreState(), with sizes that hold when the window becomes smaller and larger again.
+  Presentation& presentation() const { return *presentation_; }
+  /// As QMainWindow::restoreState(), ending a presentation, with sizes that hold when the window becomes
+  /// smaller and larger again.
   void restore_layout(const QByteArray& layout);
   /// What the window shows, to be shown again by another window on the same workbench, in another language or
   /// other units.
@@ -135,6 +138,7 @@ class MainWindow : public QMainWindow {
   StartPage* start_page_;
   FileMenu* file_menu_ = nullptr;
   DockSizes* dock_sizes_ = nullptr;
+  Presentation* presentation_ = nullptr;
   QByteArray first_layout_;
 };
 

@@ -8,6 +8,7 @@
 #include "ui/program_text/program_panel.h"
 #include "ui/scene_view/scene_json.h"
 #include "ui/window/main_window.h"
+#include "ui/window/presentation.h"
 
 namespace feedscope::ui {
 
@@ -19,7 +20,7 @@ const QString settings_key = QStringLiteral("panels");
 
 PanelStates panel_states(MainWindow& window) {
   return {window.scene().state(), window.part<ChartsPanel>().state(), window.part<CircularView>().state(),
-          window.part<ProgramPanel>().view().font_size()};
+          window.presentation().usual_program_type()};
 }
 
 void set_panel_states(MainWindow& window, const PanelStates& states) {

@@ -2,7 +2,6 @@
 
 #include <QAbstractButton>
 #include <QFileInfo>
-#include <QFontInfo>
 #include <QFrame>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -18,6 +17,7 @@
 #include "core/analysis/run.h"
 #include "core/base/data_folder.h"
 #include "ui/shared/paths.h"
+#include "ui/theme/type_size.h"
 #include "ui/window/program_sketch.h"
 #include "ui/workbench/recent_files.h"
 
@@ -28,6 +28,7 @@ namespace {
 constexpr QSize sketch_size(210, 118);
 constexpr int tile_width = 226;
 constexpr int tile_height = 164;
+constexpr int heading_size = 14;
 constexpr int left_width = 320;
 constexpr int widest = 1280;
 constexpr qsizetype most_recent = 8;
@@ -36,8 +37,8 @@ QLabel* heading(const QString& text, QWidget* parent) {
   auto* label = new QLabel(text, parent);
   QFont font = label->font();
   font.setBold(true);
-  font.setPixelSize(QFontInfo(font).pixelSize() + 2);
   label->setFont(font);
+  set_type_pixels(*label, heading_size);
   label->setWordWrap(true);
   label->setContentsMargins(0, 10, 0, 2);
   return label;

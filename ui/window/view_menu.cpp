@@ -23,7 +23,8 @@ void use_theme(ThemeKind kind) {
 
 }  // namespace
 
-ViewMenu::ViewMenu(SideBySide& scenes, const ViewRange& range, QMainWindow& window)
+ViewMenu::ViewMenu(SideBySide& scenes, const ViewRange& range, const QList<QAction*>& presenting,
+                   QMainWindow& window)
     : QMenu(tr("&View"), &window) {
   scenes.first().fill_menu(*this);
   addActions(scenes.panel_actions());
@@ -39,6 +40,7 @@ ViewMenu::ViewMenu(SideBySide& scenes, const ViewRange& range, QMainWindow& wind
   docks->addSeparator();
   connect(add(docks, tr("&Default layout"), {}, tr("Original places and sizes of all panels")),
           &QAction::triggered, this, &ViewMenu::first_layout_wanted);
+  addActions(presenting);
   QAction* dark =
       add(this, tr("&Dark"), QKeySequence(tr("Ctrl+Shift+D")), tr("Switch between light and dark colours"));
   dark->setCheckable(true);

@@ -14,7 +14,9 @@ class ViewMenu : public QMenu {
 
  public:
   /// All outlive this; the window has its docks by then.
-  ViewMenu(SideBySide& scenes, const ViewRange& range, QMainWindow& window);
+  /// `presenting`: commands of the presentation.
+  ViewMenu(SideBySide& scenes, const ViewRange& range, const QList<QAction*>& presenting,
+           QMainWindow& window);
 
  signals:
   /// Panels are to be where they were at first.

@@ -16,6 +16,7 @@
 #include "ui/program_text/program_panel.h"
 #include "ui/shared/paths.h"
 #include "ui/window/main_window.h"
+#include "ui/window/presentation.h"
 
 namespace feedscope::ui {
 
@@ -70,20 +71,31 @@ Session WindowSession::view() const {
     session.circular = window_.part<CircularView>().state();
   }
   session.load = window_.part<LoadView>().setup();
-  session.layout = window_.saveState();
+  session.layout = window_.presentation().usual_layout();
+  session.presentation = window_.presentation().on();
   session.theme = theme_of(QApplication::palette());
-  session.program_font_size = window_.part<ProgramPanel>().view().font_size();
+  session.program_font_size = window_.presentation().usual_program_type();
   return session;
 }
 
 void WindowSession::show(const Session& session) {
   workbench_.open(session.program, session.runs, session.current_run, session.reading, session.load);
   workbench_.annotations().replace(session.annotations);
-  window_.restore_layout(session.layout);
+  show_layout(session);
+  pending_ = session;
+}
+
+void WindowSession::show_layout(const Session& session) {
+  Presentation& presentation = window_.presentation();
+  presentation.set_on(false);
   if (session.program_font_size) {
     window_.part<ProgramPanel>().view().set_font_size(*session.program_font_size);
   }
-  pending_ = session;
+  if (session.presentation) {
+    presentation.show_over(session.layout);
+  } else {
+    window_.restore_layout(session.layout);
+  }
 }
 
 void WindowSession::take_over(const Kept& kept) {
@@ -91,7 +103,7 @@ void WindowSession::take_over(const Kept& kept) {
   saved_ = kept.saved;
   start_ = kept.start;
   on_disk_ = kept.on_disk;
-  window_.restore_layout(kept.view.layout);
+  show_layout(kept.view);
   window_.part<LoadView>().set_setup(kept.view.load);
   pending_ = kept.view;
   apply_to_run();

@@ -71,6 +71,7 @@ class WindowSession : public QObject {
  private:
   /// How everything is shown, without what is shown.
   Session view() const;
+  void show_layout(const Session& session);
   void apply_to_run();
   void keep();
   void forget_restored();

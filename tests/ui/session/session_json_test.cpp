@@ -34,6 +34,7 @@ void expect_same(const Session& a, const Session& b) {
   EXPECT_EQ(a.load, b.load);
   EXPECT_EQ(a.annotations, b.annotations);
   EXPECT_EQ(a.layout, b.layout);
+  EXPECT_EQ(a.presentation, b.presentation);
   EXPECT_EQ(a.theme, b.theme);
   EXPECT_EQ(a.program_font_size, b.program_font_size);
 }

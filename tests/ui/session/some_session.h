@@ -59,6 +59,7 @@ inline Session some_session(const std::filesystem::path& program) {
     session.annotations.push_back(annotation);
   }
   session.layout = QByteArray("\x00\x01layout", 8);
+  session.presentation = true;
   session.theme = ThemeKind::dark;
   session.program_font_size = 17;
   return session;
