@@ -4147,6 +4147,14 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <source>Set &lt;b&gt;%1&lt;/b&gt; to</source>
         <translation>Mettre &lt;b&gt;%1&lt;/b&gt; à</translation>
     </message>
+    <message>
+        <source>Back to my own</source>
+        <translation>Revenir à mon travail</translation>
+    </message>
+    <message>
+        <source>Bring back the program, runs, settings and view that were in the window before the lesson</source>
+        <translation>Rendre le programme, les simulations, les réglages et la vue qui étaient dans la fenêtre avant la leçon</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::LoadFiguresTable</name>
@@ -7391,6 +7399,10 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>What is open cannot be kept in %1 and will be lost if Feedscope ends unexpectedly. Save the session, or make that folder writable.</source>
         <translation>Impossible de conserver ce qui est ouvert dans %1&#xa0;: ce sera perdu si Feedscope s’arrête de façon inattendue. Enregistrez la session ou autorisez l’écriture dans ce dossier.</translation>
+    </message>
+    <message>
+        <source>Runs and annotations of %1, which a lesson has replaced in the window, have not been saved.</source>
+        <translation>Les simulations et les annotations de %1, qu’une leçon a remplacées dans la fenêtre, n’ont pas été enregistrées.</translation>
     </message>
 </context>
 <context>

@@ -117,6 +117,7 @@ void LessonDesk::set_up_window() {
     for (const Changes& changes : open_->lesson.window.runs) {
       runs.push_back({0, {}, run_colour(runs.size()), true, state_of(set_up(open_->lesson, changes))});
     }
+    emit set_up_begins();
     view_pending_ = true;
     program_ = start.program;
     workbench_.open(start.program, std::move(runs), 0, {}, start.setup.load);

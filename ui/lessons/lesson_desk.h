@@ -44,6 +44,8 @@ class LessonDesk : public QObject {
   /// Program, runs and settings that the lesson begins with, instead of those in the window; view_wanted()
   /// follows with the first result.
   void set_up_window();
+  /// The window is to show something else again: view_wanted() does not follow any more.
+  void leave_window() { view_pending_ = false; }
   std::size_t question() const { return question_; }
   void choose_question(std::size_t number);
   /// Gives the control of the question a value in the current run; all else is as the lesson begins, and can
@@ -59,6 +61,8 @@ class LessonDesk : public QObject {
  signals:
   void listed();
   void opened();
+  /// What the window shows now is about to be replaced by what the lesson begins with.
+  void set_up_begins();
   void question_changed();
   void value_changed();
   /// How the window is to show the lesson.

@@ -100,6 +100,7 @@ LessonView::LessonView(LessonDesk& desk, QWidget* parent)
       value_(new QLabel(this)) {
   make_actions();
   set_up_ = make_button(set_up_action_, this);
+  return_ = make_button(return_action_, this);
   before_ = make_arrow(before_action_, Qt::LeftArrow, this);
   after_ = make_arrow(after_action_, Qt::RightArrow, this);
   hint_ = make_button(hint_action_, this);
@@ -114,6 +115,7 @@ LessonView::LessonView(LessonDesk& desk, QWidget* parent)
   show_setting_->setText(tr("Show setting"));
   show_setting_->setToolTip(tr("Show the setting in the tables of axis limits and control settings"));
   lay_out();
+  offer_return(false);
 
   connect(lessons_, &QComboBox::activated, this, [this](int row) {
     if (row > 0) {
@@ -136,14 +138,18 @@ void LessonView::make_actions() {
   set_up_action_ = make_action(
       this, tr("Set up the window"),
       tr("Open the program of the lesson with its machine, settings and view; this replaces the runs"));
+  return_action_ = make_action(
+      this, tr("Back to my own"),
+      tr("Bring back the program, runs, settings and view that were in the window before the lesson"));
   before_action_ = make_action(this, tr("Previous question"), tr("Go to the previous question"));
   after_action_ = make_action(this, tr("Next question"), tr("Go to the next question"));
   hint_action_ = make_action(this, tr("Hint"), tr("Show or hide the hint of the question"));
   answer_action_ = make_action(this, tr("Show answer"), tr("Show or hide the answer to the question"));
   hint_action_->setCheckable(true);
   answer_action_->setCheckable(true);
-  actions_ = {set_up_action_, before_action_, after_action_, hint_action_, answer_action_};
+  actions_ = {set_up_action_, before_action_, after_action_, hint_action_, answer_action_, return_action_};
   connect(set_up_action_, &QAction::triggered, &desk_, &LessonDesk::set_up_window);
+  connect(return_action_, &QAction::triggered, this, &LessonView::return_wanted);
   connect(before_action_, &QAction::triggered, this, [this] { desk_.choose_question(desk_.question() - 1); });
   connect(after_action_, &QAction::triggered, this, [this] { desk_.choose_question(desk_.question() + 1); });
   connect(hint_action_, &QAction::toggled, this, &LessonView::show_texts);
@@ -175,6 +181,7 @@ void LessonView::lay_out() {
   above->setContentsMargins(0, 0, 0, 0);
   above->addWidget(text_, 1);
   above->addWidget(set_up_);
+  above->addWidget(return_);
   auto* content = new QWidget(this);
   auto* below = new QVBoxLayout(content);
   below->setContentsMargins(0, 0, 0, 0);
@@ -207,6 +214,11 @@ void LessonView::lay_out() {
 void LessonView::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   desk_.list();
+}
+
+void LessonView::offer_return(bool there) {
+  return_action_->setEnabled(there);
+  return_->setVisible(there);
 }
 
 void LessonView::show_list() {

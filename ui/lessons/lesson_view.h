@@ -31,10 +31,14 @@ class LessonView : public Panel {
   /// Buttons with the values of the control, in their order.
   QList<QToolButton*> values() const;
   QString measured() const;
-  /// Set up the window, next and previous question, hint, answer.
+  /// Whether there is something to bring back that a lesson has replaced in the window.
+  void offer_return(bool there);
+  /// Set up the window, bring back what was in it, next and previous question, hint, answer.
   QList<QAction*> panel_actions() const override { return actions_; }
 
  signals:
+  /// What was in the window before the lesson is to be brought back.
+  void return_wanted();
   /// The setting is to be shown where it is edited.
   void setting_wanted(const QString& key);
 
@@ -56,6 +60,7 @@ class LessonView : public Panel {
   QComboBox* lessons_;
   QTextBrowser* text_;
   QPushButton* set_up_;
+  QPushButton* return_;
   QLabel* number_;
   QToolButton* before_;
   QToolButton* after_;
@@ -69,6 +74,7 @@ class LessonView : public Panel {
   QPushButton* answer_;
   QList<QAction*> actions_;
   QAction* set_up_action_ = nullptr;
+  QAction* return_action_ = nullptr;
   QAction* before_action_ = nullptr;
   QAction* after_action_ = nullptr;
   QAction* hint_action_ = nullptr;

@@ -266,6 +266,12 @@ void MainWindow::connect_panels() {
 
 void MainWindow::connect_lessons() {
   connect(&desk_, &LessonDesk::failed, this, &MainWindow::show_failure);
+  connect(&desk_, &LessonDesk::set_up_begins, session_, &WindowSession::set_aside);
+  connect(session_, &WindowSession::aside_changed, lessons_, &LessonView::offer_return);
+  connect(lessons_, &LessonView::return_wanted, this, [this] {
+    desk_.leave_window();
+    session_->bring_back();
+  });
   connect(&desk_, &LessonDesk::view_wanted, this, &MainWindow::show_lesson);
   connect(lessons_, &LessonView::setting_wanted, this, [this](const QString& key) {
     dock_of(*setup_).show();

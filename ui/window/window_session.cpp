@@ -34,6 +34,13 @@ QString message_of(const InputError& error) {
 
 }  // namespace
 
+/// What a lesson has replaced.
+struct WindowSession::Aside {
+  Session session;
+  Kept kept;
+  bool changed = false;  ///< and not saved
+};
+
 WindowSession::WindowSession(MainWindow& window, Workbench& workbench)
     : QObject(&window), window_(window), workbench_(workbench) {
   connect(&workbench_, &Workbench::run_changed, this, &WindowSession::apply_to_run);
@@ -79,10 +86,49 @@ Session WindowSession::view() const {
 }
 
 void WindowSession::show(const Session& session) {
+  drop_aside();
+  show_contents(session);
+  show_layout(session);
+}
+
+void WindowSession::show_contents(const Session& session) {
   workbench_.open(session.program, session.runs, session.current_run, session.reading, session.load);
   workbench_.annotations().replace(session.annotations);
-  show_layout(session);
   pending_ = session;
+}
+
+void WindowSession::set_aside() {
+  if (aside_ != nullptr || workbench_.program() == nullptr) {
+    return;
+  }
+  aside_ = std::make_shared<const Aside>(Aside{capture(), hand_over(), changed()});
+  pending_.reset();
+  file_.clear();  // so that the lesson is not saved over it
+  on_disk_.clear();
+  saved_.clear();
+  start_.clear();
+  emit file_changed();
+  emit aside_changed(true);
+}
+
+void WindowSession::bring_back() {
+  const auto aside = std::exchange(aside_, nullptr);
+  if (aside == nullptr) {
+    return;
+  }
+  show_contents(aside->session);
+  file_ = aside->kept.file;
+  saved_ = aside->kept.saved;
+  start_ = aside->kept.start;
+  on_disk_ = aside->kept.on_disk;
+  emit file_changed();
+  emit aside_changed(false);
+}
+
+void WindowSession::drop_aside() {
+  if (std::exchange(aside_, nullptr) != nullptr) {
+    emit aside_changed(false);
+  }
 }
 
 void WindowSession::show_layout(const Session& session) {
@@ -103,6 +149,8 @@ void WindowSession::take_over(const Kept& kept) {
   saved_ = kept.saved;
   start_ = kept.start;
   on_disk_ = kept.on_disk;
+  aside_ = kept.aside;
+  emit aside_changed(aside_ != nullptr);
   show_layout(kept.view);
   window_.part<LoadView>().set_setup(kept.view.load);
   pending_ = kept.view;
@@ -183,6 +231,7 @@ bool WindowSession::accept_changed_program(const Session& session) {
 }
 
 void WindowSession::forget_file() {
+  drop_aside();
   pending_.reset();
   file_.clear();
   on_disk_.clear();
@@ -196,7 +245,9 @@ bool WindowSession::save(bool as_new) {
     emit failed(tr("There is nothing to save: open a program first."));
     return false;
   }
-  const std::filesystem::path file = as_new || file_.empty() ? ask_for_name() : file_after_conflict();
+  const std::filesystem::path file = as_new || file_.empty()
+                                         ? ask_for_name(file_.empty() ? workbench_.file() : file_)
+                                         : file_after_conflict();
   if (file.empty()) {
     return false;
   }
@@ -211,9 +262,8 @@ bool WindowSession::save(bool as_new) {
   return true;
 }
 
-std::filesystem::path WindowSession::ask_for_name() {
-  const std::filesystem::path proposed =
-      file_.empty() ? std::filesystem::path(workbench_.file()).replace_extension(session_suffix) : file_;
+std::filesystem::path WindowSession::ask_for_name(const std::filesystem::path& of) {
+  const std::filesystem::path proposed = std::filesystem::path(of).replace_extension(session_suffix);
   QFileDialog dialog(&window_, tr("Save session as"), to_qstring(proposed.parent_path()),
                      tr("Feedscope sessions (*%1)").arg(session_suffix));
   dialog.setAcceptMode(QFileDialog::AcceptSave);
@@ -238,7 +288,7 @@ std::filesystem::path WindowSession::file_after_conflict() {
   box.setDefaultButton(save_as);
   box.exec();
   if (box.clickedButton() == save_as) {
-    return ask_for_name();
+    return ask_for_name(file_);
   }
   return box.clickedButton() == overwrite ? file_ : std::filesystem::path();
 }
@@ -266,7 +316,34 @@ bool WindowSession::changed() const {
   return essence() != saved_;
 }
 
+bool WindowSession::save_aside() {
+  const bool own_file = !aside_->kept.file.empty() && is_there(aside_->kept.file) &&
+                        hash_of(aside_->kept.file) == aside_->kept.on_disk;
+  const std::filesystem::path file = own_file ? aside_->kept.file : ask_for_name(aside_->session.program);
+  if (file.empty()) {
+    return false;
+  }
+  try {
+    write_session(aside_->session, file);
+  } catch (const InputError& error) {
+    emit failed(message_of(error));
+    return false;
+  }
+  emit noticed(tr("Saved as %1.").arg(to_qstring(file)));
+  return true;
+}
+
 bool WindowSession::may_go() {
+  if (aside_ != nullptr && aside_->changed) {
+    const QMessageBox::StandardButton answer = QMessageBox::question(
+        &window_, tr("Save the session?"),
+        tr("Runs and annotations of %1, which a lesson has replaced in the window, have not been saved.")
+            .arg(to_qstring(aside_->session.program.filename())),
+        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+    if (answer == QMessageBox::Cancel || (answer == QMessageBox::Save && !save_aside())) {
+      return false;
+    }
+  }
   if (!changed()) {
     return true;
   }
@@ -287,7 +364,8 @@ void WindowSession::keep() {
   if (workbench_.program() == nullptr) {
     return;
   }
-  const QByteArray bytes = session_bytes(capture(), autosave_->folder());
+  const QByteArray bytes =
+      session_bytes(aside_ != nullptr && aside_->changed ? aside_->session : capture(), autosave_->folder());
   if (bytes == kept_) {
     return;
   }

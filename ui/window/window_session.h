@@ -4,6 +4,7 @@
 #include <QTimer>
 #include <chrono>
 #include <filesystem>
+#include <memory>
 #include <optional>
 
 #include "ui/session/autosave.h"
@@ -42,10 +43,17 @@ class WindowSession : public QObject {
   bool changed() const;
   /// What the window holds now is how a lesson or a command line begins: nothing of the user's.
   void begin_here() { start_ = essence(); }
-  /// Asks whether to save what has changed. False: the user does not want to go on.
+  /// Sets aside what the window shows, to be brought back when a lesson has replaced it. Without a program,
+  /// or where something is set aside already, nothing happens.
+  void set_aside();
+  /// Shows what was set aside, with its session file; the layout stays. Nothing, if there is none.
+  void bring_back();
+  /// Asks whether to save what has changed, of what was set aside too. False: the user does not want to go
+  /// on.
   bool may_go();
   const std::filesystem::path& file() const { return file_; }
 
+  struct Aside;
   /// What another window on the same workbench needs to go on with.
   struct Kept {
     Session view;  ///< cursor, panels and layout
@@ -53,8 +61,9 @@ class WindowSession : public QObject {
     QByteArray saved;
     QByteArray start;
     QByteArray on_disk;
+    std::shared_ptr<const Aside> aside;  ///< null: nothing
   };
-  Kept hand_over() const { return {view(), file_, saved_, start_, on_disk_}; }
+  Kept hand_over() const { return {view(), file_, saved_, start_, on_disk_, aside_}; }
   void take_over(const Kept& kept);
 
   /// From now on, and again after each `pause`. A folder that cannot be written is reported once.
@@ -64,6 +73,8 @@ class WindowSession : public QObject {
 
  signals:
   void file_changed();
+  /// Whether something is set aside now.
+  void aside_changed(bool there);
   /// For the user: what of the session could not be used, or what became of it.
   void noticed(const QString& message);
   void failed(const QString& message);
@@ -73,6 +84,9 @@ class WindowSession : public QObject {
   Session view() const;
   void show_layout(const Session& session);
   void apply_to_run();
+  void show_contents(const Session& session);
+  void drop_aside();
+  bool save_aside();
   void keep();
   void forget_restored();
   bool find_program(const std::filesystem::path& file, Session& session);
@@ -82,8 +96,8 @@ class WindowSession : public QObject {
   void show_file(const std::filesystem::path& file, const ReadSession& read, const QByteArray& on_disk);
   /// What is shown is what the file holds, whose hash is `on_disk`.
   void now_in(const std::filesystem::path& file, const QByteArray& on_disk);
-  /// Empty if the user gives none.
-  std::filesystem::path ask_for_name();
+  /// Proposes that of a program or session file. Empty if the user gives none.
+  std::filesystem::path ask_for_name(const std::filesystem::path& of);
   /// The file to save to: this one, or what the user says if someone else has written to it. Empty: none.
   std::filesystem::path file_after_conflict();
 
@@ -93,7 +107,8 @@ class WindowSession : public QObject {
   QByteArray on_disk_;              ///< hash of file_ when this window read or wrote it
   std::optional<Session> pending_;  ///< shown, but for what needs its simulated run
   QByteArray saved_;                ///< essence() then; empty: of the program as it was opened
-  QByteArray start_;                ///< what begin_here() found, as saved_
+  std::shared_ptr<const Aside> aside_;
+  QByteArray start_;  ///< what begin_here() found, as saved_
   mutable std::shared_ptr<const Program> hashed_;
   mutable QByteArray hash_;
   std::optional<Autosave> autosave_;

@@ -4,6 +4,7 @@
 
 #include <QDir>
 #include <QFileDialog>
+#include <QJsonObject>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -16,6 +17,8 @@
 #include "tests/ui/run_fixture.h"
 #include "ui/annotations/annotations_view.h"
 #include "ui/charts/charts_panel.h"
+#include "ui/lessons/lesson_view.h"
+#include "ui/session/session_json.h"
 #include "ui/window/main_window.h"
 
 namespace feedscope::ui {
@@ -327,6 +330,63 @@ TEST_F(WindowSessionTest, WhatWasLeftBehindAndCannotBeOpenedStays) {
   EXPECT_EQ(asked, 1);
   EXPECT_EQ(failed.count(), 1);
   EXPECT_TRUE(QFile::exists(kept.filePath("left.feedscope")));
+}
+
+/// What a lesson replaces comes back with one press, as often as wanted; the session file is safe meanwhile.
+TEST_F(WindowSessionTest, WhatALessonReplacesComesBackAnyNumberOfTimes) {
+  Window w;
+  open_saved(w);
+  const Session own = w.window.session().capture();
+  LessonView& lesson = w.window.part<LessonView>();
+  QAction& back = *lesson.panel_actions().last();
+  EXPECT_FALSE(back.isEnabled());
+  for (int time = 0; time < 3; ++time) {
+    w.window.open_lesson(find_lesson("4"));
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+          return w.model.file().filename() == "tapie_circle_2_5.nc" && !lesson.desk().value().isEmpty();
+        },
+        patience));
+    EXPECT_TRUE(w.window.session().file().empty()) << "else the lesson would be saved over it";
+    lesson.desk().choose_question(2);
+    lesson.desk().move_control("5");
+    w.wait();
+    lesson.desk().set_up_window();
+    w.wait();
+    ASSERT_TRUE(back.isEnabled());
+    back.trigger();
+    w.wait();
+    EXPECT_FALSE(back.isEnabled());
+    const Session again = w.window.session().capture();
+    EXPECT_EQ(again.program, own.program);
+    const QJsonObject shown = to_json(again, {});
+    const QJsonObject before = to_json(own, {});
+    for (const char* key : {"runs", "current_run", "reading", "view", "compare", "annotations"}) {
+      EXPECT_EQ(shown[key], before[key]) << key;
+    }
+    EXPECT_NEAR(again.cursor, own.cursor, 1e-9);
+    ASSERT_TRUE(again.charts.time && own.charts.time);
+    EXPECT_NEAR(again.charts.time->lower, own.charts.time->lower, 1e-9);
+    EXPECT_NEAR(again.charts.time->upper, own.charts.time->upper, 1e-9);
+    EXPECT_EQ(w.window.session().file(), file_);
+    EXPECT_FALSE(w.window.session().changed());
+  }
+}
+
+TEST_F(WindowSessionTest, WhatALessonReplacedUnsavedIsAskedFor) {
+  Window w;
+  set_up(w);
+  w.window.open_lesson(find_lesson("4"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return w.model.file() != program_ && !w.model.busy(); }, patience));
+  int asked = 0;
+  answer_next(QMessageBox::RejectRole, asked);
+  EXPECT_FALSE(w.window.session().may_go());
+  EXPECT_EQ(asked, 1);
+  answer_next(QMessageBox::AcceptRole, asked);
+  name_next_file(QString::fromStdString(file_.string()));
+  EXPECT_TRUE(w.window.session().may_go());
+  EXPECT_EQ(asked, 2);
+  EXPECT_EQ(read_session_file(file_).session.runs.size(), 2U);
 }
 
 }  // namespace
