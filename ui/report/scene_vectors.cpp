@@ -12,6 +12,8 @@
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPath.h>
+#include <vtkPlane.h>
+#include <vtkPlaneCollection.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
@@ -30,6 +32,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "ui/report/line_pieces.h"
@@ -129,10 +132,8 @@ class LayerReader {
     vtkProperty& look = *actor.GetProperty();
     const QColor uniform = colour_of(look.GetColor(), look.GetOpacity());
     vtkUnsignedCharArray* colours = mapper->GetScalarVisibility() != 0 ? colours_of(*data) : nullptr;
-    const auto seen = [&](vtkIdType point) {
-      const Vec3 place = in_scene(*actor.GetMatrix(), *data, point);
-      return LineEnd{from_display(view_.to_display(place)), depth_of(place),
-                     colours != nullptr ? colour_at(*colours, point) : uniform};
+    const auto colour = [&](vtkIdType point) {
+      return colours != nullptr ? colour_at(*colours, point) : uniform;
     };
     const auto lines = vtk::TakeSmartPointer(data->GetLines()->NewIterator());
     for (lines->GoToFirstCell(); !lines->IsDoneWithTraversal(); lines->GoToNextCell()) {
@@ -140,12 +141,19 @@ class LayerReader {
       const vtkIdType* points = nullptr;
       lines->GetCurrentCell(count, points);
       for (vtkIdType i = 0; i + 1 < count; ++i) {
-        if (behind_the_eye(*actor.GetMatrix(), *data, points[i]) ||
-            behind_the_eye(*actor.GetMatrix(), *data, points[i + 1])) {
+        const Vec3 from = in_scene(*actor.GetMatrix(), *data, points[i]);
+        const Vec3 to = in_scene(*actor.GetMatrix(), *data, points[i + 1]);
+        const auto part = shown_part(*mapper, from, to);
+        if (!part) {
           continue;
         }
+        const auto seen = [&](double share) {
+          const Vec3 place = from + share * (to - from);
+          return LineEnd{from_display(view_.to_display(place)), depth_of(place),
+                         colour(share < 0.5 ? points[i] : points[i + 1])};
+        };
         const bool dash = count == 2 && colours == nullptr;
-        if (!pieces_.add(seen(points[i]), seen(points[i + 1]), look.GetLineWidth(), !dash)) {
+        if (!pieces_.add(seen((*part)[0]), seen((*part)[1]), look.GetLineWidth(), !dash)) {
           return false;
         }
       }
@@ -166,10 +174,33 @@ class LayerReader {
     return (place - view_.focal).dot(view_.towards) * view_.scale / scale_;
   }
 
-  bool behind_the_eye(vtkMatrix4x4& matrix, vtkPolyData& data, vtkIdType point) const {
-    constexpr double near = 0.999;
-    return view_.perspective() &&
-           (in_scene(matrix, data, point) - view_.focal).dot(view_.towards) > near * view_.eye_distance;
+  /// Shares of a line between which it is in front of the eye and on the right side of all clipping planes;
+  /// none: nowhere.
+  std::optional<std::array<double, 2>> shown_part(vtkMapper& mapper, const Vec3& from, const Vec3& to) const {
+    constexpr double near = 0.999;  // of the distance of the eye
+    std::array<double, 2> part{0, 1};
+    const auto cut = [&part](double at_from, double at_to) {  // kept where it is not negative
+      if (at_from < 0 && at_to < 0) {
+        part = {1, 0};
+      } else if (at_from < 0) {
+        part[0] = std::max(part[0], at_from / (at_from - at_to));
+      } else if (at_to < 0) {
+        part[1] = std::min(part[1], at_from / (at_from - at_to));
+      }
+    };
+    if (view_.perspective()) {
+      const auto before_eye = [&](const Vec3& place) {
+        return near * view_.eye_distance - (place - view_.focal).dot(view_.towards);
+      };
+      cut(before_eye(from), before_eye(to));
+    }
+    vtkPlaneCollection* planes = mapper.GetClippingPlanes();
+    for (int i = 0; planes != nullptr && i < planes->GetNumberOfItems(); ++i) {
+      vtkPlane& plane = *planes->GetItem(i);
+      cut(plane.EvaluateFunction(from.x(), from.y(), from.z()),
+          plane.EvaluateFunction(to.x(), to.y(), to.z()));
+    }
+    return part[0] <= part[1] ? std::optional(part) : std::nullopt;
   }
 
   /// Polygons of one colour each.

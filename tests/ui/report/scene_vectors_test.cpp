@@ -91,6 +91,27 @@ INSTANTIATE_TEST_SUITE_P(Views, SceneVectors,
                                           testing::Values(ThemeKind::light, ThemeKind::dark),
                                           testing::Bool()));
 
+TEST(SceneVectorFiles, WhatIsHiddenAroundAStretchIsHiddenInThemToo) {
+  const ReportInput input = test::two_runs();
+  const double duration = input.run().shown->run.trajectory->duration();
+  for (const bool hidden : {false, true}) {
+    const auto made = [&](PictureFormat format) {
+      ScenePicture picture(input, 0, ThemeKind::light);
+      picture.scene().set_stretch({PathStretch::charts, hidden});
+      picture.scene().set_highlight(std::array{0.3 * duration, 0.5 * duration});
+      PictureSpec spec;
+      spec.format = format;
+      spec.size = size;
+      return make_picture(spec,
+                          [&](QPainter& painter) { picture.paint(painter, QRectF(QPointF(), size), {}); });
+    };
+    const QImage bitmap = QImage::fromData(QByteArray::fromStdString(made(PictureFormat::png)));
+    const Difference found = difference(drawn(made(PictureFormat::svg)), bitmap);
+    EXPECT_LT(found.mean, 1.5);
+    EXPECT_LT(found.largest, 80);
+  }
+}
+
 TEST(SceneVectorFiles, HoldNoBitmap) {
   const ReportInput input = test::two_runs();
   const std::string svg = scene_file(input, request_of(PictureFormat::svg));
