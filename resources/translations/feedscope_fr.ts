@@ -5961,6 +5961,46 @@ Ensemble&#xa0;: %4</translation>
         <source>Show rapids here and in the charts; without them the path that cuts lies open</source>
         <translation>Afficher les rapides ici et dans les graphiques ; sans eux, la trajectoire qui usine est dégagée</translation>
     </message>
+    <message>
+        <source>&amp;Whole path</source>
+        <translation>T&amp;oute la trajectoire</translation>
+    </message>
+    <message>
+        <source>Draw all of the path in full</source>
+        <translation>Dessiner toute la trajectoire pleinement</translation>
+    </message>
+    <message>
+        <source>&amp;Only the chart range</source>
+        <translation>Seule la plage des &amp;graphiques</translation>
+    </message>
+    <message>
+        <source>Draw what the charts show in full, the rest of the path pale or not at all</source>
+        <translation>Dessiner pleinement ce que montrent les graphiques, le reste de la trajectoire pâle ou pas du tout</translation>
+    </message>
+    <message>
+        <source>layer level clip transparent isolate</source>
+        <translation>couche niveau couper transparent isoler</translation>
+    </message>
+    <message>
+        <source>&amp;Up to the cursor</source>
+        <translation>&amp;Jusqu’au curseur</translation>
+    </message>
+    <message>
+        <source>Draw what has been run up to the cursor in full, the rest of the path pale or not at all</source>
+        <translation>Dessiner pleinement ce qui a été parcouru jusqu’au curseur, le reste de la trajectoire pâle ou pas du tout</translation>
+    </message>
+    <message>
+        <source>trail trace playback</source>
+        <translation>traînée trace lecture</translation>
+    </message>
+    <message>
+        <source>&amp;Hide the rest</source>
+        <translation>&amp;Masquer le reste</translation>
+    </message>
+    <message>
+        <source>Hide the rest of the path, with all that lies outside of the box around what is drawn in full</source>
+        <translation>Masquer le reste de la trajectoire, avec tout ce qui est hors de la boîte autour de ce qui est dessiné pleinement</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::SceneRun</name>
