@@ -3924,6 +3924,41 @@ max. : %1 %</translation>
     </message>
 </context>
 <context>
+    <name>feedscope::ui::HandoutCommand</name>
+    <message>
+        <source>&amp;Hand-out of the lesson …</source>
+        <translation>Polycopié de la &amp;leçon …</translation>
+    </message>
+    <message>
+        <source>Text, pictures, questions and answers of the open lesson as PDF or HTML, to print</source>
+        <translation>Texte, images, questions et réponses de la leçon ouverte en PDF ou en HTML, à imprimer</translation>
+    </message>
+    <message>
+        <source>print paper class lesson worksheet exercise</source>
+        <translation>imprimer papier classe cours leçon polycopié exercice</translation>
+    </message>
+    <message>
+        <source>%1 cannot be started: %2</source>
+        <translation>%1 ne peut pas être lancé : %2</translation>
+    </message>
+    <message>
+        <source>Save hand-out as</source>
+        <translation>Enregistrer le polycopié sous</translation>
+    </message>
+    <message>
+        <source>Hand-outs (*.pdf *.html)</source>
+        <translation>Polycopiés (*.pdf *.html)</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>Enregistré sous %1.</translation>
+    </message>
+    <message>
+        <source>The hand-out could not be made (exit code %1).</source>
+        <translation>Le polycopié n’a pas pu être fait (code de sortie %1).</translation>
+    </message>
+</context>
+<context>
     <name>feedscope::ui::HelpMenu</name>
     <message>
         <source>&amp;Help</source>
