@@ -193,11 +193,14 @@ TEST_F(PresentationTest, ASessionRemembersItWithTheUsualLayout) {
   present(false);
   EXPECT_FALSE(window.session().capture().presentation);
   window.session().show(session);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !model.busy() && model.shown() != nullptr; }, patience));
   settle();
   EXPECT_TRUE(window.presentation().on());
   EXPECT_EQ(window.presentation().usual_layout(), layout);
   present(false);
-  EXPECT_EQ(window.saveState(), layout);
+  EXPECT_TRUE(dock("runs").isVisible());
+  EXPECT_TRUE(dock("program").isVisible());
+  EXPECT_FALSE(dock("lesson").isVisible());
 }
 
 TEST_F(PresentationTest, TypeIsUsualAgainWhenThePresentingWindowIsGone) {
