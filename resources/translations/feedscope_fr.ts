@@ -3242,6 +3242,17 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     </message>
 </context>
 <context>
+    <name>feedscope::ui::CommandProcess</name>
+    <message>
+        <source>%1 cannot be started: %2</source>
+        <translation>%1 ne peut pas être lancé : %2</translation>
+    </message>
+    <message>
+        <source>The command failed without a word (exit code %1).</source>
+        <translation>La commande a échoué sans un mot (code de sortie %1).</translation>
+    </message>
+</context>
+<context>
     <name>feedscope::ui::ComparisonChart</name>
     <message>
         <source>%1 %</source>
@@ -3816,6 +3827,22 @@ max. : %1 %</translation>
     <message>
         <source>export image screenshot print</source>
         <translation>exporter image capture imprimer</translation>
+    </message>
+    <message>
+        <source>P&amp;icture …</source>
+        <translation>&amp;Image …</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+P</source>
+        <translation>Ctrl+Alt+P</translation>
+    </message>
+    <message>
+        <source>Picture of a chosen size, with a preview: 3D view, charts, sheet or window, as PNG, SVG or PDF</source>
+        <translation>Image de la taille choisie, avec un aperçu : vue 3D, graphiques, fiche ou fenêtre, en PNG, SVG ou PDF</translation>
+    </message>
+    <message>
+        <source>export image screenshot print dpi poster</source>
+        <translation>exporter image capture imprimer dpi affiche</translation>
     </message>
 </context>
 <context>
@@ -4719,6 +4746,125 @@ Utiliser la machine qu’elle décrit pour la simulation courante ?</translation
     </message>
 </context>
 <context>
+    <name>feedscope::ui::PictureDialog</name>
+    <message>
+        <source>&amp;Without a background</source>
+        <translation>&amp;Sans fond</translation>
+    </message>
+    <message>
+        <source>&amp;Save picture …</source>
+        <translation>&amp;Enregistrer l’image …</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Image</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>Vue 3D</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>Graphiques</translation>
+    </message>
+    <message>
+        <source>Sheet: 3D view, charts and figures</source>
+        <translation>Fiche : vue 3D, graphiques et chiffres</translation>
+    </message>
+    <message>
+        <source>The whole window</source>
+        <translation>Toute la fenêtre</translation>
+    </message>
+    <message>
+        <source>PNG: bitmap</source>
+        <translation>PNG : image en points</translation>
+    </message>
+    <message>
+        <source>SVG: drawing</source>
+        <translation>SVG : dessin vectoriel</translation>
+    </message>
+    <message>
+        <source>PDF: document</source>
+        <translation>PDF : document</translation>
+    </message>
+    <message>
+        <source>as in the window</source>
+        <translation>comme dans la fenêtre</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>clair</translation>
+    </message>
+    <message>
+        <source>dark</source>
+        <translation>sombre</translation>
+    </message>
+    <message>
+        <source>Pixels, such as 1920x1080, or a sheet of paper: A2 to A6, Letter, A4-portrait</source>
+        <translation>Pixels, par exemple 1920x1080, ou une feuille de papier : A2 à A6, Letter, A4-portrait</translation>
+    </message>
+    <message>
+        <source>Of paper, and of bitmaps in SVG and PDF; a PNG of so many pixels has none</source>
+        <translation>Du papier, et des images en points dans SVG et PDF ; un PNG de tant de pixels n’en a pas</translation>
+    </message>
+    <message>
+        <source>How much larger text and lines are; 1 suits 96 pixels an inch</source>
+        <translation>Agrandissement du texte et des traits ; 1 convient à 96 pixels par pouce</translation>
+    </message>
+    <message>
+        <source>&amp;What</source>
+        <translation>&amp;Contenu</translation>
+    </message>
+    <message>
+        <source>&amp;Format</source>
+        <translation>&amp;Format</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>&amp;Taille</translation>
+    </message>
+    <message>
+        <source>&amp;Dots an inch</source>
+        <translation>Points par &amp;pouce</translation>
+    </message>
+    <message>
+        <source>&amp;Text and lines ×</source>
+        <translation>Te&amp;xte et traits ×</translation>
+    </message>
+    <message>
+        <source>&amp;Colours</source>
+        <translation>Co&amp;uleurs</translation>
+    </message>
+    <message>
+        <source>Drawing the preview …</source>
+        <translation>Dessin de l’aperçu …</translation>
+    </message>
+    <message>
+        <source>Preview of %1</source>
+        <translation>Aperçu de %1</translation>
+    </message>
+    <message>
+        <source>Preview of %1 × %2 pixels</source>
+        <translation>Aperçu de %1 × %2 pixels</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Enregistrer l’image</translation>
+    </message>
+    <message>
+        <source>%1 has been written</source>
+        <translation>%1 a été écrit</translation>
+    </message>
+    <message>
+        <source>Writing %1 …</source>
+        <translation>Écriture de %1 …</translation>
+    </message>
+</context>
+<context>
     <name>feedscope::ui::PlaybackBar</name>
     <message>
         <source>Time within the cycle</source>
@@ -5369,17 +5515,6 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>Writing %1 …</source>
         <translation>Écriture de %1 …</translation>
-    </message>
-</context>
-<context>
-    <name>feedscope::ui::ReportProcess</name>
-    <message>
-        <source>%1 cannot be started: %2</source>
-        <translation>%1 ne peut pas être lancé : %2</translation>
-    </message>
-    <message>
-        <source>The report could not be made (exit code %1).</source>
-        <translation>Le rapport n’a pas pu être fait (code de retour %1).</translation>
     </message>
 </context>
 <context>

@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "core/base/data_folder.h"
+#include "ui/charts/charts_panel.h"
 #include "ui/lessons/lesson_view.h"
 #include "ui/program_text/reading_dialog.h"
 #include "ui/shared/panel_action.h"
@@ -16,6 +17,7 @@
 #include "ui/window/handout_command.h"
 #include "ui/window/main_window.h"
 #include "ui/window/picture_commands.h"
+#include "ui/window/picture_dialog.h"
 #include "ui/window/report_dialog.h"
 #include "ui/workbench/recent_files.h"
 
@@ -101,6 +103,14 @@ void FileMenu::add_paper() {
   for (QAction* action : pictures->save_actions() + pictures->copy_actions()) {
     set_everyday_words(action, tr("export image screenshot print"));
   }
+  QAction* picture = add(
+      tr("P&icture …"), QKeySequence(tr("Ctrl+Alt+P")),
+      tr("Picture of a chosen size, with a preview: 3D view, charts, sheet or window, as PNG, SVG or PDF"));
+  set_everyday_words(picture, tr("export image screenshot print dpi poster"));
+  connect(picture, &QAction::triggered, this, &FileMenu::ask_for_picture);
+  connect(&workbench_, &Workbench::program_changed, picture,
+          [this, picture] { picture->setEnabled(workbench_.program() != nullptr); });
+  picture->setEnabled(workbench_.program() != nullptr);
   addMenu(tr("Save &picture"))->addActions(pictures->save_actions());
   addMenu(tr("&Copy picture"))->addActions(pictures->copy_actions());
   connect(pictures, &PictureCommands::failed, this, &FileMenu::failed);
@@ -156,6 +166,18 @@ void FileMenu::ask_for_report() {
   auto* dialog = new ReportDialog(std::move(subject), QCoreApplication::applicationFilePath(), &window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &ReportDialog::saved, this, &FileMenu::done);
+  dialog->open();
+}
+
+void FileMenu::ask_for_picture() {
+  if (workbench_.program() == nullptr) {
+    return;
+  }
+  auto* dialog = new PictureDialog({session_.capture(), window_.scene().canvas().size(),
+                                    window_.part<ChartsPanel>().size(), window_.size()},
+                                   QCoreApplication::applicationFilePath(), &window_);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &PictureDialog::saved, this, &FileMenu::done);
   dialog->open();
 }
 

@@ -23,6 +23,7 @@ class FileMenu : public QMenu {
   void ask_for_sample();
   /// Of the program that is open, as it is shown now.
   void ask_for_report();
+  void ask_for_picture();
 
  signals:
   /// For the status bar.

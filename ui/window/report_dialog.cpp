@@ -32,6 +32,7 @@ constexpr int form_width = 390;
 constexpr int pause_before_preview = 600;  // [ms] after the last change
 constexpr int preview_dpi = 96;
 constexpr int list_rows = 3;
+const QStringList report_command{QStringLiteral("report"), QStringLiteral("--progress")};
 const QString session_name = QStringLiteral("preview.feedscope");
 
 QListWidgetItem* checkable(QListWidget* list, const QString& text, bool on) {
@@ -79,8 +80,8 @@ ReportDialog::ReportDialog(Subject subject, const QString& executable, QWidget* 
       progress_(new QProgressBar(this)),
       state_(new QLabel(this)),
       save_(new QPushButton(tr("&Save report …"), this)),
-      previewing_(executable),
-      saving_(executable) {
+      previewing_(executable, report_command),
+      saving_(executable, report_command) {
   setWindowTitle(tr("Report"));
   progress_->setRange(0, 1000);
   progress_->setTextVisible(false);
@@ -116,11 +117,11 @@ ReportDialog::ReportDialog(Subject subject, const QString& executable, QWidget* 
   connect(parts_, &QListWidget::itemChanged, this, change);
   connect(&changed_, &QTimer::timeout, this, &ReportDialog::make_preview);
   connect(save_, &QPushButton::clicked, this, &ReportDialog::ask_and_save);
-  connect(&previewing_, &ReportProcess::done, this, &ReportDialog::show_pages);
-  for (ReportProcess* process : {&previewing_, &saving_}) {
-    connect(process, &ReportProcess::progressed, this,
+  connect(&previewing_, &CommandProcess::done, this, &ReportDialog::show_pages);
+  for (CommandProcess* process : {&previewing_, &saving_}) {
+    connect(process, &CommandProcess::progressed, this,
             [this](double fraction) { progress_->setValue(static_cast<int>(1000 * fraction)); });
-    connect(process, &ReportProcess::failed, this, [this](const QString& message) {
+    connect(process, &CommandProcess::failed, this, [this](const QString& message) {
       save_->setEnabled(true);
       show_state(message, true);
     });
@@ -312,7 +313,7 @@ void ReportDialog::save(const QString& file) {
   previewing_.cancel();
   save_->setEnabled(false);
   connect(
-      &saving_, &ReportProcess::done, this,
+      &saving_, &CommandProcess::done, this,
       [this, name = target.fileName()] {
         save_->setEnabled(true);
         const QString message = tr("%1 has been written").arg(name);

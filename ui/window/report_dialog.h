@@ -4,7 +4,7 @@
 #include <QTemporaryDir>
 #include <QTimer>
 
-#include "ui/report/report_process.h"
+#include "ui/report/command_process.h"
 #include "ui/window/report_wish.h"
 
 class QCheckBox;
@@ -32,7 +32,7 @@ class ReportDialog : public QDialog {
     bool takes_long = false;
   };
 
-  /// `executable`: as of ReportProcess.
+  /// `executable`: as of CommandProcess.
   ReportDialog(Subject subject, const QString& executable, QWidget* parent = nullptr);
   ~ReportDialog() override;
 
@@ -78,8 +78,8 @@ class ReportDialog : public QDialog {
   QLabel* state_;
   QPushButton* save_;
   QTimer changed_;
-  ReportProcess previewing_;
-  ReportProcess saving_;
+  CommandProcess previewing_;
+  CommandProcess saving_;
 };
 
 }  // namespace feedscope::ui

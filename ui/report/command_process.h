@@ -7,17 +7,17 @@
 
 namespace feedscope::ui {
 
-/// Makes reports in a process of its own, `feedscope report`: the window goes on, and the bytes are those of
-/// the command line. One at a time: another one ends the one under way, of which nothing more is heard.
-class ReportProcess : public QObject {
+/// Runs a command of the command line, such as `feedscope report`, in a process of its own: the window goes
+/// on, and the bytes are those of the command line. One at a time: another one ends the one under way, of which nothing more is heard.
+class CommandProcess : public QObject {
   Q_OBJECT
 
  public:
-  /// `executable`: the program with the command `report`.
-  explicit ReportProcess(QString executable, QObject* parent = nullptr);
-  ~ReportProcess() override;
+  /// `executable`: the program; `command`: its first arguments.
+  CommandProcess(QString executable, QStringList command, QObject* parent = nullptr);
+  ~CommandProcess() override;
 
-  /// `arguments`: behind "report"; `folder`: where relative names of files are.
+  /// `arguments`: behind those of the command; `folder`: where relative names of files are.
   void start(const QStringList& arguments, const QString& folder);
   /// No signal follows.
   void cancel();
@@ -34,6 +34,7 @@ class ReportProcess : public QObject {
   void end(int code, QProcess::ExitStatus status);
 
   QString executable_;
+  QStringList command_;
   QProcess process_;
   QString said_;  ///< lines that are no progress
   QByteArray line_;

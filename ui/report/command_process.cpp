@@ -1,4 +1,4 @@
-#include "ui/report/report_process.h"
+#include "ui/report/command_process.h"
 
 #include <QRegularExpression>
 #include <algorithm>
@@ -30,14 +30,14 @@ double fraction_in(const QString& line) {
 }
 
 constexpr int exit_done = 0;
-constexpr int exit_program_errors = 1;  // the report is written
+constexpr int exit_program_errors = 1;  // its file is written
 
 }  // namespace
 
-ReportProcess::ReportProcess(QString executable, QObject* parent)
-    : QObject(parent), executable_(std::move(executable)) {
-  connect(&process_, &QProcess::readyReadStandardError, this, &ReportProcess::read);
-  connect(&process_, &QProcess::finished, this, &ReportProcess::end);
+CommandProcess::CommandProcess(QString executable, QStringList command, QObject* parent)
+    : QObject(parent), executable_(std::move(executable)), command_(std::move(command)) {
+  connect(&process_, &QProcess::readyReadStandardError, this, &CommandProcess::read);
+  connect(&process_, &QProcess::finished, this, &CommandProcess::end);
   connect(&process_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
     if (error == QProcess::FailedToStart) {
       emit failed(tr("%1 cannot be started: %2").arg(executable_, process_.errorString()));
@@ -45,21 +45,20 @@ ReportProcess::ReportProcess(QString executable, QObject* parent)
   });
 }
 
-ReportProcess::~ReportProcess() {
+CommandProcess::~CommandProcess() {
   cancel();
 }
 
-void ReportProcess::start(const QStringList& arguments, const QString& folder) {
+void CommandProcess::start(const QStringList& arguments, const QString& folder) {
   cancel();
   said_.clear();
   line_.clear();
   process_.setWorkingDirectory(folder);
   process_.setStandardOutputFile(QProcess::nullDevice());
-  process_.start(executable_,
-                 QStringList{QStringLiteral("report"), QStringLiteral("--progress")} + arguments);
+  process_.start(executable_, command_ + arguments);
 }
 
-void ReportProcess::cancel() {
+void CommandProcess::cancel() {
   if (!busy()) {
     return;
   }
@@ -72,7 +71,7 @@ void ReportProcess::cancel() {
   }
 }
 
-void ReportProcess::read() {
+void CommandProcess::read() {
   line_ += process_.readAllStandardError();
   for (qsizetype end = line_.indexOf('\n'); end >= 0; end = line_.indexOf('\n')) {
     const QString line = QString::fromUtf8(line_.left(end));
@@ -86,12 +85,12 @@ void ReportProcess::read() {
   }
 }
 
-void ReportProcess::end(int code, QProcess::ExitStatus status) {
+void CommandProcess::end(int code, QProcess::ExitStatus status) {
   read();
   if (status == QProcess::NormalExit && (code == exit_done || code == exit_program_errors)) {
     emit done();
   } else {
-    emit failed(said_.isEmpty() ? tr("The report could not be made (exit code %1).").arg(code)
+    emit failed(said_.isEmpty() ? tr("The command failed without a word (exit code %1).").arg(code)
                                 : said_.trimmed());
   }
 }

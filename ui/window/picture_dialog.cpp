@@ -1,0 +1,301 @@
+#include "ui/window/picture_dialog.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScreen>
+#include <QSettings>
+#include <QVBoxLayout>
+#include <utility>
+
+#include "core/base/error.h"
+#include "ui/fields/number_box.h"
+#include "ui/fields/whole_number_box.h"
+#include "ui/session/session_file.h"
+#include "ui/shared/paths.h"
+#include "ui/window/page_preview.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+constexpr QSize usual_size(1060, 640);
+constexpr int form_width = 340;
+constexpr int pause_before_preview = 500;  // [ms] after the last change
+constexpr int preview_dpi = 96;
+const QStringList render_command{QStringLiteral("render")};
+const QString session_name = QStringLiteral("picture.feedscope");
+const QString preview_name = QStringLiteral("preview.png");
+
+QString size_text(const QSize& size) {
+  return QStringLiteral("%1x%2").arg(size.width()).arg(size.height());
+}
+
+void choose_data(QComboBox& box, const QString& key) {
+  box.setCurrentIndex(std::max(0, box.findData(key)));
+}
+
+}  // namespace
+
+PictureDialog::PictureDialog(Subject subject, const QString& executable, QWidget* parent)
+    : QDialog(parent),
+      subject_(std::move(subject)),
+      view_(new QComboBox(this)),
+      format_(new QComboBox(this)),
+      size_(new QComboBox(this)),
+      dpi_(new WholeNumberBox(this)),
+      scale_(new NumberBox(this)),
+      theme_(new QComboBox(this)),
+      transparent_(new QCheckBox(tr("&Without a background"), this)),
+      preview_(new PagePreview(this)),
+      state_(new QLabel(this)),
+      save_(new QPushButton(tr("&Save picture …"), this)),
+      previewing_(executable, render_command),
+      saving_(executable, render_command) {
+  setWindowTitle(tr("Picture"));
+  state_->setWordWrap(true);
+  state_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* close = new QPushButton(tr("Close"), this);
+  close->setAutoDefault(false);
+  connect(close, &QPushButton::clicked, this, &QDialog::reject);
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(state_, 1);
+  buttons->addWidget(save_);
+  buttons->addWidget(close);
+  auto* halves = new QHBoxLayout;
+  halves->addWidget(make_form());
+  halves->addWidget(preview_, 1);
+  auto* layout = new QVBoxLayout(this);
+  layout->addLayout(halves, 1);
+  layout->addLayout(buttons);
+  resize(usual_size.boundedTo(screen()->availableSize() - QSize(40, 60)));
+
+  changed_.setSingleShot(true);
+  changed_.setInterval(pause_before_preview);
+  const auto change = [this] {
+    follow_view();
+    changed_.start();
+  };
+  for (QComboBox* box : {view_, format_, size_, theme_}) {
+    connect(box, &QComboBox::currentTextChanged, this, change);
+  }
+  connect(view_, &QComboBox::currentIndexChanged, this, &PictureDialog::list_sizes);
+  connect(dpi_, &WholeNumberBox::valueChanged, this, change);
+  connect(scale_, &NumberBox::valueChanged, this, change);
+  connect(transparent_, &QCheckBox::toggled, this, change);
+  connect(&changed_, &QTimer::timeout, this, &PictureDialog::make_preview);
+  connect(save_, &QPushButton::clicked, this, &PictureDialog::ask_and_save);
+  connect(&previewing_, &CommandProcess::done, this, &PictureDialog::show_preview);
+  for (CommandProcess* process : {&previewing_, &saving_}) {
+    connect(process, &CommandProcess::failed, this, [this](const QString& message) {
+      save_->setEnabled(true);
+      show_state(message, true);
+    });
+  }
+  try {
+    write_session(subject_.session, to_path(QDir(folder_.path()).filePath(session_name)));
+    make_preview();
+  } catch (const InputError& error) {
+    show_state(QString::fromUtf8(error.what()), true);
+  }
+}
+
+PictureDialog::~PictureDialog() {
+  remember();
+}
+
+QWidget* PictureDialog::make_form() {
+  view_->addItem(tr("3D view"), QStringLiteral("3d"));
+  view_->addItem(tr("Charts"), QStringLiteral("charts"));
+  view_->addItem(tr("Sheet: 3D view, charts and figures"), QStringLiteral("sheet"));
+  view_->addItem(tr("The whole window"), QStringLiteral("window"));
+  format_->addItem(tr("PNG: bitmap"), QStringLiteral("png"));
+  format_->addItem(tr("SVG: drawing"), QStringLiteral("svg"));
+  format_->addItem(tr("PDF: document"), QStringLiteral("pdf"));
+  theme_->addItem(tr("as in the window"), QString());
+  theme_->addItem(tr("light"), QStringLiteral("light"));
+  theme_->addItem(tr("dark"), QStringLiteral("dark"));
+  size_->setEditable(true);
+  size_->setInsertPolicy(QComboBox::NoInsert);
+  size_->setToolTip(tr("Pixels, such as 1920x1080, or a sheet of paper: A2 to A6, Letter, A4-portrait"));
+  constexpr int coarsest = 36;
+  constexpr int finest = 1200;
+  dpi_->setRange(coarsest, finest);
+  dpi_->setToolTip(tr("Of paper, and of bitmaps in SVG and PDF; a PNG of so many pixels has none"));
+  constexpr double smallest = 0.25;
+  constexpr double largest = 8;
+  scale_->setRange(smallest, largest);
+  scale_->setDecimals(2);
+  scale_->setSingleStep(smallest);
+  scale_->setToolTip(tr("How much larger text and lines are; 1 suits 96 pixels an inch"));
+  auto* form = new QWidget(this);
+  form->setFixedWidth(form_width);
+  auto* fields = new QFormLayout(form);
+  fields->setContentsMargins(0, 0, 0, 0);
+  fields->addRow(tr("&What"), view_);
+  fields->addRow(tr("&Format"), format_);
+  fields->addRow(tr("Si&ze"), size_);
+  fields->addRow(tr("&Dots an inch"), dpi_);
+  fields->addRow(tr("&Text and lines ×"), scale_);
+  fields->addRow(tr("&Colours"), theme_);
+  fields->addRow(QString(), transparent_);
+  const QSettings settings;
+  const PictureWish usual;
+  PictureWish wish;
+  wish.view = settings.value("picture/view", usual.view).toString();
+  wish.format = settings.value("picture/format", usual.format).toString();
+  wish.dpi = settings.value("picture/dpi", usual.dpi).toInt();
+  wish.scale = settings.value("picture/scale", usual.scale).toDouble();
+  wish.theme = settings.value("picture/theme").toString();
+  wish.transparent = settings.value("picture/transparent").toBool();
+  choose(wish);
+  const QString size = settings.value("picture/size").toString();
+  if (!size.isEmpty()) {
+    size_->setEditText(size);
+  }
+  return form;
+}
+
+/// Those that suit the view, with that of the window first.
+void PictureDialog::list_sizes() {
+  const QString view = view_->currentData().toString();
+  const QSize shown = view == QStringLiteral("charts")   ? subject_.charts
+                      : view == QStringLiteral("window") ? subject_.window
+                                                         : subject_.scene;
+  QStringList sizes;
+  if (view != QStringLiteral("sheet")) {
+    sizes << size_text(shown);
+  }
+  sizes << QStringLiteral("A4") << QStringLiteral("A4-portrait") << QStringLiteral("A3")
+        << QStringLiteral("Letter") << QStringLiteral("1280x960") << QStringLiteral("1920x1080")
+        << QStringLiteral("3840x2160");
+  const QString before = size_->currentText();
+  const bool fits = sizes.contains(before) && size_->findText(before) != 0;
+  const QSignalBlocker blocker(size_);
+  size_->clear();
+  size_->addItems(sizes);
+  size_->setEditText(fits ? before : sizes.front());
+}
+
+void PictureDialog::choose(const PictureWish& wish) {
+  choose_data(*view_, wish.view);
+  list_sizes();
+  choose_data(*format_, wish.format);
+  if (wish.size != PictureWish().size) {
+    size_->setEditText(wish.size);
+  }
+  dpi_->setValue(wish.dpi);
+  scale_->setValue(wish.scale);
+  choose_data(*theme_, wish.theme);
+  transparent_->setChecked(wish.transparent);
+  follow_view();
+}
+
+void PictureDialog::follow_view() {
+  transparent_->setEnabled(view_->currentData().toString() != QStringLiteral("window"));
+  dpi_->setEnabled(wish().has_dpi());
+}
+
+PictureWish PictureDialog::wish() const {
+  PictureWish wish;
+  wish.view = view_->currentData().toString();
+  wish.format = format_->currentData().toString();
+  wish.size = size_->currentText().trimmed();
+  wish.dpi = dpi_->value();
+  wish.scale = scale_->value();
+  wish.theme = theme_->currentData().toString();
+  wish.transparent = transparent_->isChecked() && transparent_->isEnabled();
+  return wish;
+}
+
+void PictureDialog::make_preview() {
+  changed_.stop();
+  const QDir folder(folder_.path());
+  QFile::remove(folder.filePath(preview_name));
+  show_state(tr("Drawing the preview …"));
+  previewing_.start(picture_arguments(for_preview(wish(), preview_dpi), session_name) +
+                        QStringList{QStringLiteral("--out=%1").arg(preview_name)},
+                    folder.path());
+}
+
+void PictureDialog::show_preview() {
+  const QImage image(QDir(folder_.path()).filePath(preview_name));
+  preview_->set_pages({image});
+  const PictureWish asked = wish();
+  show_state(asked.on_paper() ? tr("Preview of %1").arg(asked.size)
+                              : tr("Preview of %1 × %2 pixels").arg(image.width()).arg(image.height()));
+}
+
+QString PictureDialog::state() const {
+  return state_->text();
+}
+
+void PictureDialog::show_state(const QString& message, bool is_failure) {
+  state_->setTextFormat(Qt::PlainText);
+  state_->setText(message);
+  state_->setForegroundRole(is_failure ? QPalette::BrightText : QPalette::WindowText);
+}
+
+QString PictureDialog::proposed_file() const {
+  const QFileInfo program(to_qstring(subject_.session.program));
+  const PictureWish asked = wish();
+  const QString start =
+      QStringLiteral("%1/%2-%3").arg(program.absolutePath(), program.completeBaseName(), asked.view);
+  QString file = start + '.' + asked.format;
+  for (int number = 2; QFileInfo::exists(file); ++number) {
+    file = QStringLiteral("%1-%2.%3").arg(start).arg(number).arg(asked.format);
+  }
+  return file;
+}
+
+void PictureDialog::ask_and_save() {
+  const QString format = wish().format;
+  QString file = QFileDialog::getSaveFileName(this, tr("Save picture"), proposed_file(),
+                                              QStringLiteral("%1 (*.%2)").arg(format.toUpper(), format));
+  if (file.isEmpty()) {
+    return;
+  }
+  if (QFileInfo(file).suffix().isEmpty()) {
+    file += '.' + format;
+  }
+  save(file);
+}
+
+void PictureDialog::save(const QString& file) {
+  remember();
+  previewing_.cancel();
+  save_->setEnabled(false);
+  const QFileInfo target(file);
+  disconnect(&saving_, &CommandProcess::done, this, nullptr);
+  connect(&saving_, &CommandProcess::done, this, [this, name = target.fileName()] {
+    save_->setEnabled(true);
+    const QString message = tr("%1 has been written").arg(name);
+    show_state(message);
+    emit saved(message);
+  });
+  show_state(tr("Writing %1 …").arg(target.fileName()));
+  saving_.start(picture_arguments(wish(), QDir(folder_.path()).filePath(session_name)) +
+                    QStringList{QStringLiteral("--out=%1").arg(target.fileName())},
+                target.absolutePath());
+}
+
+void PictureDialog::remember() const {
+  QSettings settings;
+  const PictureWish asked = wish();
+  settings.setValue("picture/view", asked.view);
+  settings.setValue("picture/format", asked.format);
+  settings.setValue("picture/size",
+                    size_->currentIndex() == 0 && size_->findText(asked.size) == 0 ? QString() : asked.size);
+  settings.setValue("picture/dpi", asked.dpi);
+  settings.setValue("picture/scale", asked.scale);
+  settings.setValue("picture/theme", asked.theme);
+  settings.setValue("picture/transparent", asked.transparent);
+}
+
+}  // namespace feedscope::ui
