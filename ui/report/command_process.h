@@ -8,7 +8,8 @@
 namespace feedscope::ui {
 
 /// Runs a command of the command line, such as `feedscope report`, in a process of its own: the window goes
-/// on, and the bytes are those of the command line. One at a time: another one ends the one under way, of which nothing more is heard.
+/// on, and the bytes are those of the command line. One at a time: another one ends the one under way, of
+/// which nothing more is heard.
 class CommandProcess : public QObject {
   Q_OBJECT
 
