@@ -208,6 +208,16 @@ bool hidden_in_bars(std::span<const ColumnSpan> columns) {
   return covered > static_cast<double>(pairs) * std::max(least_height, least_share * (*lower - *upper));
 }
 
+double mean_height(std::span<const ColumnSpan> columns) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (const ColumnSpan& column : columns) {
+    sum += column.empty() ? 0 : column.height();
+    count += column.empty() ? 0 : 1;
+  }
+  return count == 0 ? 0 : sum / static_cast<double>(count);
+}
+
 void draw_columns(QPainter& painter, const QRectF& plot, std::span<const ColumnSpan> columns,
                   const CurvePen& pen) {
   draw_part(painter, plot, columns, pen, pen.hollow ? CurvePart::edges : CurvePart::all);

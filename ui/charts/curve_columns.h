@@ -29,6 +29,9 @@ struct CurvePen {
 /// the curve reaches but for the 5 % at either end, so that single peaks do not count.
 bool hidden_in_bars(std::span<const ColumnSpan> columns);
 
+/// Mean height of those that are not empty [px].
+double mean_height(std::span<const ColumnSpan> columns);
+
 /// Draws a curve over equally wide columns of `plot`. Where it swings to and fro within the columns they are
 /// filled one by one, elsewhere they make one smooth band: linear in the columns, whatever the curve does.
 void draw_columns(QPainter& painter, const QRectF& plot, std::span<const ColumnSpan> columns,

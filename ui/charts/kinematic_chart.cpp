@@ -403,7 +403,7 @@ bool KinematicChart::shows_usual() const {
   }
   const QRectF plot = chart()->plotArea();
   for (std::size_t k = 0; k < columns_.size(); ++k) {
-    if (shown_[k] && hidden_in_bars(spans_of(*this, plot, columns_[k]))) {
+    if (shown_[k] && says_more(spans_of(*this, plot, usual_[k]), spans_of(*this, plot, columns_[k]))) {
       return true;
     }
   }
@@ -419,9 +419,10 @@ std::vector<QPolygonF> KinematicChart::mean_lines() const {
     return {};
   }
   const QRectF plot = chart()->plotArea();
+  const std::vector<ColumnSpan> columns = spans_of(*this, plot, columns_.front());
   return ui::mean_lines(
-      plot, spans_of(*this, plot, columns_.front()), means_,
-      [this](double value) { return height_of(spec_.convert(value)); }, shows_usual());
+      plot, columns, means_, [this](double value) { return height_of(spec_.convert(value)); },
+      shows_usual() && hidden_in_bars(columns));
 }
 
 /// What the chart leaves out or adds, in its upper left corner.

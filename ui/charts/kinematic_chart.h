@@ -51,8 +51,8 @@ class KinematicChart : public QChartView {
   /// tell no more than the extremes. Empty: none. Columns as of show_bands().
   void set_means(std::vector<float> means);
   /// Where curves of the motion usually are, over stretches of so many columns each. Where a curve swings
-  /// within the columns and so covers much of the plot, this is drawn, and the columns pale, as the extremes.
-  /// Empty: nothing is known of that.
+  /// within the columns and so covers much of the plot, or rare peaks do, this is drawn, and the columns
+  /// pale. Empty: nothing is known of that.
   void set_usual(const std::vector<MotionBand>& ranges, std::size_t columns);
   bool shows_usual() const;
   /// Those that are drawn.

@@ -41,4 +41,11 @@ void draw_usual_band(QPainter& painter, const QRectF& plot, std::span<const Colu
   }
 }
 
+bool says_more(std::span<const ColumnSpan> usual, std::span<const ColumnSpan> columns) {
+  constexpr double least_peaks = 4;  // [px]
+  constexpr double many_times = 2;
+  return hidden_in_bars(columns) ||
+         mean_height(columns) > std::max(least_peaks, many_times * mean_height(usual));
+}
+
 }  // namespace feedscope::ui

@@ -13,4 +13,8 @@ namespace feedscope::ui {
 void draw_usual_band(QPainter& painter, const QRectF& plot, std::span<const ColumnSpan> stretches,
                      std::size_t columns, std::size_t count, const QColor& colour);
 
+/// Whether that says more of a curve than its columns: bars hide the curve, or rare peaks take most of the
+/// ink, as columns are twice as high as what is usual and more.
+bool says_more(std::span<const ColumnSpan> usual, std::span<const ColumnSpan> columns);
+
 }  // namespace feedscope::ui

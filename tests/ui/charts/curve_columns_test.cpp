@@ -9,6 +9,8 @@
 #include <random>
 #include <vector>
 
+#include "ui/charts/usual_band.h"
+
 namespace feedscope::ui {
 namespace {
 
@@ -179,6 +181,20 @@ TEST(CurveColumns, HideNothingWhereTheyAreLowOrEmpty) {
   EXPECT_FALSE(hidden_in_bars(std::vector<ColumnSpan>(100)));
   EXPECT_FALSE(hidden_in_bars(std::vector<ColumnSpan>(100, {50, 53}))) << "no thicker than a pen";
   EXPECT_TRUE(hidden_in_bars(std::vector<ColumnSpan>(100, {50, 60})));
+}
+
+TEST(UsualBand, SaysMoreThanRarePeaksAndThanBars) {
+  std::vector<ColumnSpan> columns(1000, {50, 50.5});
+  for (std::size_t i = 0; i < columns.size(); i += 5) {
+    columns[i] = {10, 90};
+  }
+  EXPECT_FALSE(hidden_in_bars(columns));
+  EXPECT_TRUE(says_more(std::vector<ColumnSpan>(84, {49, 51}), columns)) << "nearly always at 50";
+  EXPECT_FALSE(says_more(std::vector<ColumnSpan>(84, {15, 85}), columns)) << "often elsewhere";
+  EXPECT_FALSE(says_more(std::vector<ColumnSpan>(84, {10, 70}), wave(24)));
+  EXPECT_TRUE(says_more(std::vector<ColumnSpan>(84, {10, 70}), wave(0.5)));
+  EXPECT_NEAR(mean_height(columns), 0.8 * 0.5 + 0.2 * 80, 1e-9);
+  EXPECT_EQ(mean_height(std::vector<ColumnSpan>(3)), 0);
 }
 
 }  // namespace
