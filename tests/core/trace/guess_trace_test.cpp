@@ -9,7 +9,9 @@ namespace feedscope {
 namespace {
 
 TraceGuess guess(const std::string& text) {
-  const auto file = std::filesystem::temp_directory_path() / "feedscope_guess_trace_test.txt";
+  // Tests run side by side.
+  const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+  const auto file = std::filesystem::temp_directory_path() / ("feedscope_guess_trace_" + test + ".txt");
   std::ofstream(file) << text;
   const GuessedTrace guessed = guess_trace(file);
   std::filesystem::remove(file);

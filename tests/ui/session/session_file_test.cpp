@@ -86,8 +86,10 @@ TEST_F(SessionFile, HashesBytes) {
 TEST_F(SessionFile, OfEveryVersionIsReadWhole) {
   const std::filesystem::path folder = FEEDSCOPE_SOURCE_DIR "/tests/ui/session/versions";
   Session expected = test::some_session(folder / "part.nc");
-  expected.load = {};  // came later, as the charts that are hidden
+  expected.load = {};  // came later, as the charts that are hidden, the stretch in full and the presentation
   expected.charts.hidden_charts.clear();
+  expected.scene.stretch = {};
+  expected.presentation = false;
   for (int version = 1; version <= session_version; ++version) {
     const ReadSession read =
         read_session_file(folder / ("version_" + std::to_string(version) + ".feedscope"));
