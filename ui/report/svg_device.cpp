@@ -74,12 +74,18 @@ QByteArray fill_of(const QBrush& brush) {
   return brush.style() == Qt::NoBrush ? QByteArray(" fill=\"none\"") : colour_of("fill", brush.color());
 }
 
+/// Of lines whose colours change from one to the next: each says its own.
+QByteArray stroke_colour_of(const QPen& pen) {
+  return pen.style() == Qt::NoPen ? QByteArray() : colour_of("stroke", pen.color());
+}
+
+/// All else of a pen.
 QByteArray stroke_of(const QPen& pen) {
   if (pen.style() == Qt::NoPen) {
     return {};
   }
   const double width = pen.widthF() > 0 ? pen.widthF() : 1;
-  QByteArray text = colour_of("stroke", pen.color()) + " stroke-width=\"" + number(width) + '"';
+  QByteArray text = " stroke-width=\"" + number(width) + '"';
   if (pen.isCosmetic()) {
     text += " vector-effect=\"non-scaling-stroke\"";
   }
@@ -97,6 +103,10 @@ QByteArray stroke_of(const QPen& pen) {
     text += " stroke-dasharray=\"" + dashes + '"';
   }
   return text;
+}
+
+QByteArray path_element(const QPen& pen, const QPainterPath& path) {
+  return "<path" + stroke_colour_of(pen) + " d=\"" + path_data(path) + "\"/>";
 }
 
 }  // namespace
@@ -125,7 +135,7 @@ class SvgDevice::Engine : public QPaintEngine {
     const Clipped shown = clipped(path, pen);
     if (!shown.path.isEmpty()) {
       add(fill_of(painter()->brush()) + (even ? " fill-rule=\"evenodd\"" : "") + stroke_of(pen),
-          "<path d=\"" + path_data(shown.path) + "\"/>", shown.clip);
+          path_element(pen, shown.path), shown.clip);
     }
   }
   void drawPolygon(const QPointF* points, int count, PolygonDrawMode mode) override {
@@ -140,7 +150,7 @@ class SvgDevice::Engine : public QPaintEngine {
       return;
     }
     const Clipped shown = clipped(path, painter()->pen());
-    add(" fill=\"none\"" + stroke_of(painter()->pen()), "<path d=\"" + path_data(path) + "\"/>", shown.clip);
+    add(" fill=\"none\"" + stroke_of(painter()->pen()), path_element(painter()->pen(), path), shown.clip);
   }
   void drawPixmap(const QRectF& target, const QPixmap& pixmap, const QRectF& source) override {
     drawImage(target, pixmap.toImage(), source, Qt::AutoColor);
@@ -202,7 +212,7 @@ class SvgDevice::Engine : public QPaintEngine {
     return {part, false};
   }
 
-  /// Neighbours with the same clip and style share a group.
+  /// Neighbours with the same clip and style share a group, whatever the colours of their lines.
   void add(const QByteArray& style, const QByteArray& element, bool may_be_cut) {
     const double opacity = painter()->opacity();
     const int clip = may_be_cut ? clip_now() : -1;
