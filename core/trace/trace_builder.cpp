@@ -73,7 +73,9 @@ void TraceBuilder::skip(std::uint32_t source_line, std::string_view row) {
 }
 
 void TraceBuilder::add(const TraceSample& sample, std::uint32_t source_line) {
-  if (!std::isfinite(sample.time)) {
+  constexpr double longest = 1e12;   // [s]
+  constexpr double farthest = 1e12;  // [mm]: no axis is there; the number stands for a missing value
+  if (!(std::abs(sample.time) < longest)) {
     skip(source_line, "a row without a time");
     return;
   }
@@ -105,7 +107,8 @@ void TraceBuilder::add(const TraceSample& sample, std::uint32_t source_line) {
   trace_.time.push_back(sample.time);
   for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
     if (axes_[axis]) {
-      trace_.place[axis].push_back(sample.place[axis]);
+      const double place = sample.place[axis];
+      trace_.place[axis].push_back(std::abs(place) < farthest ? place : TraceSample::missing);
     }
   }
   if (feed_) {

@@ -205,5 +205,17 @@ TEST(ReadTrace, UsesWhatComesBeforeTheEndOfBrokenXml) {
   EXPECT_THAT(refusal("<a></a>"), HasSubstr("no record of a SINUMERIK trace"));
 }
 
+TEST(ReadTrace, ANumberThatNoAxisReachesIsAMissingValue) {
+  std::string text = "time [ms];x [inch]\n";
+  for (int i = 0; i < 20; ++i) {
+    text += std::to_string(i) + ';' + (i == 7 ? "1e308" : i == 9 ? "-1e308" : std::to_string(i)) + '\n';
+  }
+  const Trace trace = parse_trace(text, "t.csv");
+  ASSERT_EQ(trace.size(), 20U);
+  EXPECT_NEAR(trace.place[0][7], 7 * 25.4, 1e-9);
+  EXPECT_NEAR(trace.place[0][9], 9 * 25.4, 1e-9);
+  EXPECT_THAT(trace.notes, Contains(Field(&Diagnostic::code, "trace-interpolated")));
+}
+
 }  // namespace
 }  // namespace feedscope
