@@ -197,8 +197,7 @@ std::string handout([[maybe_unused]] const std::string& format, const Lesson& le
   ui::SceneTexts texts;
   if (lesson.language != lesson_languages().front()) {
     const QString language = QString::fromStdString(lesson.language);
-    ui::install_language(language);
-    QLocale::setDefault(QLocale(language));  // whatever the system's is
+    ui::speak(language);
     texts = ui::scene_texts();
   }
   return ui::make_handout(lesson, runs, format == "pdf" ? ui::ReportFormat::pdf : ui::ReportFormat::html,

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -16,7 +17,9 @@
 #include "app/print.h"
 #include "app/session_runs.h"
 #include "core/base/error.h"
+#include "ui/language/language.h"
 #include "ui/report/pictures.h"
+#include "ui/scene_view/scene_texts.h"
 #include "ui/theme/offscreen_application.h"
 #include "ui/window/main_window.h"
 #include "ui/window/pictures_of_panels.h"
@@ -38,6 +41,7 @@ struct RenderOptions {
   std::string theme;             ///< "": light, or the session's
   std::string format;
   bool transparent = false;
+  std::string language = ui::languages().front().toStdString();
   std::string title;
   std::string out;
 };
@@ -97,7 +101,15 @@ ui::PictureRequest request_of(const RenderOptions& options) {
   return request;
 }
 
+bool is_english(const RenderOptions& options) {
+  return options.language == ui::languages().front().toStdString();
+}
+
 void check_runs(const RenderOptions& options, const std::vector<AskedRun>& runs) {
+  if (views.at(options.view) == View::sheet && !is_english(options)) {
+    throw InputError(
+        fmt::format("--language {}: sheets are English; use --view 3d, charts or window", options.language));
+  }
   if (views.at(options.view) == View::window && runs.size() > 1) {
     throw InputError(fmt::format(
         "--view window shows one run, not {}; give one machine, model and tolerance, or use --view sheet",
@@ -117,6 +129,7 @@ void check_runs(const RenderOptions& options, const std::vector<AskedRun>& runs)
 std::string window_file(const ui::ReportInput& input, const RenderOptions& options,
                         const std::optional<ui::Session>& session, const ui::PictureRequest& request) {
   ui::WindowLook look{camera_of(options), request.theme};
+  look.language = QString::fromStdString(options.language);
   if (session) {
     look.prepare = [&](ui::MainWindow& window, ui::Workbench&) { window.session().show(*session); };
   }
@@ -132,13 +145,17 @@ std::string window_file(const ui::ReportInput& input, const RenderOptions& optio
   return ui::image_file(image, request, input.heading());
 }
 
-std::string picture_file(const ui::ReportInput& input, const RenderOptions& options,
+std::string picture_file(ui::ReportInput& input, const RenderOptions& options,
                          const std::optional<ui::Session>& session, const ui::PictureRequest& request) {
   const View view = views.at(options.view);
   if (view == View::window) {
     return window_file(input, options, session, request);
   }
   const ui::OffscreenApplication application(request.theme);
+  if (!is_english(options)) {
+    ui::speak(QString::fromStdString(options.language));
+    input.texts = ui::scene_texts();
+  }
   return view == View::scene    ? ui::scene_file(input, request)
          : view == View::charts ? ui::charts_file(input, request)
                                 : ui::sheet_file(input, request);
@@ -197,6 +214,7 @@ QString command_of(const RenderOptions& options) {
   add("--dpi", options.dpi ? fmt::format("{}", *options.dpi) : "");
   add("--scale", options.scale != 1 ? fmt::format("{}", options.scale) : "");
   add("--theme", options.theme);
+  add("--language", is_english(options) ? "" : options.language);
   add("--format", options.format);
   text += options.transparent ? " --transparent" : "";
   add("--out", options.out);
@@ -254,6 +272,19 @@ int render(const RenderOptions& options) {
   return has_errors(program.diagnostics) ? exit_code::program_errors : exit_code::done;
 }
 
+void add_language_option(CLI::App& command, RenderOptions& options) {
+  std::vector<std::string> codes;
+  for (const QString& code : ui::languages()) {
+    codes.push_back(code.toStdString());
+  }
+  command
+      .add_option("--language", options.language,
+                  fmt::format("Language of texts and numbers: {}; sheets are English [{}]",
+                              fmt::join(codes, " or "), options.language))
+      ->check(CLI::IsMember(codes))
+      ->type_name("LANGUAGE");
+}
+
 void add_size_options(CLI::App& command, RenderOptions& options) {
   command
       .add_option(
@@ -309,6 +340,7 @@ Command add_render_command(CLI::App& app) {
   command->add_option("--format", options->format, "png, svg or pdf [the ending of --out]")
       ->check(CLI::IsMember(picture_formats))
       ->type_name("FORMAT");
+  add_language_option(*command, *options);
   command->add_flag("--transparent", options->transparent, "Transparent background");
   command->add_option("--title", options->title, "Title of a sheet [the program's name]")->type_name("TEXT");
   command->add_option("--out", options->out, "The picture to write; - for standard output")

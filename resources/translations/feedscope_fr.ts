@@ -4772,8 +4772,8 @@ Utiliser la machine qu’elle décrit pour la simulation courante ?</translation
         <translation>Graphiques</translation>
     </message>
     <message>
-        <source>Sheet: 3D view, charts and figures</source>
-        <translation>Fiche : vue 3D, graphiques et chiffres</translation>
+        <source>Sheet in English: 3D view, charts and figures</source>
+        <translation>Fiche en anglais : vue 3D, graphiques et chiffres</translation>
     </message>
     <message>
         <source>The whole window</source>

@@ -137,6 +137,23 @@ TEST_F(RenderCommand, RefusesWhatDoesNotFitTogether) {
   EXPECT_FALSE(fs::exists(folder_ / "a.png"));
 }
 
+TEST_F(RenderCommand, SpeaksFrenchWhereItIsAskedTo) {
+  const auto drawn = [&](const std::string& view, const std::string& language) {
+    const Result result = run("corner.nc --view " + view + " --size 900x700 --out p.png" + language);
+    EXPECT_EQ(result.code, 0) << view << result.err;
+    std::ostringstream bytes;
+    bytes << std::ifstream(folder_ / "p.png", std::ios::binary).rdbuf();
+    return bytes.str();
+  };
+  for (const std::string view : {"3d", "charts", "window"}) {
+    const std::string english = drawn(view, "");
+    EXPECT_TRUE(drawn(view, " --language en") == english) << view;
+    EXPECT_FALSE(drawn(view, " --language fr") == english) << view;
+  }
+  expect_wrong_use("corner.nc --view sheet --language fr --out s.pdf", "sheets are English");
+  expect_wrong_use("corner.nc --language xx --out p.png", "--language");
+}
+
 TEST_F(RenderCommand, WritesToStandardOutput) {
   EXPECT_EQ(run("corner.nc --size 200x100 --out - > piped.png").code, 0);
   EXPECT_EQ(read_png((folder_ / "piped.png").string()).size.width, 200);

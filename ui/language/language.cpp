@@ -74,4 +74,9 @@ void install_language(const QString& code) {
   }
 }
 
+void speak(const QString& code) {
+  install_language(code);
+  QLocale::setDefault(QLocale(code));
+}
+
 }  // namespace feedscope::ui

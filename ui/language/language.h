@@ -14,5 +14,7 @@ void choose_language(const QString& code);
 /// Makes all texts of the application appear in a language, and numbers on screen by its rules. Needs a
 /// QApplication. Texts of a window that exists stay: make it again.
 void install_language(const QString& code);
+/// The same for pictures, whatever the desktop's settings are.
+void speak(const QString& code);
 
 }  // namespace feedscope::ui

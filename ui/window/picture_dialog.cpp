@@ -113,7 +113,7 @@ PictureDialog::~PictureDialog() {
 QWidget* PictureDialog::make_form() {
   view_->addItem(tr("3D view"), QStringLiteral("3d"));
   view_->addItem(tr("Charts"), QStringLiteral("charts"));
-  view_->addItem(tr("Sheet: 3D view, charts and figures"), QStringLiteral("sheet"));
+  view_->addItem(tr("Sheet in English: 3D view, charts and figures"), QStringLiteral("sheet"));
   view_->addItem(tr("The whole window"), QStringLiteral("window"));
   format_->addItem(tr("PNG: bitmap"), QStringLiteral("png"));
   format_->addItem(tr("SVG: drawing"), QStringLiteral("svg"));
@@ -211,6 +211,7 @@ PictureWish PictureDialog::wish() const {
   wish.scale = scale_->value();
   wish.theme = theme_->currentData().toString();
   wish.transparent = transparent_->isChecked() && transparent_->isEnabled();
+  wish.language = subject_.language;
   return wish;
 }
 

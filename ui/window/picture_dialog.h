@@ -31,6 +31,7 @@ class PictureDialog : public QDialog {
     QSize scene;      ///< of the parts of the window, offered as sizes [px]
     QSize charts;
     QSize window;
+    QString language;  ///< of the pictures
   };
 
   /// `executable`: as of CommandProcess.

@@ -110,6 +110,9 @@ QString comparison_details(const LoadedProgram& program, const Runs& runs,
 
 Picture draw_window(const Run& run, PictureSize size, const WindowLook& look) {
   const OffscreenApplication application(look.theme, look.pixel_ratio);
+  if (look.language != languages().front()) {
+    speak(look.language);
+  }
   Workbench model(shipped_machines(), run.setup);
   model.show(run);
   MainWindow window(model, RenderBackend::software);

@@ -9,6 +9,7 @@
 #include "core/analysis/circularity/circular_test.h"
 #include "core/analysis/compare.h"
 #include "core/analysis/study/study.h"
+#include "ui/language/language.h"
 #include "ui/scene/picture.h"
 #include "ui/theme/theme.h"
 
@@ -28,6 +29,7 @@ struct WindowLook {
   StandardView view = StandardView::iso;  ///< of the 3D view
   ThemeKind theme = ThemeKind::light;
   double pixel_ratio = 1;  ///< pixels to a unit of the size
+  QString language = languages().front();
   /// What a user would do before looking; the picture waits for the simulations that follow.
   std::function<void(MainWindow&, Workbench&)> prepare = {};
 };

@@ -167,6 +167,10 @@ TEST(PictureWish, BecomesTheArgumentsOfTheCommand) {
   wish.size = QStringLiteral("800x600");
   EXPECT_TRUE(wish.has_dpi());
   EXPECT_FALSE(for_preview(wish, 96).has_dpi());
+  wish.language = QStringLiteral("fr");
+  EXPECT_TRUE(picture_arguments(wish, "s").contains("--language=fr"));
+  wish.view = QStringLiteral("sheet");
+  EXPECT_FALSE(picture_arguments(wish, "s").contains("--language=fr")) << "sheets are English";
 }
 
 }  // namespace
