@@ -34,12 +34,9 @@ StatusPanel::StatusPanel(Workbench& workbench, RunComparison& comparison, QWidge
   progress_->setRange(0, progress_steps);
   progress_->setFixedWidth(progress_width);
   progress_->setTextVisible(false);
-  progress_->setFixedHeight(fontMetrics().height());  // the bar below the window keeps its height
-  cancel_->setFixedHeight(progress_->height());
   cancel_->setText(tr("Cancel"));
   cancel_->setToolTip(tr("Stop the running calculation (Esc)"));
   diagnostics_->setAutoRaise(true);
-  diagnostics_->setFixedHeight(progress_->height());
   diagnostics_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   diagnostics_->setToolTip(tr("Show what the reader found in the program"));
 
@@ -61,6 +58,22 @@ StatusPanel::StatusPanel(Workbench& workbench, RunComparison& comparison, QWidge
   show_busy();
   count_diagnostics();
   show_cursor();
+  keep_height();
+}
+
+void StatusPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange) {
+    keep_height();
+  }
+}
+
+/// The bar below the window is as high with a button as without.
+void StatusPanel::keep_height() {
+  for (QWidget* part : {static_cast<QWidget*>(progress_), static_cast<QWidget*>(cancel_),
+                        static_cast<QWidget*>(diagnostics_)}) {
+    part->setFixedHeight(fontMetrics().height());
+  }
 }
 
 void StatusPanel::cancel() {

@@ -25,7 +25,11 @@ class StatusPanel : public QWidget {
  signals:
   void diagnostics_clicked();
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
+  void keep_height();
   void show_busy();
   void show_activity(const QString& activity, double fraction);
   void show_comparison();
