@@ -30,10 +30,11 @@ struct ReportRun {
 /// Everything that pictures, sheet and report are made of; a session or the options of the command line fill
 /// it. The same input gives the same bytes.
 struct ReportInput {
-  std::vector<ReportRun> runs;  ///< of one program, at least one
-  std::size_t current = 0;      ///< the one that 3D view, charts and worst places show
-  SceneState scene;             ///< how the 3D view looks
-  SceneTexts texts;             ///< that stand in it; at first English
+  std::vector<ReportRun> runs;   ///< of one program, at least one
+  std::size_t current = 0;       ///< the one that 3D view, charts and worst places show
+  SceneState scene;              ///< how the 3D view looks
+  SceneTexts texts;              ///< that stand in it; at first English
+  std::optional<double> cursor;  ///< where the stretch of `scene` ends that is drawn up to it [s]
   /// Run that the colours of `scene` compare with; none: the first other one than what is shown.
   std::optional<std::size_t> reference;
   /// Looks from there at the whole path, instead of with the camera of `scene`.

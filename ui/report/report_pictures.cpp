@@ -93,6 +93,7 @@ StandardView view_of(const Run& run, const SlowPlace& place) {
 ReportPicture close_up(const ReportInput& input, const SlowPlace& place, const QSizeF& size) {
   ReportInput seen = input;
   seen.view = view_of(input.run().shown->run, place);
+  seen.scene.stretch = {};
   seen.annotations = annotations_between(input, place.from, place.to);
   seen.scene.colouring = Colouring::feed;
   seen.scene.exaggeration = 1;

@@ -72,8 +72,21 @@ ScenePicture::ScenePicture(const ReportInput& input, std::size_t row, ThemeKind 
   }
   scene_.attach(*window_);
   set_scene_state(scene_, input.scene);
+  show_stretch();
   if (input.view) {
     scene_.set_standard_view(*input.view);
+  }
+}
+
+/// As the window does, but without the tool.
+void ScenePicture::show_stretch() {
+  const StretchChoice& stretch = input_.scene.stretch;
+  if (stretch.stretch == PathStretch::charts && input_.charts.time) {
+    scene_.set_highlight(std::array{input_.charts.time->lower, input_.charts.time->upper});
+  } else if (stretch.stretch == PathStretch::to_cursor && input_.cursor) {
+    scene_.set_tool({ToolKind::none, scene_.tool().diameter, scene_.tool().corner_radius});
+    const Trajectory& trajectory = *input_.runs[row_].shown->run.trajectory;
+    scene_.set_cursor(trajectory.state(std::min(*input_.cursor, trajectory.duration())));
   }
 }
 

@@ -43,6 +43,7 @@ class ScenePicture {
 
  private:
   std::shared_ptr<const SampledPath> samples();
+  void show_stretch();
   bool paint_lines(QPainter& painter, const QRectF& place, const SceneScale& scale);
   AnnotatedView annotated(const QSizeF& size, const SceneScale& scale) const;
 

@@ -12,6 +12,7 @@ ReportInput report_input(const Session& session,
   }
   input.current = session.current_run;
   input.scene = session.scene;
+  input.cursor = session.cursor;
   input.reference = session.scenes.reference ? session.scenes.reference : session.scenes.other;
   input.view.reset();
   input.charts = session.charts;

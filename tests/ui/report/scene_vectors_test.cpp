@@ -157,5 +157,27 @@ TEST(SceneVectorFiles, ASheetsPathIsVectorsToo) {
   EXPECT_EQ(sheet_file(input, request).find("<image"), std::string::npos);
 }
 
+TEST(ScenePicture, DrawsTheStretchOfTheSession) {
+  ReportInput input = test::two_runs();
+  input.scene.tool.kind = ToolKind::flat;
+  const auto picture = [&] { return scene_file(input, request_of(PictureFormat::png)); };
+  const std::string whole = picture();
+  const double duration = input.run().shown->run.trajectory->duration();
+  input.cursor = duration / 2;
+  input.charts.time = Interval{0, duration / 3};
+  EXPECT_TRUE(picture() == whole) << "as long as all is drawn in full";
+  input.scene.stretch = {PathStretch::to_cursor, false};
+  const std::string half = picture();
+  EXPECT_FALSE(half == whole);
+  input.scene.stretch = {PathStretch::charts, false};
+  EXPECT_FALSE(picture() == whole);
+  EXPECT_FALSE(picture() == half);
+  input.charts.time = Interval{0, duration};
+  EXPECT_TRUE(picture() == whole) << "no tool, nothing pale";
+  input.scene.stretch = {PathStretch::to_cursor, true};
+  input.cursor = 2 * duration;
+  EXPECT_TRUE(picture() == whole) << "a run that ends before the cursor is drawn to its end";
+}
+
 }  // namespace
 }  // namespace feedscope::ui
