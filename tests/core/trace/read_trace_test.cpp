@@ -206,9 +206,9 @@ TEST(ReadTrace, UsesWhatComesBeforeTheEndOfBrokenXml) {
 }
 
 TEST(ReadTrace, ANumberThatNoAxisReachesIsAMissingValue) {
-  std::string text = "time [ms];x [inch]\n";
+  std::string text = "time [ms];x [inch];y [mm]\n";
   for (int i = 0; i < 20; ++i) {
-    text += std::to_string(i) + ';' + (i == 7 ? "1e308" : i == 9 ? "-1e308" : std::to_string(i)) + '\n';
+    text += std::to_string(i) + ';' + (i == 7 ? "1e308" : i == 9 ? "-1e308" : std::to_string(i)) + ";0\n";
   }
   const Trace trace = parse_trace(text, "t.csv");
   ASSERT_EQ(trace.size(), 20U);
