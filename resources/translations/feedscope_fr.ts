@@ -3965,10 +3965,6 @@ max. : %1 %</translation>
         <translation>imprimer papier classe cours leçon polycopié exercice</translation>
     </message>
     <message>
-        <source>%1 cannot be started: %2</source>
-        <translation>%1 ne peut pas être lancé : %2</translation>
-    </message>
-    <message>
         <source>Save hand-out as</source>
         <translation>Enregistrer le polycopié sous</translation>
     </message>
@@ -3979,10 +3975,6 @@ max. : %1 %</translation>
     <message>
         <source>Saved as %1.</source>
         <translation>Enregistré sous %1.</translation>
-    </message>
-    <message>
-        <source>The hand-out could not be made (exit code %1).</source>
-        <translation>Le polycopié n’a pas pu être fait (code de sortie %1).</translation>
     </message>
 </context>
 <context>

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <QProcess>
 #include <QWidget>
 #include <filesystem>
 
 #include "ui/lessons/lesson_desk.h"
+#include "ui/report/command_process.h"
 
 class QAction;
 
@@ -19,7 +19,6 @@ class HandoutCommand : public QObject {
  public:
   /// `desk` outlives this. `executable`: the program with the command `lessons`.
   HandoutCommand(const LessonDesk& desk, QString executable, QWidget& window);
-  ~HandoutCommand() override;
 
   /// Asks for the file; enabled while a lesson is open.
   QAction* action() const { return action_; }
@@ -33,14 +32,11 @@ class HandoutCommand : public QObject {
 
  private:
   void ask();
-  void end(int code, QProcess::ExitStatus status);
-  void cancel();
 
   const LessonDesk& desk_;
-  QString executable_;
   QWidget& window_;
   QAction* action_;
-  QProcess process_;
+  CommandProcess process_;
   QString file_;
 };
 

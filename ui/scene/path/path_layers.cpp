@@ -5,6 +5,7 @@
 #include <vtkMapper.h>
 #include <vtkPlaneCollection.h>
 #include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
