@@ -8,7 +8,9 @@
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <new>
+#include <span>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -73,7 +75,21 @@ std::string option_without_value(const CLI::App& command, const CLI::ParseError&
   return fmt::format("{0} has no value; write {0} {1}", option->get_name(), option->get_type_name());
 }
 
-std::string explain(const CLI::App& app, const CLI::ParseError& error) {
+/// How to give the option in front of `word` several values, if that is what was meant; otherwise "".
+std::string repeat_hint(const CLI::App& command, std::span<char* const> words, const std::string& word) {
+  const auto place = std::find(words.begin(), words.end(), word);
+  const auto before = std::find_if(std::make_reverse_iterator(place), words.rend(), [](const char* given) {
+    return std::string_view(given).starts_with("--");
+  });
+  const CLI::Option* option = before == words.rend() ? nullptr : command.get_option_no_throw(*before);
+  if (option == nullptr || option->get_items_expected_max() <= 1) {
+    return "";
+  }
+  return fmt::format("; repeat an option to give it several values: {0} {1} {0} {2}", *before, *before.base(),
+                     word);
+}
+
+std::string explain(const CLI::App& app, std::span<char* const> words, const CLI::ParseError& error) {
   const auto chosen = app.get_subcommands();
   const std::vector<std::string> extra = app.remaining(true);
   const auto option =
@@ -100,7 +116,8 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
   const std::string lacking = option_without_value(chosen.empty() ? app : *chosen.front(), error);
   return !lacking.empty() ? lacking
          : extra.empty()  ? error.what()
-                          : fmt::format("unexpected argument '{}'", extra.front());
+                          : fmt::format("unexpected argument '{}'{}", extra.front(),
+                                        repeat_hint(*chosen.front(), words, extra.front()));
 }
 
 /// An option that was given as '' names no file and no value; "nothing was asked for" would hide a mistake.
@@ -125,10 +142,10 @@ void refuse_options_before_command(const CLI::App& app) {
   }
 }
 
-int report_wrong_use(const CLI::App& app, const CLI::ParseError& error) {
+int report_wrong_use(const CLI::App& app, std::span<char* const> words, const CLI::ParseError& error) {
   const auto chosen = app.get_subcommands();
   const std::string command = chosen.empty() ? "" : " " + chosen.front()->get_name();
-  fmt::print(stderr, "feedscope: {}\nsee: feedscope{} --help\n", explain(app, error), command);
+  fmt::print(stderr, "feedscope: {}\nsee: feedscope{} --help\n", explain(app, words, error), command);
   return exit_code::wrong_use;
 }
 
@@ -167,7 +184,8 @@ int run_checked(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return error.get_exit_code() == 0 ? app.exit(error) : report_wrong_use(app, error);
+    return error.get_exit_code() == 0 ? app.exit(error)
+                                      : report_wrong_use(app, {argv, static_cast<std::size_t>(argc)}, error);
   }
   if (app.get_subcommands().empty() && is_no_file(lone_file(app))) {
     throw InputError(unknown("command", lone_file(app), command_names(app)));

@@ -16,6 +16,7 @@
 #include "app/watch.h"
 #include "core/analysis/circularity/program_circles.h"
 #include "core/analysis/circularity/test_program.h"
+#include "core/analysis/run_notes.h"
 #include "core/analysis/run_stages.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
@@ -176,6 +177,9 @@ int circular_test(const CircularOptions& options) {
   write_outputs(
       options, setup, [&] { return circular_json(setup, tests); }, [&] { return circular_csv(tests); }, tests,
       program);
+  for (const std::string& note : drive_notes(setup.machine)) {
+    fmt::print(stderr, "feedscope: note: {}\n", note);
+  }
   if (!to_standard_output(options)) {
     fmt::print("{}", circular_text(setup, tests));
   }

@@ -43,6 +43,9 @@ TEST_F(CommandLine, NamesUnknownOptionAndArgument) {
                    "unknown option '--tolerence'; did you mean '--tolerance'?");
   expect_wrong_use("simulate corner.nc --qqqqqq=1", "unknown option '--qqqqqq'; known: ");
   expect_wrong_use("simulate corner.nc wrong.nc", "unexpected argument 'wrong.nc'");
+  expect_wrong_use(
+      "circular --radius 30 --feed 2000 4000 6000",
+      "unexpected argument '6000'; repeat an option to give it several values: --feed 2000 --feed 6000");
   expect_wrong_use("simulate", "FILE is required");
   expect_wrong_use("simulate corner.nc --csv", "--csv has no value; write --csv FILE");
   expect_wrong_use("compare corner.nc --json", "--json has no value; write --json FILE");

@@ -184,9 +184,10 @@ void PolarPlot::draw(QPainter& painter, const QRectF& area, bool values) const {
   painter.drawText(QRectF(area.left() + margin, area.top() + margin + head, area.width() - 2 * margin, line),
                    Qt::AlignLeft | Qt::AlignVCenter,
                    QFontMetricsF(font()).elidedText(details_, Qt::ElideRight, area.width() - 2 * margin));
-  draw_legend(painter, QRectF(area.left() + margin, area.top() + margin + head + line + 4,
-                              area.width() - 2 * margin, line));
-  const double top = area.top() + margin + head + 2 * line + 4 + gap;
+  const double legend = draw_legend(
+      painter,
+      QRectF(area.left() + margin, area.top() + margin + head + line + 4, area.width() - 2 * margin, line));
+  const double top = legend + gap;
   const int across = columns();
   const int rows = (static_cast<int>(tests_.size()) + across - 1) / across;
   const double width = (area.width() - 2 * margin - (across - 1) * gap) / across;
@@ -201,23 +202,36 @@ void PolarPlot::draw(QPainter& painter, const QRectF& area, bool values) const {
   }
 }
 
-void PolarPlot::draw_legend(QPainter& painter, const QRectF& area) const {
+double PolarPlot::draw_legend(QPainter& painter, const QRectF& first_line) const {
+  constexpr double sample = 24;
+  constexpr double text_at = 30;
   const QFontMetricsF metrics(font());
-  double x = area.left();
+  QRectF line = first_line;
+  double x = line.left();
+  const auto place = [&](double width) {  // the next line where this one is full
+    if (x > line.left() && x + width > line.right()) {
+      line.translate(0, line.height());
+      x = line.left();
+    }
+  };
   for (const bool counter_clockwise : {true, false}) {
     const CirclePass* const pass = pass_in(tests_, counter_clockwise);
     if (pass == nullptr) {
       continue;
     }
     const QString text = counter_clockwise ? tr("counter-clockwise") : tr("clockwise");
+    const double width = text_at + metrics.horizontalAdvance(text);
+    place(width);
     painter.setPen(QPen(colour_of(*pass, palette()), 2, counter_clockwise ? Qt::SolidLine : Qt::DashLine));
-    painter.drawLine(QPointF(x, area.center().y()), QPointF(x + 24, area.center().y()));
+    painter.drawLine(QPointF(x, line.center().y()), QPointF(x + sample, line.center().y()));
     painter.setPen(theme_colours(palette()).text);
-    painter.drawText(QPointF(x + 30, area.top() + metrics.ascent()), text);
-    x += 30 + metrics.horizontalAdvance(text) + gap;
+    painter.drawText(QPointF(x + text_at, line.top() + metrics.ascent()), text);
+    x += width + gap;
   }
-  painter.drawText(QPointF(x, area.top() + metrics.ascent()),
-                   tr("%1 a division").arg(significant_text(division_, Dimension::error, 3)));
+  const QString division = tr("%1 a division").arg(significant_text(division_, Dimension::error, 3));
+  place(metrics.horizontalAdvance(division));
+  painter.drawText(QPointF(x, line.top() + metrics.ascent()), division);
+  return line.bottom();
 }
 
 void PolarPlot::draw_test(QPainter& painter, const QRectF& cell, const CircularTest& test,

@@ -46,7 +46,8 @@ class PolarPlot : public QWidget {
   void draw_pass(QPainter& painter, const Frame& frame, const CircularTest& test,
                  const CirclePass& pass) const;
   void draw_start(QPainter& painter, const Frame& frame, const CircularTest& test) const;
-  void draw_legend(QPainter& painter, const QRectF& area) const;
+  /// Directions and scale, on as many lines as they need from `first_line` on; returns their lower end.
+  double draw_legend(QPainter& painter, const QRectF& first_line) const;
   int columns() const;
 
   QString hint_;

@@ -85,6 +85,22 @@ TEST(PolarPlot, DeviationIsDrawnInDivisionsOfTheGrid) {
   EXPECT_NEAR(static_cast<double>(radius_drawn(inside)) / far, 0.2, 0.03);
 }
 
+TEST(PolarPlot, LegendTakesASecondLineWhereTheFirstIsFull) {
+  PolarPlot plot;
+  plot.set_tests("test", "", {round_test(0.01)});
+  plot.resize(plot.minimumSizeHint());
+  QImage image(plot.size(), QImage::Format_RGB32);
+  QPainter painter(&image);
+  plot.draw(painter, QRectF(image.rect()));
+  painter.end();
+  const QColor plain = theme_colours(plot.palette()).plot;
+  for (int y = 0; y < image.height(); ++y) {  // nothing is cut by the right edge
+    for (int x = image.width() - 4; x < image.width(); ++x) {
+      ASSERT_EQ(image.pixelColor(x, y), plain) << x << ", " << y;
+    }
+  }
+}
+
 TEST(PolarPlot, ValuesAreThoseOfTheTestWithTheirUnit) {
   const QStringList values = circular_values(round_test(0.0421));
   ASSERT_EQ(values.size(), 3);
