@@ -14,6 +14,7 @@
 #include "ui/theme/theme.h"
 #include "ui/workbench/annotation.h"
 #include "ui/workbench/run_list.h"
+#include "ui/workbench/trace_item.h"
 
 namespace feedscope::ui {
 
@@ -31,6 +32,7 @@ struct Session {
   CircularState circular;
   LoadSetup load;  ///< how the tools are engaged; may not fit the program
   std::vector<Annotation> annotations;
+  std::vector<TraceItem> traces;         ///< absolute files; one that is not there is kept nevertheless
   QByteArray layout;                     ///< of the docks, as QMainWindow::saveState; may be empty
   bool presentation = false;             ///< large type and few panels; `layout` is that without
   std::optional<ThemeKind> theme;        ///< none: as the one who opens it likes it

@@ -8,6 +8,7 @@
 #include "core/base/nearest_name.h"
 #include "ui/scene_view/scene_json.h"
 #include "ui/session/reading_json.h"
+#include "ui/session/trace_json.h"
 #include "ui/shared/paths.h"
 
 namespace feedscope::ui {
@@ -255,6 +256,10 @@ QJsonObject to_json(const Session& session, const std::filesystem::path& folder)
   for (const Annotation& annotation : session.annotations) {
     annotations.append(to_json(annotation));
   }
+  QJsonArray traces;
+  for (const TraceItem& trace : session.traces) {
+    traces.append(to_json(trace, folder));
+  }
   const std::filesystem::path relative = session.program.lexically_relative(folder);
   QJsonObject window;
   if (!session.layout.isEmpty()) {
@@ -284,6 +289,7 @@ QJsonObject to_json(const Session& session, const std::filesystem::path& folder)
       {"circular", to_json(session.circular)},
       {"load_file", to_json(session.load)},
       {"annotations", annotations},
+      {"traces", traces},
       {"window", window}};
 }
 
@@ -293,7 +299,7 @@ ReadSession read_session(const QJsonObject& json, const std::filesystem::path& f
   ReadSession read;
   note_unknown(json,
                {"format", "version", "program", "reading", "runs", "current_run", "cursor_s", "view",
-                "compare", "charts", "circular", "load_file", "annotations", "window"},
+                "compare", "charts", "circular", "load_file", "annotations", "traces", "window"},
                QStringLiteral("the session"), read.notes);
   Session& session = read.session;
   const QJsonObject program = json["program"].toObject();
@@ -330,6 +336,12 @@ ReadSession read_session(const QJsonObject& json, const std::filesystem::path& f
   for (const QJsonValue& annotation : json["annotations"].toArray()) {
     session.annotations.push_back(
         read_annotation(annotation.toObject(), QStringLiteral("annotation %1").arg(++number), read.notes));
+  }
+  number = 0;
+  for (const QJsonValue& trace : json["traces"].toArray()) {
+    const QString place = QStringLiteral("trace %1").arg(++number);
+    note_unknown(trace.toObject(), trace_keys(), place, read.notes);
+    session.traces.push_back(read_trace_item(trace.toObject(), place, folder));
   }
   read_window(json["window"].toObject(), session, read.notes);
   return read;

@@ -59,6 +59,7 @@ Session WindowSession::capture() const {
   session.runs = workbench_.runs().items();
   session.current_run = workbench_.runs().current();
   session.annotations = workbench_.annotations().items();
+  session.traces = workbench_.traces().items();
   return session;
 }
 
@@ -94,6 +95,7 @@ void WindowSession::show(const Session& session) {
 void WindowSession::show_contents(const Session& session) {
   workbench_.open(session.program, session.runs, session.current_run, session.reading, session.load);
   workbench_.annotations().replace(session.annotations);
+  workbench_.traces().replace(session.traces);
   pending_ = session;
 }
 
@@ -293,15 +295,16 @@ std::filesystem::path WindowSession::file_after_conflict() {
   return box.clickedButton() == overwrite ? file_ : std::filesystem::path();
 }
 
-/// Runs, annotations and import options, without which place is looked at.
+/// Runs, annotations, traces and import options, without which place is looked at.
 QByteArray WindowSession::essence() const {
   Session session;
   session.program = workbench_.file();
   session.reading = workbench_.reading();
   session.runs = workbench_.runs().items();
   session.annotations = workbench_.annotations().items();
+  session.traces = workbench_.traces().items();
   const QJsonObject json = to_json(session, {});
-  return QJsonDocument(QJsonArray{json["runs"], json["annotations"], json["reading"]})
+  return QJsonDocument(QJsonArray{json["runs"], json["annotations"], json["traces"], json["reading"]})
       .toJson(QJsonDocument::Compact);
 }
 

@@ -57,6 +57,19 @@ void TraceList::remove(std::size_t row) {
   emit list_changed();
 }
 
+void TraceList::replace(std::vector<TraceItem> items) {
+  clear();
+  if (items.empty()) {
+    return;
+  }
+  items_ = std::move(items);
+  for (TraceItem& item : items_) {
+    item.id = next_id_++;
+  }
+  emit list_changed();
+  work_on();
+}
+
 void TraceList::clear() {
   if (items_.empty()) {
     return;

@@ -12,18 +12,9 @@
 #include "core/analysis/agreement/trace_motion.h"
 #include "ui/shared/job.h"
 #include "ui/workbench/shown_run.h"
+#include "ui/workbench/trace_item.h"
 
 namespace feedscope::ui {
-
-/// What a control recorded of the program: one more run, that was not simulated.
-struct TraceItem {
-  int id = 0;  ///< never used again for another trace
-  std::filesystem::path file;
-  std::string columns;  ///< specification as parse_trace_columns() reads it; empty: found from the file
-  QString name;
-  QColor colour;
-  bool visible = true;  ///< drawn beside the current run
-};
 
 /// A trace beside a run, with what its pictures need, made off the GUI thread.
 struct ShownTrace {
@@ -60,6 +51,9 @@ class TraceList : public QObject {
   /// Behind the others. `columns`: as TraceItem::columns; throws InputError if it cannot be read.
   void add(const std::filesystem::path& file, const std::string& columns = {});
   void remove(std::size_t row);
+  /// These instead of the present ones; they get ids of their own. Columns that cannot be read become the
+  /// failure of their trace.
+  void replace(std::vector<TraceItem> items);
   /// Without any more.
   void clear();
   void rename(std::size_t row, const QString& name);

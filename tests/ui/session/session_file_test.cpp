@@ -86,7 +86,9 @@ TEST_F(SessionFile, HashesBytes) {
 TEST_F(SessionFile, OfEveryVersionIsReadWhole) {
   const std::filesystem::path folder = FEEDSCOPE_SOURCE_DIR "/tests/ui/session/versions";
   Session expected = test::some_session(folder / "part.nc");
-  expected.load = {};  // came later, as the charts that are hidden, the stretch in full and the presentation
+  // These came later.
+  expected.load = {};
+  expected.traces.clear();
   expected.charts.hidden_charts.clear();
   expected.scene.stretch = {};
   expected.presentation = false;

@@ -33,6 +33,7 @@ void expect_same(const Session& a, const Session& b) {
   EXPECT_EQ(a.charts, b.charts);
   EXPECT_EQ(a.load, b.load);
   EXPECT_EQ(a.annotations, b.annotations);
+  EXPECT_EQ(a.traces, b.traces);
   EXPECT_EQ(a.layout, b.layout);
   EXPECT_EQ(a.presentation, b.presentation);
   EXPECT_EQ(a.theme, b.theme);
@@ -190,6 +191,8 @@ INSTANTIATE_TEST_SUITE_P(
                 set_in_first(json, "annotations", "place", QJsonObject{{"segment", 1}, {"share", 2}});
               },
               "\"share\" is 2"},
+        Fault{"trace", [](QJsonObject& json) { set_in_first(json, "traces", "file", ""); },
+              "trace 1 names no file"},
         Fault{"size", [](QJsonObject& json) { set_in_first(json, "annotations", "size_pt", 0); },
               "\"size_pt\" is 0"}));
 

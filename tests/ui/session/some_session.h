@@ -59,6 +59,9 @@ inline Session some_session(const std::filesystem::path& program) {
     annotation.size = 14;
     session.annotations.push_back(annotation);
   }
+  session.traces = {{0, program.parent_path() / "traces" / "first.csv", "time=1,x=2,y=3", "first part",
+                     QColor(0, 0x9e, 0x73), false},
+                    {0, program.parent_path() / "scope.xml", "", "scope.xml", QColor(1, 2, 3), true}};
   session.layout = QByteArray("\x00\x01layout", 8);
   session.presentation = true;
   session.theme = ThemeKind::dark;

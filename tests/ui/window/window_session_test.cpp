@@ -15,6 +15,7 @@
 
 #include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
+#include "tests/ui/trace/trace_fixture.h"
 #include "ui/annotations/annotations_view.h"
 #include "ui/charts/charts_panel.h"
 #include "ui/lessons/lesson_view.h"
@@ -34,6 +35,7 @@ struct Window {
   }
   void wait() {
     ASSERT_TRUE(QTest::qWaitFor([this] { return !model.busy() && model.shown() != nullptr; }, patience));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !model.traces().busy(); }, patience));
     QCoreApplication::processEvents();
   }
 };
@@ -130,6 +132,47 @@ class WindowSessionTest : public testing::Test {
   std::filesystem::path program_ = std::filesystem::path(folder_.path().toStdString()) / "part.nc";
   std::filesystem::path file_ = std::filesystem::path(folder_.path().toStdString()) / "part.feedscope";
 };
+
+TEST_F(WindowSessionTest, TracesComeBackWithTheirNames) {
+  const test::WrittenFiles files;
+  {
+    Window first;
+    first.window.open(program_);
+    first.wait();
+    first.model.traces().add(files.write("scope.csv", test::trace_table(first.model.shown()->run)));
+    first.model.traces().rename(0, "first part");
+    first.model.traces().set_visible(0, false);
+    first.wait();
+    ASSERT_EQ(first.model.traces().status(0), TraceStatus::compared);
+    write_session(first.window.session().capture(), file_);
+    EXPECT_FALSE(first.window.session().changed());
+  }
+  Window second;
+  second.window.open(file_);
+  second.wait();
+  ASSERT_EQ(second.model.traces().items().size(), 1U);
+  EXPECT_EQ(second.model.traces().items()[0].name, QStringLiteral("first part"));
+  EXPECT_FALSE(second.model.traces().items()[0].visible);
+  EXPECT_EQ(second.model.traces().status(0), TraceStatus::compared);
+  EXPECT_FALSE(second.window.session().changed());
+  second.model.traces().remove(0);
+  EXPECT_TRUE(second.window.session().changed());
+}
+
+TEST_F(WindowSessionTest, ATraceThatIsGoneStaysInTheListAndIsReported) {
+  Session session = saved_by_another();
+  session.traces = {{0, file_.parent_path() / "gone.csv", "", "gone", Qt::red, true}};
+  write_session(session, file_);
+  Window second;
+  QSignalSpy failed(&second.model, &Workbench::failed);
+  second.window.open(file_);
+  second.wait();
+  ASSERT_EQ(second.model.traces().items().size(), 1U);
+  EXPECT_EQ(second.model.traces().status(0), TraceStatus::failed);
+  ASSERT_EQ(failed.count(), 1);
+  EXPECT_TRUE(failed[0][0].toString().contains("gone.csv"));
+  EXPECT_EQ(second.window.session().capture().traces.size(), 1U);
+}
 
 TEST_F(WindowSessionTest, AnotherWindowShowsTheSame) {
   const Session saved = saved_by_another();

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <QJsonObject>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "ui/workbench/trace_item.h"
+
+namespace feedscope::ui {
+
+/// File relative to `folder`, columns where they were chosen, name, colour and visibility.
+QJsonObject to_json(const TraceItem& trace, const std::filesystem::path& folder);
+
+/// `place`: which trace of which file, for messages. Throws InputError if no file is named.
+TraceItem read_trace_item(const QJsonObject& json, const QString& place, const std::filesystem::path& folder);
+
+std::vector<std::string> trace_keys();
+
+}  // namespace feedscope::ui
