@@ -8,10 +8,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkFloatArray.h>
-#include <vtkIntArray.h>
 #include <vtkMatrix4x4.h>
-#include <vtkNew.h>
-#include <vtkPath.h>
 #include <vtkPlane.h>
 #include <vtkPlaneCollection.h>
 #include <vtkPointData.h>
@@ -24,7 +21,6 @@
 #include <vtkRendererCollection.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
-#include <vtkTextRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <QPainter>
@@ -36,13 +32,12 @@
 #include <vector>
 
 #include "ui/report/line_pieces.h"
+#include "ui/report/text_outline.h"
 #include "ui/scene/camera/projection.h"
 
 namespace feedscope::ui {
 
 namespace {
-
-constexpr int text_dots_per_inch = 72;  // as Canvas writes
 
 QColor colour_of(const double* rgb, double opacity) {
   return QColor::fromRgbF(static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2]),
@@ -80,6 +75,7 @@ struct Shape {
 struct LayerVectors {
   std::vector<LinePieces::Polyline> lines;
   std::vector<Shape> shapes;
+  std::vector<TextOutline> letters;  ///< of shapes that are texts
 };
 
 /// Reads one layer of a window.
@@ -117,7 +113,7 @@ class LayerReader {
     return true;
   }
 
-  LayerVectors vectors() && { return {pieces_.sorted(), std::move(shapes_)}; }
+  LayerVectors vectors() && { return {pieces_.sorted(), std::move(shapes_), std::move(letters_)}; }
 
  private:
   QPointF from_display(const Vec2& place) const { return {place.x(), height_ - place.y()}; }
@@ -229,40 +225,12 @@ class LayerReader {
   }
 
   void read(vtkTextActor& actor) {
-    const vtkNew<vtkPath> outline;
-    vtkTextProperty& style = *actor.GetTextProperty();
-    if (actor.GetInput() == nullptr || !vtkTextRenderer::GetInstance()->StringToPath(
-                                           &style, actor.GetInput(), outline, text_dots_per_inch)) {
-      return;
+    TextOutline outline = text_outline(actor, height_);
+    if (!outline.shape.isEmpty() && room_.intersects(outline.shape.controlPointRect())) {
+      vtkTextProperty& style = *actor.GetTextProperty();
+      add(outline.shape, colour_of(style.GetColor(), style.GetOpacity()));
+      letters_.push_back(std::move(outline));
     }
-    const double* position = actor.GetPosition();
-    const auto place = [&](vtkIdType i) {
-      const double* at = outline->GetPoint(i);
-      return from_display({position[0] + at[0], position[1] + at[1]});
-    };
-    QPainterPath path;
-    path.setFillRule(Qt::WindingFill);
-    vtkIntArray& codes = *outline->GetCodes();
-    for (vtkIdType i = 0; i < codes.GetNumberOfTuples();) {
-      switch (codes.GetValue(i)) {
-        case vtkPath::MOVE_TO:
-          path.moveTo(place(i));
-          i += 1;
-          break;
-        case vtkPath::CONIC_CURVE:
-          path.quadTo(place(i), place(i + 1));
-          i += 2;
-          break;
-        case vtkPath::CUBIC_CURVE:
-          path.cubicTo(place(i), place(i + 1), place(i + 2));
-          i += 3;
-          break;
-        default:
-          path.lineTo(place(i));
-          i += 1;
-      }
-    }
-    add(path, colour_of(style.GetColor(), style.GetOpacity()));
   }
 
   /// Cut to the window: not all readers of SVG know clips, and reports paint without one.
@@ -284,6 +252,7 @@ class LayerReader {
   LinePieces pieces_;
   Projection view_;
   std::vector<Shape> shapes_;
+  std::vector<TextOutline> letters_;
 };
 
 }  // namespace
@@ -312,6 +281,9 @@ bool paint_vectors(QPainter& painter, vtkRenderWindow& window, double scale) {
     for (const Shape& shape : layer.shapes) {
       painter.setBrush(shape.colour);
       painter.drawPath(shape.path);
+    }
+    for (const TextOutline& text : layer.letters) {
+      paint_letters(painter, text);
     }
   }
   return true;

@@ -111,7 +111,8 @@ QByteArray path_element(const QPen& pen, const QPainterPath& path) {
 
 }  // namespace
 
-/// Text is left to QPaintEngine, which fills its outlines.
+/// Text is left to QPaintEngine, which fills its outlines; invisible text, which is there to be found and
+/// copied, is written as text.
 class SvgDevice::Engine : public QPaintEngine {
  public:
   explicit Engine(QByteArray head) : QPaintEngine(features), head_(std::move(head)) {}
@@ -154,6 +155,18 @@ class SvgDevice::Engine : public QPaintEngine {
   }
   void drawPixmap(const QRectF& target, const QPixmap& pixmap, const QRectF& source) override {
     drawImage(target, pixmap.toImage(), source, Qt::AutoColor);
+  }
+  void drawTextItem(const QPointF& place, const QTextItem& item) override {
+    if (painter()->pen().color().alpha() > 0) {
+      QPaintEngine::drawTextItem(place, item);
+      return;
+    }
+    const QFont font = item.font();
+    add(" fill=\"none\"",
+        "<text x=\"" + number(place.x()) + "\" y=\"" + number(place.y()) + "\" font-family=\"" +
+            font.family().toHtmlEscaped().toUtf8() + "\" font-size=\"" + number(font.pixelSize()) + "\">" +
+            item.text().toHtmlEscaped().toUtf8() + "</text>",
+        false);
   }
   void drawImage(const QRectF& target, const QImage& image, const QRectF& source,
                  Qt::ImageConversionFlags) override {

@@ -121,6 +121,18 @@ TEST(SceneVectorFiles, HoldNoBitmap) {
   EXPECT_LT(svg.size(), 1'000'000U);
 }
 
+TEST(SceneVectorFiles, HoldTheirTextsAsTextToo) {
+  ReportInput input = test::two_runs();
+  input.scene.colouring = Colouring::contour_error;
+  input.texts.programmed = "programmée";
+  const std::string svg = scene_file(input, request_of(PictureFormat::svg));
+  EXPECT_THAT(svg, testing::HasSubstr(">(µm)</text>"));
+  EXPECT_THAT(svg, testing::HasSubstr(">programmée</text>"));
+  input.scene.colouring = Colouring::feed;
+  const std::string other = scene_file(input, request_of(PictureFormat::svg));
+  EXPECT_THAT(other, testing::Not(testing::HasSubstr("(µm)</text>")));
+}
+
 TEST(SceneVectorFiles, NothingReachesOutOfThePicturesPlace) {
   // Close to the path, labels and lines of the box lie outside of the view.
   const ReportInput input = test::two_runs();
