@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/trace_files.h"
 #include "core/base/error.h"
 #include "ui/report/session_input.h"
 #include "ui/session/session_file.h"
@@ -68,7 +69,9 @@ ui::ReportInput simulate_session(const ui::Session& session, Watch& watch) {
   for (const ui::ReportRun& run : simulate_runs(session.reading, runs, source, watch).runs) {
     shown.push_back(run.shown);
   }
-  return ui::report_input(session, shown);
+  ui::ReportInput input = ui::report_input(session, shown);
+  add_traces(input, session.traces, watch);
+  return input;
 }
 
 }  // namespace feedscope

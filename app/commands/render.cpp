@@ -16,6 +16,7 @@
 #include "app/picture_size.h"
 #include "app/print.h"
 #include "app/session_runs.h"
+#include "app/trace_files.h"
 #include "core/base/error.h"
 #include "ui/language/language.h"
 #include "ui/report/pictures.h"
@@ -31,6 +32,7 @@ enum class View { scene, charts, window, sheet };
 
 struct RenderOptions {
   SeveralRunsOptions runs;
+  TraceFiles traces;
   std::string view = "3d";
   std::string size;  ///< as typed
   std::optional<double> dpi;
@@ -114,6 +116,9 @@ void check_runs(const RenderOptions& options, const std::vector<AskedRun>& runs)
     throw InputError(fmt::format(
         "--view window shows one run, not {}; give one machine, model and tolerance, or use --view sheet",
         runs.size()));
+  }
+  if (views.at(options.view) == View::window && !options.traces.files.empty()) {
+    throw InputError("--trace has no effect with --view window; use --view 3d, charts or sheet");
   }
   const bool coloured = views.at(options.view) == View::scene || views.at(options.view) == View::sheet;
   if (!options.colour.empty() && !coloured) {
@@ -206,6 +211,7 @@ QString command_of(const RenderOptions& options) {
   const auto add = [&](const char* name, const std::string& value) {
     text += value.empty() ? "" : fmt::format(" {} {}", name, in_quotes(value));
   };
+  text += command_text(options.traces);
   add("--size", options.size);
   add("--title", options.title);
   add("--camera", options.camera == "iso" ? "" : options.camera);
@@ -245,6 +251,9 @@ int render(const RenderOptions& options) {
   note_unused_tolerances(options, runs);
   check_outputs(options.runs.file, {options.out});
   check_outputs(options.runs.load, {options.out}, "the load file");
+  for (const std::string& trace : options.traces.files) {
+    check_outputs(trace, {options.out}, "a trace");
+  }
   if (session) {
     check_outputs(session->program.string(), {options.out});
   }
@@ -254,6 +263,7 @@ int render(const RenderOptions& options) {
     Watch watch;
     input = session ? simulate_session(*session, watch)
                     : simulate_runs(options.runs.reading(), runs, source, watch);
+    add_traces(input, options.traces, watch);
   }
   if (!session || !options.camera.empty()) {
     input.view = camera_of(options);
@@ -310,6 +320,7 @@ Command add_render_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "render", "Draw an NC program and its motion as a PNG, SVG or PDF picture; needs no display");
   add_several_runs_options(*command, options->runs);
+  add_trace_files(*command, options->traces);
   command->add_option("--view", options->view, "View to draw: 3d, charts, window, sheet")
       ->check(CLI::IsMember(views))
       ->type_name("VIEW")

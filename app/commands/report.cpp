@@ -17,6 +17,7 @@
 #include "app/picture_size.h"
 #include "app/print.h"
 #include "app/session_runs.h"
+#include "app/trace_files.h"
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
 #include "ui/report/report.h"
@@ -28,6 +29,7 @@ namespace {
 
 struct ReportOptions {
   SeveralRunsOptions runs;
+  TraceFiles traces;
   std::string out;
   std::string format;
   std::string page;  ///< template file
@@ -105,6 +107,7 @@ QStringList commands_of(const ReportOptions& options, const std::vector<AskedRun
   const auto add = [&](const char* name, const std::string& value) {
     whole += value.empty() ? "" : fmt::format(" {} {}", name, in_quotes(value));
   };
+  whole += command_text(options.traces);
   add("--title", options.title);
   add("--author", options.author);
   add("--date", options.date);
@@ -140,6 +143,9 @@ int report(const ReportOptions& options) {
       session ? std::vector<AskedRun>() : asked_runs(options.runs, dialect_of(options.runs, *source));
   check_outputs(options.runs.file, {options.out});
   check_outputs(options.runs.load, {options.out}, "the load file");
+  for (const std::string& trace : options.traces.files) {
+    check_outputs(trace, {options.out}, "a trace");
+  }
   if (session) {
     check_outputs(session->program.string(), {options.out});
   }
@@ -154,6 +160,7 @@ int report(const ReportOptions& options) {
     Watch watch;
     input = session ? simulate_session(*session, watch)
                     : simulate_runs(options.runs.reading(), runs, source, watch);
+    add_traces(input, options.traces, watch);
     input.title = QString::fromStdString(options.title);
     input.author = QString::fromStdString(options.author);
     input.date = date;
@@ -194,6 +201,7 @@ Command add_report_command(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("report", "Write a report of one or more runs of a program; needs no display");
   add_several_runs_options(*command, options->runs);
+  add_trace_files(*command, options->traces);
   command->add_option("--out", options->out, "The report to write; - for standard output")
       ->type_name("FILE.pdf|FILE.html|FILE.png")
       ->required();

@@ -66,7 +66,13 @@ void ChartsPage::set_runs(const ReportInput& input, std::size_t row) {
                         other.colour, other.name});
     }
   }
-  charts_->set_overlays(std::move(others));
+  std::vector<TraceOverlay> traces;
+  for (const ReportTrace& trace : input.traces) {
+    if (row == input.current) {
+      traces.push_back({trace.shown, trace.colour, trace.name});
+    }
+  }
+  charts_->set_overlays(std::move(others), std::move(traces));
   charts_->set_state(input.charts);
 }
 

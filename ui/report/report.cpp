@@ -14,6 +14,7 @@
 #include "ui/report/report_numbers.h"
 #include "ui/report/report_tables.h"
 #include "ui/report/report_time.h"
+#include "ui/report/report_traces.h"
 #include "ui/report/template_pictures.h"
 
 namespace feedscope::ui {
@@ -111,6 +112,7 @@ const std::vector<Block>& blocks() {
       {"contour_place_views", contour_place_views_block},
       {"circles", plain(circles_block)},
       {"circle_plots", circle_plots_block},
+      {"traces", plain(traces_block)},
       {"load", plain(load_block)},
       {"load_view", load_view_block},
       {"notes", plain(notes_block)},

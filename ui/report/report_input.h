@@ -16,6 +16,7 @@
 #include "ui/scene/scene_style.h"
 #include "ui/workbench/annotation.h"
 #include "ui/workbench/shown_run.h"
+#include "ui/workbench/trace_list.h"
 
 namespace feedscope::ui {
 
@@ -27,11 +28,19 @@ struct ReportRun {
   std::shared_ptr<const ContourReport> contour = nullptr;  ///< until with_contour_reports()
 };
 
+/// What a control recorded of the program.
+struct ReportTrace {
+  std::shared_ptr<const ShownTrace> shown;  ///< beside the current run
+  QString name;
+  QColor colour;
+};
+
 /// Everything that pictures, sheet and report are made of; a session or the options of the command line fill
 /// it. The same input gives the same bytes.
 struct ReportInput {
-  std::vector<ReportRun> runs;   ///< of one program, at least one
-  std::size_t current = 0;       ///< the one that 3D view, charts and worst places show
+  std::vector<ReportRun> runs;  ///< of one program, at least one
+  std::size_t current = 0;      ///< the one that 3D view, charts and worst places show
+  std::vector<ReportTrace> traces;
   SceneState scene;              ///< how the 3D view looks
   SceneTexts texts;              ///< that stand in it; at first English
   std::optional<double> cursor;  ///< where the stretch of `scene` ends that is drawn up to it [s]

@@ -33,6 +33,11 @@ std::vector<OverlayRun> overlays_of(const ReportInput& input, std::size_t row) {
       overlays.push_back({run.shown->samples, rgb_of(run.colour), run.name.toStdString()});
     }
   }
+  for (const ReportTrace& trace : input.traces) {
+    if (row == input.current) {
+      overlays.push_back({trace.shown->samples, rgb_of(trace.colour), trace.name.toStdString()});
+    }
+  }
   return overlays;
 }
 

@@ -13,6 +13,11 @@
 #include "core/trajectory/trajectory.h"
 #include "ui/scene/colourings.h"
 
+namespace feedscope {
+class ProgrammedCourse;
+struct TraceOnProgram;
+}  // namespace feedscope
+
 namespace feedscope::ui {
 
 /// What the path does between one point and the next.
@@ -115,6 +120,13 @@ SampledPath sample_executed(const Trajectory& trajectory, std::size_t max_points
 /// from the programmed path; it has no colours.
 SampledPath sample_actual(const ActualPath& actual, std::size_t max_points = default_max_points,
                           Progress* progress = nullptr);
+
+/// What a control recorded of the first pass through the program, where it fits; gaps where it does not.
+/// Axes that are not recorded are where the program has them. Its deviations are from the programmed path; it
+/// has no colours. `course`: of `toolpath`. Throws Cancelled.
+SampledPath sample_recorded(const TraceOnProgram& trace, const ProgrammedCourse& course,
+                            const Toolpath& toolpath, std::size_t max_points = default_max_points,
+                            Progress* progress = nullptr);
 
 /// The executed path of a run with what it does unlike a reference run of the same program. It has points
 /// where the reference changes its feed, too, unless both have so many that they are close enough.

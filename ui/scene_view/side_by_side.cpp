@@ -93,6 +93,8 @@ void SideBySide::follow_workbench() {
     connect(&runs, signal, this, show_runs);
   }
   connect(&runs, &RunList::item_changed, this, &SideBySide::show_run_name);
+  connect(&workbench_.traces(), &TraceList::list_changed, this, &SideBySide::show_overlays);
+  connect(&workbench_.traces(), &TraceList::changed, this, &SideBySide::show_overlays);
   connect(&workbench_, &Workbench::program_changed, this, &SideBySide::show_program);
   connect(&workbench_, &Workbench::run_changed, this, &SideBySide::show_current);
   connect(&workbench_.cursor(), &Cursor::changed, this, &SideBySide::show_cursor);
@@ -341,6 +343,13 @@ void SideBySide::show_overlays() {
     // In a split view the other run has its half.
     if (row != runs.current() && item.visible && result != nullptr && mode_ != ScenesMode::split) {
       overlays.push_back({result->samples, rgb(item.colour), runs.title(item).toStdString()});
+    }
+  }
+  const TraceList& traces = workbench_.traces();
+  for (std::size_t row = 0; row < traces.items().size(); ++row) {
+    const TraceItem& item = traces.items()[row];
+    if (const auto shown = traces.result(row); item.visible && shown != nullptr) {
+      overlays.push_back({shown->samples, rgb(item.colour), item.name.toStdString()});
     }
   }
   first_.scene().set_run_colour(rgb(runs.current_item().colour));

@@ -32,6 +32,7 @@ std::vector<ReportPart> report_parts() {
       {Parts::tr("Contour error, with close-ups"),
        {QStringLiteral("contour_histogram"), QStringLiteral("contour_places"),
         QStringLiteral("contour_place_views")}},
+      {Parts::tr("Agreement with the control"), {QStringLiteral("traces")}},
       {Parts::tr("Circular test"), {QStringLiteral("circles"), QStringLiteral("circle_plots")}},
       {Parts::tr("Cutting load"), {QStringLiteral("load"), QStringLiteral("load_view")}},
       {Parts::tr("Program"), {QStringLiteral("program_facts")}},

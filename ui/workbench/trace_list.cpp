@@ -14,9 +14,13 @@ namespace feedscope::ui {
 namespace {
 
 /// Colours of runs that these come to last.
-constexpr std::array<std::size_t, 4> trace_colours{5, 7, 6, 4};
+constexpr std::array<std::size_t, 4> colour_numbers{5, 7, 6, 4};
 
 }  // namespace
+
+QColor trace_colour(std::size_t number) {
+  return run_colour(colour_numbers[number % colour_numbers.size()]);
+}
 
 std::shared_ptr<const ShownTrace> lay_beside(std::shared_ptr<const Trace> trace,
                                              std::shared_ptr<const ShownRun> run, Progress* progress) {
@@ -29,6 +33,8 @@ std::shared_ptr<const ShownTrace> lay_beside(std::shared_ptr<const Trace> trace,
   shown->agreement = agreement_of(shown->found, course, simulated, progress);
   shown->motion = TraceMotion(shown->found.record, seen, shown->found.noise, trace->period, progress);
   shown->alignment = TraceAlignment(shown->found, shown->agreement);
+  shown->samples = std::make_shared<const SampledPath>(
+      sample_recorded(shown->found, course, *simulated.input.toolpath, default_max_points, progress));
   shown->trace = std::move(trace);
   shown->run = std::move(run);
   return shown;
@@ -184,7 +190,7 @@ QColor TraceList::free_colour() const {
   const auto used = [this](const QColor& colour) {
     return std::ranges::count(items_, colour, &TraceItem::colour);
   };
-  return run_colour(*std::ranges::min_element(trace_colours, {},
+  return run_colour(*std::ranges::min_element(colour_numbers, {},
                                               [&](std::size_t number) { return used(run_colour(number)); }));
 }
 

@@ -24,7 +24,11 @@ struct ShownTrace {
   Agreement agreement;
   TraceMotion motion;
   TraceAlignment alignment;
+  std::shared_ptr<const SampledPath> samples;  ///< of the first pass, as the 3D view draws it
 };
+
+/// Of the `number`th trace, from 0: unlike those of the first runs.
+QColor trace_colour(std::size_t number);
 
 /// Throws InputError if the trace is nowhere on the path of the run's program, and Cancelled.
 std::shared_ptr<const ShownTrace> lay_beside(std::shared_ptr<const Trace> trace,
