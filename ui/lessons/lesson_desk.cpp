@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "ui/lessons/lesson_tries.h"
 
 namespace feedscope::ui {
 
@@ -177,15 +178,72 @@ void LessonDesk::measure() {
     }
     return;
   }
-  const Measure watch = open_->lesson.questions[question_].watch;
-  measuring_.start([watch, shown, language = open_->lesson.language](
-                       JobControl&) { return measured_text(watch, shown->run, language); },
-                   [this](const JobOutcome<QString>& outcome) {
-                     if (outcome.result) {
-                       value_ = *outcome.result;
-                       emit value_changed();
-                     }
-                   });
+  measuring_.start(
+      [open = open_, number = question_, shown, program = program_](JobControl&) {
+        const Question& question = open->lesson.questions[number];
+        Measured result{measured_text(question.watch, shown->run, open->lesson.language), {}};
+        if (auto value = tried_value(open->lesson, question, program, shown->run)) {
+          result.tried = try_of(question, std::move(*value), shown->run);
+        }
+        return result;
+      },
+      [this, open = open_, where = place()](const JobOutcome<Measured>& outcome) {
+        if (!outcome.result) {
+          return;
+        }
+        value_ = outcome.result->text;
+        emit value_changed();
+        if (outcome.result->tried) {
+          keep_try(open->lesson.questions[where.second], *outcome.result->tried, work_[where]);
+          emit work_changed();
+        }
+      });
+}
+
+QuestionWork LessonDesk::work() const {
+  if (open_ == nullptr) {
+    return {};
+  }
+  const auto found = work_.find(place());
+  if (found == work_.end()) {
+    return {};
+  }
+  QuestionWork work = found->second;
+  if (!is_work_on(open_->lesson.questions[question_], work)) {
+    work.tries.clear();
+  }
+  return work;
+}
+
+void LessonDesk::set_answer(const QString& answer) {
+  if (open_ != nullptr && work().answer != answer) {
+    work_[place()].answer = answer;
+    emit work_changed();
+  }
+}
+
+LessonAnswers LessonDesk::answers() const {
+  LessonAnswers answers;
+  for (const auto& [where, done] : work_) {
+    if (!done.answer.trimmed().isEmpty()) {
+      answers[where] = done.answer;
+    }
+  }
+  return answers;
+}
+
+void LessonDesk::clear_tries() {
+  if (open_ != nullptr && !work().tries.empty()) {
+    work_[place()].tries.clear();
+    emit work_changed();
+  }
+}
+
+void LessonDesk::set_all_work(LessonWork work) {
+  if (work_ != work) {
+    work_ = std::move(work);
+    emit work_changed();
+  }
 }
 
 }  // namespace feedscope::ui

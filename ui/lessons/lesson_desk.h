@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/lessons/lesson_runs.h"
+#include "ui/lessons/lesson_work.h"
 #include "ui/shared/job.h"
 #include "ui/workbench/workbench.h"
 
@@ -52,6 +53,18 @@ class LessonDesk : public QObject {
   /// be undone.
   void move_control(const std::string& value);
 
+  /// What was done at the question that is shown: every value that its control was given in the current run,
+  /// and the answer. Nothing of it is lost when something else is shown.
+  QuestionWork work() const;
+  void set_answer(const QString& answer);
+  /// To all questions of all lessons.
+  LessonAnswers answers() const;
+  /// Forgets the values tried at the question that is shown.
+  void clear_tries();
+  /// The same of all lessons, as a session keeps it.
+  const LessonWork& all_work() const { return work_; }
+  void set_all_work(LessonWork work);
+
   /// What the question watches, in the language of the lesson.
   QString watched() const;
   /// What the current run measures of it, with its unit, written as the numbers of the lesson; "" while there
@@ -65,6 +78,8 @@ class LessonDesk : public QObject {
   void set_up_begins();
   void question_changed();
   void value_changed();
+  /// Values tried or answers at the question that is shown.
+  void work_changed();
   /// How the window is to show the lesson.
   void view_wanted(const feedscope::LessonWindow& view);
   void failed(const QString& message);
@@ -78,12 +93,17 @@ class LessonDesk : public QObject {
     Lesson lesson;
     WrittenNumbers numbers;
   };
+  struct Measured {
+    QString text;
+    std::optional<LessonTry> tried;
+  };
 
   static Catalogue read_catalogue(const std::string& language);
   static std::shared_ptr<const OpenLesson> read(const std::filesystem::path& file,
                                                 const std::string& language, Progress& progress);
   void take(const std::shared_ptr<const OpenLesson>& lesson);
   void measure();
+  std::pair<std::string, std::size_t> place() const { return {open_->lesson.id, question_}; }
   void follow_run();
   void report(const std::exception& error) { emit failed(QString::fromUtf8(error.what())); }
 
@@ -98,7 +118,8 @@ class LessonDesk : public QObject {
   bool set_up_pending_ = false;
   Job<Catalogue> listing_;
   Job<std::shared_ptr<const OpenLesson>> opening_;
-  Job<QString> measuring_;
+  LessonWork work_;
+  Job<Measured> measuring_;
 };
 
 }  // namespace feedscope::ui

@@ -2,27 +2,35 @@
 
 #include <QAbstractTextDocumentLayout>
 #include <QAction>
-#include <QComboBox>
+#include <QClipboard>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QLocale>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QSignalBlocker>
 #include <QSplitter>
+#include <QStackedWidget>
 #include <QTextBrowser>
 #include <QToolButton>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/markdown.h"
 #include "core/base/typed_number.h"
-#include "core/lessons/handout.h"
 #include "ui/fields/focus_outline.h"
-#include "ui/language/core_texts.h"
+#include "ui/fields/number_box.h"
 #include "ui/language/texts.h"
+#include "ui/lessons/lesson_tries.h"
+#include "ui/lessons/tries_table.h"
 #include "ui/shared/flow_layout.h"
 #include "ui/shared/panel_action.h"
+#include "ui/shared/row_copy.h"
 
 namespace feedscope::ui {
 
@@ -78,10 +86,22 @@ bool is_setting(const std::string& key) {
   return key != "program" && key != "machine" && key != "model";
 }
 
-/// A number with the decimal sign of the window, a choice in its language.
-QString value_text(const std::string& value) {
-  const auto number = typed_number(value).value;
-  return number ? QLocale().toString(*number, 'g', QLocale::FloatingPointShortest) : core_text(value);
+bool takes_numbers(const Control& control) {
+  return std::ranges::all_of(control.values,
+                             [](const std::string& value) { return typed_number(value).value.has_value(); });
+}
+
+/// As high as its lines, three at least.
+void fit_to_lines(QPlainTextEdit& field) {
+  static constexpr int fewest = 3;
+  const auto fit = [&field] {
+    const int lines = std::max(fewest, static_cast<int>(std::ceil(field.document()->size().height())));
+    const double margins = 2 * (field.frameWidth() + field.document()->documentMargin());
+    field.setFixedHeight(static_cast<int>(std::ceil(lines * field.fontMetrics().lineSpacing() + margins)));
+  };
+  QObject::connect(field.document()->documentLayout(), &QAbstractTextDocumentLayout::documentSizeChanged,
+                   &field, fit);
+  fit();
 }
 
 }  // namespace
@@ -89,49 +109,78 @@ QString value_text(const std::string& value) {
 LessonView::LessonView(LessonDesk& desk, QWidget* parent)
     : Panel({QStringLiteral("lesson"), tr("Lesson"), Qt::RightDockWidgetArea, false}, parent),
       desk_(desk),
-      lessons_(new QComboBox(this)),
+      pages_(new QStackedWidget(this)),
+      list_(make_browser(tr("Lessons"), this)),
       text_(make_browser(tr("Text of the lesson"), this)),
       number_(new QLabel(this)),
       question_(make_browser(tr("Question"), this)),
       control_(new QWidget(this)),
       key_(new QLabel(control_)),
       values_(new QWidget(control_)),
+      own_(new QWidget(values_)),
+      own_value_(new NumberBox(own_)),
       show_setting_(new QToolButton(control_)),
-      value_(new QLabel(this)) {
+      value_(new QLabel(this)),
+      tried_(new QWidget(this)),
+      tries_(new TriesTable(tried_)),
+      own_answer_(new QPlainTextEdit(this)),
+      expected_(make_browser(tr("Expected answer"), this)) {
   make_actions();
+  make_own_value();
   set_up_ = make_button(set_up_action_, this);
   return_ = make_button(return_action_, this);
   before_ = make_arrow(before_action_, Qt::LeftArrow, this);
   after_ = make_arrow(after_action_, Qt::RightArrow, this);
   hint_ = make_button(hint_action_, this);
   answer_ = make_button(answer_action_, this);
-  lessons_->setAccessibleName(tr("Lesson"));
-  lessons_->setToolTip(tr("Choose a lesson"));
-  lessons_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   value_->setTextFormat(Qt::RichText);
   value_->setWordWrap(true);
   key_->setWordWrap(true);
   fit_to_text(*question_);
+  fit_to_text(*expected_);
+  fit_to_lines(*own_answer_);
+  own_answer_->setAccessibleName(tr("Your own answer"));
+  own_answer_->setPlaceholderText(tr("Your own answer"));
+  own_answer_->setToolTip(tr("Your own answer, kept with the session"));
+  own_answer_->setTabChangesFocus(true);
   show_setting_->setText(tr("Show setting"));
   show_setting_->setToolTip(tr("Show the setting in the tables of axis limits and control settings"));
   lay_out();
   offer_return(false);
 
-  connect(lessons_, &QComboBox::activated, this, [this](int row) {
-    if (row > 0) {
-      desk_.open(desk_.entries()[static_cast<std::size_t>(row - 1)].file);
-    }
-  });
-  connect(text_, &QTextBrowser::anchorClicked, this,
+  connect(list_, &QTextBrowser::anchorClicked, this,
           [this](const QUrl& link) { desk_.open(desk_.entries()[link.path().toULongLong()].file); });
   connect(show_setting_, &QToolButton::clicked, this, [this] {
     emit setting_wanted(QString::fromStdString(desk_.lesson()->questions[desk_.question()].control.key));
   });
+  connect(own_answer_, &QPlainTextEdit::textChanged, this,
+          [this] { desk_.set_answer(own_answer_->toPlainText()); });
   connect(&desk_, &LessonDesk::listed, this, &LessonView::show_list);
   connect(&desk_, &LessonDesk::opened, this, &LessonView::show_lesson);
   connect(&desk_, &LessonDesk::question_changed, this, &LessonView::show_question);
   connect(&desk_, &LessonDesk::value_changed, this, &LessonView::show_value);
+  connect(&desk_, &LessonDesk::work_changed, this, &LessonView::show_work);
   show_list();
+}
+
+void LessonView::make_own_value() {
+  constexpr double largest = 1e9;
+  constexpr int decimals = 5;
+  own_value_->setRange(-largest, largest);
+  own_value_->setDecimals(decimals);
+  own_value_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  own_value_->setAccessibleName(tr("Another value"));
+  own_value_->setToolTip(tr("Type another value to try"));
+  auto* set = new QToolButton(own_);
+  set->setText(tr("Try"));
+  set->setToolTip(tr("Set this value in the current run"));
+  connect(set, &QToolButton::clicked, this, &LessonView::try_own_value);
+  connect(own_value_->findChild<QLineEdit*>(), &QLineEdit::returnPressed, this, &LessonView::try_own_value);
+  auto* layout = new QHBoxLayout(own_);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(2);
+  layout->addWidget(own_value_);
+  layout->addWidget(set);
 }
 
 void LessonView::make_actions() {
@@ -147,7 +196,20 @@ void LessonView::make_actions() {
   answer_action_ = make_action(this, tr("Show answer"), tr("Show or hide the answer to the question"));
   hint_action_->setCheckable(true);
   answer_action_->setCheckable(true);
-  actions_ = {set_up_action_, before_action_, after_action_, hint_action_, answer_action_, return_action_};
+  list_action_ = make_action(this, tr("All lessons"), tr("Show the list of lessons"));
+  copy_action_ = make_action(this, tr("Copy the values tried"),
+                             tr("Copy the values tried at this question, for a text or a spreadsheet"));
+  csv_action_ = make_action(this, tr("Copy the values tried as CSV"),
+                            tr("Copy the values tried at this question as CSV, with decimal points"));
+  clear_action_ = make_action(this, tr("Clear the values tried"),
+                              tr("Forget the values tried at this question; the answer stays"));
+  actions_ = {set_up_action_, before_action_, after_action_, hint_action_,  answer_action_,
+              list_action_,   copy_action_,   csv_action_,   clear_action_, return_action_};
+  connect(list_action_, &QAction::triggered, this, [this] { pages_->setCurrentWidget(list_); });
+  connect(copy_action_, &QAction::triggered, this,
+          [this] { QGuiApplication::clipboard()->setText(rows_text(*tries_->model())); });
+  connect(csv_action_, &QAction::triggered, this, &LessonView::copy_csv);
+  connect(clear_action_, &QAction::triggered, &desk_, &LessonDesk::clear_tries);
   connect(set_up_action_, &QAction::triggered, &desk_, &LessonDesk::set_up_window);
   connect(return_action_, &QAction::triggered, this, &LessonView::return_wanted);
   connect(before_action_, &QAction::triggered, this, [this] { desk_.choose_question(desk_.question() - 1); });
@@ -157,6 +219,35 @@ void LessonView::make_actions() {
 }
 
 void LessonView::lay_out() {
+  auto* halves = new QSplitter(Qt::Vertical, this);
+  halves->addWidget(make_upper());
+  halves->addWidget(make_lower());
+  halves->setStretchFactor(0, 1);
+  halves->setStretchFactor(1, 2);
+  halves->setChildrenCollapsible(false);
+  pages_->addWidget(list_);
+  pages_->addWidget(halves);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(6, 6, 6, 6);
+  layout->addWidget(pages_, 1);
+}
+
+QWidget* LessonView::make_upper() {
+  auto* upper = new QWidget(this);
+  auto* buttons = new FlowLayout;
+  buttons->setSpacing(4);
+  for (QPushButton* button : {set_up_, return_, make_button(list_action_, this)}) {
+    buttons->addWidget(button);
+  }
+  auto* layout = new QVBoxLayout(upper);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(4);
+  layout->addWidget(text_, 1);
+  layout->addLayout(buttons);
+  return upper;
+}
+
+QWidget* LessonView::make_lower() {
   auto* values = new FlowLayout(values_);
   values->setContentsMargins(0, 0, 0, 0);
   values->setSpacing(2);
@@ -171,44 +262,48 @@ void LessonView::lay_out() {
   steps->addWidget(number_, 1);
   steps->addWidget(before_);
   steps->addWidget(after_);
+  auto* copies = new FlowLayout;
+  copies->setSpacing(4);
+  for (const auto& [action, text] : {std::pair(copy_action_, tr("Copy")), std::pair(csv_action_, tr("CSV")),
+                                     std::pair(clear_action_, tr("Clear"))}) {
+    QPushButton* button = make_button(action, tried_);
+    button->setText(text);
+    button->setAccessibleName(action->text());
+    copies->addWidget(button);
+  }
+  auto* tried = new QVBoxLayout(tried_);
+  tried->setContentsMargins(0, 0, 0, 0);
+  tried->setSpacing(2);
+  tried->addWidget(tries_);
+  tried->addLayout(copies);
   auto* help = new FlowLayout;
   help->setSpacing(4);
   help->addWidget(hint_);
   help->addWidget(answer_);
 
-  auto* upper = new QWidget(this);
-  auto* above = new QVBoxLayout(upper);
-  above->setContentsMargins(0, 0, 0, 0);
-  above->addWidget(text_, 1);
-  above->addWidget(set_up_);
-  above->addWidget(return_);
   auto* content = new QWidget(this);
-  auto* below = new QVBoxLayout(content);
-  below->setContentsMargins(0, 0, 0, 0);
-  below->addLayout(steps);
-  below->addWidget(question_);
-  below->addWidget(control_);
-  below->addWidget(value_);
-  below->addLayout(help);
-  below->addStretch(1);
+  auto* layout = new QVBoxLayout(content);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addLayout(steps);
+  layout->addWidget(question_);
+  layout->addWidget(control_);
+  layout->addWidget(value_);
+  layout->addWidget(tried_);
+  layout->addWidget(own_answer_);
+  layout->addLayout(help);
+  layout->addWidget(expected_);
+  layout->addStretch(1);
   auto* lower = new QScrollArea(this);
   lower->setFrameShape(QFrame::NoFrame);
   lower->setWidgetResizable(true);
   lower->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   lower->setFocusPolicy(Qt::NoFocus);
   lower->setWidget(content);
-  auto* halves = new QSplitter(Qt::Vertical, this);
-  halves->addWidget(upper);
-  halves->addWidget(lower);
-  halves->setStretchFactor(0, 1);
-  halves->setStretchFactor(1, 1);
-  halves->setChildrenCollapsible(false);
+  return lower;
+}
 
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(6, 6, 6, 6);
-  layout->setSpacing(4);
-  layout->addWidget(lessons_);
-  layout->addWidget(halves, 1);
+bool LessonView::shows_list() const {
+  return pages_->currentWidget() == list_;
 }
 
 void LessonView::showEvent(QShowEvent* event) {
@@ -222,41 +317,26 @@ void LessonView::offer_return(bool there) {
 }
 
 void LessonView::show_list() {
-  lessons_->clear();
-  lessons_->addItem(desk_.entries().empty() ? tr("Loading lessons …") : tr("Choose a lesson"));
-  for (const LessonEntry& entry : desk_.entries()) {
-    lessons_->addItem(
-        tr("%1. %2 (%3 min)").arg(lessons_->count()).arg(entry.title, QLocale().toString(entry.minutes)));
-    lessons_->setItemData(lessons_->count() - 1, entry.learn, Qt::ToolTipRole);
-  }
-  show_lesson();
-}
-
-void LessonView::show_contents() {
-  QString contents;
+  QString contents = desk_.entries().empty() ? tr("Loading lessons …") : QString();
   for (std::size_t i = 0; i < desk_.entries().size(); ++i) {
-    contents += QStringLiteral("[**%1**](%2)\n\n%3\n\n")
-                    .arg(lessons_->itemText(static_cast<int>(i) + 1))
-                    .arg(i)
-                    .arg(desk_.entries()[i].learn);
+    const LessonEntry& entry = desk_.entries()[i];
+    const QString title =
+        tr("%1. %2 (%3 min)").arg(i + 1).arg(entry.title, QLocale().toString(entry.minutes));
+    contents += QStringLiteral("[**%1**](%2)\n\n%3\n\n").arg(title).arg(i).arg(entry.learn);
   }
-  text_->setHtml(as_html(contents));
+  list_->setHtml(as_html(contents));
+  show_lesson();
 }
 
 void LessonView::show_lesson() {
   const Lesson* lesson = desk_.lesson();
   set_up_action_->setEnabled(lesson != nullptr);
+  list_action_->setEnabled(lesson != nullptr);
+  pages_->setCurrentIndex(lesson != nullptr ? 1 : 0);
   if (lesson != nullptr) {
-    for (std::size_t i = 0; i < desk_.entries().size(); ++i) {
-      if (desk_.entries()[i].file == lesson->file) {
-        lessons_->setCurrentIndex(static_cast<int>(i) + 1);
-      }
-    }
     text_->setHtml(as_html(QStringLiteral("### %1\n\n*%2*\n\n%3")
                                .arg(QString::fromStdString(lesson->title),
                                     QString::fromStdString(lesson->learn), desk_.filled(lesson->text))));
-  } else {
-    show_contents();
   }
   show_question();
 }
@@ -277,12 +357,14 @@ void LessonView::show_question() {
   show_texts();
   show_control();
   show_value();
+  show_work();
 }
 
 void LessonView::show_texts() {
   const Lesson* lesson = desk_.lesson();
   if (lesson == nullptr) {
     question_->clear();
+    expected_->hide();
     return;
   }
   const Question& question = lesson->questions[desk_.question()];
@@ -290,10 +372,12 @@ void LessonView::show_texts() {
   if (hint_action_->isChecked()) {
     text += QStringLiteral("\n\n**%1** %2").arg(tr("Hint:"), desk_.filled(question.hint));
   }
-  if (answer_action_->isChecked()) {
-    text += QStringLiteral("\n\n**%1** %2").arg(tr("Answer:"), desk_.filled(question.answer));
-  }
   question_->setHtml(as_html(text));
+  expected_->setVisible(answer_action_->isChecked());
+  expected_->setHtml(
+      answer_action_->isChecked()
+          ? as_html(QStringLiteral("**%1** %2").arg(tr("Answer:"), desk_.filled(question.answer)))
+          : QString());
 }
 
 void LessonView::show_control() {
@@ -310,12 +394,45 @@ void LessonView::show_control() {
   show_setting_->setVisible(is_setting(control.key));
   for (const std::string& value : control.values) {
     auto* button = new QToolButton(values_);
-    button->setText(value_text(value));
+    button->setText(control_value_text(value));
     button->setMinimumWidth(3 * button->sizeHint().height());
     button->setToolTip(tr("Set %1 to this value in the current run").arg(key));
     connect(button, &QToolButton::clicked, this, [this, value] { desk_.move_control(value); });
     values_->layout()->addWidget(button);
   }
+  own_->setVisible(takes_numbers(control));
+  values_->layout()->removeWidget(own_);
+  values_->layout()->addWidget(own_);  // behind the buttons
+  if (takes_numbers(control)) {
+    own_value_->setValue(*typed_number(control.values.front()).value);
+  }
+}
+
+void LessonView::try_own_value() {
+  desk_.move_control(
+      QLocale::c().toString(own_value_->value(), 'g', QLocale::FloatingPointShortest).toStdString());
+}
+
+void LessonView::show_work() {
+  const Lesson* lesson = desk_.lesson();
+  const bool open = lesson != nullptr;
+  own_answer_->setVisible(open);
+  const QuestionWork work = desk_.work();
+  for (QAction* action : {copy_action_, csv_action_, clear_action_}) {
+    action->setEnabled(!work.tries.empty());
+  }
+  tried_->setVisible(!work.tries.empty());
+  if (open) {
+    tries_->show_work(lesson->questions[desk_.question()], desk_.watched(), work);
+  }
+  if (own_answer_->toPlainText() != work.answer) {
+    const QSignalBlocker quiet(own_answer_);
+    own_answer_->setPlainText(work.answer);
+  }
+}
+
+void LessonView::copy_csv() const {
+  QGuiApplication::clipboard()->setText(QString::fromStdString(tries_csv(desk_.work())));
 }
 
 QList<QToolButton*> LessonView::values() const {

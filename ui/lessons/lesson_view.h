@@ -4,17 +4,21 @@
 #include "ui/workbench/panel.h"
 
 class QAction;
-class QComboBox;
-class QHBoxLayout;
 class QLabel;
+class QPlainTextEdit;
 class QPushButton;
+class QStackedWidget;
 class QTextBrowser;
 class QToolButton;
 
 namespace feedscope::ui {
 
-/// A lesson beside the window that it is about: its text, its questions one by one with the control to move
-/// and what the current run measures, hint and answer when asked for.
+class NumberBox;
+class TriesTable;
+
+/// The list of lessons, or one of them beside the window that it is about: its text, its questions one by one
+/// with the control to move, what the current run measures, the values tried and an answer of one's own; hint
+/// and expected answer when asked for.
 class LessonView : public Panel {
   Q_OBJECT
 
@@ -23,17 +27,27 @@ class LessonView : public Panel {
   explicit LessonView(LessonDesk& desk, QWidget* parent = nullptr);
 
   LessonDesk& desk() { return desk_; }
-  QComboBox& lessons() { return *lessons_; }
+  /// All lessons as links to them.
+  QTextBrowser& list() { return *list_; }
+  /// Whether the list is shown, not the open lesson.
+  bool shows_list() const;
   QTextBrowser& text() { return *text_; }
   QTextBrowser& question() { return *question_; }
   QPushButton& set_up_button() { return *set_up_; }
   QPushButton& answer_button() { return *answer_; }
   /// Buttons with the values of the control, in their order.
   QList<QToolButton*> values() const;
+  /// A value of one's own for a control that takes numbers.
+  NumberBox& own_value() { return *own_value_; }
+  TriesTable& tries() { return *tries_; }
+  QPlainTextEdit& own_answer() { return *own_answer_; }
+  /// The answer of the lesson, while it is shown.
+  QTextBrowser& expected() { return *expected_; }
   QString measured() const;
   /// Whether there is something to bring back that a lesson has replaced in the window.
   void offer_return(bool there);
-  /// Set up the window, bring back what was in it, next and previous question, hint, answer.
+  /// Set up the window, previous and next question, hint, answer, list of lessons, tries as text and as CSV,
+  /// tries cleared, bring back what was in the window.
   QList<QAction*> panel_actions() const override { return actions_; }
 
  signals:
@@ -47,17 +61,23 @@ class LessonView : public Panel {
 
  private:
   void make_actions();
+  void make_own_value();
   void lay_out();
+  QWidget* make_upper();
+  QWidget* make_lower();
   void show_list();
-  void show_contents();
   void show_lesson();
   void show_question();
   void show_texts();
   void show_control();
   void show_value();
+  void show_work();
+  void try_own_value();
+  void copy_csv() const;
 
   LessonDesk& desk_;
-  QComboBox* lessons_;
+  QStackedWidget* pages_;
+  QTextBrowser* list_;
   QTextBrowser* text_;
   QPushButton* set_up_;
   QPushButton* return_;
@@ -68,10 +88,16 @@ class LessonView : public Panel {
   QWidget* control_;
   QLabel* key_;
   QWidget* values_;
+  QWidget* own_;
+  NumberBox* own_value_;
   QToolButton* show_setting_;
   QLabel* value_;
+  QWidget* tried_;
+  TriesTable* tries_;
+  QPlainTextEdit* own_answer_;
   QPushButton* hint_;
   QPushButton* answer_;
+  QTextBrowser* expected_;
   QList<QAction*> actions_;
   QAction* set_up_action_ = nullptr;
   QAction* return_action_ = nullptr;
@@ -79,6 +105,10 @@ class LessonView : public Panel {
   QAction* after_action_ = nullptr;
   QAction* hint_action_ = nullptr;
   QAction* answer_action_ = nullptr;
+  QAction* list_action_ = nullptr;
+  QAction* copy_action_ = nullptr;
+  QAction* csv_action_ = nullptr;
+  QAction* clear_action_ = nullptr;
 };
 
 }  // namespace feedscope::ui

@@ -9,6 +9,7 @@
 #include "core/program/program.h"
 #include "ui/charts/charts_state.h"
 #include "ui/circular/circular_state.h"
+#include "ui/lessons/lesson_work.h"
 #include "ui/scene/scene_state.h"
 #include "ui/scene_view/scenes_state.h"
 #include "ui/theme/theme.h"
@@ -33,6 +34,7 @@ struct Session {
   LoadSetup load;  ///< how the tools are engaged; may not fit the program
   std::vector<Annotation> annotations;
   std::vector<TraceItem> traces;         ///< absolute files; one that is not there is kept nevertheless
+  LessonWork lessons;                    ///< answers and values tried
   QByteArray layout;                     ///< of the docks, as QMainWindow::saveState; may be empty
   bool presentation = false;             ///< large type and few panels; `layout` is that without
   std::optional<ThemeKind> theme;        ///< none: as the one who opens it likes it

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
 #include "ui/scene_view/scene_json.h"
+#include "ui/session/lessons_json.h"
 #include "ui/session/reading_json.h"
 #include "ui/session/trace_json.h"
 #include "ui/shared/paths.h"
@@ -23,7 +24,8 @@ QColor colour_of(const QJsonValue& json) {
   return colour.isValid() ? QColor(colour.rgb()) : colour;
 }
 
-/// Notes the keys of `json` that are not in `known`, with the nearest one that is.
+}  // namespace
+
 void note_unknown(const QJsonObject& json, const std::vector<std::string>& known, const QString& place,
                   QStringList& notes) {
   for (const QString& key : json.keys()) {
@@ -39,6 +41,8 @@ void note_unknown(const QJsonObject& json, const std::vector<std::string>& known
                               : QStringLiteral(" (did you mean \"%1\"?)").arg(QString::fromStdString(near))));
   }
 }
+
+namespace {
 
 // ---- Runs
 
@@ -290,6 +294,7 @@ QJsonObject to_json(const Session& session, const std::filesystem::path& folder)
       {"load_file", to_json(session.load)},
       {"annotations", annotations},
       {"traces", traces},
+      {"lessons", to_json(session.lessons)},
       {"window", window}};
 }
 
@@ -299,7 +304,7 @@ ReadSession read_session(const QJsonObject& json, const std::filesystem::path& f
   ReadSession read;
   note_unknown(json,
                {"format", "version", "program", "reading", "runs", "current_run", "cursor_s", "view",
-                "compare", "charts", "circular", "load_file", "annotations", "traces", "window"},
+                "compare", "charts", "circular", "load_file", "annotations", "traces", "lessons", "window"},
                QStringLiteral("the session"), read.notes);
   Session& session = read.session;
   const QJsonObject program = json["program"].toObject();
@@ -343,6 +348,7 @@ ReadSession read_session(const QJsonObject& json, const std::filesystem::path& f
     note_unknown(trace.toObject(), trace_keys(), place, read.notes);
     session.traces.push_back(read_trace_item(trace.toObject(), place, folder));
   }
+  session.lessons = read_lessons(json["lessons"].toArray(), read.notes);
   read_window(json["window"].toObject(), session, read.notes);
   return read;
 }

@@ -2,6 +2,8 @@
 
 #include <QJsonObject>
 #include <QStringList>
+#include <string>
+#include <vector>
 
 #include "core/base/error.h"
 #include "ui/session/session.h"
@@ -16,6 +18,11 @@ inline constexpr int session_version = 1;
 inline InputError input_error(const QString& message) {
   return InputError(message.toStdString());
 }
+
+/// Notes the keys of `json` that are not in `known`, with the nearest one that is. `place`: of `json`, for
+/// people.
+void note_unknown(const QJsonObject& json, const std::vector<std::string>& known, const QString& place,
+                  QStringList& notes);
 
 /// Paths relative to `folder`, where the session file is.
 QJsonObject to_json(const Session& session, const std::filesystem::path& folder);

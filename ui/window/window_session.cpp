@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "ui/charts/charts_panel.h"
 #include "ui/circular/circular_view.h"
+#include "ui/lessons/lesson_view.h"
 #include "ui/load/load_view.h"
 #include "ui/program_text/program_panel.h"
 #include "ui/shared/paths.h"
@@ -79,6 +80,7 @@ Session WindowSession::view() const {
     session.circular = window_.part<CircularView>().state();
   }
   session.load = window_.part<LoadView>().setup();
+  session.lessons = desk().all_work();
   session.layout = window_.presentation().usual_layout();
   session.presentation = window_.presentation().on();
   session.theme = theme_of(QApplication::palette());
@@ -86,8 +88,13 @@ Session WindowSession::view() const {
   return session;
 }
 
+LessonDesk& WindowSession::desk() const {
+  return window_.part<LessonView>().desk();
+}
+
 void WindowSession::show(const Session& session) {
   drop_aside();
+  desk().set_all_work(session.lessons);
   show_contents(session);
   show_layout(session);
 }
@@ -103,7 +110,7 @@ void WindowSession::set_aside() {
   if (aside_ != nullptr || workbench_.program() == nullptr) {
     return;
   }
-  aside_ = std::make_shared<const Aside>(Aside{capture(), hand_over(), changed()});
+  aside_ = std::make_shared<const Aside>(Aside{capture(), hand_over(), contents_changed()});
   pending_.reset();
   file_.clear();  // so that the lesson is not saved over it
   on_disk_.clear();
@@ -155,6 +162,8 @@ void WindowSession::take_over(const Kept& kept) {
   emit aside_changed(aside_ != nullptr);
   show_layout(kept.view);
   window_.part<LoadView>().set_setup(kept.view.load);
+  desk().set_all_work(kept.view.lessons);
+  saved_answers_ = kept.answers;
   pending_ = kept.view;
   apply_to_run();
   emit file_changed();
@@ -200,6 +209,7 @@ void WindowSession::now_in(const std::filesystem::path& file, const QByteArray& 
   file_ = file;
   on_disk_ = on_disk;
   saved_ = essence();
+  saved_answers_ = desk().answers();
   emit file_changed();
 }
 
@@ -309,6 +319,10 @@ QByteArray WindowSession::essence() const {
 }
 
 bool WindowSession::changed() const {
+  return desk().answers() != saved_answers_ || contents_changed();
+}
+
+bool WindowSession::contents_changed() const {
   if (file_.empty() && !start_.isEmpty() && essence() == start_) {
     return false;
   }
@@ -319,6 +333,13 @@ bool WindowSession::changed() const {
   return essence() != saved_;
 }
 
+/// Answers and tries belong to whoever works on the lesson, not to what it has replaced.
+Session WindowSession::aside_with_work() const {
+  Session session = aside_->session;
+  session.lessons = desk().all_work();
+  return session;
+}
+
 bool WindowSession::save_aside() {
   const bool own_file = !aside_->kept.file.empty() && is_there(aside_->kept.file) &&
                         hash_of(aside_->kept.file) == aside_->kept.on_disk;
@@ -327,7 +348,7 @@ bool WindowSession::save_aside() {
     return false;
   }
   try {
-    write_session(aside_->session, file);
+    write_session(aside_with_work(), file);
   } catch (const InputError& error) {
     emit failed(message_of(error));
     return false;
@@ -352,7 +373,10 @@ bool WindowSession::may_go() {
   }
   const QMessageBox::StandardButton answer = QMessageBox::question(
       &window_, tr("Save the session?"),
-      tr("Runs and annotations of %1 have not been saved.").arg(to_qstring(workbench_.file().filename())),
+      workbench_.program() == nullptr
+          ? tr("Answers to lessons have not been saved.")
+          : tr("Runs, annotations or answers to lessons with %1 have not been saved.")
+                .arg(to_qstring(workbench_.file().filename())),
       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
   return answer == QMessageBox::Save ? save() : answer == QMessageBox::Discard;
 }
@@ -367,8 +391,8 @@ void WindowSession::keep() {
   if (workbench_.program() == nullptr) {
     return;
   }
-  const QByteArray bytes =
-      session_bytes(aside_ != nullptr && aside_->changed ? aside_->session : capture(), autosave_->folder());
+  const QByteArray bytes = session_bytes(aside_ != nullptr && aside_->changed ? aside_with_work() : capture(),
+                                         autosave_->folder());
   if (bytes == kept_) {
     return;
   }
@@ -406,6 +430,7 @@ void WindowSession::offer_left_behind() {
     file_.clear();  // it is to be saved under a name of the user's
     on_disk_.clear();
     saved_.clear();
+    saved_answers_.clear();
     restored_ = std::move(left);
     emit file_changed();
   }

@@ -12,6 +12,7 @@
 
 namespace feedscope::ui {
 
+class LessonDesk;
 class MainWindow;
 class Workbench;
 
@@ -39,7 +40,8 @@ class WindowSession : public QObject {
   /// Asks for a name if there is none yet, or if `as_new`; asks too if the file has changed since this window
   /// read or wrote it. False if nothing was written.
   bool save(bool as_new = false);
-  /// True if runs or annotations differ from what was saved, or from the program as it was opened.
+  /// True if runs, annotations or answers to lessons differ from what was saved, or from the program as it
+  /// was opened.
   bool changed() const;
   /// What the window holds now is how a lesson or a command line begins: nothing of the user's.
   void begin_here() { start_ = essence(); }
@@ -61,9 +63,10 @@ class WindowSession : public QObject {
     QByteArray saved;
     QByteArray start;
     QByteArray on_disk;
+    LessonAnswers answers;               ///< that are saved
     std::shared_ptr<const Aside> aside;  ///< null: nothing
   };
-  Kept hand_over() const { return {view(), file_, saved_, start_, on_disk_, aside_}; }
+  Kept hand_over() const { return {view(), file_, saved_, start_, on_disk_, saved_answers_, aside_}; }
   void take_over(const Kept& kept);
 
   /// From now on, and again after each `pause`. A folder that cannot be written is reported once.
@@ -86,7 +89,10 @@ class WindowSession : public QObject {
   void apply_to_run();
   void show_contents(const Session& session);
   void drop_aside();
+  Session aside_with_work() const;
+  bool contents_changed() const;
   bool save_aside();
+  LessonDesk& desk() const;
   void keep();
   void forget_restored();
   bool find_program(const std::filesystem::path& file, Session& session);
@@ -107,6 +113,7 @@ class WindowSession : public QObject {
   QByteArray on_disk_;              ///< hash of file_ when this window read or wrote it
   std::optional<Session> pending_;  ///< shown, but for what needs its simulated run
   QByteArray saved_;                ///< essence() then; empty: of the program as it was opened
+  LessonAnswers saved_answers_;
   std::shared_ptr<const Aside> aside_;
   QByteArray start_;  ///< what begin_here() found, as saved_
   mutable std::shared_ptr<const Program> hashed_;

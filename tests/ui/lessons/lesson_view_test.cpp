@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
-#include <QComboBox>
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
@@ -14,6 +17,8 @@
 
 #include "tests/ui/own_tip.h"
 #include "tests/ui/patience.h"
+#include "ui/fields/number_box.h"
+#include "ui/lessons/tries_table.h"
 
 namespace feedscope::ui {
 namespace {
@@ -30,13 +35,19 @@ class LessonViewTest : public testing::Test {
     EXPECT_TRUE(listed.wait(patience)) << "the list is read when the panel is shown";
   }
 
-  /// With the keyboard, as in any list.
-  void choose_lesson(int row) {
+  /// With the keyboard: Tab goes from link to link.
+  void choose_lesson(int number) {
     QSignalSpy opened(&desk, &LessonDesk::opened);
-    view.lessons().setFocus();
-    view.lessons().setCurrentIndex(row - 1);
-    QTest::keyClick(&view.lessons(), Qt::Key_Down);
+    view.activateWindow();
+    QAction& all = *view.panel_actions()[5];
+    all.trigger();
+    view.list().setFocus();
+    for (int i = 0; i < number; ++i) {
+      QTest::keyClick(&view.list(), Qt::Key_Tab);
+    }
+    QTest::keyClick(&view.list(), Qt::Key_Return);
     ASSERT_TRUE(opened.wait(patience));
+    ASSERT_EQ(desk.lesson()->file, desk.entries()[static_cast<std::size_t>(number - 1)].file);
   }
   static void click(QAbstractButton* button) { QTest::mouseClick(button, Qt::LeftButton); }
   void wait_for(const std::string& value) {
@@ -51,32 +62,128 @@ class LessonViewTest : public testing::Test {
   LessonView view{desk};
 };
 
-TEST_F(LessonViewTest, ListsLessonsAndShowsTheOneChosen) {
-  EXPECT_EQ(view.lessons().count(), static_cast<int>(shipped_lessons().size()) + 1);
-  EXPECT_EQ(view.lessons().itemText(4), "4. Why a small circle is slow (25 min)");
-  EXPECT_FALSE(view.set_up_button().isEnabled());
-  EXPECT_THAT(view.text().toPlainText().toStdString(), HasSubstr("Why a programmed feed is not reached"))
-      << "the contents, while no lesson is open";
+TEST_F(LessonViewTest, TheListTakesThePanelUntilALessonIsChosen) {
+  EXPECT_TRUE(view.shows_list());
+  EXPECT_GT(view.list().height(), view.height() * 9 / 10);
+  const std::string list = view.list().toPlainText().toStdString();
+  EXPECT_THAT(list, HasSubstr("4. Why a small circle is slow (25 min)"));
+  EXPECT_THAT(list, HasSubstr("Why a programmed feed is not reached"));
+  EXPECT_FALSE(view.set_up_button().isVisible());
   choose_lesson(4);
+  EXPECT_FALSE(view.shows_list());
   const std::string text = view.text().toPlainText().toStdString();
   EXPECT_THAT(text, HasSubstr("Why a small circle is slow"));
   EXPECT_THAT(text, HasSubstr("2.008 m/min"));
   EXPECT_THAT(text, Not(HasSubstr("**")));
   EXPECT_THAT(question(), HasSubstr("Which feed does each of them reach?"));
-  EXPECT_EQ(view.lessons().currentIndex(), 4);
+  view.panel_actions()[5]->trigger();
+  EXPECT_TRUE(view.shows_list()) << "and back";
 }
 
-TEST_F(LessonViewTest, TheContentsLeadToTheLessons) {
+TEST_F(LessonViewTest, TheListLeadsToTheLessons) {
   QSignalSpy opened(&desk, &LessonDesk::opened);
-  const QTextCursor title = view.text().document()->find("7. The look-ahead horizon");
+  const QTextCursor title = view.list().document()->find("7. The look-ahead horizon");
   ASSERT_FALSE(title.isNull());
-  view.text().setTextCursor(title);
-  view.text().ensureCursorVisible();
-  QTest::mouseClick(view.text().viewport(), Qt::LeftButton, {},
-                    view.text().cursorRect(title).center() - QPoint(8, 0));
+  view.list().setTextCursor(title);
+  view.list().ensureCursorVisible();
+  QTest::mouseClick(view.list().viewport(), Qt::LeftButton, {},
+                    view.list().cursorRect(title).center() - QPoint(8, 0));
   ASSERT_TRUE(opened.wait(patience));
   EXPECT_EQ(desk.lesson()->id, "07_look_ahead");
-  EXPECT_EQ(view.lessons().currentIndex(), 7);
+}
+
+/// Rows of the values tried, as they are copied: tabs between the cells.
+std::string copied_tries(LessonView& view) {
+  view.panel_actions()[6]->trigger();
+  return QGuiApplication::clipboard()->text().toStdString();
+}
+
+TEST_F(LessonViewTest, KeepsEachValueTriedWithWhatItChanges) {
+  choose_lesson(6);
+  EXPECT_FALSE(view.tries().isVisible());
+  click(&view.set_up_button());
+  wait_for("3000 mm/min");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view.tries().rowCount() == 1; }, patience))
+      << "what the lesson begins with";
+  click(view.values()[0]);
+  wait_for("6000 mm/min");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view.tries().rowCount() == 2; }, patience));
+  EXPECT_EQ(view.tries().item(1, 0)->text(), "0.001");
+  EXPECT_EQ(view.tries().item(1, 3)->text(), "6000");
+  EXPECT_EQ(view.tries().item(1, 4)->text(), "+100.0");
+  EXPECT_EQ(view.tries().item(0, 4)->text(), "") << "the first is what the others are compared with";
+  const std::string rows = copied_tries(view);
+  EXPECT_THAT(rows, HasSubstr("0.001\t"));
+  EXPECT_THAT(rows, HasSubstr("\t6000\t+100.0\n"));
+  click(view.values()[0]);
+  wait_for("6000 mm/min");
+  EXPECT_EQ(view.tries().rowCount(), 2) << "a value has one row";
+}
+
+TEST_F(LessonViewTest, TriesLastUntilTheyAreCleared) {
+  choose_lesson(6);
+  click(&view.set_up_button());
+  wait_for("3000 mm/min");
+  click(view.values()[0]);
+  wait_for("6000 mm/min");
+  const std::string rows = copied_tries(view);
+  view.panel_actions()[2]->trigger();
+  wait_for("6000 mm/min");
+  view.panel_actions()[1]->trigger();
+  wait_for("6000 mm/min");
+  EXPECT_EQ(copied_tries(view), rows) << "of another question and back";
+  choose_lesson(4);
+  choose_lesson(6);
+  EXPECT_EQ(copied_tries(view), rows) << "of another lesson and back";
+  model.runs().history().undo();
+  wait_for("3000 mm/min");
+  EXPECT_EQ(copied_tries(view), rows) << "undoing a setting";
+  view.panel_actions()[7]->trigger();
+  EXPECT_THAT(QGuiApplication::clipboard()->text().toStdString(),
+              testing::StartsWith("interpolation_period_s,cycle_time_s,change_percent,"));
+  view.panel_actions()[8]->trigger();
+  EXPECT_EQ(view.tries().rowCount(), 0);
+  EXPECT_FALSE(view.panel_actions()[8]->isEnabled());
+}
+
+TEST_F(LessonViewTest, AValueOfOnesOwnIsTriedAsTheSuggestedOnes) {
+  choose_lesson(6);
+  click(&view.set_up_button());
+  wait_for("3000 mm/min");
+  auto* field = view.own_value().findChild<QLineEdit*>();
+  field->selectAll();
+  QTest::keyClicks(field, "0.0015");
+  QTest::keyClick(field, Qt::Key_Return);
+  wait_for("4000 mm/min");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view.tries().rowCount() == 2; }, patience));
+  EXPECT_EQ(view.tries().item(1, 0)->text(), "0.0015");
+}
+
+/// A run with other changes than the question's is no try of it.
+TEST_F(LessonViewTest, OnlyTheQuestionsSettingIsTried) {
+  choose_lesson(6);
+  click(&view.set_up_button());
+  wait_for("3000 mm/min");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view.tries().rowCount() == 1; }, patience));
+  model.setup().set("compaction_mm", 0.01);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return model.busy(); }, patience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !model.busy(); }, patience));
+  QTest::qWait(100);
+  EXPECT_EQ(view.tries().rowCount(), 1);
+}
+
+TEST_F(LessonViewTest, AnAnswerOfOnesOwnStaysWithItsQuestion) {
+  choose_lesson(6);
+  view.own_answer().setFocus();
+  QTest::keyClicks(&view.own_answer(), "Twice the feed.");
+  view.panel_actions()[2]->trigger();
+  EXPECT_EQ(view.own_answer().toPlainText(), "");
+  QTest::keyClicks(&view.own_answer(), "No.");
+  choose_lesson(4);
+  EXPECT_EQ(view.own_answer().toPlainText(), "");
+  choose_lesson(6);
+  EXPECT_EQ(view.own_answer().toPlainText(), "Twice the feed.");
+  ASSERT_EQ(desk.answers().size(), 2U);
 }
 
 TEST_F(LessonViewTest, AnswersAQuestionByMovingTheControl) {
@@ -91,11 +198,16 @@ TEST_F(LessonViewTest, AnswersAQuestionByMovingTheControl) {
 
 TEST_F(LessonViewTest, ShowsHintAndAnswerOnDemand) {
   choose_lesson(6);
-  EXPECT_THAT(question(), Not(HasSubstr("Half the period gives twice the feed")));
+  EXPECT_FALSE(view.expected().isVisible());
+  EXPECT_EQ(view.expected().toPlainText(), "");
   click(&view.answer_button());
-  EXPECT_THAT(question(), HasSubstr("Half the period gives twice the feed, 6000 mm/min"));
+  EXPECT_TRUE(view.expected().isVisible());
+  EXPECT_THAT(view.expected().toPlainText().toStdString(),
+              HasSubstr("Half the period gives twice the feed, 6000 mm/min"));
+  EXPECT_GT(view.expected().mapTo(&view, QPoint()).y(), view.own_answer().mapTo(&view, QPoint()).y())
+      << "below one's own";
   click(&view.answer_button());
-  EXPECT_THAT(question(), Not(HasSubstr("Half the period gives twice the feed")));
+  EXPECT_EQ(view.expected().toPlainText(), "");
   QAction* hint = view.panel_actions()[3];
   hint->trigger();
   EXPECT_THAT(question(), HasSubstr("mind the units"));
@@ -126,7 +238,7 @@ TEST_F(LessonViewTest, SpeaksTheLanguageOfItsDesk) {
   QSignalSpy listed(&french, &LessonDesk::listed);
   other.show();
   ASSERT_TRUE(listed.wait(patience));
-  EXPECT_EQ(other.lessons().itemText(7), "7. L’horizon d’anticipation (15 min)");
+  EXPECT_THAT(other.list().toPlainText().toStdString(), HasSubstr("7. L’horizon d’anticipation (15 min)"));
   QSignalSpy opened(&french, &LessonDesk::opened);
   french.open(find_lesson("7"));
   ASSERT_TRUE(opened.wait(patience));

@@ -89,6 +89,7 @@ TEST_F(SessionFile, OfEveryVersionIsReadWhole) {
   // These came later.
   expected.load = {};
   expected.traces.clear();
+  expected.lessons = {};
   expected.charts.hidden_charts.clear();
   expected.scene.stretch = {};
   expected.presentation = false;

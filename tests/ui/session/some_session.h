@@ -62,6 +62,11 @@ inline Session some_session(const std::filesystem::path& program) {
   session.traces = {{0, program.parent_path() / "traces" / "first.csv", "time=1,x=2,y=3", "first part",
                      QColor(0, 0x9e, 0x73), false},
                     {0, program.parent_path() / "scope.xml", "", "scope.xml", QColor(1, 2, 3), true}};
+  session.lessons[{"04_small_circle", 2}] = {QStringLiteral("Les axes,\n\"eux-mêmes\""),
+                                             "curvilinear_jerk_m_s3",
+                                             "peak_feed_m_min_line_7",
+                                             {{"5", 3.25, 1.594}, {"20", 2.5, {}}}};
+  session.lessons[{"06_short_blocks", 0}] = {QStringLiteral("twice"), "", "", {}};
   session.layout = QByteArray("\x00\x01layout", 8);
   session.presentation = true;
   session.theme = ThemeKind::dark;

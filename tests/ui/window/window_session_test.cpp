@@ -416,6 +416,37 @@ TEST_F(WindowSessionTest, WhatALessonReplacesComesBackAnyNumberOfTimes) {
   }
 }
 
+/// They are the learner's, whatever is shown: coming back to one's own program loses nothing of them.
+TEST_F(WindowSessionTest, AnswersAndTriesOfALessonAreKeptWithTheSession) {
+  {
+    Window w;
+    open_saved(w);
+    LessonDesk& desk = w.window.part<LessonView>().desk();
+    w.window.open_lesson(find_lesson("4"));
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return w.model.file().filename() == "tapie_circle_2_5.nc" && !desk.work().tries.empty(); },
+        patience));
+    EXPECT_FALSE(w.window.session().changed()) << "trying is no work that one is asked for";
+    desk.set_answer("All the same.");
+    EXPECT_TRUE(w.window.session().changed());
+    w.window.part<LessonView>().panel_actions().last()->trigger();
+    w.wait();
+    EXPECT_EQ(desk.work().answer, "All the same.");
+    EXPECT_FALSE(desk.work().tries.empty());
+    EXPECT_TRUE(w.window.session().changed());
+    EXPECT_TRUE(w.window.session().save());
+    EXPECT_FALSE(w.window.session().changed());
+  }
+  Window again;
+  ASSERT_TRUE(again.window.session().open(file_));
+  again.wait();
+  const LessonWork& work = again.window.part<LessonView>().desk().all_work();
+  ASSERT_TRUE(work.contains({"04_small_circle", 0}));
+  EXPECT_EQ(work.at({"04_small_circle", 0}).answer, "All the same.");
+  EXPECT_EQ(work.at({"04_small_circle", 0}).tries.size(), 1U);
+  EXPECT_FALSE(again.window.session().changed());
+}
+
 TEST_F(WindowSessionTest, WhatALessonReplacedUnsavedIsAskedFor) {
   Window w;
   set_up(w);
