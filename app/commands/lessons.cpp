@@ -34,6 +34,7 @@ struct LessonsOptions {
   std::string out;
   std::string format;
   std::string language = lesson_languages().front();
+  std::string reader = handout_readers().front();
 };
 
 void list_lessons(const std::string& language) {
@@ -190,8 +191,8 @@ std::string format_of(const LessonsOptions& options) {
 }
 
 /// The hand-out in a format, with pictures where this Feedscope can draw.
-std::string handout([[maybe_unused]] const std::string& format, const Lesson& lesson, LessonRuns& runs,
-                    Progress* progress) {
+std::string handout([[maybe_unused]] const std::string& format, HandoutReader reader, const Lesson& lesson,
+                    LessonRuns& runs, Progress* progress) {
 #ifdef FEEDSCOPE_WITH_UI
   const ui::OffscreenApplication application;
   ui::SceneTexts texts;
@@ -200,10 +201,10 @@ std::string handout([[maybe_unused]] const std::string& format, const Lesson& le
     ui::speak(language);
     texts = ui::scene_texts();
   }
-  return ui::make_handout(lesson, runs, format == "pdf" ? ui::ReportFormat::pdf : ui::ReportFormat::html,
-                          texts, progress);
+  return ui::make_handout(lesson, runs, reader,
+                          format == "pdf" ? ui::ReportFormat::pdf : ui::ReportFormat::html, texts, progress);
 #else
-  return handout_html(lesson, runs.numbers(progress));
+  return handout_html(lesson, handout_contents(lesson, runs, reader, progress));
 #endif
 }
 
@@ -238,7 +239,7 @@ int run_lessons(const LessonsOptions& options) {
   }
   {
     Watch watch;
-    out->stream() << handout(format, lesson, runs, watch.stage("simulating"));
+    out->stream() << handout(format, handout_reader(options.reader), lesson, runs, watch.stage("simulating"));
   }
   out->commit();
   return exit_code::done;
@@ -262,6 +263,14 @@ Command add_lessons_command(CLI::App& app) {
       ->check(CLI::IsMember({"html", "pdf"}))
       ->needs(out)
       ->type_name("FORMAT");
+  command
+      ->add_option("--for", options->reader,
+                   fmt::format("Whom the hand-out is for: {}; learners get no answers, the teacher gets them "
+                               "with the numbers computed [{}]",
+                               fmt::join(handout_readers(), ", "), options->reader))
+      ->check(CLI::IsMember(handout_readers()))
+      ->needs(out)
+      ->type_name("READER");
   command
       ->add_option("--language", options->language,
                    fmt::format("Language of texts and numbers: {} [{}]",

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
+#include "core/base/error.h"
 #include "core/base/markdown.h"
 #include "core/lessons/lesson_language.h"
 
@@ -15,6 +18,7 @@ constexpr const char* style = R"(
 body { font-family: "DejaVu Sans", "Noto Sans", Arial, sans-serif; font-size: 14px; line-height: 145%; color: #111; max-width: 660px; margin: 0; }
 h1 { font-size: 25px; line-height: 120%; margin: 0 0 8px; }
 h2 { font-size: 17px; margin: 26px 0 8px; break-after: avoid; }
+h3 { font-size: 14px; margin: 10px 0 6px; break-after: avoid; }
 p, ul, ol { margin: 0 0 10px; }
 code { font-family: "DejaVu Sans Mono", monospace; font-size: 12px; }
 .learn { font-style: italic; }
@@ -27,6 +31,11 @@ table.question td { break-inside: avoid; }
 .hint { color: #555; font-size: 13px; }
 table.lines { border-collapse: collapse; width: 100%; }
 table.lines td { border-bottom: 1px solid #999; height: 30px; font-size: 17px; }
+table.blank { border-collapse: collapse; width: 100%; margin: 8px 0; }
+table.blank td, table.blank th { border: 1px solid #999; padding: 3px 6px; font-size: 12px; text-align: left; height: 22px; }
+table.claims { border-collapse: collapse; width: 100%; margin: 6px 0 12px; }
+table.claims td, table.claims th { border-bottom: 1px solid #ccc; padding: 3px 8px 3px 0; font-size: 12px; text-align: left; vertical-align: top; }
+.fails { color: #c62818; }
 h1.answers { break-before: page; page-break-before: always; }
 .answer { break-inside: avoid; }
 .figure { break-inside: avoid; margin-top: 6px; }
@@ -79,25 +88,60 @@ std::string setup_table(const Lesson& lesson) {
   return table + "</table>\n";
 }
 
-std::string question_html(const Question& question, std::size_t number, const WrittenNumbers& numbers,
-                          const std::string& language) {
+std::string figure_of(const HandoutContents& contents, std::size_t question) {
+  return question < contents.question_figures.size() ? contents.question_figures[question] : std::string();
+}
+
+std::string watched_text(const Question& question, const std::string& language) {
+  const std::string& unit = question.watch.spec->unit;
+  return title_of(question.watch, language) + (unit.empty() ? "" : fmt::format(" [{}]", unit));
+}
+
+/// What is asked, and what to do for it.
+std::string task_html(const Question& question, std::size_t number, const WrittenNumbers& numbers,
+                      const std::string& language) {
   const auto word = [&](const std::string& english) { return lesson_word(english, language); };
-  std::string html = fmt::format("<table class=\"question\" width=\"100%\"><tr><td>\n<h2>{} {}</h2>\n{}",
-                                 word("Question"), number, markdown_as_html(filled(question.text, numbers)));
+  std::string html = fmt::format("<h2>{} {}</h2>\n{}", word("Question"), number,
+                                 markdown_as_html(filled(question.text, numbers)));
   if (!question.with.empty()) {
     html += fmt::format("<p><b>{}</b> <code>{}</code></p>\n", word("First set"),
                         escaped(fmt::format("{}", fmt::join(question.with, ", "))));
   }
-  html +=
-      fmt::format("<p><b>{}</b> <code>{}</code><br><b>{}</b> {}{}</p>\n", word("Move"),
-                  escaped(control_text(question.control, language)), word("Watch"),
-                  escaped(title_of(question.watch, language)),
-                  question.watch.spec->unit.empty() ? "" : fmt::format(" [{}]", question.watch.spec->unit));
+  html += fmt::format("<p><b>{}</b> <code>{}</code><br><b>{}</b> {}</p>\n", word("Move"),
+                      escaped(control_text(question.control, language)), word("Watch"),
+                      escaped(watched_text(question, language)));
   if (!question.hint.empty()) {
     html += fmt::format(
         "<div class=\"hint\">{}</div>\n",
         markdown_as_html(fmt::format(fmt::runtime(word("*Hint:* {}")), filled(question.hint, numbers))));
   }
+  return html;
+}
+
+/// Room for the values that a learner tries.
+std::string blank_table(const Question& question, const std::string& language) {
+  const auto word = [&](const std::string& english) { return lesson_word(english, language); };
+  const bool of_time = question.watch.spec->key == "cycle_time_s" && question.watch.first_line == 0;
+  constexpr std::size_t least_rows = 3;
+  std::string html = "<table class=\"blank\" width=\"100%\" border=\"1\" cellspacing=\"0\"><tr>";
+  html += fmt::format("<th width=\"34%\">{} ({})</th><th width=\"33%\">{} [s]</th>", word("Values tried"),
+                      escaped(question.control.key), word("cycle time"));
+  html += of_time ? std::string()
+                  : fmt::format("<th width=\"33%\">{}</th>", escaped(watched_text(question, language)));
+  html += "</tr>\n";
+  const std::size_t rows =
+      question.control.range ? least_rows : std::max(least_rows, question.control.values.size());
+  for (std::size_t i = 0; i < rows; ++i) {
+    html += of_time ? "<tr><td>&nbsp;</td><td></td></tr>\n" : "<tr><td>&nbsp;</td><td></td><td></td></tr>\n";
+  }
+  return html + "</table>\n";
+}
+
+std::string learners_question(const Lesson& lesson, std::size_t index, const HandoutContents& contents) {
+  const Question& question = lesson.questions[index];
+  std::string html = "<table class=\"question\" width=\"100%\"><tr><td>\n";
+  html += task_html(question, index + 1, contents.numbers, lesson.language) + figure_of(contents, index) +
+          blank_table(question, lesson.language);
   constexpr int lines = 3;
   html += "<table class=\"lines\" width=\"100%\">\n";
   for (int i = 0; i < lines; ++i) {
@@ -106,10 +150,82 @@ std::string question_html(const Question& question, std::size_t number, const Wr
   return html + "</table>\n</td></tr></table>\n";
 }
 
+/// What the answer builds on, with what the simulation gives for it.
+std::string claims_table(const Lesson& lesson, std::size_t index, const HandoutContents& contents) {
+  const std::vector<Claim>& claims = lesson.questions[index].claims;
+  if (index >= contents.claims.size() || claims.empty()) {
+    return {};
+  }
+  const auto word = [&](const std::string& english) { return lesson_word(english, lesson.language); };
+  std::string html = fmt::format(
+      "<table class=\"claims\" width=\"100%\" cellspacing=\"0\"><tr><th width=\"50%\">{}</th>"
+      "<th width=\"28%\">{}</th><th width=\"22%\">{}</th></tr>\n",
+      word("What the answers build on"), word("Expected"), word("Computed"));
+  for (std::size_t i = 0; i < std::min(claims.size(), contents.claims[index].size()); ++i) {
+    const ClaimResult& result = contents.claims[index][i];
+    LessonQuantity quantity = claims[i].quantity;
+    quantity.decimals += 1;  // so that what is close to a bound can be told from it
+    std::string computed = value_text(quantity, result.value, lesson.language);
+    if (std::holds_alternative<Changes>(claims[i].bound)) {
+      computed += fmt::format(" ({})", value_text(quantity, result.bound, lesson.language));
+    }
+    html += fmt::format(
+        "<tr><td>{}</td><td>{}</td><td>{}{}</td></tr>\n",
+        escaped(quantity_text(claims[i].quantity, lesson.language)),
+        escaped(expectation_text(claims[i], lesson.language)), escaped(computed),
+        result.holds ? std::string() : fmt::format(" <b class=\"fails\">{}</b>", word("does not hold")));
+  }
+  return html + "</table>\n";
+}
+
+std::string answer_html(const Lesson& lesson, std::size_t index, const HandoutContents& contents,
+                        bool with_task) {
+  const Question& question = lesson.questions[index];
+  std::string html = "<div class=\"answer\">\n";
+  if (with_task) {
+    html += task_html(question, index + 1, contents.numbers, lesson.language) + figure_of(contents, index);
+    html += fmt::format("<h3>{}</h3>\n", lesson_word("Answer", lesson.language));
+  } else {
+    html += fmt::format("<h2>{} {}</h2>\n", lesson_word("Question", lesson.language), index + 1);
+  }
+  return html + markdown_as_html(filled(question.answer, contents.numbers)) +
+         claims_table(lesson, index, contents) + "</div>\n";
+}
+
 }  // namespace
 
-std::string handout_html(const Lesson& lesson, const WrittenNumbers& numbers, const std::string& figures) {
+const std::vector<std::string>& handout_readers() {
+  static const std::vector<std::string> names{"everybody", "learners", "teacher"};
+  return names;
+}
+
+HandoutReader handout_reader(const std::string& name) {
+  const auto found = std::ranges::find(handout_readers(), name);
+  if (found == handout_readers().end()) {
+    throw InputError(fmt::format("unknown reader '{}' of a hand-out; known: {}", name,
+                                 fmt::join(handout_readers(), ", ")));
+  }
+  return static_cast<HandoutReader>(found - handout_readers().begin());
+}
+
+HandoutContents handout_contents(const Lesson& lesson, LessonRuns& runs, HandoutReader reader,
+                                 Progress* progress) {
+  HandoutContents contents{reader, runs.numbers(progress), {}, {}, {}};
+  if (reader == HandoutReader::learners) {
+    return contents;
+  }
+  for (const Question& question : lesson.questions) {
+    std::vector<ClaimResult>& results = contents.claims.emplace_back();
+    for (const Claim& claim : question.claims) {
+      results.push_back(runs.check(claim, progress));
+    }
+  }
+  return contents;
+}
+
+std::string handout_html(const Lesson& lesson, const HandoutContents& contents) {
   const auto word = [&](const std::string& english) { return lesson_word(english, lesson.language); };
+  const bool of_teacher = contents.reader == HandoutReader::teacher;
   std::string html = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"{4}\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, "
@@ -117,14 +233,18 @@ std::string handout_html(const Lesson& lesson, const WrittenNumbers& numbers, co
       "</style>\n</head>\n<body>\n<h1>{0}</h1>\n<p class=\"learn\">{2} {3}</p>\n",
       escaped(lesson.title), style, escaped(lesson.learn),
       fmt::format(fmt::runtime(word("About {} minutes.")), lesson.minutes), lesson.language);
-  html += setup_table(lesson) + markdown_as_html(filled(lesson.text, numbers)) + figures;
-  for (std::size_t i = 0; i < lesson.questions.size(); ++i) {
-    html += question_html(lesson.questions[i], i + 1, numbers, lesson.language);
+  if (contents.reader != HandoutReader::everybody) {
+    html += fmt::format("<p><b>{}</b></p>\n", word(of_teacher ? "For the teacher" : "For learners"));
   }
-  html += fmt::format("<h1 class=\"answers\">{}</h1>\n", word("Answers"));
+  html += setup_table(lesson) + markdown_as_html(filled(lesson.text, contents.numbers)) + contents.figures;
   for (std::size_t i = 0; i < lesson.questions.size(); ++i) {
-    html += fmt::format("<div class=\"answer\">\n<h2>{} {}</h2>\n{}</div>\n", word("Question"), i + 1,
-                        markdown_as_html(filled(lesson.questions[i].answer, numbers)));
+    html += of_teacher ? answer_html(lesson, i, contents, true) : learners_question(lesson, i, contents);
+  }
+  if (contents.reader == HandoutReader::everybody) {
+    html += fmt::format("<h1 class=\"answers\">{}</h1>\n", word("Answers"));
+    for (std::size_t i = 0; i < lesson.questions.size(); ++i) {
+      html += answer_html(lesson, i, contents, false);
+    }
   }
   html += fmt::format("<h2>{}</h2>\n<ul>\n", word("Sources"));
   for (const std::string& source : lesson.sources) {

@@ -1,16 +1,38 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
+#include "core/base/progress.h"
 #include "core/lessons/lesson.h"
+#include "core/lessons/lesson_runs.h"
 #include "core/lessons/lesson_text.h"
 
 namespace feedscope {
 
-/// A lesson on paper: one HTML file with everything inside, laid out for A4; text and questions with room to
-/// write, the answers and sources on a page of their own at the end. `numbers` as LessonRuns::numbers().
-/// `figures`: HTML of pictures of what the lesson begins with; may be empty.
-std::string handout_html(const Lesson& lesson, const WrittenNumbers& numbers,
-                         const std::string& figures = {});
+/// Whom a hand-out is for: questions with room to write; answers with the numbers that they build on; both,
+/// the answers from a page of their own on.
+enum class HandoutReader : std::uint8_t { everybody, learners, teacher };
+/// "everybody", "learners", "teacher", in the order of HandoutReader.
+const std::vector<std::string>& handout_readers();
+/// Throws InputError for a name that is none of them.
+HandoutReader handout_reader(const std::string& name);
+
+/// What a lesson on paper holds beside its texts.
+struct HandoutContents {
+  HandoutReader reader = HandoutReader::everybody;
+  WrittenNumbers numbers;                        ///< as LessonRuns::numbers()
+  std::vector<std::vector<ClaimResult>> claims;  ///< of each question's claims; may be shorter
+  std::string figures;                           ///< HTML of pictures of what the lesson begins with
+  std::vector<std::string> question_figures;     ///< HTML of a picture of each question; may be shorter
+};
+
+/// Numbers, and for the teacher what the claims come to; no pictures. Throws as LessonRuns.
+HandoutContents handout_contents(const Lesson& lesson, LessonRuns& runs, HandoutReader reader,
+                                 Progress* progress = nullptr);
+
+/// A lesson on paper: one HTML file with everything inside, laid out for A4.
+std::string handout_html(const Lesson& lesson, const HandoutContents& contents);
 
 }  // namespace feedscope

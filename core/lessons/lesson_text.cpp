@@ -20,8 +20,14 @@ namespace {
                                nearest.empty() ? "" : fmt::format("; did you mean {{{}}}?", nearest)));
 }
 
-std::string changes_text(const Changes& changes) {
-  return changes.empty() ? "as the lesson begins" : fmt::format("with {}", fmt::join(changes, ", "));
+template <typename... Values>
+std::string in_words(const char* english, const std::string& language, const Values&... values) {
+  return fmt::format(fmt::runtime(lesson_word(english, language)), values...);
+}
+
+std::string changes_text(const Changes& changes, const std::string& language) {
+  return changes.empty() ? lesson_word("as the lesson begins", language)
+                         : in_words("with {}", language, fmt::format("{}", fmt::join(changes, ", ")));
 }
 
 /// Calls `found` for every number in `text` that is not part of a word, with what follows it.
@@ -153,35 +159,38 @@ std::string value_text(const LessonQuantity& quantity, double value, const std::
   return number_with_unit(fmt::format("{:.{}f}", value, quantity.decimals), unit_of(quantity), language);
 }
 
-std::string quantity_text(const LessonQuantity& quantity) {
-  const std::string text = fmt::format("{} {}", title_of(quantity.measure), changes_text(quantity.with));
+std::string quantity_text(const LessonQuantity& quantity, const std::string& language) {
+  const std::string text =
+      fmt::format("{} {}", title_of(quantity.measure, language), changes_text(quantity.with, language));
   if (!quantity.against) {
     return text;
   }
-  static const std::vector<std::string> relations{"over", "less", "in percent more than",
-                                                  "in percent less than"};
-  return fmt::format("{}, {} that {}", text, relations[static_cast<std::size_t>(quantity.relation)],
-                     changes_text(*quantity.against));
+  static const std::vector<const char*> relations{"{}, over that {}", "{}, less that {}",
+                                                  "{}, in percent more than that {}",
+                                                  "{}, in percent less than that {}"};
+  return in_words(relations[static_cast<std::size_t>(quantity.relation)], language, text,
+                  changes_text(*quantity.against, language));
 }
 
-std::string expectation_text(const Claim& claim) {
+std::string expectation_text(const Claim& claim, const std::string& language) {
   const auto with_unit = [&](double value) {
-    const std::string unit = unit_of(claim.quantity);
-    return unit.empty() ? fmt::format("{}", value) : fmt::format("{} {}", value, unit);
+    return number_with_unit(fmt::format("{}", value), unit_of(claim.quantity), language);
   };
   const auto* changes = std::get_if<Changes>(&claim.bound);
-  const std::string bound =
-      changes != nullptr ? changes_text(*changes) : with_unit(std::get<double>(claim.bound));
+  const std::string bound = changes != nullptr
+                                ? in_words("that {}", language, changes_text(*changes, language))
+                                : with_unit(std::get<double>(claim.bound));
   switch (claim.kind) {
     case Claim::Kind::less_than:
-      return "less than " + bound;
+      return in_words("less than {}", language, bound);
     case Claim::Kind::more_than:
-      return "more than " + bound;
+      return in_words("more than {}", language, bound);
     case Claim::Kind::about:
-      return fmt::format("about {}, within {}", changes != nullptr ? "that " + bound : bound,
-                         claim.within_percent ? fmt::format("{} %", claim.within) : with_unit(claim.within));
+      return in_words("about {}, within {}", language, bound,
+                      claim.within_percent ? number_with_unit(fmt::format("{}", claim.within), "%", language)
+                                           : with_unit(claim.within));
     case Claim::Kind::between:
-      return fmt::format("between {} and {}", bound, with_unit(claim.upper));
+      return in_words("between {} and {}", language, bound, with_unit(claim.upper));
   }
   return bound;
 }

@@ -18,10 +18,10 @@ std::string filled(const std::string& text, const WrittenNumbers& numbers);
 /// Throws as filled() for the numbers of `lesson`, measured or not.
 void check_numbers(const std::string& text, const Lesson& lesson);
 
-/// "less than with tolerance=0.1", "about 2.01 m/min, within 1 %".
-std::string expectation_text(const Claim& claim);
+/// "less than that with tolerance=0.1", "about 2.01 m/min, within 1 %".
+std::string expectation_text(const Claim& claim, const std::string& language = "en");
 /// "cycle time with tolerance=0.05 against that with tolerance=0.1"; "as it stands" for no changes.
-std::string quantity_text(const LessonQuantity& quantity);
+std::string quantity_text(const LessonQuantity& quantity, const std::string& language = "en");
 /// "s"; "%" or "" for a quantity that is put against another.
 std::string unit_of(const LessonQuantity& quantity);
 /// A value of a quantity with its unit: "1.267 s", "12 %", "1.59".

@@ -125,6 +125,16 @@ TEST_F(LessonsCommand, TheWindowOpensWithALesson) {
 }
 #endif
 
+TEST_F(LessonsCommand, AHandOutIsForItsReader) {
+  EXPECT_EQ(run("lessons 8 --for learners --out sheet.html").code, 0);
+  EXPECT_THAT(contents(folder_ / "sheet.html"), AllOf(HasSubstr("Question 1"), Not(HasSubstr("Answer"))));
+  EXPECT_EQ(run("lessons 8 --for teacher --out key.html").code, 0);
+  EXPECT_THAT(contents(folder_ / "key.html"), AllOf(HasSubstr("Answer"), HasSubstr("Computed")));
+  expect_wrong_use("lessons 8 --for pupils --out x.html",
+                   "--for: pupils not in {everybody,learners,teacher}");
+  expect_wrong_use("lessons 8 --for learners", "--for requires --out");
+}
+
 TEST_F(LessonsCommand, SaysWhatIsWrong) {
   expect_wrong_use("lessons nothing_like_it", "unknown lesson 'nothing_like_it': no id and no file");
   expect_wrong_use("lessons smal_circle", "did you mean '04_small_circle'?");

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "core/lessons/handout.h"
 #include "core/lessons/lesson_language.h"
 #include "ui/report/html_table.h"
 #include "ui/report/paged_pdf.h"
+#include "ui/report/question_figure.h"
 #include "ui/report/report_html.h"
 
 namespace feedscope::ui {
@@ -35,17 +35,11 @@ ReportInput input_of(const Lesson& lesson, LessonRuns& runs, Progress* progress)
   return input;
 }
 
-bool is_straight(const SampledPath& path) {
-  constexpr double min_share = 1e-3;
-  Vec3 size = path.bounds.empty() ? Vec3::Zero() : Vec3(path.bounds.max - path.bounds.min);
-  std::ranges::sort(size);
-  return !(size[1] > min_share * size[2]);
-}
-
 }  // namespace
 
-ReportPage handout_page(const Lesson& lesson, LessonRuns& runs, const SceneTexts& texts, Progress* progress) {
-  const WrittenNumbers numbers = runs.numbers(progress);
+ReportPage handout_page(const Lesson& lesson, LessonRuns& runs, HandoutReader reader, const SceneTexts& texts,
+                        Progress* progress) {
+  HandoutContents contents = handout_contents(lesson, runs, reader, progress);
   ReportInput input = input_of(lesson, runs, progress);
   input.texts = texts;
   ReportPage page{{}, ReportPictures(progress)};
@@ -61,14 +55,20 @@ ReportPage handout_page(const Lesson& lesson, LessonRuns& runs, const SceneTexts
   }
   figures += run_charts(input, input.current, page.pictures, charts_height,
                         caption("Feed with its limiting causes, acceleration and jerk of {}."));
-  page.html =
-      with_figure_numbers(QString::fromStdString(handout_html(lesson, numbers, figures.toStdString())));
+  contents.figures = figures.toStdString();
+  for (std::size_t i = 0; i < lesson.questions.size(); ++i) {
+    const QString name = QStringLiteral("question%1").arg(i + 1);
+    contents.question_figures.push_back(
+        question_figure(lesson, lesson.questions[i], input, runs, name, page.pictures, progress)
+            .toStdString());
+  }
+  page.html = with_figure_numbers(QString::fromStdString(handout_html(lesson, contents)));
   return page;
 }
 
-std::string make_handout(const Lesson& lesson, LessonRuns& runs, ReportFormat format, const SceneTexts& texts,
-                         Progress* progress) {
-  const ReportPage page = handout_page(lesson, runs, texts, progress);
+std::string make_handout(const Lesson& lesson, LessonRuns& runs, HandoutReader reader, ReportFormat format,
+                         const SceneTexts& texts, Progress* progress) {
+  const ReportPage page = handout_page(lesson, runs, reader, texts, progress);
   return format == ReportFormat::pdf
              ? paged_pdf(page.html, page.pictures,
                          {QString::fromStdString(lesson.title),

@@ -11,11 +11,9 @@
 #include "core/base/data_folder.h"
 #include "ui/charts/charts_panel.h"
 #include "ui/language/language.h"
-#include "ui/lessons/lesson_view.h"
 #include "ui/program_text/reading_dialog.h"
 #include "ui/shared/panel_action.h"
 #include "ui/shared/paths.h"
-#include "ui/window/handout_command.h"
 #include "ui/window/main_window.h"
 #include "ui/window/picture_commands.h"
 #include "ui/window/picture_dialog.h"
@@ -95,11 +93,6 @@ void FileMenu::add_paper() {
   const auto follow = [this, report] { report->setEnabled(workbench_.program() != nullptr); };
   connect(&workbench_, &Workbench::program_changed, report, follow);
   follow();
-  auto* handout =
-      new HandoutCommand(window_.part<LessonView>().desk(), QCoreApplication::applicationFilePath(), window_);
-  addAction(handout->action());
-  connect(handout, &HandoutCommand::done, this, &FileMenu::done);
-  connect(handout, &HandoutCommand::failed, this, &FileMenu::failed);
   auto* pictures = new PictureCommands(window_);
   for (QAction* action : pictures->save_actions() + pictures->copy_actions()) {
     set_everyday_words(action, tr("export image screenshot print"));

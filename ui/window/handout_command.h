@@ -1,8 +1,10 @@
 #pragma once
 
+#include <QList>
+#include <QStringList>
 #include <QWidget>
-#include <filesystem>
 
+#include "core/lessons/handout.h"
 #include "ui/lessons/lesson_desk.h"
 #include "ui/report/command_process.h"
 
@@ -10,9 +12,8 @@ class QAction;
 
 namespace feedscope::ui {
 
-/// The hand-out of the open lesson as a file to print, with pictures, made by `feedscope lessons` in a
-/// process of its own: the window goes on, and the pages are those of the command line, in the language of
-/// the lesson.
+/// Hand-outs of the open lesson as files to print, with pictures, made by `feedscope lessons` in a process of
+/// its own: the window goes on, and the pages are those of the command line, in the language of the lesson.
 class HandoutCommand : public QObject {
   Q_OBJECT
 
@@ -20,22 +21,25 @@ class HandoutCommand : public QObject {
   /// `desk` outlives this. `executable`: the program with the command `lessons`.
   HandoutCommand(const LessonDesk& desk, QString executable, QWidget& window);
 
-  /// Asks for the file; enabled while a lesson is open.
-  QAction* action() const { return action_; }
+  /// For learners, for the teacher, for everybody; each asks for the file. Enabled while a lesson is open.
+  QList<QAction*> actions() const { return actions_; }
   /// PDF or HTML by the ending of `file`. done() or failed() follows. One at a time: another one ends the one
   /// under way.
-  void write(const QString& file);
+  void write(HandoutReader reader, const QString& file);
+  /// Arguments of `feedscope lessons` for a hand-out of the open lesson, without where it goes.
+  static QStringList arguments(const Lesson& lesson, HandoutReader reader);
 
  signals:
   void done(const QString& message);
   void failed(const QString& message);
 
  private:
-  void ask();
+  void add(HandoutReader reader, const QString& text, const QString& tip);
+  void ask(HandoutReader reader);
 
   const LessonDesk& desk_;
   QWidget& window_;
-  QAction* action_;
+  QList<QAction*> actions_;
   CommandProcess process_;
   QString file_;
 };

@@ -38,8 +38,6 @@ HelpMenu::HelpMenu(Panel& lessons, QMainWindow& window)
           &QAction::triggered, this, &HelpMenu::start_page_wanted);
   connect(add(tr("&Lessons"), {}, tr("Lessons for courses, with questions on the simulation")),
           &QAction::triggered, &lessons, &Panel::attention_wanted);
-  QMenu* lesson = addMenu(tr("L&esson"));
-  lesson->addActions(lessons.panel_actions());
   addSeparator();
   connect(add(tr("&Find a command …"), QKeySequence(tr("Ctrl+K")),
               tr("Find a command by typing part of its name")),

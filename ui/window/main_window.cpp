@@ -1,6 +1,7 @@
 #include "ui/window/main_window.h"
 
 #include <QCloseEvent>
+#include <QCoreApplication>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QMenuBar>
@@ -37,6 +38,7 @@
 #include "ui/why/why_view.h"
 #include "ui/window/dock_sizes.h"
 #include "ui/window/file_menu.h"
+#include "ui/window/handout_command.h"
 #include "ui/window/help_menu.h"
 #include "ui/window/machine_opening.h"
 #include "ui/window/presentation.h"
@@ -216,6 +218,11 @@ void MainWindow::make_menus() {
     restoreState(first_layout_);
     dock_sizes_->follow_first_layout();
   });
+  QMenu* lessons = menuBar()->addMenu(tr("&Lessons"));
+  lessons->addActions(lessons_->panel_actions());
+  lessons->addSeparator();
+  handouts_ = new HandoutCommand(desk_, QCoreApplication::applicationFilePath(), *this);
+  lessons->addActions(handouts_->actions());
   auto* help = new HelpMenu(*lessons_, *this);
   menuBar()->addMenu(help);
   connect(start_page_, &StartPage::handbook_wanted, help, &HelpMenu::show_first_steps);
@@ -244,6 +251,8 @@ void MainWindow::make_status() {
   connect(charts_, &ChartsPanel::exported, this, say);
   connect(file_menu_, &FileMenu::done, this, say);
   connect(file_menu_, &FileMenu::failed, this, &MainWindow::show_failure);
+  connect(handouts_, &HandoutCommand::done, this, say);
+  connect(handouts_, &HandoutCommand::failed, this, &MainWindow::show_failure);
   connect(&workbench_, &Workbench::noticed, this, [this](const QString& message) {
     constexpr int shown_for = 8000;  // [ms]
     statusBar()->showMessage(message, shown_for);

@@ -21,6 +21,7 @@ class ContourView;
 class DiagnosticsView;
 class DockSizes;
 class FileMenu;
+class HandoutCommand;
 class HelpMenu;
 class LessonView;
 class MachineOpening;
@@ -136,6 +137,7 @@ class MainWindow : public QMainWindow {
   WindowSession* session_;
   MachineOpening* machines_;
   StartPage* start_page_;
+  HandoutCommand* handouts_ = nullptr;
   FileMenu* file_menu_ = nullptr;
   DockSizes* dock_sizes_ = nullptr;
   Presentation* presentation_ = nullptr;

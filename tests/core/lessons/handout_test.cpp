@@ -1,5 +1,6 @@
 #include "core/lessons/handout.h"
 
+#include "core/base/error.h"
 #include "core/base/markdown.h"
 #include "core/lessons/lesson_runs.h"
 #include "tests/core/lessons/lesson_folder.h"
@@ -22,7 +23,11 @@ TEST_F(Handout, MarkdownBecomesHtml) {
 TEST_F(Handout, HoldsTheLessonAndItsAnswersAtTheEnd) {
   const Lesson lesson = read_lesson(changed("title = \"Test\"", "title = \"A < B & C\""));
   const std::string html =
-      handout_html(lesson, {{"time", "1.23 s"}, {"less", "12 %"}, {"feed", "3000 mm/min"}});
+      handout_html(lesson, {HandoutReader::everybody,
+                            {{"time", "1.23 s"}, {"less", "12 %"}, {"feed", "3000 mm/min"}},
+                            {},
+                            {},
+                            {}});
   EXPECT_THAT(html, AllOf(HasSubstr("<h1>A &lt; B &amp; C</h1>"),
                           HasSubstr("It takes 1.23 s at 3000 mm/min."), HasSubstr("How long?"),
                           HasSubstr("tolerance: 0.05, 0.1"), HasSubstr("time limited by axis jerk [s]"),
@@ -34,6 +39,41 @@ TEST_F(Handout, HoldsTheLessonAndItsAnswersAtTheEnd) {
   ASSERT_NE(answers, std::string::npos);
   EXPECT_GT(html.find("12 % less."), answers);
   EXPECT_LT(html.find("How long?"), answers);
+}
+
+TEST_F(Handout, LearnersGetTheQuestionsWithRoomToWriteAndNoAnswers) {
+  const Lesson lesson = read_lesson(find_lesson("4"));
+  LessonRuns runs(lesson);
+  const HandoutContents contents = handout_contents(lesson, runs, HandoutReader::learners);
+  EXPECT_TRUE(contents.claims.empty());
+  const std::string html = handout_html(lesson, contents);
+  EXPECT_THAT(html, AllOf(HasSubstr("Which feed does each of them reach?"), HasSubstr("class=\"lines\""),
+                          HasSubstr("Values tried (curvilinear_jerk_m_s3)"), HasSubstr("tables 1 to 3")));
+  EXPECT_THAT(html, AllOf(Not(HasSubstr("All four reach")), Not(HasSubstr("Answer"))));
+}
+
+TEST_F(Handout, TheTeacherGetsAnswersAndWhatTheyBuildOn) {
+  const Lesson lesson = read_lesson(find_lesson("4"), "fr");
+  LessonRuns runs(lesson);
+  const std::string html = handout_html(lesson, handout_contents(lesson, runs, HandoutReader::teacher));
+  EXPECT_THAT(html, AllOf(HasSubstr("Les quatre atteignent 2,008\u00a0m/min"), HasSubstr("Calculé"),
+                          HasSubstr("environ 2,01\u00a0m/min, à 0,5\u00a0% près"),
+                          HasSubstr(">2,008\u00a0m/min</td>"), HasSubstr("divisé par la valeur avec")));
+  EXPECT_THAT(html, AllOf(Not(HasSubstr("class=\"lines\"")), Not(HasSubstr("non vérifié"))));
+}
+
+TEST_F(Handout, SaysWhatNoLongerHolds) {
+  const Lesson lesson = read_lesson(find_lesson("4"));
+  LessonRuns runs(lesson);
+  HandoutContents contents = handout_contents(lesson, runs, HandoutReader::teacher);
+  contents.claims[0][0].holds = false;
+  EXPECT_THAT(handout_html(lesson, contents), HasSubstr("does not hold"));
+}
+
+TEST_F(Handout, ReadersHaveNames) {
+  EXPECT_EQ(handout_reader("teacher"), HandoutReader::teacher);
+  EXPECT_EQ(handout_reader("everybody"), HandoutReader::everybody);
+  EXPECT_THROW(handout_reader("pupils"), InputError);
 }
 
 }  // namespace

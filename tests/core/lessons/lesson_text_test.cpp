@@ -18,7 +18,7 @@ TEST_F(LessonText, ClaimsAreSaidInWords) {
   const Lesson lesson = read_lesson(write(good_lesson));
   const auto& claims = lesson.questions[0].claims;
   EXPECT_EQ(quantity_text(claims[0].quantity), "cycle time with tolerance=0.2");
-  EXPECT_EQ(expectation_text(claims[0]), "less than with tolerance=0.1");
+  EXPECT_EQ(expectation_text(claims[0]), "less than that with tolerance=0.1");
   EXPECT_EQ(quantity_text(claims[1].quantity), "largest feed, line 4 as the lesson begins");
   EXPECT_EQ(expectation_text(claims[1]), "about 3000 mm/min, within 1 %");
   EXPECT_EQ(expectation_text(claims[2]), "between 0.1 m/min and 1 m/min");

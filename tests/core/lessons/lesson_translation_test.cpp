@@ -137,7 +137,8 @@ TEST_F(LessonTranslation, NumbersThatNothingChecksAreFoundInIt) {
 
 TEST_F(LessonTranslation, TheHandOutHasItsHeadingsInTheLanguage) {
   const Lesson lesson = read_lesson(french(), "fr");
-  const std::string html = handout_html(lesson, LessonRuns(lesson).numbers());
+  LessonRuns runs(lesson);
+  const std::string html = handout_html(lesson, handout_contents(lesson, runs, HandoutReader::everybody));
   EXPECT_THAT(html, AllOf(HasSubstr("<html lang=\"fr\">"), HasSubstr("<h1>Essai</h1>"),
                           HasSubstr("Environ 10 minutes."), HasSubstr(">Réponses</h1>"),
                           HasSubstr("temps limité par\u00a0: jerk d’un axe [s]"),

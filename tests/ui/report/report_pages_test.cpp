@@ -55,18 +55,36 @@ TEST_P(HandoutPages, AreWellFilledAndKeepTogetherWhatBelongsTogether) {
   for (const std::string& language : lesson_languages()) {
     const Lesson lesson = read_lesson(GetParam(), language);
     LessonRuns runs(lesson);
-    const ReportPage page = handout_page(lesson, runs);
-    EXPECT_FALSE(page.pictures.all().empty());
-    check(page);
+    for (const HandoutReader reader :
+         {HandoutReader::everybody, HandoutReader::learners, HandoutReader::teacher}) {
+      SCOPED_TRACE(handout_readers()[static_cast<std::size_t>(reader)]);
+      const ReportPage page = handout_page(lesson, runs, reader);
+      EXPECT_FALSE(page.pictures.all().empty());
+      check(page);
+    }
   }
 }
 
 TEST(Handout, ItsFiguresAreExplainedInTheLanguageOfTheLesson) {
   const Lesson lesson = read_lesson(find_lesson("1"), "fr");
   LessonRuns runs(lesson);
-  const QString html = handout_page(lesson, runs).html;
+  const QString html = handout_page(lesson, runs, HandoutReader::everybody).html;
   EXPECT_TRUE(html.contains("Figure 1. Trajectoires programmée et exécutée"));
   EXPECT_TRUE(html.contains("Figure 2. Avance et ses causes de limitation"));
+}
+
+TEST(Handout, MostQuestionsHaveAPictureOfTheirOwn) {
+  std::size_t questions = 0;
+  qsizetype pictures = 0;
+  for (const std::filesystem::path& file : shipped_lessons()) {
+    const Lesson lesson = read_lesson(file);
+    LessonRuns runs(lesson);
+    const QString html = handout_page(lesson, runs, HandoutReader::learners).html;
+    questions += lesson.questions.size();
+    pictures += html.count(QStringLiteral("src=\"picture:question"));
+  }
+  EXPECT_GT(static_cast<double>(pictures), 0.5 * static_cast<double>(questions))
+      << pictures << " of " << questions;
 }
 
 INSTANTIATE_TEST_SUITE_P(OfEveryLesson, HandoutPages, testing::ValuesIn(shipped_lessons()),

@@ -37,30 +37,46 @@ class HandoutCommandTest : public testing::Test {
 };
 
 TEST_F(HandoutCommandTest, NeedsALesson) {
-  EXPECT_FALSE(command.action()->isEnabled());
+  ASSERT_EQ(command.actions().size(), 3);
+  for (const QAction* action : command.actions()) {
+    EXPECT_FALSE(action->isEnabled());
+  }
   open(desk);
-  EXPECT_TRUE(command.action()->isEnabled());
+  for (const QAction* action : command.actions()) {
+    EXPECT_TRUE(action->isEnabled());
+  }
 }
 
 TEST_F(HandoutCommandTest, WritesPagesWithPicturesInTheLanguageOfTheLesson) {
   open(desk);
   QSignalSpy done(&command, &HandoutCommand::done);
-  command.write(folder.filePath("lecon.html"));
+  command.write(HandoutReader::everybody, folder.filePath("lecon.html"));
   ASSERT_TRUE(done.wait(patience));
   EXPECT_THAT(done[0][0].toString().toStdString(), HasSubstr("lecon.html"));
   const std::string page = contents("lecon.html");
   EXPECT_THAT(page, HasSubstr("lang=\"fr\""));
   EXPECT_THAT(page, HasSubstr("<img"));
   EXPECT_THAT(page, HasSubstr("1,241"));
-  command.write(folder.filePath("lecon.pdf"));
+  command.write(HandoutReader::everybody, folder.filePath("lecon.pdf"));
   ASSERT_TRUE(done.wait(patience));
   EXPECT_THAT(contents("lecon.pdf"), StartsWith("%PDF"));
+}
+
+TEST_F(HandoutCommandTest, LearnersGetNoAnswers) {
+  open(desk);
+  QSignalSpy done(&command, &HandoutCommand::done);
+  command.write(HandoutReader::learners, folder.filePath("feuille.html"));
+  ASSERT_TRUE(done.wait(patience));
+  EXPECT_THAT(contents("feuille.html"), testing::Not(HasSubstr("Réponse")));
+  command.write(HandoutReader::teacher, folder.filePath("corrige.html"));
+  ASSERT_TRUE(done.wait(patience));
+  EXPECT_THAT(contents("corrige.html"), testing::AllOf(HasSubstr("Réponse"), HasSubstr("Calculé")));
 }
 
 TEST_F(HandoutCommandTest, SaysWhyItCouldNotBeWritten) {
   open(desk);
   QSignalSpy failed(&command, &HandoutCommand::failed);
-  command.write(folder.filePath("none/lecon.pdf"));
+  command.write(HandoutReader::everybody, folder.filePath("none/lecon.pdf"));
   ASSERT_TRUE(failed.wait(patience));
   EXPECT_THAT(failed[0][0].toString().toStdString(), HasSubstr("none/lecon.pdf"));
 }
