@@ -37,6 +37,28 @@ TEST_F(TraceCommand, LaysItBesideTheSimulationOfItsProgram) {
   EXPECT_GT(other["agreement"]["feed_rms_mm_min"].get<double>(), 100);
 }
 
+TEST_F(TraceCommand, PicturesAndReportsShowItBesideTheRun) {
+  const std::string beside = " corner.nc --machine linuxcnc-mill --trace trace.csv --out ";
+  const Result report = run("report" + beside + "r.html", no_display);
+  EXPECT_EQ(report.code, 0) << report.err;
+  EXPECT_THAT(contents(folder_ / "r.html"), HasSubstr("Agreement with the control"));
+  EXPECT_THAT(contents(folder_ / "r.html"), HasSubstr("--trace trace.csv"));
+  for (const std::string view : {"3d", "charts", "sheet"}) {
+    const Result drawn = run("render --view " + view + beside + view + ".svg", no_display);
+    EXPECT_EQ(drawn.code, 0) << drawn.err;
+    EXPECT_THAT(contents(folder_ / (view + ".svg")), HasSubstr("trace.csv")) << "in the legend";
+  }
+}
+
+TEST_F(TraceCommand, WhatCannotBeShownBesideTheRunIsRefused) {
+  const std::string report = "report corner.nc --out r.html ";
+  expect_wrong_use(report + "--trace none.csv", "trace 'none.csv'");
+  expect_wrong_use(report + "--columns time=1", "--columns says how --trace is read; give --trace FILE too");
+  expect_wrong_use("render corner.nc --view window --trace trace.csv --out w.png",
+                   "--trace has no effect with --view window");
+  EXPECT_FALSE(fs::exists(folder_ / "r.html"));
+}
+
 TEST_F(TraceCommand, TakesColumnsFromAFileToo) {
   write("spec.txt", "time=1:s,x=x_mm:-mm\n");
   const Result result = run("trace trace.csv --columns spec.txt");

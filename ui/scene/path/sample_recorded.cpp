@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "core/analysis/agreement/agreement.h"
 #include "ui/scene/path/followed_foot.h"
@@ -37,7 +36,8 @@ SampledPath sample_recorded(const TraceOnProgram& trace, const ProgrammedCourse&
   path.origin = toolpath.start;
   Sampler sampler(path, spacing_for(matched.end - matched.first, max_points, course.length()));
   FollowedFoot foot(toolpath);
-  std::optional<Vec3> last;  // none: it begins, or begins again behind what does not fit
+  Vec3 last = Vec3::Zero();
+  bool begins = true;  // also behind what does not fit
   for (std::size_t i = matched.first; i < matched.end; ++i) {
     if (progress != nullptr && (i - matched.first) % samples_a_report == 0) {
       progress->report(static_cast<double>(i - matched.first) /
@@ -48,7 +48,7 @@ SampledPath sample_recorded(const TraceOnProgram& trace, const ProgrammedCourse&
       if (!path.kinds.empty()) {
         path.kinds.back() = SpanKind::gap;
       }
-      last.reset();
+      begins = true;
       continue;
     }
     const std::uint32_t segment = course.segment_at(s);
@@ -56,13 +56,14 @@ SampledPath sample_recorded(const TraceOnProgram& trace, const ProgrammedCourse&
     for (int axis = 0; axis < 3; ++axis) {  // of axes that are not in the trace the programmed ones
       place[axis] = course.seen()[static_cast<std::size_t>(axis)] ? trace.record.place[i][axis] : place[axis];
     }
-    if (!last) {
+    if (begins) {
       foot.begin(segment);
     }
     const auto distance = static_cast<double>(matched.distance[i]);
     const PathDeviation::Result deviation = foot.at(place, segment, distance);
-    const double moved = last ? (place - *last).norm() : always;
+    const double moved = begins ? always : (place - last).norm();
     last = place;
+    begins = false;
     const SpanKind kind = toolpath.segments[segment].rapid ? SpanKind::rapid : SpanKind::cut;
     if (sampler.add(place, kind, moved)) {
       path.times.push_back(trace.record.time[i]);
