@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -184,6 +185,47 @@ void set_junction_ceilings(Stretch& stretch, const BlendedPath& path, const Vec3
   }
   apply_lookahead_horizon(stretch.plan, lookahead_blocks, stretch.ceiling);
   stretch.ceiling.front() = stretch.ceiling.back() = {0, {CauseKind::exact_stop}};
+}
+
+void part_turning(Stretch& stretch, const BlendedPath& path) {
+  constexpr double alike = 2;
+  const Toolpath& toolpath = *path.programmed();
+  if (toolpath.segment_turns.empty()) {
+    return;
+  }
+  struct Range {
+    double least = std::numeric_limits<double>::infinity();
+    double largest = 0;
+    bool holds(double value) const { return std::max(largest, value) <= alike * std::min(least, value); }
+    void add(double value) {
+      least = std::min(least, value);
+      largest = std::max(largest, value);
+    }
+  };
+  std::vector<std::uint32_t> parts;
+  Range acceleration;
+  Range jerk;
+  bool turned = false;
+  for (std::uint32_t e = 0; e < stretch.plan.size(); ++e) {
+    if (stretch.blend[e] != 0) {
+      continue;
+    }
+    const PlanElement& element = stretch.plan[e];
+    const bool turns = toolpath.segment_turn(path.segment(stretch.element(e))) != nullptr;
+    const bool same = acceleration.holds(element.acceleration().value) && jerk.holds(element.jerk().value);
+    if (!same && (turns || turned) && e > 0) {
+      parts.push_back(e);
+    }
+    if (!same) {
+      acceleration = jerk = {};
+    }
+    acceleration.add(element.acceleration().value);
+    jerk.add(element.jerk().value);
+    turned = turns;
+  }
+  std::vector<std::uint32_t> all;
+  std::ranges::set_union(stretch.level, parts, std::back_inserter(all));
+  stretch.level = std::move(all);
 }
 
 SpeedProfile profile_to(double target, const SpanLimits& span, double speed, double acceleration) {

@@ -79,6 +79,11 @@ void follow_acceleration_mode(Stretch& stretch, const BlendedPath& path, const P
 void set_junction_ceilings(Stretch& stretch, const BlendedPath& path, const Vec3& axis_jerk,
                            double interpolation_period, std::uint32_t lookahead_blocks);
 
+/// Adds to stretch.level where the ramps that rotary axes allow have become twice as slow or fast as at the
+/// junction added before: a ramp has the least limits of what it runs over, and near a singular position
+/// those of a few blocks are a hundredth of those farther away. Nothing where no rotary axis turns.
+void part_turning(Stretch& stretch, const BlendedPath& path);
+
 /// plan_profile over `span` from (speed, acceleration) to (target, 0); where the span is too short to get up
 /// to `target`, to the highest speed that can be reached.
 SpeedProfile profile_to(double target, const SpanLimits& span, double speed, double acceleration);

@@ -61,6 +61,7 @@ void EssidRunner::plan_and_move(ProgressSteps& steps) {
     return;
   }
   hold_level_blends();
+  part_turning(stretch_, builder_.path());
   move(plan_nodes(stretch_.plan, stretch_.ceiling, stretch_.level), steps);
 }
 

@@ -158,7 +158,9 @@ void MsaddekRunner::move_dynamic(ProgressSteps& steps) {
   follow_acceleration_mode(stretch_, builder_.path(), rules_, settings_.period);
   move_over_curves(builder_, stretch_, axes_, [&] {
     set_junction_ceilings(stretch_, builder_.path(), axes_.jerk, settings_.period, settings_.lookahead);
-    add_planned_motion(builder_, stretch_, plan_nodes(stretch_.plan, stretch_.ceiling), steps);
+    part_turning(stretch_, builder_.path());
+    add_planned_motion(builder_, stretch_, plan_nodes(stretch_.plan, stretch_.ceiling, stretch_.level),
+                       steps);
   });
 }
 

@@ -58,7 +58,8 @@ Trajectory TapieModel::do_simulate(const std::shared_ptr<const Toolpath>& shared
       }
       follow_acceleration_mode(*stretch, part.path(), rules, rule.period);
       set_junction_ceilings(*stretch, part.path(), rule.axes.jerk, rule.period, lookahead);
-      add_planned_motion(part, *stretch, plan_nodes(stretch->plan, stretch->ceiling), steps);
+      part_turning(*stretch, part.path());
+      add_planned_motion(part, *stretch, plan_nodes(stretch->plan, stretch->ceiling, stretch->level), steps);
     };
   });
   return builder.finish();

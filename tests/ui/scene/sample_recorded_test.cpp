@@ -9,7 +9,8 @@
 namespace feedscope::ui {
 namespace {
 
-constexpr double step = 2e-3;  // [s]
+constexpr double step = 2e-3;          // [s]
+constexpr double found_within = 2e-3;  // of the place of the whole trace: corners pull it inwards [mm]
 
 /// A run of a program with a right angle and a half circle, recorded without noise.
 class SampleRecorded : public testing::Test {
@@ -43,10 +44,10 @@ TEST_F(SampleRecorded, PlacesAreTheRecordedOnesAndDeviationsThoseOfTheRun) {
   double largest = 0;
   for (std::size_t i = 0; i < path.size(); ++i) {
     const Vec3 of_run = run_.trajectory->state(path.times[i]).position;
-    EXPECT_LT((path.position(i) - of_run).norm(), 1e-4);
+    EXPECT_LT((path.position(i) - of_run).norm(), found_within);
     largest = std::max(largest, path.deviation(i).norm());
   }
-  EXPECT_NEAR(largest, run_.summary.max_contour_error, 0.02 * run_.summary.max_contour_error + 1e-4);
+  EXPECT_NEAR(largest, run_.summary.max_contour_error, found_within);
 }
 
 TEST_F(SampleRecorded, WhatDoesNotFitIsAGap) {

@@ -60,7 +60,9 @@ SampledPath sample_recorded(const TraceOnProgram& trace, const ProgrammedCourse&
       foot.begin(segment);
     }
     const auto distance = static_cast<double>(matched.distance[i]);
-    const PathDeviation::Result deviation = foot.at(place, segment, distance);
+    // The match may lag behind a corner: the segment behind it is looked at as well.
+    const std::size_t ahead = std::min<std::size_t>(segment + 1, toolpath.segments.size() - 1);
+    const PathDeviation::Result deviation = foot.at(place, ahead, distance);
     const double moved = begins ? always : (place - last).norm();
     last = place;
     begins = false;
