@@ -5,6 +5,7 @@
 #include <QTextCursor>
 #include <QTextDocument>
 #include <QTextLayout>
+#include <QTextList>
 #include <QTextTable>
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,7 @@ namespace {
 constexpr double heading_cost = 1e7;
 constexpr double row_cost = 3e6;
 constexpr double table_cost = 1e6;
-constexpr double lead_cost = 2e4;    // a sentence and the table that it introduces
+constexpr double lead_cost = 2e4;    // a sentence and the table, list or section that it introduces
 constexpr double orphan_cost = 120;  // a line of a paragraph, or a row of a table, alone
 constexpr double paragraph_cost = 8;
 
@@ -51,6 +52,10 @@ struct Item {
   Extent whole;
   double first_until = 0;  ///< lower end of the part that must not be parted from what is above
   double last_from = 0;    ///< upper end of the part that must not be parted from what is below
+  bool in_list = false;
+
+  /// A few lines, which are not parted at all.
+  bool is_short() const { return first_until >= whole.bottom; }
 };
 
 /// Heads of a table, and where they are repeated.
@@ -165,6 +170,7 @@ void FlowReader::read_block(const QTextBlock& block, std::vector<Item>& items) {
   const std::size_t kept = lines.size() <= 3 ? lines.size() : 2;
   item.first_until = lines[kept - 1].bottom;
   item.last_from = lines[lines.size() - kept].top;
+  item.in_list = block.textList() != nullptr;
   hold(item.whole.top, item.first_until, heading ? heading_cost : orphan_cost);
   hold(item.last_from, item.whole.bottom, heading ? heading_cost : orphan_cost);
   hold(item.whole.top, item.whole.bottom, heading ? heading_cost : paragraph_cost);
@@ -253,7 +259,12 @@ void FlowReader::hold_items(const std::vector<Item>& items) {
     const Item& next = items[i + 1];
     if (item.kind == Item::Kind::heading) {
       hold(item.whole.top, next.first_until, heading_cost);
-    } else if (item.kind != Item::Kind::table && next.kind == Item::Kind::table) {
+      const bool introduces = next.kind != Item::Kind::table && next.is_short() && i + 2 < items.size();
+      if (introduces) {
+        hold(item.whole.top, items[i + 2].first_until, lead_cost);
+      }
+    } else if (item.kind != Item::Kind::table &&
+               (next.kind == Item::Kind::table || (next.in_list && !item.in_list))) {
       hold(item.last_from, next.first_until, lead_cost);
     } else if (item.kind == Item::Kind::table && next.kind == Item::Kind::note) {
       hold(item.last_from, next.whole.bottom, lead_cost);

@@ -47,6 +47,36 @@ TEST(PageFlow, AHeadingStaysWithWhatFollows) {
   }
 }
 
+/// The page on which a text begins.
+std::size_t page_of(const QTextDocument& document, const std::vector<PagePart>& pages, const QString& text) {
+  for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
+    if (block.text() == text) {
+      const double top = document.documentLayout()->blockBoundingRect(block).top();
+      for (std::size_t page = 0; page < pages.size(); ++page) {
+        if (top < pages[page].bottom) {
+          return page;
+        }
+      }
+    }
+  }
+  ADD_FAILURE() << "no text " << text.toStdString();
+  return pages.size();
+}
+
+TEST(PageFlow, ASentenceThatIntroducesStaysWithWhatFollows) {
+  for (int lines = 0; lines < 30; ++lines) {
+    QTextDocument document;
+    const QString filler = QStringLiteral("<p>line</p>").repeated(lines);
+    lay_out(document, filler +
+                          "<h2>Head</h2><p>What it is.</p><h3>Part</h3><p>text</p><p>of it</p>"
+                          "<p>They are:</p><ul><li>first</li><li>second</li></ul>");
+    const std::vector<PagePart> pages = page_parts(document, height);
+    EXPECT_EQ(page_of(document, pages, "Head"), page_of(document, pages, "Part")) << lines;
+    EXPECT_EQ(page_of(document, pages, "They are:"), page_of(document, pages, "first")) << lines;
+    test::check_pages(document, pages, height);
+  }
+}
+
 TEST(PageFlow, ARowOfATableIsNotCut) {
   for (int lines = 0; lines < 24; ++lines) {
     QTextDocument document;
