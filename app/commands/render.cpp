@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/commands/command.h"
+#include "app/commands/language_option.h"
 #include "app/display_units.h"
 #include "app/exit_codes.h"
 #include "app/number_option.h"
@@ -18,9 +19,8 @@
 #include "app/session_runs.h"
 #include "app/trace_files.h"
 #include "core/base/error.h"
-#include "ui/language/language.h"
 #include "ui/report/pictures.h"
-#include "ui/scene_view/scene_texts.h"
+#include "ui/scene/colourings.h"
 #include "ui/theme/offscreen_application.h"
 #include "ui/window/main_window.h"
 #include "ui/window/pictures_of_panels.h"
@@ -43,7 +43,7 @@ struct RenderOptions {
   std::string theme;             ///< "": light, or the session's
   std::string format;
   bool transparent = false;
-  std::string language = ui::languages().front().toStdString();
+  std::string language;
   std::string title;
   std::string out;
 };
@@ -103,15 +103,7 @@ ui::PictureRequest request_of(const RenderOptions& options) {
   return request;
 }
 
-bool is_english(const RenderOptions& options) {
-  return options.language == ui::languages().front().toStdString();
-}
-
 void check_runs(const RenderOptions& options, const std::vector<AskedRun>& runs) {
-  if (views.at(options.view) == View::sheet && !is_english(options)) {
-    throw InputError(
-        fmt::format("--language {}: sheets are English; use --view 3d, charts or window", options.language));
-  }
   if (views.at(options.view) == View::window && runs.size() > 1) {
     throw InputError(fmt::format(
         "--view window shows one run, not {}; give one machine, model and tolerance, or use --view sheet",
@@ -157,10 +149,7 @@ std::string picture_file(ui::ReportInput& input, const RenderOptions& options,
     return window_file(input, options, session, request);
   }
   const ui::OffscreenApplication application(request.theme);
-  if (!is_english(options)) {
-    ui::speak(QString::fromStdString(options.language));
-    input.texts = ui::scene_texts();
-  }
+  speak_in(options.language, input, session);
   return view == View::scene    ? ui::scene_file(input, request)
          : view == View::charts ? ui::charts_file(input, request)
                                 : ui::sheet_file(input, request);
@@ -220,7 +209,7 @@ QString command_of(const RenderOptions& options) {
   add("--dpi", options.dpi ? fmt::format("{}", *options.dpi) : "");
   add("--scale", options.scale != 1 ? fmt::format("{}", options.scale) : "");
   add("--theme", options.theme);
-  add("--language", is_english(options) ? "" : options.language);
+  add("--language", options.language == usual_language() ? "" : options.language);
   add("--format", options.format);
   text += options.transparent ? " --transparent" : "";
   add("--out", options.out);
@@ -282,19 +271,6 @@ int render(const RenderOptions& options) {
   return has_errors(program.diagnostics) ? exit_code::program_errors : exit_code::done;
 }
 
-void add_language_option(CLI::App& command, RenderOptions& options) {
-  std::vector<std::string> codes;
-  for (const QString& code : ui::languages()) {
-    codes.push_back(code.toStdString());
-  }
-  command
-      .add_option("--language", options.language,
-                  fmt::format("Language of texts and numbers: {}; sheets are English [{}]",
-                              fmt::join(codes, " or "), options.language))
-      ->check(CLI::IsMember(codes))
-      ->type_name("LANGUAGE");
-}
-
 void add_size_options(CLI::App& command, RenderOptions& options) {
   command
       .add_option(
@@ -351,7 +327,7 @@ Command add_render_command(CLI::App& app) {
   command->add_option("--format", options->format, "png, svg or pdf [the ending of --out]")
       ->check(CLI::IsMember(picture_formats))
       ->type_name("FORMAT");
-  add_language_option(*command, *options);
+  add_language_option(*command, options->language);
   command->add_flag("--transparent", options->transparent, "Transparent background");
   command->add_option("--title", options->title, "Title of a sheet [the program's name]")->type_name("TEXT");
   command->add_option("--out", options->out, "The picture to write; - for standard output")

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/commands/command.h"
+#include "app/commands/language_option.h"
 #include "app/display_units.h"
 #include "app/exit_codes.h"
 #include "app/number_option.h"
@@ -40,7 +41,8 @@ struct ReportOptions {
   std::string remarks;
   std::string logo;                  ///< picture file
   std::vector<std::string> without;  ///< placeholders
-  double dpi = 0;                    ///< 0: not given
+  std::string language;
+  double dpi = 0;  ///< 0: not given
   bool progress = false;
 };
 
@@ -116,6 +118,7 @@ QStringList commands_of(const ReportOptions& options, const std::vector<AskedRun
   add("--remarks", options.remarks);
   add("--logo", options.logo);
   add("--without", fmt::format("{}", fmt::join(options.without, ",")));
+  add("--language", options.language == usual_language() ? "" : options.language);
   add("--format", options.format);
   add("--dpi", options.dpi != 0 ? fmt::format("{}", options.dpi) : "");
   add("--out", options.out);
@@ -172,6 +175,7 @@ int report(const ReportOptions& options) {
     input.logo = logo;
     input.without = without;
     const ui::OffscreenApplication application;
+    speak_in(options.language, input, session);
     Progress* const drawing = watch.stage("drawing");
     if (format == pages_format) {
       const std::vector<std::string> pages =
@@ -228,6 +232,7 @@ Command add_report_command(CLI::App& app) {
                    "Parts to omit, by their names in resources/report/README.md: time_changes,charts")
       ->delimiter(',')
       ->type_name("NAME,...");
+  add_language_option(*command, options->language);
   add_number_option(
       *command, "--dpi", numbers(36, largest_dpi), [options](double dpi) { options->dpi = dpi; },
       "Pixels an inch of pages as pictures [96]")

@@ -509,6 +509,848 @@
         <source>Settings and control models</source>
         <translation>Réglages et modèles de commande</translation>
     </message>
+    <message>
+        <source>Agreement with the control</source>
+        <translation>Accord avec la commande</translation>
+    </message>
+</context>
+<context>
+    <name>ReportWords</name>
+    <message>
+        <source>page %1 of %2</source>
+        <translation>page %1 sur %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>N°</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Centre X, Y, Z</source>
+        <translation>Centre X, Y, Z</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Rayon</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Avance</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Sens</translation>
+    </message>
+    <message>
+        <source>F&lt;sub&gt;max&lt;/sub&gt;</source>
+        <translation>F&lt;sub&gt;max&lt;/sub&gt;</translation>
+    </message>
+    <message>
+        <source>F&lt;sub&gt;min&lt;/sub&gt;</source>
+        <translation>F&lt;sub&gt;min&lt;/sub&gt;</translation>
+    </message>
+    <message>
+        <source>F&lt;sub&gt;mean&lt;/sub&gt;</source>
+        <translation>F&lt;sub&gt;moy&lt;/sub&gt;</translation>
+    </message>
+    <message>
+        <source>The first %1 of %2 circles; “feedscope circular” lists all of them.</source>
+        <translation>Les %1 premiers cercles sur %L2&#xa0;; «&#xa0;feedscope circular&#xa0;» les liste tous.</translation>
+    </message>
+    <message>
+        <source>G: circular error, least radial separation of two concentric circles that hold the path; G&lt;sub&gt;ls&lt;/sub&gt;: the same about the centre of the least-squares circle; F&lt;sub&gt;max&lt;/sub&gt;, F&lt;sub&gt;min&lt;/sub&gt;, F&lt;sub&gt;mean&lt;/sub&gt;: largest, least and mean deviation from the programmed radius at the programmed centre; G(b), D: circular error of both directions together, and their mean radius less the programmed one, where the same circle is run in both at one feed. Centre and radius are those of the tool centre; ccw, cw: counter-clockwise, clockwise in the plane.</source>
+        <translation>G&#xa0;: écart circulaire, plus petite distance radiale entre deux cercles concentriques qui contiennent la trajectoire&#xa0;; G&lt;sub&gt;ls&lt;/sub&gt;&#xa0;: le même, autour du centre du cercle des moindres carrés&#xa0;; F&lt;sub&gt;max&lt;/sub&gt;, F&lt;sub&gt;min&lt;/sub&gt;, F&lt;sub&gt;moy&lt;/sub&gt;&#xa0;: écart maximal, minimal et moyen au rayon programmé, depuis le centre programmé&#xa0;; G(b), D&#xa0;: écart circulaire des deux sens réunis, et leur rayon moyen moins le rayon programmé, là où le même cercle est parcouru dans les deux sens à la même avance. Centre et rayon sont ceux du centre de l&apos;outil&#xa0;; trig., hor.&#xa0;: sens trigonométrique, horaire dans le plan.</translation>
+    </message>
+    <message>
+        <source>Circular test (ISO 230-4)</source>
+        <translation>Essai circulaire (ISO 230-4)</translation>
+    </message>
+    <message>
+        <source>%1, model %2</source>
+        <translation>%1, modèle %2</translation>
+    </message>
+    <message>
+        <source>the first %1 of %2 circles</source>
+        <translation>des %1 premiers cercles sur %L2</translation>
+    </message>
+    <message>
+        <source>the circles</source>
+        <translation>des cercles</translation>
+    </message>
+    <message>
+        <source>Polar plots of the circles of the program</source>
+        <translation>Diagrammes polaires des cercles du programme</translation>
+    </message>
+    <message>
+        <source>Polar plots of %1 of %2 by the %3 path; radial deviations are enlarged.</source>
+        <translation>Diagrammes polaires %1 (%2), d&apos;après la trajectoire %3&#xa0;; les écarts radiaux sont agrandis.</translation>
+    </message>
+    <message>
+        <source>actual</source>
+        <translation>réelle</translation>
+    </message>
+    <message>
+        <source>set</source>
+        <translation>de consigne</translation>
+    </message>
+    <message>
+        <source>%1 and %2 similar</source>
+        <translation>%1 et %L2 semblables</translation>
+    </message>
+    <message>
+        <source>, the other runs as outlines</source>
+        <translation>, les autres simulations en trait seul</translation>
+    </message>
+    <message>
+        <source>Path length by contour error</source>
+        <translation>Longueur de trajectoire par erreur de contour</translation>
+    </message>
+    <message>
+        <source>Path length of %1 by contour error%2. %3 %4</source>
+        <translation>Longueur de trajectoire par erreur de contour (%1)%2. %3 %4</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Erreur</translation>
+    </message>
+    <message>
+        <source>Of tolerance [%]</source>
+        <translation>De la tolérance [%]</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Côté</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Où</translation>
+    </message>
+    <message>
+        <source>At X, Y, Z</source>
+        <translation>En X, Y, Z</translation>
+    </message>
+    <message>
+        <source>Place %1: line %2, %3</source>
+        <translation>Endroit %1&#xa0;: ligne %2, %3</translation>
+    </message>
+    <message>
+        <source>; deviations exaggerated %1 times</source>
+        <translation>&#xa0;; écarts agrandis %1 fois</translation>
+    </message>
+    <message>
+        <source>Close-up of contour error %1</source>
+        <translation>Gros plan de l&apos;erreur de contour %1</translation>
+    </message>
+    <message>
+        <source>Operation</source>
+        <translation>Opération</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Matériau</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Diamètre</translation>
+    </message>
+    <message>
+        <source>Teeth</source>
+        <translation>Dents</translation>
+    </message>
+    <message>
+        <source>Helix</source>
+        <translation>Hélice</translation>
+    </message>
+    <message>
+        <source>Milling</source>
+        <translation>Fraisage</translation>
+    </message>
+    <message>
+        <source>Cutting time</source>
+        <translation>Temps de coupe</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>en opposition</translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation>en avalant</translation>
+    </message>
+    <message>
+        <source>At the predicted feed</source>
+        <translation>À l&apos;avance prévue</translation>
+    </message>
+    <message>
+        <source>At the programmed feed</source>
+        <translation>À l&apos;avance programmée</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Charge</translation>
+    </message>
+    <message>
+        <source>largest</source>
+        <translation>maximum</translation>
+    </message>
+    <message>
+        <source>in line</source>
+        <translation>à la ligne</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>moyenne</translation>
+    </message>
+    <message>
+        <source>Beyond a bound</source>
+        <translation>Au-delà d&apos;une borne</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Lignes</translation>
+    </message>
+    <message>
+        <source>worst</source>
+        <translation>pire valeur</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>à partir de</translation>
+    </message>
+    <message>
+        <source>for</source>
+        <translation>durée</translation>
+    </message>
+    <message>
+        <source>The %1 longest of %2 places.</source>
+        <translation>Les %1 endroits les plus longs sur %L2.</translation>
+    </message>
+    <message>
+        <source>3D view by chip thickness</source>
+        <translation>Vue 3D selon l&apos;épaisseur de copeau</translation>
+    </message>
+    <message>
+        <source>Chip thickness of %1 along the path; grey: no load is computed.</source>
+        <translation>Épaisseur de copeau le long de la trajectoire (%1)&#xa0;; gris&#xa0;: aucune charge n&apos;est calculée.</translation>
+    </message>
+    <message>
+        <source>assumed: %1</source>
+        <translation>hypothèse&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Rotary axis</source>
+        <translation>Axe rotatif</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Source</translation>
+    </message>
+    <message>
+        <source>Chain, part to tool</source>
+        <translation>Chaîne, de la pièce à l&apos;outil</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Limite</translation>
+    </message>
+    <message>
+        <source>Control</source>
+        <translation>Commande</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modèle</translation>
+    </message>
+    <message>
+        <source>Tolerance in force</source>
+        <translation>Tolérance en vigueur</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Réglage</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Reference:&lt;/b&gt; %1</source>
+        <translation>&lt;b&gt;Référence&#xa0;:&lt;/b&gt; %1</translation>
+    </message>
+    <message>
+        <source>Guarantees of %1</source>
+        <translation>Ce qui est garanti (%1)</translation>
+    </message>
+    <message>
+        <source>Guarantees</source>
+        <translation>Ce qui est garanti</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Remarques</translation>
+    </message>
+    <message>
+        <source>yyyy-MM-dd</source>
+        <comment>date</comment>
+        <translation>d MMMM yyyy</translation>
+    </message>
+    <message>
+        <source>Figure %1. </source>
+        <translation>Figure %1. </translation>
+    </message>
+    <message>
+        <source>Executed path of %1; deviations exaggerated %2 times.</source>
+        <translation>Trajectoire exécutée&#xa0;: %1&#xa0;; écarts agrandis %2 fois.</translation>
+    </message>
+    <message>
+        <source>Programmed and executed path of %1.</source>
+        <translation>Trajectoires programmée et exécutée&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>Vue 3D</translation>
+    </message>
+    <message>
+        <source>3D view by limiting cause</source>
+        <translation>Vue 3D par cause limitante</translation>
+    </message>
+    <message>
+        <source>What limits the feed of %1 along the path.</source>
+        <translation>Ce qui limite l&apos;avance le long de la trajectoire&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>acceleration</source>
+        <translation>accélération</translation>
+    </message>
+    <message>
+        <source>jerk</source>
+        <translation>jerk</translation>
+    </message>
+    <message>
+        <source>following error</source>
+        <translation>écart de poursuite</translation>
+    </message>
+    <message>
+        <source>cutting force</source>
+        <translation>effort de coupe</translation>
+    </message>
+    <message>
+        <source>chip thickness</source>
+        <translation>épaisseur de copeau</translation>
+    </message>
+    <message>
+        <source>positions of rotary axes</source>
+        <translation>positions des axes rotatifs</translation>
+    </message>
+    <message>
+        <source>their velocities</source>
+        <translation>vitesses de ces axes</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 et %2</translation>
+    </message>
+    <message>
+        <source>Charts of %1</source>
+        <translation>Graphiques&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Feed with its limiting causes, %1 of %2.</source>
+        <translation>Avance et causes qui la limitent, %1&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>Cycle times by limiting cause</source>
+        <translation>Temps de cycle par cause limitante</translation>
+    </message>
+    <message>
+        <source>Cycle times by limiting cause; the dashed line is the programmed time.</source>
+        <translation>Temps de cycle par cause limitante&#xa0;; le trait interrompu marque le temps programmé.</translation>
+    </message>
+    <message>
+        <source>Lost [s]</source>
+        <translation>Perte [s]</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>Pourquoi</translation>
+    </message>
+    <message>
+        <source>%1 places lose %2 s against the programmed feed; the %3 listed lose %4 s of it. “Why” names what most of the time is lost to.</source>
+        <translation>%L1 endroits perdent %2 s par rapport à l&apos;avance programmée, dont %4 s pour les %3 du tableau. «&#xa0;Pourquoi&#xa0;» nomme ce qui coûte l&apos;essentiel du temps.</translation>
+    </message>
+    <message>
+        <source>Close-up of place %1</source>
+        <translation>Gros plan de l&apos;endroit %1</translation>
+    </message>
+    <message>
+        <source>Place %1: lines %2, %3 s lost.</source>
+        <translation>Endroit %1&#xa0;: lignes %2, perte %3 s.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt; on %2 takes &lt;b&gt;%3&lt;/b&gt;, %4 times the programmed time of %5, at a mean feed of %6; the path stays within &lt;b&gt;%7&lt;/b&gt; of the programmed path.</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt; sur %2&#xa0;: &lt;b&gt;%3&lt;/b&gt;, soit %4 fois le temps programmé de %5, à une avance moyenne de %6&#xa0;; la trajectoire reste à moins de &lt;b&gt;%7&lt;/b&gt; de la trajectoire programmée.</translation>
+    </message>
+    <message>
+        <source>Not in the cycle time: %1.</source>
+        <translation>Hors temps de cycle&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Not in the cycle time of %1: %2.</source>
+        <translation>Hors temps de cycle (%1)&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>All runs take %1.</source>
+        <translation>Toutes les simulations durent %1.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt; is the fastest of %2 runs: &lt;b&gt;%3&lt;/b&gt; at a contour error of %4, &lt;b&gt;%5 % less time&lt;/b&gt; than %6 (%7, %8).</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt; est la plus rapide des %2 simulations&#xa0;: &lt;b&gt;%3&lt;/b&gt; avec une erreur de contour de %4, soit &lt;b&gt;%5&#xa0;% de temps en moins&lt;/b&gt; que %6 (%7, %8).</translation>
+    </message>
+    <message>
+        <source>Velocity</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Accélération</translation>
+    </message>
+    <message>
+        <source>Jerk</source>
+        <translation>Jerk</translation>
+    </message>
+    <message>
+        <source>Limited by</source>
+        <translation>Limité par</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1.&lt;/b&gt; The messages are listed under Program.</source>
+        <translation>&lt;b&gt;%1.&lt;/b&gt; Les messages sont listés sous Programme.</translation>
+    </message>
+    <message>
+        <source>Most of the time of %1 is limited by: %2.</source>
+        <translation>Pour %1, l&apos;essentiel du temps est limité par&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>Cycle time [s]</source>
+        <translation>Temps de cycle [s]</translation>
+    </message>
+    <message>
+        <source>× pro-&lt;br/&gt;grammed</source>
+        <translation>× pro-&lt;br/&gt;grammé</translation>
+    </message>
+    <message>
+        <source>To first [%]</source>
+        <translation>Écart à la 1&lt;sup&gt;re&lt;/sup&gt; [%]</translation>
+    </message>
+    <message>
+        <source>Mean feed</source>
+        <translation>Avance moyenne</translation>
+    </message>
+    <message>
+        <source>Peak feed</source>
+        <translation>Avance maximale</translation>
+    </message>
+    <message>
+        <source>Contour error</source>
+        <translation>Erreur de contour</translation>
+    </message>
+    <message>
+        <source>Corner blends</source>
+        <translation>Raccords d&apos;angle</translation>
+    </message>
+    <message>
+        <source>of the limit</source>
+        <translation>de la limite</translation>
+    </message>
+    <message>
+        <source>jumps</source>
+        <translation>sauts</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %3</source>
+        <translation>%1 à %2 %3</translation>
+    </message>
+    <message>
+        <source>not programmed</source>
+        <translation>non programmé</translation>
+    </message>
+    <message>
+        <source>%1; cutting %2; rapid %3</source>
+        <translation>%1&#xa0;; en avance %2&#xa0;; en rapide %3</translation>
+    </message>
+    <message>
+        <source>%1 (line %2)</source>
+        <translation>%1 (ligne %2)</translation>
+    </message>
+    <message>
+        <source>none programmed</source>
+        <translation>aucun programmé</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>ligne %1</translation>
+    </message>
+    <message>
+        <source>lines %1 to %2</source>
+        <translation>lignes %1 à %2</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>et %L1 de plus</translation>
+    </message>
+    <message>
+        <source>as the machine</source>
+        <translation>comme la machine</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>Dialect</source>
+        <translation>Dialecte</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>%1 lines, %2 blocks run</source>
+        <translation>%L1 lignes, %L2 blocs exécutés</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>Éléments</translation>
+    </message>
+    <message>
+        <source>%1: %2 lines, %3 arcs, %4 dwells</source>
+        <translation>%L1&#xa0;: %L2 droites, %L3 arcs, %L4 temporisations</translation>
+    </message>
+    <message>
+        <source>Extent of %1</source>
+        <translation>Étendue en %1</translation>
+    </message>
+    <message>
+        <source>Path length</source>
+        <translation>Longueur de trajectoire</translation>
+    </message>
+    <message>
+        <source>%1 %3, %2 %3 of it rapid</source>
+        <translation>%1 %3, dont %2 %3 en rapide</translation>
+    </message>
+    <message>
+        <source>Dwells</source>
+        <translation>Temporisations</translation>
+    </message>
+    <message>
+        <source>Programmed feeds</source>
+        <translation>Avances programmées</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+    <message>
+        <source>Chord error</source>
+        <translation>Erreur de corde</translation>
+    </message>
+    <message>
+        <source>about %1 %2, estimated from %3 short lines</source>
+        <translation>environ %1 %2, estimée sur %L3 droites courtes</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Outils</translation>
+    </message>
+    <message>
+        <source>Not in the cycle time</source>
+        <translation>Hors temps de cycle</translation>
+    </message>
+    <message>
+        <source>Subprogram calls</source>
+        <translation>Appels de sous-programmes</translation>
+    </message>
+    <message>
+        <source>Path control</source>
+        <translation>Mode de trajectoire</translation>
+    </message>
+    <message>
+        <source>Severity</source>
+        <translation>Gravité</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Message</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notes</translation>
+    </message>
+    <message>
+        <source>Where does the time go?</source>
+        <translation>Où passe le temps&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Places that lose most, by what they have in common</source>
+        <translation>Endroits qui perdent le plus, par ce qu&apos;ils ont en commun</translation>
+    </message>
+    <message>
+        <source>What would help</source>
+        <translation>Ce qui ferait gagner du temps</translation>
+    </message>
+    <message>
+        <source>Cycle time and what limits it</source>
+        <translation>Temps de cycle et ce qui le limite</translation>
+    </message>
+    <message>
+        <source>Settings that differ</source>
+        <translation>Réglages qui diffèrent</translation>
+    </message>
+    <message>
+        <source>Axes against their limits</source>
+        <translation>Axes face à leurs limites</translation>
+    </message>
+    <message>
+        <source>Along the path</source>
+        <translation>Le long de la trajectoire</translation>
+    </message>
+    <message>
+        <source>Where most time is lost</source>
+        <translation>Où se perd le plus de temps</translation>
+    </message>
+    <message>
+        <source>Places of %1 that are slower than programmed, the worst first.</source>
+        <translation>Endroits plus lents que programmé (%1), les pires en premier.</translation>
+    </message>
+    <message>
+        <source>Where the path deviates most</source>
+        <translation>Où la trajectoire s&apos;écarte le plus</translation>
+    </message>
+    <message>
+        <source>Places of %1 that are farthest from the programmed path, the worst first; left and right are seen in its direction.</source>
+        <translation>Endroits les plus éloignés de la trajectoire programmée (%1), les pires en premier&#xa0;; gauche et droite s&apos;entendent dans le sens de parcours.</translation>
+    </message>
+    <message>
+        <source>Circular test</source>
+        <translation>Essai circulaire</translation>
+    </message>
+    <message>
+        <source>Full circles of the program as %1 makes them, evaluated by ISO 230-4.</source>
+        <translation>Cercles complets du programme tels que %1 les réalise, évalués selon l&apos;ISO 230-4.</translation>
+    </message>
+    <message>
+        <source>Cutting load</source>
+        <translation>Charge de coupe</translation>
+    </message>
+    <message>
+        <source>What %1 puts on the tools, beside what the programmed feed would.</source>
+        <translation>Ce que %1 impose aux outils, à côté de ce que donnerait l&apos;avance programmée.</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programme</translation>
+    </message>
+    <message>
+        <source>Messages of the reader</source>
+        <translation>Messages de lecture</translation>
+    </message>
+    <message>
+        <source>Every number with its source; values that no source gives are assumed and in italics.</source>
+        <translation>Chaque nombre avec sa source&#xa0;; les valeurs qu&apos;aucune source ne donne sont des hypothèses, en italique.</translation>
+    </message>
+    <message>
+        <source>Settings of the runs</source>
+        <translation>Réglages des simulations</translation>
+    </message>
+    <message>
+        <source>Control models</source>
+        <translation>Modèles de commande</translation>
+    </message>
+    <message>
+        <source>How to make this again</source>
+        <translation>Pour refaire ce rapport</translation>
+    </message>
+    <message>
+        <source>With Feedscope %1:</source>
+        <translation>Avec Feedscope %1&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Time [s]</source>
+        <translation>Temps [s]</translation>
+    </message>
+    <message>
+        <source>Share [%]</source>
+        <translation>Part [%]</translation>
+    </message>
+    <message>
+        <source>Programmed [s]</source>
+        <translation>Programmé [s]</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Total</translation>
+    </message>
+    <message>
+        <source>Operation by tool</source>
+        <translation>Opération, par outil</translation>
+    </message>
+    <message>
+        <source>Operation by comment</source>
+        <translation>Opération, par commentaire</translation>
+    </message>
+    <message>
+        <source>Rapids [s]</source>
+        <translation>Rapides [s]</translation>
+    </message>
+    <message>
+        <source>Loses most to</source>
+        <translation>Perd surtout par</translation>
+    </message>
+    <message>
+        <source>The %1 operations of %2 that take longest.</source>
+        <translation>Les %1 opérations les plus longues sur %L2.</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>Endroits</translation>
+    </message>
+    <message>
+        <source>In common</source>
+        <translation>En commun</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Worst line</source>
+        <translation>Pire ligne</translation>
+    </message>
+    <message>
+        <source>Share: of all the time that is lost along the path against the programmed feed.</source>
+        <translation>Part&#xa0;: de tout le temps perdu le long de la trajectoire par rapport à l&apos;avance programmée.</translation>
+    </message>
+    <message>
+        <source>None of the %1 changes that were simulated helps.</source>
+        <translation>Aucun des %1 changements simulés ne fait gagner de temps.</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Changement</translation>
+    </message>
+    <message>
+        <source>Gain [s]</source>
+        <translation>Gain [s]</translation>
+    </message>
+    <message>
+        <source>Gain [%]</source>
+        <translation>Gain [%]</translation>
+    </message>
+    <message>
+        <source>As it is</source>
+        <translation>État actuel</translation>
+    </message>
+    <message>
+        <source>Those of this machine together</source>
+        <translation>Ceux de cette machine ensemble</translation>
+    </message>
+    <message>
+        <source>The best of %1 changes of the whole program, each simulated. Whether machine, tool and material bear it is not checked.</source>
+        <translation>Les meilleurs de %1 changements du programme entier, chacun simulé. Que la machine, l&apos;outil et la matière les supportent n&apos;est pas vérifié.</translation>
+    </message>
+    <message>
+        <source>cycle time</source>
+        <translation>temps de cycle</translation>
+    </message>
+    <message>
+        <source>× programmed time</source>
+        <translation>× temps programmé</translation>
+    </message>
+    <message>
+        <source>mean feed, %1</source>
+        <translation>avance moyenne, %1</translation>
+    </message>
+    <message>
+        <source>peak feed, %1</source>
+        <translation>avance maximale, %1</translation>
+    </message>
+    <message>
+        <source>contour error, %1</source>
+        <translation>erreur de contour, %1</translation>
+    </message>
+    <message>
+        <source>%1 blocks, path %2 %3</source>
+        <translation>%L1 blocs, trajectoire de %2 %3</translation>
+    </message>
+    <message>
+        <source>Programmed feed</source>
+        <translation>Avance programmée</translation>
+    </message>
+    <message>
+        <source>Control model</source>
+        <translation>Modèle de commande</translation>
+    </message>
+    <message>
+        <source>%1 is limited by</source>
+        <translation>%1 est limité par</translation>
+    </message>
+    <message>
+        <source>ccw</source>
+        <translation>trig.</translation>
+    </message>
+    <message>
+        <source>cw</source>
+        <translation>hor.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>of an axis</comment>
+        <translation>%1 de l&apos;axe %2</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3</source>
+        <comment>coordinates</comment>
+        <translation>%1&#xa0;; %2&#xa0;; %3</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Agreement with the control</source>
+        <translation>Accord avec la commande</translation>
+    </message>
+    <message>
+        <source>What the control recorded, beside %1; the feeds of both stand in the charts along the path.</source>
+        <translation>Ce que la commande a enregistré, à côté de %1&#xa0;; les avances des deux sont dans les graphiques le long de la trajectoire.</translation>
+    </message>
 </context>
 <context>
     <name>RowCopy</name>
@@ -833,7 +1675,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Most is lost here: &lt;b&gt;%1&lt;/b&gt; (%2 s).</source>
-        <translation>Le plus se perd ici : &lt;b&gt;%1&lt;/b&gt; (%2 s).</translation>
+        <translation>Perte principale : &lt;b&gt;%1&lt;/b&gt; (%2 s).</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -2514,6 +3356,538 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <source>table of samples</source>
         <translation>tableau d&apos;échantillons</translation>
     </message>
+    <message>
+        <source>%1 tool change</source>
+        <translation>%1 changement d&apos;outil</translation>
+    </message>
+    <message>
+        <source>%1 tool changes</source>
+        <translation>%1 changements d&apos;outil</translation>
+    </message>
+    <message>
+        <source>%1 spindle start</source>
+        <translation>%1 démarrage de la broche</translation>
+    </message>
+    <message>
+        <source>%1 spindle starts</source>
+        <translation>%1 démarrages de la broche</translation>
+    </message>
+    <message>
+        <source>%1 program stop (M0, M1)</source>
+        <translation>%1 arrêt programme (M0, M1)</translation>
+    </message>
+    <message>
+        <source>%1 program stops (M0, M1)</source>
+        <translation>%1 arrêts programme (M0, M1)</translation>
+    </message>
+    <message>
+        <source>%1 move to or from a machine position</source>
+        <translation>%1 déplacement vers ou depuis une position machine</translation>
+    </message>
+    <message>
+        <source>%1 moves to or from machine positions</source>
+        <translation>%1 déplacements vers ou depuis des positions machine</translation>
+    </message>
+    <message>
+        <source>motion of %1</source>
+        <translation>mouvement de %1</translation>
+    </message>
+    <message>
+        <source>exact stops</source>
+        <translation>arrêts précis</translation>
+    </message>
+    <message>
+        <source>exact stops (%1)</source>
+        <translation>arrêts précis (%1)</translation>
+    </message>
+    <message>
+        <source>continuous</source>
+        <translation>continu</translation>
+    </message>
+    <message>
+        <source>contour tolerance %1 mm</source>
+        <translation>tolérance de contour %1 mm</translation>
+    </message>
+    <message>
+        <source>blends from %1 mm before the corner</source>
+        <translation>raccords dès %1 mm avant l&apos;angle</translation>
+    </message>
+    <message>
+        <source>orientation tolerance %1 deg</source>
+        <translation>tolérance d&apos;orientation %1°</translation>
+    </message>
+    <message>
+        <source>compaction tolerance %1 mm</source>
+        <translation>tolérance de compactage %1 mm</translation>
+    </message>
+    <message>
+        <source>compaction on</source>
+        <translation>compactage activé</translation>
+    </message>
+    <message>
+        <source>compaction off</source>
+        <translation>compactage désactivé</translation>
+    </message>
+    <message>
+        <source>smooth curves on</source>
+        <translation>courbes lissées activées</translation>
+    </message>
+    <message>
+        <source>smooth curves off</source>
+        <translation>courbes lissées désactivées</translation>
+    </message>
+    <message>
+        <source>feed forward on</source>
+        <translation>anticipation de vitesse activée</translation>
+    </message>
+    <message>
+        <source>feed forward off</source>
+        <translation>anticipation de vitesse désactivée</translation>
+    </message>
+    <message>
+        <source>look-ahead on</source>
+        <translation>anticipation de blocs activée</translation>
+    </message>
+    <message>
+        <source>look-ahead off</source>
+        <translation>anticipation de blocs désactivée</translation>
+    </message>
+    <message>
+        <source>jerk limited</source>
+        <translation>jerk limité</translation>
+    </message>
+    <message>
+        <source>acceleration in steps</source>
+        <translation>accélération par échelons</translation>
+    </message>
+    <message>
+        <source>acceleration falling with speed</source>
+        <translation>accélération décroissante avec la vitesse</translation>
+    </message>
+    <message>
+        <source>as the machine</source>
+        <translation>comme la machine</translation>
+    </message>
+    <message>
+        <source>fine</source>
+        <translation>fin</translation>
+    </message>
+    <message>
+        <source>coarse</source>
+        <translation>grossier</translation>
+    </message>
+    <message>
+        <source>interpolation end</source>
+        <translation>fin d&apos;interpolation</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>pouce</translation>
+    </message>
+    <message>
+        <source>%1, by the program</source>
+        <translation>%1, d&apos;après le programme</translation>
+    </message>
+    <message>
+        <source>%1, by --unit</source>
+        <translation>%1, d&apos;après --unit</translation>
+    </message>
+    <message>
+        <source>%1, assumed: the program does not define its unit</source>
+        <translation>%1, par hypothèse&#xa0;: le programme ne définit pas son unité</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>erreur</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>avertissement</translation>
+    </message>
+    <message>
+        <source>also in line %1</source>
+        <translation>aussi à la ligne %1</translation>
+    </message>
+    <message>
+        <source>also in lines %1 and %2</source>
+        <translation>aussi aux lignes %1 et %2</translation>
+    </message>
+    <message>
+        <source>%1 more up to line %2</source>
+        <translation>%1 autres jusqu&apos;à la ligne %2</translation>
+    </message>
+    <message>
+        <source>The program is written for %1, but %2 has a %3: path and times are those of that control. No published machine has a %4 control; use your own machine file.</source>
+        <translation>Le programme est écrit pour %1, mais %2 a une %3&#xa0;: trajectoire et temps sont ceux de cette commande. Aucune machine publiée n&apos;a de commande %4&#xa0;; utilisez votre propre fichier de machine.</translation>
+    </message>
+    <message>
+        <source>The program is written for %1, but %2 has a %3: path and times are those of that control. Use machine %4, whose control reads it.</source>
+        <translation>Le programme est écrit pour %1, mais %2 a une %3&#xa0;: trajectoire et temps sont ceux de cette commande. Utilisez la machine %4, dont la commande le lit.</translation>
+    </message>
+    <message>
+        <source>The program was read with work offsets other than those of the machine (%1).</source>
+        <translation>Le programme a été lu avec d&apos;autres décalages d&apos;origine que ceux de la machine (%1).</translation>
+    </message>
+    <message>
+        <source>The contour tolerance of %1 mm is %2 % of the estimated chord error of the short lines (%3 mm); Heidenhain advises 110 to 200 %.</source>
+        <translation>La tolérance de contour de %1 mm vaut %2&#xa0;% de l&apos;erreur de corde estimée des droites courtes (%3 mm)&#xa0;; Heidenhain conseille 110 à 200&#xa0;%.</translation>
+    </message>
+    <message>
+        <source>The drive of axis %1 is poorly damped: it overshoots a step by %2 %; a smaller %3 or %4 damps it better.</source>
+        <translation>L&apos;entraînement de l&apos;axe %1 est mal amorti&#xa0;: il dépasse un échelon de %2&#xa0;%&#xa0;; un %3 ou un %4 plus petit l&apos;amortit mieux.</translation>
+    </message>
+    <message>
+        <source>No drive is given for %1: followed exactly.</source>
+        <translation>Aucun entraînement n&apos;est donné pour %1&#xa0;: suivi exact.</translation>
+    </message>
+    <message>
+        <source>1 line of the program is refused by the control and not run (line %1).</source>
+        <translation>1 ligne du programme est refusée par la commande et n&apos;est pas exécutée (ligne %1).</translation>
+    </message>
+    <message>
+        <source>%1 lines of the program are refused by the control and not run (lines %2).</source>
+        <translation>%1 lignes du programme sont refusées par la commande et ne sont pas exécutées (lignes %2).</translation>
+    </message>
+    <message>
+        <source>Rotary axes: line %1: %2.</source>
+        <translation>Axes rotatifs&#xa0;: ligne %1&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>Rotary axes: line %1: %2. %3 more.</source>
+        <translation>Axes rotatifs&#xa0;: ligne %1&#xa0;: %2. %3 de plus.</translation>
+    </message>
+    <message>
+        <source>Positions of rotary axes that the machine does not reach: line %1: %2.</source>
+        <translation>Positions d&apos;axes rotatifs que la machine n&apos;atteint pas&#xa0;: ligne %1&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>Positions of rotary axes that the machine does not reach: line %1: %2. %3 more.</source>
+        <translation>Positions d&apos;axes rotatifs que la machine n&apos;atteint pas&#xa0;: ligne %1&#xa0;: %2. %3 de plus.</translation>
+    </message>
+    <message>
+        <source>The program has no full circle: no cut runs a whole turn in XY, ZX or YZ by arcs about one centre. Circles of short lines are not recognised.</source>
+        <translation>Le programme ne contient aucun cercle complet&#xa0;: aucune passe ne fait un tour entier en XY, ZX ou YZ par des arcs de même centre. Les cercles en petits segments ne sont pas reconnus.</translation>
+    </message>
+    <message>
+        <source>The program has %1 full circles; the first %2 are evaluated.</source>
+        <translation>Le programme contient %1 cercles complets&#xa0;; les %2 premiers sont évalués.</translation>
+    </message>
+    <message>
+        <source>Not evaluated: 1 helix with full turns.</source>
+        <translation>Non évalué&#xa0;: 1 hélice à tours complets.</translation>
+    </message>
+    <message>
+        <source>Not evaluated: %1 helices with full turns.</source>
+        <translation>Non évalué&#xa0;: %1 hélices à tours complets.</translation>
+    </message>
+    <message>
+        <source>Not evaluated: 1 full circle outside the planes XY, ZX and YZ.</source>
+        <translation>Non évalué&#xa0;: 1 cercle complet hors des plans XY, ZX et YZ.</translation>
+    </message>
+    <message>
+        <source>Not evaluated: %1 full circles outside the planes XY, ZX and YZ.</source>
+        <translation>Non évalué&#xa0;: %1 cercles complets hors des plans XY, ZX et YZ.</translation>
+    </message>
+    <message>
+        <source>The source covers lines and their corners; arcs and helices follow the shared rules.</source>
+        <translation>La source traite les droites et leurs angles&#xa0;; arcs et hélices suivent les règles communes.</translation>
+    </message>
+    <message>
+        <source>The source covers arcs; lines follow the shared rules.</source>
+        <translation>La source traite les arcs&#xa0;; les droites suivent les règles communes.</translation>
+    </message>
+    <message>
+        <source>The programmed path is followed by straight blocks, arcs by chords within the arc tolerance; no corner is blended. Ends of blocks are rounded to whole steps of the axes.</source>
+        <translation>La trajectoire programmée est suivie en blocs droits, les arcs par des cordes dans la tolérance d&apos;arc&#xa0;; aucun angle n&apos;est raccordé. Les fins de bloc sont arrondies à des pas entiers des axes.</translation>
+    </message>
+    <message>
+        <source>The programmed path is followed by straight blocks, arcs by chords; no corner is blended.</source>
+        <translation>La trajectoire programmée est suivie en blocs droits, les arcs par des cordes&#xa0;; aucun angle n&apos;est raccordé.</translation>
+    </message>
+    <message>
+        <source>The programmed path is followed exactly; no corner is blended.</source>
+        <translation>La trajectoire programmée est suivie exactement&#xa0;; aucun angle n&apos;est raccordé.</translation>
+    </message>
+    <message>
+        <source>The distance of programmed corners from the path is not bounded.</source>
+        <translation>La distance des angles programmés à la trajectoire n&apos;est pas bornée.</translation>
+    </message>
+    <message>
+        <source>The distance of programmed corners from the path is not bounded; tangent transitions between blocks are passed exactly.</source>
+        <translation>La distance des angles programmés à la trajectoire n&apos;est pas bornée&#xa0;; les transitions tangentes entre blocs sont suivies exactement.</translation>
+    </message>
+    <message>
+        <source>Every programmed corner lies within the contour tolerance of the path.</source>
+        <translation>Chaque angle programmé est à moins de la tolérance de contour de la trajectoire.</translation>
+    </message>
+    <message>
+        <source>Every programmed corner lies within the contour tolerance of the path; tangent transitions between blocks are passed exactly.</source>
+        <translation>Chaque angle programmé est à moins de la tolérance de contour de la trajectoire&#xa0;; les transitions tangentes entre blocs sont suivies exactement.</translation>
+    </message>
+    <message>
+        <source>Every programmed corner lies within %1 times the contour tolerance of the path.</source>
+        <translation>Chaque angle programmé est à moins de %1 fois la tolérance de contour de la trajectoire.</translation>
+    </message>
+    <message>
+        <source>Every programmed corner lies within %1 times the contour tolerance of the path; tangent transitions between blocks are passed exactly.</source>
+        <translation>Chaque angle programmé est à moins de %1 fois la tolérance de contour de la trajectoire&#xa0;; les transitions tangentes entre blocs sont suivies exactement.</translation>
+    </message>
+    <message>
+        <source>The programmed feed is kept along every block; where two blocks overlap their speeds add.</source>
+        <translation>L&apos;avance programmée est tenue dans chaque bloc&#xa0;; là où deux blocs se chevauchent, leurs vitesses s&apos;ajoutent.</translation>
+    </message>
+    <message>
+        <source>The programmed feed is met to whole steps and counts of a timer; very slow feeds are exceeded.</source>
+        <translation>L&apos;avance programmée est tenue au pas entier et au tic de minuterie près&#xa0;; les avances très lentes sont dépassées.</translation>
+    </message>
+    <message>
+        <source>Never faster than %1; rapids run at the maximum velocity of the control.</source>
+        <translation>Jamais plus vite que %1&#xa0;; les rapides vont à la vitesse maximale de la commande.</translation>
+    </message>
+    <message>
+        <source>Never faster than %1; rapids never faster than the axes allow.</source>
+        <translation>Jamais plus vite que %1&#xa0;; les rapides jamais plus vite que les axes ne le permettent.</translation>
+    </message>
+    <message>
+        <source>Never faster than %1 times %2.</source>
+        <translation>Jamais plus vite que %1 fois %2.</translation>
+    </message>
+    <message>
+        <source>the largest programmed feed between two standstills</source>
+        <translation>la plus grande avance programmée entre deux arrêts</translation>
+    </message>
+    <message>
+        <source>the programmed feed</source>
+        <translation>l&apos;avance programmée</translation>
+    </message>
+    <message>
+        <source>On lines: %1.</source>
+        <translation>Sur les droites&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>On arcs: %1.</source>
+        <translation>Sur les arcs&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>On corner blends: %1.</source>
+        <translation>Sur les raccords d&apos;angle&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>On smooth curves: %1.</source>
+        <translation>Sur les courbes lissées&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>%1 of every axis: along and across the path it stays within %2 each, together within %3 times the limit</source>
+        <translation>%1 de chaque axe&#xa0;: le long de la trajectoire et normalement à elle, au plus %2 chacune, ensemble au plus %3 fois la limite</translation>
+    </message>
+    <message>
+        <source>%1 of every axis: along the path the change of the acceleration (v&apos;&apos;) and the part due to curvature (v^3 k^2) each stay within %2, together within %3 times the limit</source>
+        <translation>%1 de chaque axe&#xa0;: le long de la trajectoire, la variation de l&apos;accélération (v&apos;&apos;) et la part due à la courbure (v^3 k^2) restent chacune au plus à %2, ensemble au plus à %3 fois la limite</translation>
+    </message>
+    <message>
+        <source>across the path (3 v v&apos; k) it is not bounded</source>
+        <translation>normalement à la trajectoire (3 v v&apos; k), sans borne</translation>
+    </message>
+    <message>
+        <source>the limit</source>
+        <translation>la limite</translation>
+    </message>
+    <message>
+        <source>%1 times the limit</source>
+        <translation>%1 fois la limite</translation>
+    </message>
+    <message>
+        <source>%1 of every axis are kept</source>
+        <translation>%1 de chaque axe dans leurs limites</translation>
+    </message>
+    <message>
+        <source>%1 of every axis is kept</source>
+        <translation>%1 de chaque axe dans sa limite</translation>
+    </message>
+    <message>
+        <source>%1 of every axis stay within %2 times the limit</source>
+        <translation>%1 de chaque axe au plus à %2 fois la limite</translation>
+    </message>
+    <message>
+        <source>%1 of every axis stays within %2 times the limit</source>
+        <translation>%1 de chaque axe au plus à %2 fois la limite</translation>
+    </message>
+    <message>
+        <source>%1 are not bounded</source>
+        <translation>%1 sans borne</translation>
+    </message>
+    <message>
+        <source>%1 is not bounded</source>
+        <translation>%1 sans borne</translation>
+    </message>
+    <message>
+        <source>velocity</source>
+        <translation>vitesse</translation>
+    </message>
+    <message>
+        <source>acceleration</source>
+        <translation>accélération</translation>
+    </message>
+    <message>
+        <source>jerk</source>
+        <translation>jerk</translation>
+    </message>
+    <message>
+        <source>jerk (blend_jerk)</source>
+        <translation>jerk (blend_jerk)</translation>
+    </message>
+    <message>
+        <source>The speed jumps along the path.</source>
+        <translation>La vitesse saute le long de la trajectoire.</translation>
+    </message>
+    <message>
+        <source>The speed is continuous; the acceleration jumps where the curvature of the path does.</source>
+        <translation>La vitesse est continue&#xa0;; l&apos;accélération saute là où saute la courbure de la trajectoire.</translation>
+    </message>
+    <message>
+        <source>Velocity and acceleration are continuous everywhere.</source>
+        <translation>Vitesse et accélération sont continues partout.</translation>
+    </message>
+    <message>
+        <source>Where the program asks for BRISK, no jerk along the path is bounded: its acceleration changes within one interpolation period.</source>
+        <translation>Là où le programme demande BRISK, aucun jerk n&apos;est borné le long de la trajectoire&#xa0;: l&apos;accélération y change en une période d&apos;interpolation.</translation>
+    </message>
+    <message>
+        <source>BRISK of the program is not followed.</source>
+        <translation>Le BRISK du programme n&apos;est pas suivi.</translation>
+    </message>
+    <message>
+        <source>A junction that touches an arc and turns by up to 0.01 rad is passed as if it were tangent: there the velocity of an axis jumps by up to 1 % of the feed (1 mm/s at 6000 mm/min).</source>
+        <translation>Une jonction qui touche un arc et tourne d&apos;au plus 0,01 rad est franchie comme si elle était tangente&#xa0;: la vitesse d&apos;un axe y saute d&apos;au plus 1&#xa0;% de l&apos;avance (1 mm/s à 6000 mm/min).</translation>
+    </message>
+    <message>
+        <source>Full stops at dwells only.</source>
+        <translation>Arrêts complets aux seules temporisations.</translation>
+    </message>
+    <message>
+        <source>Full stops %1.</source>
+        <translation>Arrêts complets %1.</translation>
+    </message>
+    <message>
+        <source>at corners of lines</source>
+        <translation>aux angles entre droites</translation>
+    </message>
+    <message>
+        <source>at corners that touch an arc</source>
+        <translation>aux angles qui touchent un arc</translation>
+    </message>
+    <message>
+        <source>at reversals</source>
+        <translation>aux rebroussements</translation>
+    </message>
+    <message>
+        <source>before and after every rapid</source>
+        <translation>avant et après chaque rapide</translation>
+    </message>
+    <message>
+        <source>On blends that nearly reverse, limits were exceeded by up to 5 % (acceleration) and a third (jerk).</source>
+        <translation>Sur des raccords proches du rebroussement, des dépassements de limite jusqu&apos;à 5&#xa0;% (accélération) et un tiers (jerk) ont été relevés.</translation>
+    </message>
+    <message>
+        <source>On the path of ward, jerk=on keeps the jerk except for short peaks where an arc begins from a standstill.</source>
+        <translation>Sur la trajectoire de ward, jerk=on tient le jerk, sauf de courtes pointes là où un arc part de l&apos;arrêt.</translation>
+    </message>
+    <message>
+        <source>Stops only where the path itself has a kink, a reversal or a dwell.</source>
+        <translation>Ne s&apos;arrête que là où la trajectoire elle-même a une cassure, un rebroussement ou une temporisation.</translation>
+    </message>
+    <message>
+        <source>Kinks of up to 0.01 rad at arcs are treated as tangent, as in every model.</source>
+        <translation>Les cassures d&apos;au plus 0,01 rad aux arcs sont traitées comme tangentes, comme dans tous les modèles.</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1&#xa0;; %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 et %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>A rapid keeps the velocity limit of every axis.</source>
+        <translation>Un rapide tient la limite de vitesse de chaque axe.</translation>
+    </message>
+    <message>
+        <source>reading corrected, published: at the entry of a blend the radial shares of acceleration and jerk are kept. Further on, with equal axes and shares of 0.2, the acceleration stays within 1.01 and the jerk within 2.2 times the limit; the curvature grows up to five times, and other axes bear it.</source>
+        <translation>lecture corrected, published&#xa0;: à l&apos;entrée d&apos;un raccord, les parts radiales de l&apos;accélération et du jerk sont tenues. Plus loin, avec des axes égaux et des parts de 0,2, l&apos;accélération reste à moins de 1,01 fois la limite et le jerk à moins de 2,2 fois&#xa0;; la courbure croît jusqu&apos;à cinq fois, et d&apos;autres axes la supportent.</translation>
+    </message>
+    <message>
+        <source>On blends the shares of the least acceleration and jerk of the axes are kept: of the acceleration R_A across and 1 - R_A along the path, of the jerk R_J across and 1 - R_J along it.</source>
+        <translation>Sur les raccords, les parts de la plus petite accélération et du plus petit jerk des axes sont tenues&#xa0;: de l&apos;accélération, R_A normalement à la trajectoire et 1 - R_A le long d&apos;elle&#xa0;; du jerk, R_J normalement et 1 - R_J le long.</translation>
+    </message>
+    <message>
+        <source>No jerk is limited, and in corners the velocity of an axis jumps.</source>
+        <translation>Aucun jerk n&apos;est limité et, dans les angles, la vitesse d&apos;un axe saute.</translation>
+    </message>
+    <message>
+        <source>Rapids and feed motions meet by the rule of corners; there is no stop between them.</source>
+        <translation>Rapides et déplacements en avance s&apos;enchaînent selon la règle des angles, sans arrêt entre eux.</translation>
+    </message>
+    <message>
+        <source>Rapids are lines at the feed in force; those of a program that is run as it is meant run at the maximum velocity.</source>
+        <translation>Les rapides sont des droites à l&apos;avance en vigueur&#xa0;; ceux d&apos;un programme exécuté tel qu&apos;il est pensé vont à la vitesse maximale.</translation>
+    </message>
+    <message>
+        <source>No jerk is limited, and where blocks meet within a small kink the velocity of an axis jumps.</source>
+        <translation>Aucun jerk n&apos;est limité et, là où des blocs se rejoignent avec une petite cassure, la vitesse d&apos;un axe saute.</translation>
+    </message>
+    <message>
+        <source>The time runs from the first to the last motion: a dwell before or behind all of it is not counted.</source>
+        <translation>Le temps court du premier au dernier mouvement&#xa0;: une temporisation avant ou après n&apos;est pas comptée.</translation>
+    </message>
+    <message>
+        <source>Rapids blend among each other; next to a feed motion they stop.</source>
+        <translation>Les rapides se raccordent entre eux&#xa0;; à côté d&apos;un déplacement en avance, ils s&apos;arrêtent.</translation>
+    </message>
+    <message>
+        <source>Points that compaction omits stay within the tolerance of the chord; a corner blend may deviate from the chord in addition.</source>
+        <translation>Les points que le compactage supprime restent à moins de la tolérance de la corde&#xa0;; un raccord d&apos;angle peut s&apos;écarter de la corde en plus.</translation>
+    </message>
+    <message>
+        <source>law dynamic: where curvature jumps, the acceleration changes within one interpolation period by what the axis jerk allows.</source>
+        <translation>loi dynamic&#xa0;: là où la courbure saute, l&apos;accélération change en une période d&apos;interpolation de ce que permet le jerk de l&apos;axe.</translation>
+    </message>
+    <message>
+        <source>On arcs the tangential and the radial acceleration each keep the axis limits at the place where the steady feed is reached, and so do the two parts of the jerk along the path, v&apos;&apos; and v^3 k^2; their sum may exceed them, and elsewhere on the arc the radial acceleration and v^3 k^2 too, as measured there.</source>
+        <translation>Sur les arcs, l&apos;accélération tangentielle et l&apos;accélération radiale tiennent chacune les limites des axes à l&apos;endroit où l&apos;avance stable est atteinte, de même que les deux parts du jerk le long de la trajectoire, v&apos;&apos; et v^3 k^2&#xa0;; leur somme peut les dépasser et, ailleurs sur l&apos;arc, l&apos;accélération radiale et v^3 k^2 aussi, selon ce qui y est mesuré.</translation>
+    </message>
+    <message>
+        <source>A filtered velocity is an average of commanded ones, which keeps the axes&apos; velocities.</source>
+        <translation>Une vitesse filtrée est une moyenne de vitesses de consigne&#xa0;: les vitesses des axes sont tenues.</translation>
+    </message>
+    <message>
+        <source>Acceleration and jerk follow from the filters alone: a change of feed dF takes the jerk dF/T1^2; axis limits are not considered.</source>
+        <translation>Accélération et jerk ne viennent que des filtres&#xa0;: un changement d&apos;avance dF demande le jerk dF/T1^2&#xa0;; les limites des axes ne sont pas prises en compte.</translation>
+    </message>
+    <message>
+        <source>With three filters the jerk is continuous, too.</source>
+        <translation>Avec trois filtres, le jerk est continu lui aussi.</translation>
+    </message>
+    <message>
+        <source>Tolerance 0: full stops in every corner; on arcs the path is still inside the programmed one, by the amount that the filters reduce the radius.</source>
+        <translation>Tolérance 0&#xa0;: arrêt complet à chaque angle&#xa0;; sur les arcs, la trajectoire reste à l&apos;intérieur de la trajectoire programmée, de ce dont les filtres réduisent le rayon.</translation>
+    </message>
+    <message>
+        <source>info</source>
+        <translation>information</translation>
+    </message>
+    <message>
+        <source>%1 more</source>
+        <translation>%1 de plus</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ActionTable</name>
@@ -3953,14 +5327,6 @@ max. : %1 %</translation>
 <context>
     <name>feedscope::ui::HandoutCommand</name>
     <message>
-        <source>&amp;Hand-out of the lesson …</source>
-        <translation>Polycopié de la &amp;leçon …</translation>
-    </message>
-    <message>
-        <source>Text, pictures, questions and answers of the open lesson as PDF or HTML, to print</source>
-        <translation>Texte, images, questions et réponses de la leçon ouverte en PDF ou en HTML, à imprimer</translation>
-    </message>
-    <message>
         <source>print paper class lesson worksheet exercise</source>
         <translation>imprimer papier classe cours leçon polycopié exercice</translation>
     </message>
@@ -3998,10 +5364,6 @@ max. : %1 %</translation>
     <message>
         <source>Lessons for courses, with questions on the simulation</source>
         <translation>Leçons pour les cours, avec des questions sur la simulation</translation>
-    </message>
-    <message>
-        <source>L&amp;esson</source>
-        <translation>L&amp;eçon</translation>
     </message>
     <message>
         <source>&amp;Find a command …</source>
@@ -4112,10 +5474,6 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>Lesson</source>
         <translation>Leçon</translation>
-    </message>
-    <message>
-        <source>Choose a lesson</source>
-        <translation>Choisir une leçon</translation>
     </message>
     <message>
         <source>Set up the window</source>
@@ -4764,10 +6122,6 @@ Utiliser la machine qu’elle décrit pour la simulation courante ?</translation
         <translation>Graphiques</translation>
     </message>
     <message>
-        <source>Sheet in English: 3D view, charts and figures</source>
-        <translation>Fiche en anglais : vue 3D, graphiques et chiffres</translation>
-    </message>
-    <message>
         <source>The whole window</source>
         <translation>Toute la fenêtre</translation>
     </message>
@@ -4854,6 +6208,14 @@ Utiliser la machine qu’elle décrit pour la simulation courante ?</translation
     <message>
         <source>Writing %1 …</source>
         <translation>Écriture de %1 …</translation>
+    </message>
+    <message>
+        <source>Sheet: 3D view, charts and figures</source>
+        <translation>Fiche&#xa0;: vue 3D, graphiques et chiffres</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Langue</translation>
     </message>
 </context>
 <context>
@@ -5507,6 +6869,10 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>Writing %1 …</source>
         <translation>Écriture de %1 …</translation>
+    </message>
+    <message>
+        <source>La&amp;nguage</source>
+        <translation>La&amp;ngue</translation>
     </message>
 </context>
 <context>
@@ -7257,6 +8623,13 @@ Ensemble&#xa0;: %4</translation>
     </message>
 </context>
 <context>
+    <name>feedscope::ui::TriesTable</name>
+    <message>
+        <source>cycle time</source>
+        <translation>temps de cycle</translation>
+    </message>
+</context>
+<context>
     <name>feedscope::ui::VersionsView</name>
     <message>
         <source>Versions</source>
@@ -7565,10 +8938,6 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>Save the session?</source>
         <translation>Enregistrer la session ?</translation>
-    </message>
-    <message>
-        <source>Runs and annotations of %1 have not been saved.</source>
-        <translation>Les simulations et annotations de %1 ne sont pas enregistrées.</translation>
     </message>
     <message>
         <source>Restore the last session?</source>

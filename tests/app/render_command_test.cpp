@@ -150,8 +150,29 @@ TEST_F(RenderCommand, SpeaksFrenchWhereItIsAskedTo) {
     EXPECT_TRUE(drawn(view, " --language en") == english) << view;
     EXPECT_FALSE(drawn(view, " --language fr") == english) << view;
   }
-  expect_wrong_use("corner.nc --view sheet --language fr --out s.pdf", "sheets are English");
-  expect_wrong_use("corner.nc --language xx --out p.png", "--language");
+  expect_wrong_use("corner.nc --language xx --out p.png", "--language: xx not in {en,fr}");
+}
+
+TEST_F(RenderCommand, PdfFilesHoldTextsOfEveryLetter) {
+  if (std::system("pdftotext -v >/dev/null 2>&1") != 0) {
+    GTEST_SKIP() << "pdftotext (poppler-utils) reads the picture, and it is not installed";
+  }
+  const auto text_of = [&](const std::string& options) {
+    EXPECT_EQ(run("corner.nc " + options + " --language fr --out t.pdf").code, 0) << options;
+    EXPECT_EQ(std::system(("cd '" + folder_.string() + "' && pdftotext t.pdf t.txt").c_str()), 0);
+    std::ostringstream text;
+    text << std::ifstream(folder_ / "t.txt", std::ios::binary).rdbuf();
+    return text.str();
+  };
+  const std::string scene = text_of("--colour contour_error");
+  EXPECT_THAT(scene, HasSubstr("(µm)"));
+  EXPECT_THAT(scene, HasSubstr("programmée"));
+  const std::string sheet = text_of("--view sheet --tolerance 0.01");
+  EXPECT_THAT(sheet, HasSubstr("temps de cycle"));
+  EXPECT_THAT(sheet, HasSubstr("essid, 0,01 mm"));
+  EXPECT_THAT(sheet, HasSubstr("programmée"));
+  EXPECT_THAT(sheet, HasSubstr("--language fr"));
+  EXPECT_THAT(sheet, testing::Not(HasSubstr("cycle time")));
 }
 
 TEST_F(RenderCommand, WritesToStandardOutput) {

@@ -1,4 +1,8 @@
+#include <regex>
+#include <sstream>
+
 #include "tests/app/command_line.h"
+#include "tests/support/folders.h"
 
 namespace feedscope::test {
 namespace {
@@ -96,6 +100,56 @@ TEST_F(ReportCommand, SaysWhatTheCycleTimeDoesNotContain) {
   EXPECT_THAT(contents(folder_ / "r.html"), HasSubstr("1 spindle start"));
   EXPECT_THAT(contents(folder_ / "r.html"), Not(HasSubstr("moves to or from")));
   EXPECT_THAT(contents(folder_ / "r.html"), HasSubstr("tool change"));
+}
+
+/// What stands between `begin` and `end` is taken out, with both.
+std::string without(std::string text, const std::string& begin, const std::string& end) {
+  for (std::size_t at = text.find(begin); at != std::string::npos; at = text.find(begin, at)) {
+    const std::size_t until = text.find(end, at);
+    text.replace(at, until == std::string::npos ? until : until + end.size() - at, " ");
+  }
+  return text;
+}
+
+/// What a reader sees of an HTML report, without the papers that models come from.
+std::string words_of(const std::string& html) {
+  return without(without(without(html, "<style>", "</style>"), "<p><b>Référence", "</p>"), "<", ">");
+}
+
+TEST_F(ReportCommand, SpeaksFrenchThroughout) {
+  const std::string samples = FEEDSCOPE_SOURCE_DIR "/resources/";
+  const std::regex english(
+      "\\b(the|of|and|is|are|with|at|from|in|by|to|line|lines|feed|time|none|axis|corner|block)\\b");
+  for (const std::string& call :
+       {samples + "programs/sinumerik_plate.mpf --model optimal --model ward --model tapie",
+        samples + "programs/fanuc_bores.nc --model cam --model grbl --model linuxcnc",
+        samples + "programs/trochoidal_slot.nc --load " + samples +
+            "examples/trochoidal_slot_load.toml --set X.kv=60"}) {
+    const Result result = report(
+        call + " --language fr --date 2025-01-31 --without machines,messages,commands" + " --out r.html");
+    ASSERT_EQ(result.code, 0) << result.err;
+    const std::string html = contents(folder_ / "r.html");
+    EXPECT_THAT(html, HasSubstr("<html lang=\"fr\">"));
+    EXPECT_THAT(html, HasSubstr("31 janvier 2025"));
+    std::istringstream lines(words_of(html));
+    for (std::string line; std::getline(lines, line);) {
+      std::smatch found;
+      const bool source = line.find("Milling Force Model") != std::string::npos;  // of a material
+      EXPECT_FALSE(!source && std::regex_search(line, found, english)) << found.str() << ": " << line;
+    }
+  }
+  EXPECT_EQ(report("corner.nc --language en --out e.html").code, 0);
+  EXPECT_EQ(report("corner.nc --out e2.html").code, 0);
+  const auto said = [&](const char* file) {
+    return without(contents(folder_ / file), "<p class=\"command\">", "</p>");
+  };
+  EXPECT_TRUE(said("e.html") == said("e2.html")) << "English, where nobody asks";
+  EXPECT_THAT(contents(folder_ / "e.html"), HasSubstr("<html lang=\"en\">"));
+}
+
+TEST_F(ReportCommand, NamesItsLanguages) {
+  expect_wrong_use("report corner.nc --language xx --out r.pdf", "--language: xx not in {en,fr}");
+  EXPECT_FALSE(fs::exists(folder_ / "r.pdf"));
 }
 
 TEST_F(ReportCommand, FillsATemplateOfOnesOwn) {

@@ -32,6 +32,12 @@ QList<QPointer<QTranslator>>& installed() {
   return translators;
 }
 
+/// The language in force.
+QString& spoken() {
+  static QString code = english;
+  return code;
+}
+
 void install(const QString& name, const QString& folder) {
   auto* translator = new Translator(QCoreApplication::instance());
   if (translator->load(name, folder)) {
@@ -62,7 +68,16 @@ void choose_language(const QString& code) {
   }
 }
 
+QString spoken_language() {
+  return spoken();
+}
+
+bool speaks_english() {
+  return spoken() == english;
+}
+
 void install_language(const QString& code) {
+  spoken() = code;
   for (const QPointer<QTranslator>& translator : std::exchange(installed(), {})) {
     delete translator;  // it removes itself
   }

@@ -16,5 +16,9 @@ void choose_language(const QString& code);
 void install_language(const QString& code);
 /// The same for pictures, whatever the desktop's settings are.
 void speak(const QString& code);
+/// The language in force; English at first.
+QString spoken_language();
+/// Whether the texts are those of the sources.
+bool speaks_english();
 
 }  // namespace feedscope::ui

@@ -45,6 +45,10 @@ QString caption_paragraph(const QString& text) {
   return QStringLiteral("<p class=\"caption\">%1</p>\n").arg(text);
 }
 
+QString paragraph(const QString& text) {
+  return QStringLiteral("<p>%1</p>\n").arg(text);
+}
+
 HtmlTable::HtmlTable(std::string sides, std::vector<int> widths)
     : sides_(std::move(sides)), widths_(std::move(widths)) {
   widths_.resize(sides_.size(), 0);

@@ -11,6 +11,8 @@ QString html_text(const QString& text);
 QString html_text(const std::string& text);
 /// A paragraph that explains a table or picture; `text` is HTML.
 QString caption_paragraph(const QString& text);
+/// A paragraph of running text, which may hold HTML.
+QString paragraph(const QString& text);
 
 /// A table of a report, as HTML that browsers and QTextDocument lay out in the same way.
 class HtmlTable {

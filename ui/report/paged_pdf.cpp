@@ -10,6 +10,7 @@
 #include "ui/report/paged_document.h"
 #include "ui/report/pdf_file.h"
 #include "ui/report/picture_file.h"
+#include "ui/report/report_numbers.h"
 #include "ui/theme/fonts.h"
 
 namespace feedscope::ui {
@@ -37,8 +38,7 @@ void draw_margins(QPainter& painter, const PageTexts& texts, int page, int pages
     painter.drawText(room, Qt::AlignRight | Qt::AlignVCenter, right);
   };
   if (page > 0) {
-    line(margin_top - 30, texts.title,
-         texts.date.isValid() ? texts.date.toString(QStringLiteral("yyyy-MM-dd")) : QString());
+    line(margin_top - 30, texts.title, date_text(texts.date));
   }
   line(page_height - margin_bottom + 22,
        QStringLiteral("Feedscope %1").arg(QStringLiteral(FEEDSCOPE_VERSION)),

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "ui/language/language.h"
 #include "ui/report/html_table.h"
 #include "ui/report/paged_pdf.h"
 #include "ui/report/report_circles.h"
@@ -15,6 +16,7 @@
 #include "ui/report/report_tables.h"
 #include "ui/report/report_time.h"
 #include "ui/report/report_traces.h"
+#include "ui/report/report_words.h"
 #include "ui/report/template_pictures.h"
 
 namespace feedscope::ui {
@@ -30,10 +32,6 @@ QString commands_block(const ReportInput& input) {
     html += QStringLiteral("<p class=\"command\">%1</p>\n").arg(command.toHtmlEscaped());
   }
   return html;
-}
-
-QString date_text(const ReportInput& input) {
-  return input.date.isValid() ? input.date.toString(QStringLiteral("yyyy-MM-dd")) : QString();
 }
 
 QString remarks_block(const ReportInput& input) {
@@ -57,7 +55,7 @@ QString logo_block(const ReportInput& input) {
   const auto picture = InlinePicture::from_url(input.logo);
   const QSizeF size = picture->size().scaled(largest_width, height, Qt::KeepAspectRatio);
   return QStringLiteral("<img src=\"%1\" width=\"%2\" height=\"%3\" alt=\"Logo\"/>")
-      .arg(input.logo, fixed(size.width(), 0), fixed(size.height(), 0));
+      .arg(input.logo, QString::number(size.width(), 'f', 0), QString::number(size.height(), 'f', 0));
 }
 
 struct Block {
@@ -82,7 +80,7 @@ const std::vector<Block>& blocks() {
   static const std::vector<Block> list{
       {"title", plain([](const ReportInput& input) { return input.heading().toHtmlEscaped(); })},
       {"author", plain([](const ReportInput& input) { return input.author.toHtmlEscaped(); })},
-      {"date", plain(date_text)},
+      {"date", plain([](const ReportInput& input) { return date_text(input.date); })},
       {"logo", plain(logo_block)},
       {"remarks", plain(remarks_block)},
       {"program", plain([](const ReportInput& input) {
@@ -92,6 +90,7 @@ const std::vector<Block>& blocks() {
          return QString::fromStdString(input.run().shown->run.setup.machine.name).toHtmlEscaped();
        })},
       {"run", plain([](const ReportInput& input) { return input.run().name.toHtmlEscaped(); })},
+      {"language", plain([](const ReportInput&) { return spoken_language(); })},
       {"version", plain([](const ReportInput&) { return QStringLiteral(FEEDSCOPE_VERSION); })},
       {"summary", plain(summary_block)},
       {"comparison_table", plain(comparison_block)},
@@ -123,6 +122,10 @@ const std::vector<Block>& blocks() {
       {"models", plain(models_block)},
       {"commands", plain(commands_block)}};
   return list;
+}
+
+PageTexts page_texts(const ReportInput& input) {
+  return {input.heading(), input.author, input.date, ReportWords::tr("page %1 of %2")};
 }
 
 }  // namespace
@@ -172,15 +175,14 @@ ReportPage report_page(const ReportInput& asked, const ReportTemplate& page, Rep
 std::string make_report(const ReportInput& input, const ReportTemplate& page, ReportFormat format,
                         Progress* progress) {
   const ReportPage report = report_page(input, page, format, progress);
-  return format == ReportFormat::pdf
-             ? paged_pdf(report.html, report.pictures, {input.heading(), input.author, input.date})
-             : report_html(report.html, report.pictures);
+  return format == ReportFormat::pdf ? paged_pdf(report.html, report.pictures, page_texts(input))
+                                     : report_html(report.html, report.pictures);
 }
 
 std::vector<std::string> make_report_pictures(const ReportInput& input, const ReportTemplate& page,
                                               double dpi, Progress* progress) {
   const ReportPage report = report_page(input, page, ReportFormat::pdf, progress);
-  return paged_pictures(report.html, report.pictures, {input.heading(), input.author, input.date}, dpi);
+  return paged_pictures(report.html, report.pictures, page_texts(input), dpi);
 }
 
 }  // namespace feedscope::ui

@@ -6,9 +6,12 @@
 
 #include "core/base/units.h"
 #include "ui/circular/polar_plot.h"
+#include "ui/language/composed_text.h"
+#include "ui/language/language.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/report/html_table.h"
 #include "ui/report/report_numbers.h"
+#include "ui/report/report_words.h"
 
 namespace feedscope::ui {
 
@@ -40,13 +43,13 @@ QStringList row_of(int number, const CircularTest& test, const CirclePass& pass)
   const Circularity& found = pass.circularity;
   return {QString::number(number),
           circle_lines(pass),
-          QStringLiteral("%1, %2, %3")
+          ReportWords::tr("%1, %2, %3", "coordinates")
               .arg(place(test.center.x()), place(test.center.y()), place(test.center.z())),
           QStringLiteral("%1 %2").arg(place(test.request.radius),
                                       QString::fromLatin1(info_of(test.request.plane).name.data())),
-          QStringLiteral("%1 of %2")
+          ReportWords::tr("%1 of %2")
               .arg(fixed(pass.reached_feed, Dimension::feed), fixed(test.request.feed, Dimension::feed)),
-          QString::fromLatin1(pass.direction()),
+          pass.counter_clockwise ? ReportWords::tr("ccw") : ReportWords::tr("cw"),
           deviation(found.zone),
           deviation(found.by_squares),
           deviation(found.largest),
@@ -70,15 +73,17 @@ QString circles_block(const ReportInput& input) {
   if (circles.tests.empty()) {
     return {};
   }
-  HtmlTable table("rlrrrlrrrrrrr", {4, 6, 18, 9, 12, 5, 6, 7, 7, 7, 7, 6, 6});
+  const std::vector<int> widths = speaks_english() ? std::vector{4, 6, 18, 9, 12, 5, 6, 7, 7, 7, 7, 6, 6}
+                                                   : std::vector{4, 6, 18, 9, 16, 6, 6, 6, 6, 6, 6, 6, 5};
+  HtmlTable table("rlrrrlrrrrrrr", widths);
   const QString unit = QStringLiteral(" [%1]").arg(unit_of(Dimension::error));
-  table.add_head({QStringLiteral("No."), QStringLiteral("Line"),
-                  with_unit_of(QStringLiteral("Centre X, Y, Z"), Dimension::length),
-                  with_unit_of(QStringLiteral("Radius"), Dimension::length),
-                  with_unit_of(QStringLiteral("Feed"), Dimension::feed), QStringLiteral("Turn"),
+  table.add_head({ReportWords::tr("No."), ReportWords::tr("Line"),
+                  with_unit_of(ReportWords::tr("Centre X, Y, Z"), Dimension::length),
+                  with_unit_of(ReportWords::tr("Radius"), Dimension::length),
+                  with_unit_of(ReportWords::tr("Feed"), Dimension::feed), ReportWords::tr("Turn"),
                   QStringLiteral("G") + unit, QStringLiteral("G<sub>ls</sub>") + unit,
-                  QStringLiteral("F<sub>max</sub>") + unit, QStringLiteral("F<sub>min</sub>") + unit,
-                  QStringLiteral("F<sub>mean</sub>") + unit, QStringLiteral("G(b)") + unit,
+                  ReportWords::tr("F<sub>max</sub>") + unit, ReportWords::tr("F<sub>min</sub>") + unit,
+                  ReportWords::tr("F<sub>mean</sub>") + unit, QStringLiteral("G(b)") + unit,
                   QStringLiteral("D") + unit});
   std::size_t rows = 0;
   int number = 0;
@@ -93,11 +98,11 @@ QString circles_block(const ReportInput& input) {
   QString html = table.html();
   if (rows > max_circle_rows) {
     html += caption_paragraph(
-        QStringLiteral("The first %1 of %2 circles; “feedscope circular” lists all of them.")
+        ReportWords::tr("The first %1 of %2 circles; “feedscope circular” lists all of them.")
             .arg(max_circle_rows)
             .arg(rows));
   }
-  html += caption_paragraph(QStringLiteral(
+  html += caption_paragraph(ReportWords::tr(
       "G: circular error, least radial separation of two concentric circles that hold the path; "
       "G<sub>ls</sub>: the same about the centre of the least-squares circle; F<sub>max</sub>, "
       "F<sub>min</sub>, F<sub>mean</sub>: largest, least and mean deviation from the programmed radius at "
@@ -107,7 +112,7 @@ QString circles_block(const ReportInput& input) {
       "programmed one, where the same circle is run in both at one feed. Centre and radius are those of the "
       "tool centre; ccw, cw: counter-clockwise, clockwise in the plane."));
   for (const std::string& note : program_circle_notes(circles)) {
-    html += caption_paragraph(html_text(note));
+    html += caption_paragraph(html_text(composed_text(note)));
   }
   return html;
 }
@@ -122,8 +127,8 @@ QString circle_plots_block(const ReportInput& input, ReportPictures& pictures) {
   auto plot = std::make_shared<PolarPlot>();
   plot->setPalette(QPalette(Qt::white));
   plot->ensurePolished();
-  plot->set_tests(QStringLiteral("Circular test (ISO 230-4)"),
-                  QStringLiteral("%1, model %2")
+  plot->set_tests(ReportWords::tr("Circular test (ISO 230-4)"),
+                  ReportWords::tr("%1, model %2")
                       .arg(QString::fromStdString(input.run().shown->run.setup.machine.name),
                            QString::fromStdString(input.run().shown->run.setup.model->info().id)),
                   {circles.tests.begin(), circles.tests.begin() + static_cast<std::ptrdiff_t>(shown)});
@@ -134,13 +139,13 @@ QString circle_plots_block(const ReportInput& input, ReportPictures& pictures) {
   };
   const QString which =
       shown < circles.tests.size()
-          ? QStringLiteral("the first %1 of %2 circles").arg(shown).arg(circles.tests.size())
-          : QStringLiteral("the circles");
+          ? ReportWords::tr("the first %1 of %2 circles").arg(shown).arg(circles.tests.size())
+          : ReportWords::tr("the circles");
   return figure(pictures.add(QStringLiteral("circles"), {size, false, paint},
-                             QStringLiteral("Polar plots of the circles of the program")),
-                QStringLiteral("Polar plots of %1 of %2 by the %3 path; radial deviations are enlarged.")
+                             ReportWords::tr("Polar plots of the circles of the program")),
+                ReportWords::tr("Polar plots of %1 of %2 by the %3 path; radial deviations are enlarged.")
                     .arg(which, html_text(input.run().name),
-                         circles.actual ? QStringLiteral("actual") : QStringLiteral("set")));
+                         circles.actual ? ReportWords::tr("actual") : ReportWords::tr("set")));
 }
 
 }  // namespace feedscope::ui

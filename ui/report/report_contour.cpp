@@ -11,9 +11,11 @@
 #include "core/base/units.h"
 #include "ui/contour/contour_plot.h"
 #include "ui/contour/contour_texts.h"
+#include "ui/language/language.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/report/html_table.h"
 #include "ui/report/report_numbers.h"
+#include "ui/report/report_words.h"
 #include "ui/report/scene_picture.h"
 #include "ui/theme/fonts.h"
 
@@ -52,7 +54,7 @@ std::vector<SimilarErrors> worst_errors(const ReportInput& input, std::size_t mo
 
 QString line_cell(const SimilarErrors& errors) {
   const QString line = html_text(line_text(errors.worst));
-  return errors.count > 1 ? QStringLiteral("%1 and %2 similar").arg(line).arg(errors.count - 1) : line;
+  return errors.count > 1 ? ReportWords::tr("%1 and %2 similar").arg(line).arg(errors.count - 1) : line;
 }
 
 /// Path on both sides of the place that a close-up shows [mm].
@@ -133,21 +135,24 @@ QString contour_histogram_block(const ReportInput& input, ReportPictures& pictur
     ContourPlot(*curves, QRectF(QPointF(), size), paper_font(10), theme_colours(QPalette(Qt::white)))
         .draw(painter);
   };
-  const QString others = curves->runs.size() > 1 ? QStringLiteral(", the other runs as outlines") : QString();
+  const QString others =
+      curves->runs.size() > 1 ? ReportWords::tr(", the other runs as outlines") : QString();
   return figure(pictures.add(QStringLiteral("contour"), {size, false, paint},
-                             QStringLiteral("Path length by contour error")),
-                QStringLiteral("Path length of %1 by contour error%2. %3 %4")
+                             ReportWords::tr("Path length by contour error")),
+                ReportWords::tr("Path length of %1 by contour error%2. %3 %4")
                     .arg(html_text(input.run().name), others, verdict_text(current).toHtmlEscaped(),
                          share_text(current, curves->sides).toHtmlEscaped()));
 }
 
 QString contour_places_block(const ReportInput& input) {
-  HtmlTable table("rlrrlllr", {4, 15, 8, 9, 6, 19, 14, 25});
-  table.add_head({QStringLiteral("No."), QStringLiteral("Line"),
-                  with_unit_of(QStringLiteral("Error"), Dimension::error), QStringLiteral("Of tolerance [%]"),
-                  QStringLiteral("Side"), QStringLiteral("Where"),
-                  with_unit_of(QStringLiteral("Feed"), Dimension::feed),
-                  with_unit_of(QStringLiteral("At X, Y, Z"), Dimension::length)});
+  const std::vector<int> widths =
+      speaks_english() ? std::vector{4, 15, 8, 9, 6, 19, 14, 25} : std::vector{4, 14, 8, 10, 8, 18, 14, 24};
+  HtmlTable table("rlrrlllr", widths);
+  table.add_head({ReportWords::tr("No."), ReportWords::tr("Line"),
+                  with_unit_of(ReportWords::tr("Error"), Dimension::error),
+                  ReportWords::tr("Of tolerance [%]"), ReportWords::tr("Side"), ReportWords::tr("Where"),
+                  with_unit_of(ReportWords::tr("Feed"), Dimension::feed),
+                  with_unit_of(ReportWords::tr("At X, Y, Z"), Dimension::length)});
   int number = 0;
   for (const SimilarErrors& errors : worst_errors(input, max_error_places)) {
     const ContourFinding& found = errors.worst;
@@ -157,9 +162,9 @@ QString contour_places_block(const ReportInput& input) {
     table.add({QString::number(++number), line_cell(errors), error_text(found.place.error),
                has_tolerance ? fixed(percent * found.place.error / *found.tolerance, 0) : QStringLiteral("–"),
                side_text(found.place), spot_text(found.spot).toHtmlEscaped(),
-               QStringLiteral("%1 of %2")
+               ReportWords::tr("%1 of %2")
                    .arg(fixed(found.feed, Dimension::feed), fixed(found.programmed_feed, Dimension::feed)),
-               QStringLiteral("%1, %2, %3")
+               ReportWords::tr("%1, %2, %3", "coordinates")
                    .arg(fixed(at.x(), Dimension::length), fixed(at.y(), Dimension::length),
                         fixed(at.z(), Dimension::length))});
   }
@@ -171,15 +176,15 @@ QString contour_place_views_block(const ReportInput& input, ReportPictures& pict
   for (const SimilarErrors& errors : worst_errors(input, max_error_close_ups)) {
     const QString number = QString::number(shown.size() + 1);
     const double factor = enlargement(errors.worst.place);
-    QString caption = QStringLiteral("Place %1: line %2, %3")
+    QString caption = ReportWords::tr("Place %1: line %2, %3")
                           .arg(number, line_cell(errors), error_amount_text(errors.worst.place.error));
     if (factor > 1) {
-      caption += QStringLiteral("; deviations exaggerated %1 times").arg(significant(factor, 4));
+      caption += ReportWords::tr("; deviations exaggerated %1 times").arg(significant(factor, 4));
     }
     caption += '.';
     shown.emplace_back(
         pictures.add(QStringLiteral("error%1").arg(number), close_up(input, errors.worst.place),
-                     QStringLiteral("Close-up of contour error %1").arg(number)),
+                     ReportWords::tr("Close-up of contour error %1").arg(number)),
         caption);
   }
   return close_up_table(shown);

@@ -3,10 +3,12 @@
 #include <algorithm>
 
 #include "core/base/units.h"
+#include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/load/load_texts.h"
 #include "ui/report/html_table.h"
 #include "ui/report/report_numbers.h"
+#include "ui/report/report_words.h"
 
 namespace feedscope::ui {
 
@@ -16,21 +18,22 @@ constexpr std::size_t max_place_rows = 12;
 
 QString operations_table(const RunLoad& load, const LoadFigures& figures) {
   HtmlTable table("rllrrrrllr", {4, 18, 22, 8, 6, 6, 7, 7, 12, 10});
-  table.add_head({QStringLiteral("No."), QStringLiteral("Operation"), QStringLiteral("Material"),
-                  with_unit_of(QStringLiteral("Diameter"), Dimension::length), QStringLiteral("Teeth"),
-                  with_unit_of(QStringLiteral("Helix"), Dimension::angle),
+  table.add_head({ReportWords::tr("No."), ReportWords::tr("Operation"), ReportWords::tr("Material"),
+                  with_unit_of(ReportWords::tr("Diameter"), Dimension::length), ReportWords::tr("Teeth"),
+                  with_unit_of(ReportWords::tr("Helix"), Dimension::angle),
                   with_unit_of(QStringLiteral("a<sub>e</sub>"), Dimension::length),
-                  with_unit_of(QStringLiteral("a<sub>p</sub>"), Dimension::length), QStringLiteral("Milling"),
-                  with_unit_of(QStringLiteral("Cutting time"), Dimension::time)});
+                  with_unit_of(QStringLiteral("a<sub>p</sub>"), Dimension::length),
+                  ReportWords::tr("Milling"),
+                  with_unit_of(ReportWords::tr("Cutting time"), Dimension::time)});
   const auto& operations = load.model().operations();
   for (std::size_t i = 0; i < operations.size(); ++i) {
     const Engagement& operation = operations[i].operation;
     table.add({QString::number(i + 1), html_text(operation_text(operation)),
-               html_text(operations[i].material.title), fixed(operation.diameter, Dimension::length),
-               QString::number(operation.teeth), fixed(operation.helix, Dimension::angle, 1),
-               fixed(operation.radial_depth, Dimension::length),
+               html_text(core_text(operations[i].material.title)),
+               fixed(operation.diameter, Dimension::length), QString::number(operation.teeth),
+               fixed(operation.helix, Dimension::angle, 1), fixed(operation.radial_depth, Dimension::length),
                fixed(operation.axial_depth, Dimension::length),
-               operation.milling == Milling::up ? QStringLiteral("up") : QStringLiteral("down"),
+               operation.milling == Milling::up ? ReportWords::tr("up") : ReportWords::tr("down"),
                fixed(figures.operations[i].cutting_time, Dimension::time)});
   }
   return table.html();
@@ -43,15 +46,15 @@ QString with_unit(double value, Dimension dimension) {
 QString figures_table(const LoadTotals& totals) {
   HtmlTable table("lrrrrr");
   table.add_group_head({{QString(), 1},
-                        {QStringLiteral("At the predicted feed"), 3},
-                        {QStringLiteral("At the programmed feed"), 2}});
-  table.add_head({QStringLiteral("Load"), QStringLiteral("largest"), QStringLiteral("in line"),
-                  QStringLiteral("mean"), QStringLiteral("largest"), QStringLiteral("mean")});
+                        {ReportWords::tr("At the predicted feed"), 3},
+                        {ReportWords::tr("At the programmed feed"), 2}});
+  table.add_head({ReportWords::tr("Load"), ReportWords::tr("largest"), ReportWords::tr("in line"),
+                  ReportWords::tr("mean"), ReportWords::tr("largest"), ReportWords::tr("mean")});
   for (std::size_t i = 0; i < load_quantity_count; ++i) {
     const QuantityInfo& info = info_of(load_quantities()[i].id);
     const LoadFigure& predicted = totals.predicted[i];
     const LoadFigure& programmed = totals.programmed[i];
-    table.add({html_text(std::string(info.title)), with_unit(predicted.largest, info.dimension),
+    table.add({html_text(core_text(std::string(info.title))), with_unit(predicted.largest, info.dimension),
                QString::number(predicted.line), with_unit(predicted.mean, info.dimension),
                with_unit(programmed.largest, info.dimension), with_unit(programmed.mean, info.dimension)});
   }
@@ -77,9 +80,9 @@ QString places_table(const LoadFigures& load) {
     return {};
   }
   HtmlTable table("llrrr");
-  table.add_head({QStringLiteral("Beyond a bound"), QStringLiteral("Lines"), QStringLiteral("worst"),
-                  with_unit_of(QStringLiteral("from"), Dimension::time),
-                  with_unit_of(QStringLiteral("for"), Dimension::time)});
+  table.add_head({ReportWords::tr("Beyond a bound"), ReportWords::tr("Lines"), ReportWords::tr("worst"),
+                  with_unit_of(ReportWords::tr("from"), Dimension::time),
+                  with_unit_of(ReportWords::tr("for"), Dimension::time)});
   for (std::size_t i = 0; i < std::min(rows.size(), max_place_rows); ++i) {
     const auto& [limit, place] = rows[i];
     const QString lines = place.first_line == place.last_line
@@ -91,7 +94,7 @@ QString places_table(const LoadFigures& load) {
   }
   QString html = table.html();
   if (count > max_place_rows) {
-    html += caption_paragraph(QStringLiteral("The %1 longest of %2 places.").arg(max_place_rows).arg(count));
+    html += caption_paragraph(ReportWords::tr("The %1 longest of %2 places.").arg(max_place_rows).arg(count));
   }
   return html;
 }
@@ -109,7 +112,7 @@ QString load_block(const ReportInput& input) {
     html += figures_table(load.all);
   }
   for (const QString& sentence : limits_text(load)) {
-    html += QStringLiteral("<p>%1.</p>\n").arg(html_text(sentence));
+    html += paragraph(html_text(sentence) + '.');
   }
   html += places_table(load);
   html += caption_paragraph(html_text(assumptions_text(load)));
@@ -117,8 +120,8 @@ QString load_block(const ReportInput& input) {
     html += caption_paragraph(html_text(without));
   }
   for (const LoadedOperation& operation : run.sources.load->model().operations()) {
-    const QString source = QStringLiteral("%1: %2.").arg(html_text(operation.material.title),
-                                                         html_text(operation.material.source));
+    const QString source = ReportWords::tr("%1: %2.").arg(html_text(core_text(operation.material.title)),
+                                                          html_text(operation.material.source));
     if (!html.contains(source)) {
       html += caption_paragraph(source);
     }
@@ -131,8 +134,8 @@ QString load_view_block(const ReportInput& input, ReportPictures& pictures) {
     return {};
   }
   return coloured_view(input, Colouring::chip_thickness, QStringLiteral("chip_thickness"),
-                       QStringLiteral("3D view by chip thickness"),
-                       QStringLiteral("Chip thickness of %1 along the path; grey: no load is computed.")
+                       ReportWords::tr("3D view by chip thickness"),
+                       ReportWords::tr("Chip thickness of %1 along the path; grey: no load is computed.")
                            .arg(html_text(input.run().name)),
                        pictures);
 }

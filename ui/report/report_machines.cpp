@@ -9,6 +9,7 @@
 #include "ui/report/html_table.h"
 #include "ui/report/report_numbers.h"
 #include "ui/report/report_tables.h"
+#include "ui/report/report_words.h"
 #include "ui/workbench/setup_state.h"
 #include "ui/workbench/tolerance_text.h"
 
@@ -24,7 +25,7 @@ int digits_of(const KeyUnit& unit) {
 QString value_text(const SettingValue& value, const KeyUnit& unit) {
   const auto* number = std::get_if<double>(&value);
   return number != nullptr ? significant(*number * unit.factor, digits_of(unit))
-                           : html_text(std::get<std::string>(value));
+                           : html_text(core_text(std::get<std::string>(value)));
 }
 
 /// "X, Y: Essid 2019, table 2" or, assumed, the same in italics.
@@ -34,7 +35,8 @@ QString source_text(const Machine& machine, const std::string& key) {
     return {};
   }
   const QString source = html_text(found->second.source);
-  return found->second.assumed ? QStringLiteral("<i>assumed: %1</i>").arg(source) : source;
+  return found->second.assumed ? QStringLiteral("<i>%1</i>").arg(ReportWords::tr("assumed: %1").arg(source))
+                               : source;
 }
 
 bool assumed(const Machine& machine, const std::string& key) {
@@ -59,7 +61,7 @@ QString axis_sources(const Machine& machine, const std::string& limit) {
   }
   QStringList lines;
   for (const auto& [axes, source] : sources) {
-    lines.append(QStringLiteral("%1: %2").arg(axes, source));
+    lines.append(ReportWords::tr("%1: %2").arg(axes, source));
   }
   return lines.join(QStringLiteral("<br/>"));
 }
@@ -83,19 +85,20 @@ QString rotary_table(const Machine& machine) {
     return QString();
   }
   HtmlTable table("lrll", {24, 12, 10, 54});
-  table.add_head({QStringLiteral("Rotary axis"), QStringLiteral("Value"), QStringLiteral("Unit"),
-                  QStringLiteral("Source")});
+  table.add_head({ReportWords::tr("Rotary axis"), ReportWords::tr("Value"), ReportWords::tr("Unit"),
+                  ReportWords::tr("Source")});
   for (const RotaryAxis& axis : machine.kinematics.rotary) {
     for (const SettingSpec& spec : rotary_axis_specs()) {
       const SettingValue value = axis_value(machine, axis.name, spec.key);
       if (const double* number = std::get_if<double>(&value)) {
-        table.add({QStringLiteral("%1 of %2").arg(html_text(spec.title), QString(QChar(axis.name))),
+        table.add({ReportWords::tr("%1 of %2", "of an axis")
+                       .arg(html_text(core_text(spec.title)), QString(QChar(axis.name))),
                    significant(*number, 6), html_text(spec.unit),
                    source_text(machine, axis_key(axis.name, spec.key))});
       }
     }
   }
-  table.add({QStringLiteral("Chain, part to tool"), html_text(machine.kinematics.chain), QString(),
+  table.add({ReportWords::tr("Chain, part to tool"), html_text(machine.kinematics.chain), QString(),
              source_text(machine, "kinematics.chain")});
   return table.html();
 }
@@ -105,7 +108,7 @@ QString axis_table(const Machine& machine) {
   constexpr int for_a_number = 9;  // [%] of the width
   std::string sides = "l";
   std::vector<int> widths{18};
-  QStringList head{QStringLiteral("Limit")};
+  QStringList head{ReportWords::tr("Limit")};
   for (const AxisInfo& axis : axes) {
     sides += 'r';
     widths.push_back(for_a_number);
@@ -113,13 +116,13 @@ QString axis_table(const Machine& machine) {
   }
   widths.insert(widths.end(), {for_a_number, 100 - 18 - for_a_number * (static_cast<int>(axes.size()) + 1)});
   HtmlTable table(sides + "ll", widths);
-  table.add_head(head << QStringLiteral("Unit") << QStringLiteral("Source"));
+  table.add_head(head << ReportWords::tr("Unit") << ReportWords::tr("Source"));
   for (const SettingSpec& spec : axis_specs()) {
     if (!has_any(machine, spec.key)) {
       continue;
     }
     const KeyUnit unit = key_unit(spec.unit);
-    QStringList cells{html_text(spec.title)};
+    QStringList cells{html_text(core_text(spec.title))};
     for (const auto& [axis, kind] : axes) {
       const QString value = axis_value_text(machine, axis, spec.key, unit);
       cells.append(assumed(machine, axis_key(axis, spec.key)) ? QStringLiteral("<i>%1</i>").arg(value)
@@ -145,7 +148,7 @@ std::map<std::string, SettingSpec> specs_of_all_settings() {
 
 QString setting_title(const std::map<std::string, SettingSpec>& specs, const std::string& key) {
   const auto found = specs.find(key);
-  return html_text(found == specs.end() ? key : found->second.title);
+  return found == specs.end() ? html_text(key) : html_text(core_text(found->second.title));
 }
 
 KeyUnit setting_unit(const std::map<std::string, SettingSpec>& specs, const std::string& key) {
@@ -156,8 +159,8 @@ KeyUnit setting_unit(const std::map<std::string, SettingSpec>& specs, const std:
 QString control_table(const Machine& machine) {
   const std::map<std::string, SettingSpec> specs = specs_of_all_settings();
   HtmlTable table("lrll", {31, 14, 9, 46});
-  table.add_head(
-      {QStringLiteral("Control"), QStringLiteral("Value"), QStringLiteral("Unit"), QStringLiteral("Source")});
+  table.add_head({ReportWords::tr("Control"), ReportWords::tr("Value"), ReportWords::tr("Unit"),
+                  ReportWords::tr("Source")});
   for (const auto& [key, value] : machine.settings.values()) {
     const KeyUnit unit = setting_unit(specs, key);
     const QString text = value_text(value, unit);
@@ -186,15 +189,15 @@ SettingRow row_of(const ReportInput& input, const QString& title, const QString&
 }
 
 std::vector<SettingRow> identity_rows(const ReportInput& input) {
-  return {row_of(input, QStringLiteral("Machine"), {},
+  return {row_of(input, ReportWords::tr("Machine"), {},
                  [](const Setup& setup) { return html_text(setup.machine.name); }),
-          row_of(input, QStringLiteral("Model"), {},
+          row_of(input, ReportWords::tr("Model"), {},
                  [](const Setup& setup) { return html_text(setup.model->info().id); })};
 }
 
 /// What the runs follow, which the program may set.
 SettingRow tolerance_row(const ReportInput& input) {
-  SettingRow row{QStringLiteral("Tolerance in force"), unit_of(Dimension::length), {}};
+  SettingRow row{ReportWords::tr("Tolerance in force"), unit_of(Dimension::length), {}};
   for (const ReportRun& run : input.runs) {
     row.values.push_back(
         tolerance_range(tolerance_in_force(run.shown->run.input.feed_controls, run.shown->run.setup)));
@@ -208,7 +211,8 @@ std::vector<SettingRow> limit_rows(const ReportInput& input) {
     const KeyUnit unit = key_unit(spec.unit);
     for (const auto& [axis, kind] : known_axes) {
       rows.push_back(row_of(input,
-                            QStringLiteral("%1 of %2").arg(html_text(spec.title), QString(QChar(axis))),
+                            ReportWords::tr("%1 of %2", "of an axis")
+                                .arg(html_text(core_text(spec.title)), QString(QChar(axis))),
                             unit.text, [&spec, &unit, axis = axis](const Setup& setup) {
                               return axis_value_text(setup.machine, axis, spec.key, unit);
                             }));
@@ -246,7 +250,7 @@ QString rows_table(const ReportInput& input, const std::vector<SettingRow>& rows
     std::vector<int> widths{30, 10};
     widths.resize(2 + end - first, share);
     HtmlTable table("ll" + std::string(end - first, 'r'), widths);
-    QStringList head{QStringLiteral("Setting"), QStringLiteral("Unit")};
+    QStringList head{ReportWords::tr("Setting"), ReportWords::tr("Unit")};
     for (std::size_t i = first; i < end; ++i) {
       head.append(run_label(input.runs[i]));
     }

@@ -1,7 +1,10 @@
 #include <algorithm>
 
+#include "ui/language/composed_text.h"
+#include "ui/language/core_texts.h"
 #include "ui/report/html_table.h"
 #include "ui/report/report_tables.h"
+#include "ui/report/report_words.h"
 
 namespace feedscope::ui {
 
@@ -10,9 +13,14 @@ namespace {
 QString list_of(const std::vector<std::string>& items) {
   QString html;
   for (const std::string& item : items) {
-    html += QStringLiteral("<li>%1</li>\n").arg(html_text(item));
+    html += QStringLiteral("<li>%1</li>\n").arg(html_text(composed_text(item)));
   }
   return html.isEmpty() ? html : QStringLiteral("<ul>\n%1</ul>\n").arg(html);
+}
+
+/// What a list begins with.
+QString lead(const QString& text) {
+  return QStringLiteral("<p class=\"lead\"><b>%1</b></p>\n").arg(text);
 }
 
 /// Names of the runs of one model with the same guarantees.
@@ -41,21 +49,21 @@ std::vector<Promise> promises_of(const ReportInput& input, const ControlModel& m
 
 QString model_text(const ReportInput& input, const ControlModel& model) {
   const ModelInfo& info = model.info();
-  QString html = QStringLiteral("<h3>%1 (%2)</h3>\n<p>%3</p>\n")
-                     .arg(html_text(info.title), html_text(info.id), html_text(info.summary));
+  QString html =
+      QStringLiteral("<h3>%1 (%2)</h3>\n<p>%3</p>\n")
+          .arg(html_text(core_text(info.title)), html_text(info.id), html_text(core_text(info.summary)));
   if (!info.reference.empty()) {
-    html += QStringLiteral("<p><b>Reference:</b> %1</p>\n").arg(html_text(info.reference));
+    html += paragraph(ReportWords::tr("<b>Reference:</b> %1").arg(html_text(info.reference)));
   }
   const std::vector<Promise> promises = promises_of(input, model);
   for (const Promise& promise : promises) {
-    const QString whose =
-        promises.size() > 1 ? QStringLiteral(" of %1").arg(html_text(promise.runs.join(QStringLiteral("; "))))
-                            : QString();
-    html +=
-        QStringLiteral("<p class=\"lead\"><b>Guarantees%1</b></p>\n").arg(whose) + list_of(promise.sentences);
+    const QString whose = html_text(promise.runs.join(QStringLiteral("; ")));
+    html += lead(promises.size() > 1 ? ReportWords::tr("Guarantees of %1").arg(whose)
+                                     : ReportWords::tr("Guarantees")) +
+            list_of(promise.sentences);
   }
   if (!info.remarks.empty()) {
-    html += QStringLiteral("<p class=\"lead\"><b>Remarks</b></p>\n") + list_of(info.remarks);
+    html += lead(ReportWords::tr("Remarks")) + list_of(info.remarks);
   }
   return html;
 }

@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/report/report_words.h"
+
 namespace feedscope::ui {
 
 QString fixed(double value, int decimals) {
-  const QString text = QLocale::c().toString(value, 'f', decimals);
-  const bool zero = text.startsWith('-') && !text.contains(QRegularExpression(QStringLiteral("[1-9]")));
-  return zero ? text.mid(1) : text;
+  const QString text = QLocale().toString(value, 'f', decimals);
+  const QString minus = QLocale().negativeSign();
+  const bool zero = text.startsWith(minus) && !text.contains(QRegularExpression(QStringLiteral("[1-9]")));
+  return zero ? text.mid(minus.size()) : text;
 }
 
 QString significant(double value, int digits) {
@@ -18,16 +21,18 @@ QString significant(double value, int digits) {
   constexpr double plain_from = 1e-5;
   constexpr double plain_to = 1e12;
   if (size != 0 && (size < plain_from || size >= plain_to)) {
-    return QLocale::c().toString(value, 'g', digits);
+    return QLocale().toString(value, 'g', digits);
   }
   const int before = size > 0 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 1;
-  QString text = QLocale::c().toString(value, 'f', std::max(0, digits - before));
-  if (text.contains('.')) {
+  const QLocale locale;
+  QString text = locale.toString(value, 'f', std::max(0, digits - before));
+  const QString point = locale.decimalPoint();
+  if (text.contains(point)) {
     while (text.endsWith('0')) {
       text.chop(1);
     }
-    if (text.endsWith('.')) {
-      text.chop(1);
+    if (text.endsWith(point)) {
+      text.chop(point.size());
     }
   }
   return text;
@@ -51,6 +56,10 @@ QString signed_percent(double share) {
     return size;
   }
   return (share < 0 ? QStringLiteral("−") : QStringLiteral("+")) + size;
+}
+
+QString date_text(const QDateTime& date) {
+  return date.isValid() ? QLocale().toString(date.date(), ReportWords::tr("yyyy-MM-dd", "date")) : QString();
 }
 
 }  // namespace feedscope::ui

@@ -12,6 +12,7 @@
 #include "ui/report/html_table.h"
 #include "ui/report/report_numbers.h"
 #include "ui/report/report_tables.h"
+#include "ui/report/report_words.h"
 #include "ui/report/scene_picture.h"
 #include "ui/runs/comparison_chart.h"
 #include "ui/why/why_text.h"
@@ -76,7 +77,7 @@ QString lines_text(const SimilarPlaces& places) {
   const QString lines = place.first_line == place.last_line
                             ? QString::number(place.first_line)
                             : QStringLiteral("%1 – %2").arg(place.first_line).arg(place.last_line);
-  return places.count > 1 ? QStringLiteral("%1 and %2 similar").arg(lines).arg(places.count - 1) : lines;
+  return places.count > 1 ? ReportWords::tr("%1 and %2 similar").arg(lines).arg(places.count - 1) : lines;
 }
 
 /// A place that is flat is seen from above, others as the whole.
@@ -128,7 +129,7 @@ QString with_figure_numbers(const QString& html) {
   const QStringList parts = html.split(figure_mark);
   QString numbered = parts.front();
   for (qsizetype i = 1; i < parts.size(); ++i) {
-    numbered += QStringLiteral("Figure %1. ").arg(i) + parts[i];
+    numbered += ReportWords::tr("Figure %1. ").arg(i) + parts[i];
   }
   return numbered;
 }
@@ -187,13 +188,13 @@ void ReportPictures::paint(const QString& name, QPainter& painter, double pixel_
 
 QString run_view(const ReportInput& input, ReportPictures& pictures, double height, const QString& caption) {
   const QString name = html_text(input.run().name);
-  const QString english = input.scene.exaggeration > 1
-                              ? QStringLiteral("Executed path of %1; deviations exaggerated %2 times.")
-                                    .arg(name, significant(input.scene.exaggeration, 4))
-                              : QStringLiteral("Programmed and executed path of %1.").arg(name);
+  const QString usual = input.scene.exaggeration > 1
+                            ? ReportWords::tr("Executed path of %1; deviations exaggerated %2 times.")
+                                  .arg(name, significant(input.scene.exaggeration, 4))
+                            : ReportWords::tr("Programmed and executed path of %1.").arg(name);
   return figure(pictures.add(QStringLiteral("view"), scene_picture(input, {report_width, height}),
-                             QStringLiteral("3D view")),
-                caption.isEmpty() ? english : caption);
+                             ReportWords::tr("3D view")),
+                caption.isEmpty() ? usual : caption);
 }
 
 QString view_block(const ReportInput& input, ReportPictures& pictures) {
@@ -209,25 +210,25 @@ QString coloured_view(const ReportInput& input, Colouring colouring, const QStri
 
 QString cause_view_block(const ReportInput& input, ReportPictures& pictures) {
   return coloured_view(
-      input, Colouring::cause, QStringLiteral("causes"), QStringLiteral("3D view by limiting cause"),
-      QStringLiteral("What limits the feed of %1 along the path.").arg(html_text(input.run().name)),
+      input, Colouring::cause, QStringLiteral("causes"), ReportWords::tr("3D view by limiting cause"),
+      ReportWords::tr("What limits the feed of %1 along the path.").arg(html_text(input.run().name)),
       pictures);
 }
 
 /// The charts below that of the feed.
 QString charts_of(const RunSources& sources) {
-  QStringList names{QStringLiteral("acceleration"), QStringLiteral("jerk")};
+  QStringList names{ReportWords::tr("acceleration"), ReportWords::tr("jerk")};
   if (sources.actual) {
-    names.append(QStringLiteral("following error"));
+    names.append(ReportWords::tr("following error"));
   }
   if (sources.load) {
-    names.append({QStringLiteral("cutting force"), QStringLiteral("chip thickness")});
+    names.append({ReportWords::tr("cutting force"), ReportWords::tr("chip thickness")});
   }
   if (sources.rotary) {
-    names.append({QStringLiteral("positions of rotary axes"), QStringLiteral("their velocities")});
+    names.append({ReportWords::tr("positions of rotary axes"), ReportWords::tr("their velocities")});
   }
   const QString last = names.takeLast();
-  return QStringLiteral("%1 and %2").arg(names.join(QStringLiteral(", ")), last);
+  return ReportWords::tr("%1 and %2").arg(names.join(QStringLiteral(", ")), last);
 }
 
 QString run_charts(const ReportInput& input, std::size_t row, ReportPictures& pictures, double height,
@@ -245,8 +246,8 @@ QString run_charts(const ReportInput& input, std::size_t row, ReportPictures& pi
   };
   const QString name = input.runs[row].name;
   return figure(pictures.add(QStringLiteral("charts%1").arg(row), {size, false, paint},
-                             QStringLiteral("Charts of %1").arg(name)),
-                caption.isEmpty() ? QStringLiteral("Feed with its limiting causes, %1 of %2.")
+                             ReportWords::tr("Charts of %1").arg(name)),
+                caption.isEmpty() ? ReportWords::tr("Feed with its limiting causes, %1 of %2.")
                                         .arg(charts_of(input.runs[row].shown->run.sources), html_text(name))
                                   : caption);
 }
@@ -282,16 +283,16 @@ QString bars_block(const ReportInput& input, ReportPictures& pictures) {
                                 painter.scale(shrunk, shrunk);
                                 chart->draw(painter);
                               }},
-                             QStringLiteral("Cycle times by limiting cause")),
-                QStringLiteral("Cycle times by limiting cause; the dashed line is the programmed time."));
+                             ReportWords::tr("Cycle times by limiting cause")),
+                ReportWords::tr("Cycle times by limiting cause; the dashed line is the programmed time."));
 }
 
 QString slow_places_block(const ReportInput& input) {
   const Run& run = input.run().shown->run;
   const SlowPlaces& found = *input.run().shown->slow_places;
   HtmlTable table("rlrrl", {5, 19, 9, 16, 51});
-  table.add_head({QStringLiteral("No."), QStringLiteral("Lines"), QStringLiteral("Lost [s]"),
-                  with_unit_of(QStringLiteral("Feed"), Dimension::feed), QStringLiteral("Why")});
+  table.add_head({ReportWords::tr("No."), ReportWords::tr("Lines"), ReportWords::tr("Lost [s]"),
+                  with_unit_of(ReportWords::tr("Feed"), Dimension::feed), ReportWords::tr("Why")});
   int number = 0;
   double listed = 0;
   for (const SimilarPlaces& places : worst_places(input, max_places)) {
@@ -300,7 +301,7 @@ QString slow_places_block(const ReportInput& input) {
     const QString cause = WhyText::cause(place.cause).toHtmlEscaped();
     table.add(
         {QString::number(++number), lines_text(places), fixed(places.loss, 3),
-         QStringLiteral("%1 of %2")
+         ReportWords::tr("%1 of %2")
              .arg(fixed(place.feed, Dimension::feed), fixed(place.programmed_feed, Dimension::feed)),
          QStringLiteral("<b>%1.</b> %2").arg(cause, WhyText::sentence(place.cause, why).toHtmlEscaped())});
     listed += places.loss;
@@ -309,13 +310,14 @@ QString slow_places_block(const ReportInput& input) {
     return {};
   }
   return table.html() +
-         QStringLiteral(
-             "<p class=\"caption\">%1 places lose %2 s against the programmed feed; the %3 listed lose "
-             "%4 s of it. “Why” names what most of the time is lost to.</p>\n")
-             .arg(found.count)
-             .arg(fixed(found.loss, 3))
-             .arg(number)
-             .arg(fixed(listed, 3));
+         caption_paragraph(
+             ReportWords::tr(
+                 "%1 places lose %2 s against the programmed feed; the %3 listed lose %4 s of it. "
+                 "“Why” names what most of the time is lost to.")
+                 .arg(found.count)
+                 .arg(fixed(found.loss, 3))
+                 .arg(number)
+                 .arg(fixed(listed, 3)));
 }
 
 QString slow_place_views_block(const ReportInput& input, ReportPictures& pictures) {
@@ -325,8 +327,8 @@ QString slow_place_views_block(const ReportInput& input, ReportPictures& picture
     const QString number = QString::number(i + 1);
     shown.emplace_back(
         pictures.add(QStringLiteral("place%1").arg(number), close_up(input, places[i].worst, close_up_size()),
-                     QStringLiteral("Close-up of place %1").arg(number)),
-        QStringLiteral("Place %1: lines %2, %3 s lost.")
+                     ReportWords::tr("Close-up of place %1").arg(number)),
+        ReportWords::tr("Place %1: lines %2, %3 s lost.")
             .arg(number, lines_text(places[i]), fixed(places[i].loss, 3)));
   }
   return close_up_table(shown);

@@ -6,11 +6,13 @@
 #include "core/analysis/run_notes.h"
 #include "core/base/units.h"
 #include "ui/charts/cause_strip.h"
+#include "ui/language/composed_text.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"
 #include "ui/report/html_table.h"
 #include "ui/report/report_numbers.h"
 #include "ui/report/report_tables.h"
+#include "ui/report/report_words.h"
 #include "ui/scene/cause_colour.h"
 #include "ui/workbench/reading_faults.h"
 
@@ -53,7 +55,7 @@ QString main_causes(const Summary& summary) {
 
 QString one_run_sentence(const ReportRun& run) {
   const Summary& summary = summary_of(run);
-  return QStringLiteral(
+  return ReportWords::tr(
              "<b>%1</b> on %2 takes <b>%3</b>, %4 times the programmed time of %5, at a mean feed of "
              "%6; the path stays within <b>%7</b> of the programmed path.")
       .arg(html_text(run.name), html_text(run.shown->run.setup.machine.name), clock_text(summary.cycle_time),
@@ -78,9 +80,10 @@ QString not_counted_sentences(const ReportInput& input) {
     if (events.empty()) {
       continue;
     }
-    html += sets.size() == 1 ? QStringLiteral("<p>Not in the cycle time: %1.</p>\n").arg(html_text(events))
-                             : QStringLiteral("<p>Not in the cycle time of %1: %2.</p>\n")
-                                   .arg(runs.join(QStringLiteral(", ")), html_text(events));
+    const QString shown = html_text(composed_text(events));
+    html += paragraph(sets.size() == 1 ? ReportWords::tr("Not in the cycle time: %1.").arg(shown)
+                                       : ReportWords::tr("Not in the cycle time of %1: %2.")
+                                             .arg(runs.join(QStringLiteral(", ")), shown));
   }
   return html;
 }
@@ -93,9 +96,9 @@ QString fastest_sentence(const ReportInput& input) {
   const ReportRun& fastest = *std::ranges::min_element(input.runs, {}, time);
   const ReportRun& slowest = *std::ranges::max_element(input.runs, {}, time);
   if (!(time(slowest) > time(fastest))) {
-    return QStringLiteral("All runs take %1.").arg(clock_text(time(fastest)));
+    return ReportWords::tr("All runs take %1.").arg(clock_text(time(fastest)));
   }
-  return QStringLiteral(
+  return ReportWords::tr(
              "<b>%1</b> is the fastest of %2 runs: <b>%3</b> at a contour error of %4, "
              "<b>%5 % less time</b> than %6 (%7, %8).")
       .arg(html_text(fastest.name))
@@ -114,9 +117,11 @@ struct AxisQuantity {
   Dimension dimension;
 };
 constexpr AxisQuantity quantities[] = {
-    {"Velocity", &AxisPeaks::velocity, &AxisLimits::velocity, Dimension::velocity},
-    {"Acceleration", &AxisPeaks::acceleration, &AxisLimits::acceleration, Dimension::acceleration},
-    {"Jerk", &AxisPeaks::jerk, &AxisLimits::jerk, Dimension::jerk}};
+    {QT_TRANSLATE_NOOP("ReportWords", "Velocity"), &AxisPeaks::velocity, &AxisLimits::velocity,
+     Dimension::velocity},
+    {QT_TRANSLATE_NOOP("ReportWords", "Acceleration"), &AxisPeaks::acceleration, &AxisLimits::acceleration,
+     Dimension::acceleration},
+    {QT_TRANSLATE_NOOP("ReportWords", "Jerk"), &AxisPeaks::jerk, &AxisLimits::jerk, Dimension::jerk}};
 
 QString swatch(CauseKind kind) {
   const Rgb rgb = cause_colour(kind);
@@ -150,7 +155,7 @@ QString causes_table(const ReportInput& input, const std::vector<std::size_t>& c
     }
     return sides;
   }());
-  std::vector<std::pair<QString, int>> groups{{QStringLiteral("Limited by"), 1}};
+  std::vector<std::pair<QString, int>> groups{{ReportWords::tr("Limited by"), 1}};
   QStringList units{QString()};
   for (std::size_t i = first; i < end; ++i) {
     groups.emplace_back(run_label(input.runs[i]), 2);
@@ -185,10 +190,11 @@ QString run_notes_text(const ReportInput& input) {
   }
   QString html;
   for (const auto& [note, runs] : notes) {
-    const QString whose = runs.size() == static_cast<qsizetype>(input.runs.size())
-                              ? QString()
-                              : html_text(runs.join(QStringLiteral("; "))) + QStringLiteral(": ");
-    html += QStringLiteral("<p class=\"small\">%1%2</p>\n").arg(whose, html_text(note));
+    const QString said = html_text(composed_text(note));
+    html += QStringLiteral("<p class=\"small\">%1</p>\n")
+                .arg(runs.size() == static_cast<qsizetype>(input.runs.size())
+                         ? said
+                         : ReportWords::tr("%1: %2").arg(html_text(runs.join(QStringLiteral("; "))), said));
   }
   return html;
 }
@@ -212,16 +218,14 @@ std::vector<std::pair<CauseKind, double>> time_by_kind(const Summary& summary) {
 QString summary_block(const ReportInput& input) {
   QString html;
   if (const QString faults = reading_faults_text(*input.program().program); !faults.isEmpty()) {
-    html +=
-        QStringLiteral("<p style=\"color:#c62818\"><b>%1.</b> The messages are listed under Program.</p>\n")
-            .arg(faults);
+    html += QStringLiteral("<p style=\"color:#c62818\">%1</p>\n")
+                .arg(ReportWords::tr("<b>%1.</b> The messages are listed under Program.").arg(faults));
   }
-  html += QStringLiteral("<p>%1</p>\n")
-              .arg(input.runs.size() > 1 ? fastest_sentence(input) : one_run_sentence(input.run()));
+  html += paragraph(input.runs.size() > 1 ? fastest_sentence(input) : one_run_sentence(input.run()));
   const QString causes = main_causes(summary_of(input.run()));
   if (!causes.isEmpty()) {
-    html += QStringLiteral("<p>Most of the time of %1 is limited by: %2.</p>\n")
-                .arg(html_text(input.run().name), html_text(causes));
+    html += paragraph(ReportWords::tr("Most of the time of %1 is limited by: %2.")
+                          .arg(html_text(input.run().name), html_text(causes)));
   }
   return html + not_counted_sentences(input) + run_notes_text(input);
 }
@@ -229,10 +233,10 @@ QString summary_block(const ReportInput& input) {
 QString comparison_block(const ReportInput& input) {
   HtmlTable table("lrrrrrrr", {27, 12, 10, 10, 10, 10, 11, 10});
   table.add_head(
-      {QStringLiteral("Run"), QStringLiteral("Cycle time [s]"), QStringLiteral("× pro-<br/>grammed"),
-       QStringLiteral("To first [%]"), with_unit_of(QStringLiteral("Mean feed"), Dimension::feed),
-       with_unit_of(QStringLiteral("Peak feed"), Dimension::feed),
-       with_unit_of(QStringLiteral("Contour error"), Dimension::error), QStringLiteral("Corner blends")});
+      {ReportWords::tr("Run"), ReportWords::tr("Cycle time [s]"), ReportWords::tr("× pro-<br/>grammed"),
+       ReportWords::tr("To first [%]"), with_unit_of(ReportWords::tr("Mean feed"), Dimension::feed),
+       with_unit_of(ReportWords::tr("Peak feed"), Dimension::feed),
+       with_unit_of(ReportWords::tr("Contour error"), Dimension::error), ReportWords::tr("Corner blends")});
   for (const ReportRun& run : input.runs) {
     const Summary& summary = summary_of(run);
     table.add(
@@ -246,10 +250,10 @@ QString comparison_block(const ReportInput& input) {
 
 QString peaks_block(const ReportInput& input) {
   HtmlTable table("lrrrrrrrrr", {28, 8, 8, 8, 8, 8, 8, 8, 8, 8});
-  std::vector<std::pair<QString, int>> groups{{QStringLiteral("Run"), 1}};
+  std::vector<std::pair<QString, int>> groups{{ReportWords::tr("Run"), 1}};
   QStringList axes{QString()};
   for (const AxisQuantity& quantity : quantities) {
-    groups.emplace_back(with_unit_of(QString::fromUtf8(quantity.name), quantity.dimension),
+    groups.emplace_back(with_unit_of(ReportWords::tr(quantity.name), quantity.dimension),
                         static_cast<int>(known_axes.size()));
     for (const AxisInfo& axis : known_axes) {
       axes << QString(QChar(axis.name));
@@ -258,7 +262,9 @@ QString peaks_block(const ReportInput& input) {
   table.add_group_head(groups);
   table.add_head(axes);
   for (const ReportRun& run : input.runs) {
-    QStringList cells{run_label(run) + QStringLiteral("<br/><span class=\"muted\">of the limit</span>")};
+    QStringList cells{
+        run_label(run) +
+        QStringLiteral("<br/><span class=\"muted\">%1</span>").arg(ReportWords::tr("of the limit"))};
     for (const AxisQuantity& quantity : quantities) {
       for (const AxisInfo& axis : known_axes) {
         const AxisPeaks* const peaks = summary_of(run).axes.find(axis.name);
@@ -268,7 +274,7 @@ QString peaks_block(const ReportInput& input) {
         }
         const double peak = peaks->*quantity.peak;
         if (std::isnan(peak)) {
-          cells.append(QStringLiteral("jumps"));
+          cells.append(ReportWords::tr("jumps"));
           continue;
         }
         const double limit = run.shown->run.setup.machine.axes.find(axis.name)->*quantity.limit;

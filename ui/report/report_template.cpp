@@ -5,10 +5,13 @@
 
 #include <QFile>
 #include <QHash>
+#include <algorithm>
+#include <array>
 
 #include "core/base/data_folder.h"
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
+#include "ui/report/report_words.h"
 
 namespace feedscope::ui {
 
@@ -41,6 +44,64 @@ std::string braced(const QString& name, const char* sign = "") {
                                  : "did you mean " + braced(QString::fromStdString(near)) + "?"));
 }
 
+/// Texts that have translations: those of the shipped template.
+constexpr auto translated = std::to_array<const char*>({
+    QT_TRANSLATE_NOOP("ReportWords", "%1 on %2"),
+    QT_TRANSLATE_NOOP("ReportWords", "Notes"),
+    QT_TRANSLATE_NOOP("ReportWords", "Where does the time go?"),
+    QT_TRANSLATE_NOOP("ReportWords", "Places that lose most, by what they have in common"),
+    QT_TRANSLATE_NOOP("ReportWords", "What would help"),
+    QT_TRANSLATE_NOOP("ReportWords", "Cycle time and what limits it"),
+    QT_TRANSLATE_NOOP("ReportWords", "Settings that differ"),
+    QT_TRANSLATE_NOOP("ReportWords", "Axes against their limits"),
+    QT_TRANSLATE_NOOP("ReportWords", "Along the path"),
+    QT_TRANSLATE_NOOP("ReportWords", "Where most time is lost"),
+    QT_TRANSLATE_NOOP("ReportWords", "Places of %1 that are slower than programmed, the worst first."),
+    QT_TRANSLATE_NOOP("ReportWords", "Where the path deviates most"),
+    QT_TRANSLATE_NOOP("ReportWords",
+                      "Places of %1 that are farthest from the programmed path, the worst first; left and "
+                      "right are seen in its direction."),
+    QT_TRANSLATE_NOOP("ReportWords", "Agreement with the control"),
+    QT_TRANSLATE_NOOP(
+        "ReportWords",
+        "What the control recorded, beside %1; the feeds of both stand in the charts along the path."),
+    QT_TRANSLATE_NOOP("ReportWords", "Circular test"),
+    QT_TRANSLATE_NOOP("ReportWords", "Full circles of the program as %1 makes them, evaluated by ISO 230-4."),
+    QT_TRANSLATE_NOOP("ReportWords", "Cutting load"),
+    QT_TRANSLATE_NOOP("ReportWords", "What %1 puts on the tools, beside what the programmed feed would."),
+    QT_TRANSLATE_NOOP("ReportWords", "Program"),
+    QT_TRANSLATE_NOOP("ReportWords", "Messages of the reader"),
+    QT_TRANSLATE_NOOP("ReportWords", "Machine"),
+    QT_TRANSLATE_NOOP(
+        "ReportWords",
+        "Every number with its source; values that no source gives are assumed and in italics."),
+    QT_TRANSLATE_NOOP("ReportWords", "Settings of the runs"),
+    QT_TRANSLATE_NOOP("ReportWords", "Control models"),
+    QT_TRANSLATE_NOOP("ReportWords", "How to make this again"),
+    QT_TRANSLATE_NOOP("ReportWords", "With Feedscope %1:"),
+});
+
+QString in_language(const QString& text) {
+  const auto found =
+      std::ranges::find(translated, text, [](const char* known) { return QString::fromUtf8(known); });
+  return found == translated.end() ? text : ReportWords::tr(*found);
+}
+
+/// Blocks for %1, %2 and so on.
+QString with_blocks(const QString& text, const QStringList& blocks) {
+  QString made;
+  for (qsizetype i = 0; i < text.size(); ++i) {
+    const int number = text[i] == '%' && i + 1 < text.size() ? text[i + 1].digitValue() : 0;
+    if (number >= 1 && number <= blocks.size()) {
+      made += blocks[number - 1];
+      ++i;
+    } else {
+      made += text[i];
+    }
+  }
+  return made;
+}
+
 }  // namespace
 
 ReportTemplate::ReportTemplate(QString text, QString name, const QStringList& known) {
@@ -69,6 +130,10 @@ void ReportTemplate::add(const QString& word, const std::string& place, const QS
   if (word.startsWith('!')) {
     return;
   }
+  if (word.startsWith('"')) {
+    add_words(word, place, known);
+    return;
+  }
   const Kind kind = word.startsWith('#') ? Kind::begin : word.startsWith('/') ? Kind::end : Kind::block;
   const QString name = kind == Kind::block ? word : word.mid(1).trimmed();
   if (!known.contains(name)) {
@@ -86,6 +151,20 @@ void ReportTemplate::add(const QString& word, const std::string& place, const QS
   parts_.push_back({kind, name});
 }
 
+void ReportTemplate::add_words(const QString& word, const std::string& place, const QStringList& known) {
+  const qsizetype end = word.lastIndexOf('"');
+  if (end == 0) {
+    throw InputError(place + ": the text " + word.toStdString() + " has no quote at its end");
+  }
+  const QStringList blocks = word.mid(end + 1).split(' ', Qt::SkipEmptyParts);
+  for (const QString& name : blocks) {
+    if (!known.contains(name)) {
+      refuse_unknown(place, name, known);
+    }
+  }
+  parts_.push_back({Kind::words, word.mid(1, end - 1), blocks});
+}
+
 QString ReportTemplate::filled(const std::function<QString(const QString&)>& block) const {
   QHash<QString, QString> blocks;
   const auto find = [&](const QString& name) {
@@ -101,6 +180,14 @@ QString ReportTemplate::filled(const std::function<QString(const QString&)>& blo
       case Kind::text:
         page += left_out > 0 ? QString() : part.text;
         break;
+      case Kind::words: {
+        QStringList found;
+        for (const QString& name : part.blocks) {
+          found.append(left_out > 0 ? QString() : find(name));
+        }
+        page += left_out > 0 ? QString() : with_blocks(in_language(part.text), found);
+        break;
+      }
       case Kind::block:
         page += left_out > 0 ? QString() : find(part.text);
         break;
@@ -118,8 +205,11 @@ QString ReportTemplate::filled(const std::function<QString(const QString&)>& blo
 QStringList ReportTemplate::placeholders() const {
   QStringList names;
   for (const Part& part : parts_) {
-    if (part.kind != Kind::text && !names.contains(part.text)) {
-      names.append(part.text);
+    const bool named = part.kind != Kind::text && part.kind != Kind::words;
+    for (const QString& name : named ? QStringList{part.text} : part.blocks) {
+      if (!names.contains(name)) {
+        names.append(name);
+      }
     }
   }
   return names;

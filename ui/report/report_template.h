@@ -10,10 +10,12 @@ namespace feedscope::ui {
 
 /// A page with placeholders in double braces, "{{comparison_table}}", which become blocks of a report. What
 /// stands between "{{#notes}}" and "{{/notes}}" is omitted where the block is empty. "{{!" begins a remark.
+/// {{"Places of %1" run}} is a text in the language in force, with blocks for %1, %2 and so on; a text that
+/// has no translation stays as it is.
 class ReportTemplate {
  public:
   /// `name` is what messages call the template. Throws InputError with name, line and the nearest known
-  /// placeholder: a placeholder not in `known`, braces or a section not closed.
+  /// placeholder: a placeholder not in `known`, braces, quotes or a section not closed.
   ReportTemplate(QString text, QString name, const QStringList& known);
 
   /// The page with blocks for placeholders; each block is asked for once.
@@ -22,10 +24,11 @@ class ReportTemplate {
   QStringList placeholders() const;
 
  private:
-  enum class Kind { text, block, begin, end };
+  enum class Kind { text, words, block, begin, end };
   struct Part {
     Kind kind = Kind::text;
-    QString text;  ///< as it is, or the placeholder's name
+    QString text;             ///< as it is, to be translated, or the placeholder's name
+    QStringList blocks = {};  ///< names of those in the places of words
   };
 
   struct Open {
@@ -34,6 +37,8 @@ class ReportTemplate {
   };
 
   void add(const QString& word, const std::string& place, const QStringList& known, std::vector<Open>& open);
+
+  void add_words(const QString& word, const std::string& place, const QStringList& known);
 
   std::vector<Part> parts_;
 };

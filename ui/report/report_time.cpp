@@ -11,6 +11,7 @@
 #include "ui/language/texts.h"
 #include "ui/report/html_table.h"
 #include "ui/report/report_numbers.h"
+#include "ui/report/report_words.h"
 #include "ui/time_use/time_texts.h"
 
 namespace feedscope::ui {
@@ -34,8 +35,8 @@ QString small(const QString& text) {
 
 QString kinds_table(const TimeUse& use) {
   HtmlTable table("lrrrr", {36, 16, 16, 16, 16});
-  table.add_head({QString(), QStringLiteral("Time [s]"), QStringLiteral("Share [%]"),
-                  QStringLiteral("Programmed [s]"), QStringLiteral("Lost [s]")});
+  table.add_head({QString(), ReportWords::tr("Time [s]"), ReportWords::tr("Share [%]"),
+                  ReportWords::tr("Programmed [s]"), ReportWords::tr("Lost [s]")});
   const auto add = [&](const QString& title, const TimeShare& share) {
     table.add({title, seconds(share.time), percent(share.time, use.cycle_time), seconds(share.programmed),
                seconds(share.lost())});
@@ -46,7 +47,7 @@ QString kinds_table(const TimeUse& use) {
       add(TimeTexts::kind(static_cast<TimeKind>(i)), share);
     }
   }
-  add(QStringLiteral("<b>All</b>"), {use.cycle_time, use.programmed_time});
+  add(QStringLiteral("<b>%1</b>").arg(ReportWords::tr("All")), {use.cycle_time, use.programmed_time});
   return table.html();
 }
 
@@ -65,10 +66,11 @@ QString operations_table(const TimeUse& use) {
     return {};
   }
   HtmlTable table("lrrrrrl", {26, 8, 11, 9, 11, 11, 24});
-  table.add_head({use.split == OperationSplit::tool ? QStringLiteral("Operation by tool")
-                                                    : QStringLiteral("Operation by comment"),
-                  QStringLiteral("Line"), QStringLiteral("Time [s]"), QStringLiteral("Share [%]"),
-                  QStringLiteral("Lost [s]"), QStringLiteral("Rapids [s]"), QStringLiteral("Loses most to")});
+  table.add_head({use.split == OperationSplit::tool ? ReportWords::tr("Operation by tool")
+                                                    : ReportWords::tr("Operation by comment"),
+                  ReportWords::tr("Line"), ReportWords::tr("Time [s]"), ReportWords::tr("Share [%]"),
+                  ReportWords::tr("Lost [s]"), ReportWords::tr("Rapids [s]"),
+                  ReportWords::tr("Loses most to")});
   for (const std::size_t row : longest_operations(use)) {
     const OperationTime& operation = use.operations[row];
     const bool loses = operation.worst.lost > worth_a_row * use.cycle_time;
@@ -79,7 +81,7 @@ QString operations_table(const TimeUse& use) {
   }
   QString html = table.html();
   if (use.operations.size() > most_rows) {
-    html += small(QStringLiteral("The %1 operations of %2 that take longest.")
+    html += small(ReportWords::tr("The %1 operations of %2 that take longest.")
                       .arg(most_rows)
                       .arg(use.operations.size()));
   }
@@ -109,15 +111,14 @@ QString time_use_block(const ReportInput& input) {
   if (!(report.use.cycle_time > 0)) {
     return {};
   }
-  return QStringLiteral("<p>%1</p>\n").arg(TimeTexts::conclusion(report)) + kinds_table(report.use) +
-         operations_table(report.use);
+  return paragraph(TimeTexts::conclusion(report)) + kinds_table(report.use) + operations_table(report.use);
 }
 
 QString time_places_block(const ReportInput& input) {
   const TimeReport& report = *input.time;
   HtmlTable table("llrrrr", {32, 32, 10, 9, 8, 9});
-  table.add_head({QStringLiteral("Places"), QStringLiteral("In common"), QStringLiteral("Lost [s]"),
-                  QStringLiteral("Share [%]"), QStringLiteral("Number"), QStringLiteral("Worst line")});
+  table.add_head({ReportWords::tr("Places"), ReportWords::tr("In common"), ReportWords::tr("Lost [s]"),
+                  ReportWords::tr("Share [%]"), ReportWords::tr("Number"), ReportWords::tr("Worst line")});
   std::size_t rows = 0;
   for (const SlowGroup& group : report.slow.groups) {
     if (rows == most_rows || group.loss < worth_a_row * report.use.cycle_time) {
@@ -129,8 +130,8 @@ QString time_places_block(const ReportInput& input) {
                QString::number(group.worst.front().line)});
   }
   return table.empty() ? QString()
-                       : table.html() + small(QStringLiteral("Share: of all the time that is lost along the "
-                                                             "path against the programmed feed."));
+                       : table.html() + small(ReportWords::tr("Share: of all the time that is lost along the "
+                                                              "path against the programmed feed."));
 }
 
 QString time_changes_block(const ReportInput& input) {
@@ -139,31 +140,32 @@ QString time_changes_block(const ReportInput& input) {
     return {};
   }
   if (trials.best.empty()) {
-    return QStringLiteral("<p>None of the %1 changes that were simulated helps.</p>\n")
-        .arg(trials.tried.size());
+    return paragraph(
+        ReportWords::tr("None of the %1 changes that were simulated helps.").arg(trials.tried.size()));
   }
   const double now = input.time->use.cycle_time;
   HtmlTable table("lrrrr", {48, 14, 13, 11, 14});
-  table.add_head({QStringLiteral("Change"), QStringLiteral("Cycle time [s]"), QStringLiteral("Gain [s]"),
-                  QStringLiteral("Gain [%]"),
-                  with_unit_of(QStringLiteral("Contour error"), Dimension::error)});
+  table.add_head({ReportWords::tr("Change"), ReportWords::tr("Cycle time [s]"), ReportWords::tr("Gain [s]"),
+                  ReportWords::tr("Gain [%]"),
+                  with_unit_of(ReportWords::tr("Contour error"), Dimension::error)});
   const auto add = [&](const QString& title, double time, const std::optional<double>& error) {
     table.add({title, seconds(time), seconds(now - time), percent(now - time, now),
                error ? error_number(*error) : QStringLiteral("–")});
   };
-  table.add({QStringLiteral("As it is"), seconds(now), QStringLiteral("–"), QStringLiteral("–"),
+  table.add({ReportWords::tr("As it is"), seconds(now), QStringLiteral("–"), QStringLiteral("–"),
              error_number(input.run().shown->run.summary.max_contour_error)});
   for (const std::size_t i : trials.best) {
     add(change_title(input, trials.tried[i]), trials.tried[i].cycle_time, trials.tried[i].max_contour_error);
   }
   if (trials.together) {
-    add(QStringLiteral("Those of this machine together"), trials.together->cycle_time,
+    add(ReportWords::tr("Those of this machine together"), trials.together->cycle_time,
         trials.together->max_contour_error);
   }
   return table.html() +
-         small(QStringLiteral("The best of %1 changes of the whole program, each simulated. Whether machine, "
-                              "tool and material bear it is not checked.")
-                   .arg(trials.tried.size()));
+         small(
+             ReportWords::tr("The best of %1 changes of the whole program, each simulated. Whether machine, "
+                             "tool and material bear it is not checked.")
+                 .arg(trials.tried.size()));
 }
 
 }  // namespace feedscope::ui

@@ -14,12 +14,15 @@
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "ui/charts/cause_strip.h"
+#include "ui/language/composed_text.h"
+#include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"
 #include "ui/report/charts_page.h"
 #include "ui/report/html_table.h"
 #include "ui/report/report_numbers.h"
 #include "ui/report/report_tables.h"
+#include "ui/report/report_words.h"
 #include "ui/report/scene_picture.h"
 #include "ui/theme/fonts.h"
 #include "ui/workbench/reading_faults.h"
@@ -108,9 +111,7 @@ class SheetPainter {
           Qt::AlignLeft, input_.heading());
     write({room.left(), room.top(), room.width(), 30}, bold, colours_.alarm, Qt::AlignRight, faults);
     QStringList right;
-    for (const QString& part :
-         {input_.author,
-          input_.date.isValid() ? input_.date.toString(QStringLiteral("yyyy-MM-dd")) : QString()}) {
+    for (const QString& part : {input_.author, date_text(input_.date)}) {
       if (!part.isEmpty()) {
         right.append(part);
       }
@@ -136,11 +137,13 @@ class SheetPainter {
     const Summary& summary = input_.run().shown->run.summary;
     const double ratio = summary.programmed_time > 0 ? summary.cycle_time / summary.programmed_time : 1;
     const std::pair<QString, QString> figures[] = {
-        {QStringLiteral("cycle time"), clock_text(summary.cycle_time)},
-        {QStringLiteral("× programmed time"), significant(ratio, 3)},
-        {QStringLiteral("mean feed, ") + unit_of(Dimension::feed), fixed(summary.mean_feed, Dimension::feed)},
-        {QStringLiteral("peak feed, ") + unit_of(Dimension::feed), fixed(summary.peak_feed, Dimension::feed)},
-        {QStringLiteral("contour error, ") + unit_of(Dimension::error),
+        {ReportWords::tr("cycle time"), clock_text(summary.cycle_time)},
+        {ReportWords::tr("× programmed time"), significant(ratio, 3)},
+        {ReportWords::tr("mean feed, %1").arg(unit_of(Dimension::feed)),
+         fixed(summary.mean_feed, Dimension::feed)},
+        {ReportWords::tr("peak feed, %1").arg(unit_of(Dimension::feed)),
+         fixed(summary.peak_feed, Dimension::feed)},
+        {ReportWords::tr("contour error, %1").arg(unit_of(Dimension::error)),
          significant(summary.max_contour_error, Dimension::error, 3)}};
     const double width = (room.width() - 4 * 8) / 5;
     double left = room.left();
@@ -201,9 +204,10 @@ class SheetPainter {
 
   QString table_html() const {
     HtmlTable table("lrrrr", {40, 17, 13, 15, 15});
-    table.add_head({QStringLiteral("Run"), QStringLiteral("Cycle time [s]"), QStringLiteral("To first [%]"),
-                    with_unit_of(QStringLiteral("Mean feed"), Dimension::feed),
-                    with_unit_of(QStringLiteral("Contour error"), Dimension::error)});
+    table.add_head({ReportWords::tr("Run"), ReportWords::tr("Cycle time [s]"),
+                    ReportWords::tr("To first [%]"),
+                    with_unit_of(ReportWords::tr("Mean feed"), Dimension::feed),
+                    with_unit_of(ReportWords::tr("Contour error"), Dimension::error)});
     const double first = input_.runs.front().shown->run.summary.cycle_time;
     for (std::size_t i = 0; i < std::min(input_.runs.size(), max_runs); ++i) {
       const Summary& summary = input_.runs[i].shown->run.summary;
@@ -214,7 +218,7 @@ class SheetPainter {
                  significant(summary.max_contour_error, Dimension::error, 3)});
     }
     if (input_.runs.size() > max_runs) {
-      table.add({QStringLiteral("and %1 more").arg(input_.runs.size() - max_runs)});
+      table.add({ReportWords::tr("and %1 more").arg(input_.runs.size() - max_runs)});
     }
     return table.html();
   }
@@ -223,24 +227,24 @@ class SheetPainter {
     const Program& program = *input_.program().program;
     const ProgramFacts facts = facts_of(program, *input_.program().toolpath);
     HtmlTable table("ll", {30, 70});
-    table.add({QStringLiteral("Program"),
-               QStringLiteral("%1 blocks, path %2 %3")
+    table.add({ReportWords::tr("Program"),
+               ReportWords::tr("%1 blocks, path %2 %3")
                    .arg(program.block_count)
                    .arg(fixed(facts.path_length, Dimension::length, 1), unit_of(Dimension::length))});
     if (facts.largest_feed > 0) {
-      table.add({QStringLiteral("Programmed feed"),
-                 QStringLiteral("%1 to %2 %3")
+      table.add({ReportWords::tr("Programmed feed"),
+                 ReportWords::tr("%1 to %2 %3")
                      .arg(significant(facts.min_feed, Dimension::feed, 6),
                           significant(facts.largest_feed, Dimension::feed, 6), unit_of(Dimension::feed))});
     }
     const Run& run = input_.run().shown->run;
     const ModelInfo& model = run.setup.model->info();
-    table.add({QStringLiteral("Control model"), html_text(model.title)});
+    table.add({ReportWords::tr("Control model"), html_text(core_text(model.title))});
     if (const std::string events = describe(run.summary.not_counted); !events.empty()) {
-      table.add({QStringLiteral("Not in the cycle time"), html_text(events)});
+      table.add({ReportWords::tr("Not in the cycle time"), html_text(composed_text(events))});
     }
     if (const auto mismatch = control_mismatch(run.setup.machine, program.dialect)) {
-      table.add({QStringLiteral("Control"), html_text(describe(*mismatch))});
+      table.add({ReportWords::tr("Control"), html_text(composed_text(describe(*mismatch)))});
     }
     return table.html();
   }
@@ -250,8 +254,8 @@ class SheetPainter {
     constexpr qsizetype most = 5;
     const Summary& summary = input_.run().shown->run.summary;
     HtmlTable table("lrr", {64, 18, 18});
-    table.add_head({QStringLiteral("%1 is limited by").arg(html_text(input_.run().name)), QStringLiteral("s"),
-                    QStringLiteral("%")});
+    table.add_head({ReportWords::tr("%1 is limited by").arg(html_text(input_.run().name)),
+                    QStringLiteral("s"), QStringLiteral("%")});
     qsizetype rows = 0;
     for (const auto& [kind, time] : time_by_kind(summary)) {
       if (rows++ < most) {

@@ -10,7 +10,6 @@
 
 #include "core/base/data_folder.h"
 #include "ui/charts/charts_panel.h"
-#include "ui/language/language.h"
 #include "ui/program_text/reading_dialog.h"
 #include "ui/shared/panel_action.h"
 #include "ui/shared/paths.h"
@@ -168,7 +167,7 @@ void FileMenu::ask_for_picture() {
     return;
   }
   auto* dialog = new PictureDialog({session_.capture(), window_.scene().canvas().size(),
-                                    window_.part<ChartsPanel>().size(), window_.size(), chosen_language()},
+                                    window_.part<ChartsPanel>().size(), window_.size()},
                                    QCoreApplication::applicationFilePath(), &window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &PictureDialog::saved, this, &FileMenu::done);

@@ -13,6 +13,7 @@
 #include <QSettings>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <initializer_list>
 #include <utility>
 
 #include "core/base/error.h"
@@ -20,6 +21,7 @@
 #include "ui/fields/whole_number_box.h"
 #include "ui/session/session_file.h"
 #include "ui/shared/paths.h"
+#include "ui/window/language_box.h"
 #include "ui/window/page_preview.h"
 
 namespace feedscope::ui {
@@ -53,6 +55,7 @@ PictureDialog::PictureDialog(Subject subject, const QString& executable, QWidget
       dpi_(new WholeNumberBox(this)),
       scale_(new NumberBox(this)),
       theme_(new QComboBox(this)),
+      language_(new LanguageBox(this)),
       transparent_(new QCheckBox(tr("&Without a background"), this)),
       preview_(new PagePreview(this)),
       state_(new QLabel(this)),
@@ -83,7 +86,7 @@ PictureDialog::PictureDialog(Subject subject, const QString& executable, QWidget
     follow_view();
     changed_.start();
   };
-  for (QComboBox* box : {view_, format_, size_, theme_}) {
+  for (QComboBox* box : std::initializer_list<QComboBox*>{view_, format_, size_, theme_, language_}) {
     connect(box, &QComboBox::currentTextChanged, this, change);
   }
   connect(view_, &QComboBox::currentIndexChanged, this, &PictureDialog::list_sizes);
@@ -114,7 +117,7 @@ PictureDialog::~PictureDialog() {
 QWidget* PictureDialog::make_form() {
   view_->addItem(tr("3D view"), QStringLiteral("3d"));
   view_->addItem(tr("Charts"), QStringLiteral("charts"));
-  view_->addItem(tr("Sheet in English: 3D view, charts and figures"), QStringLiteral("sheet"));
+  view_->addItem(tr("Sheet: 3D view, charts and figures"), QStringLiteral("sheet"));
   view_->addItem(tr("The whole window"), QStringLiteral("window"));
   format_->addItem(tr("PNG: bitmap"), QStringLiteral("png"));
   format_->addItem(tr("SVG: drawing"), QStringLiteral("svg"));
@@ -145,6 +148,7 @@ QWidget* PictureDialog::make_form() {
   fields->addRow(tr("&Dots an inch"), dpi_);
   fields->addRow(tr("&Text and lines ×"), scale_);
   fields->addRow(tr("&Colours"), theme_);
+  fields->addRow(tr("&Language"), language_);
   fields->addRow(QString(), transparent_);
   const QSettings settings;
   const PictureWish usual;
@@ -194,6 +198,7 @@ void PictureDialog::choose(const PictureWish& wish) {
   dpi_->setValue(wish.dpi);
   scale_->setValue(wish.scale);
   choose_data(*theme_, wish.theme);
+  language_->choose(wish.language);
   transparent_->setChecked(wish.transparent);
   follow_view();
 }
@@ -212,7 +217,7 @@ PictureWish PictureDialog::wish() const {
   wish.scale = scale_->value();
   wish.theme = theme_->currentData().toString();
   wish.transparent = transparent_->isChecked() && transparent_->isEnabled();
-  wish.language = subject_.language;
+  wish.language = language_->language();
   return wish;
 }
 

@@ -16,6 +16,7 @@ class QPushButton;
 
 namespace feedscope::ui {
 
+class LanguageBox;
 class NumberBox;
 class PagePreview;
 class WholeNumberBox;
@@ -31,7 +32,6 @@ class PictureDialog : public QDialog {
     QSize scene;      ///< of the parts of the window, offered as sizes [px]
     QSize charts;
     QSize window;
-    QString language;  ///< of the pictures
   };
 
   /// `executable`: as of CommandProcess.
@@ -72,6 +72,7 @@ class PictureDialog : public QDialog {
   WholeNumberBox* dpi_;
   NumberBox* scale_;
   QComboBox* theme_;
+  LanguageBox* language_;
   QCheckBox* transparent_;
   PagePreview* preview_;
   QLabel* state_;

@@ -22,7 +22,7 @@ QStringList picture_arguments(const PictureWish& wish, const QString& session) {
   add("dpi", wish.has_dpi() ? QString::number(wish.dpi) : QString());
   add("scale", QString::number(wish.scale));
   add("theme", wish.theme);
-  add("language", wish.view == QStringLiteral("sheet") ? QString() : wish.language);
+  add("language", wish.language);
   add("display-units", unit_system() == UnitSystem::inch ? QStringLiteral("inch") : QString());
   if (wish.transparent && wish.view != QStringLiteral("window")) {
     arguments.append(QStringLiteral("--transparent"));

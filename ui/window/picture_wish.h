@@ -14,7 +14,7 @@ struct PictureWish {
   double scale = 1;                           ///< of text and lines
   QString theme;                              ///< light, dark; empty: as in the window
   bool transparent = false;                   ///< no background; the window has none
-  QString language;                           ///< empty: English, as sheets are always
+  QString language;                           ///< code; empty: English
 
   /// Whether the size is a sheet of paper.
   bool on_paper() const;

@@ -21,6 +21,7 @@
 #include "core/base/error.h"
 #include "ui/session/session_file.h"
 #include "ui/shared/paths.h"
+#include "ui/window/language_box.h"
 #include "ui/window/page_preview.h"
 
 namespace feedscope::ui {
@@ -72,6 +73,7 @@ ReportDialog::ReportDialog(Subject subject, const QString& executable, QWidget* 
       dated_(new QCheckBox(tr("With the date of today"), this)),
       logo_(new QLineEdit(this)),
       page_(new QLineEdit(this)),
+      language_(new LanguageBox(this)),
       remarks_(new QPlainTextEdit(this)),
       runs_(new QListWidget(this)),
       parts_(new QListWidget(this)),
@@ -113,6 +115,7 @@ ReportDialog::ReportDialog(Subject subject, const QString& executable, QWidget* 
   }
   connect(remarks_, &QPlainTextEdit::textChanged, this, change);
   connect(dated_, &QCheckBox::toggled, this, change);
+  connect(language_, &QComboBox::currentIndexChanged, this, change);
   connect(runs_, &QListWidget::itemChanged, this, change);
   connect(parts_, &QListWidget::itemChanged, this, change);
   connect(&changed_, &QTimer::timeout, this, &ReportDialog::make_preview);
@@ -153,6 +156,7 @@ QWidget* ReportDialog::make_form() {
   fields->addRow(tr("&Title"), title_);
   fields->addRow(tr("&Author"), author_);
   fields->addRow(QString(), dated_);
+  fields->addRow(tr("La&nguage"), language_);
   fields->addRow(tr("&Own words"), remarks_);
   fields->addRow(tr("&Logo"), file_row(logo_, tr("Picture above the title: PNG, JPEG or SVG"), this,
                                        [this] { ask_for_logo(); }));
@@ -196,6 +200,7 @@ ReportWish ReportDialog::wish() const {
   wish.remarks = remarks_->toPlainText().trimmed();
   wish.logo = logo_->text().trimmed();
   wish.page = page_->text().trimmed();
+  wish.language = language_->language();
   const std::vector<ReportPart> parts = report_parts();
   for (int i = 0; i < parts_->count(); ++i) {
     if (parts_->item(i)->checkState() != Qt::Checked) {

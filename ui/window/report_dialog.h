@@ -17,6 +17,7 @@ class QPushButton;
 
 namespace feedscope::ui {
 
+class LanguageBox;
 class PagePreview;
 
 /// Asks what a report is to hold, shows its pages as it is asked, and writes it as PDF or HTML, all of that
@@ -69,6 +70,7 @@ class ReportDialog : public QDialog {
   QCheckBox* dated_;
   QLineEdit* logo_;
   QLineEdit* page_;
+  LanguageBox* language_;
   QPlainTextEdit* remarks_;
   QListWidget* runs_;
   QListWidget* parts_;

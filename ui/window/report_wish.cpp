@@ -55,6 +55,7 @@ QStringList report_arguments(const ReportWish& wish, const QString& session) {
   add("remarks", wish.remarks);
   add("logo", wish.logo);
   add("template", wish.page);
+  add("language", wish.language);
   add("without", wish.without.join(','));
   add("display-units", unit_system() == UnitSystem::inch ? QStringLiteral("inch") : QString());
   return arguments;

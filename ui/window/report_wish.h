@@ -25,6 +25,7 @@ struct ReportWish {
   QString remarks;
   QString logo;            ///< picture file; may be empty
   QString page;            ///< template file; empty: the shipped one
+  QString language;        ///< code; empty: English
   QStringList without;     ///< placeholders
   std::vector<bool> runs;  ///< which runs of the session; at least one
 };

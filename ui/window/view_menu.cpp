@@ -11,6 +11,7 @@
 #include "ui/language/shown_numbers.h"
 #include "ui/shared/panel_action.h"
 #include "ui/theme/theme.h"
+#include "ui/window/language_box.h"
 
 namespace feedscope::ui {
 
@@ -60,8 +61,7 @@ void ViewMenu::add_languages() {
   QMenu* menu = addMenu(tr("&Language"));
   auto* group = new QActionGroup(menu);
   for (const QString& code : languages()) {
-    const QString name = QLocale(code).nativeLanguageName();
-    QAction* action = menu->addAction(name.left(1).toUpper() + name.mid(1));
+    QAction* action = menu->addAction(own_name_of_language(code));
     action->setCheckable(true);
     action->setChecked(code == chosen_language());
     group->addAction(action);

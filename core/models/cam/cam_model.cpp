@@ -16,7 +16,7 @@ const ModelInfo& CamModel::info() const {
                         "dwells as programmed: the time that a CAM system predicts."),
       {},
       {},
-      {"A rapid keeps the velocity limit of every axis."}};
+      {QT_TRANSLATE_NOOP("core", "A rapid keeps the velocity limit of every axis.")}};
   return info;
 }
 

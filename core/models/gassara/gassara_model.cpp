@@ -106,9 +106,10 @@ const ModelInfo& GassaraModel::info() const {
       {used_tolerance_setting()},
       {"contour_tolerance_mm", "program_tolerance", "interpolation_period_s", "lookahead_blocks",
        "radial_acceleration_share", "radial_jerk_share"},
-      {"On blends the shares of the least acceleration and jerk of the axes are kept: of the acceleration "
-       "R_A "
-       "across and 1 - R_A along the path, of the jerk R_J across and 1 - R_J along it."},
+      {QT_TRANSLATE_NOOP(
+          "core",
+          "On blends the shares of the least acceleration and jerk of the axes are kept: of the acceleration "
+          "R_A across and 1 - R_A along the path, of the jerk R_J across and 1 - R_J along it.")},
       {.sources = {{FormulaId::shared_radial_acceleration, "Gassara 2013, in Essid 2019, section 4.3"},
                    {FormulaId::shared_radial_jerk, "Gassara 2013, in Essid 2019, section 4.3"},
                    {FormulaId::steady_acceleration, "Gassara 2013, in Essid 2019, section 4.3"},

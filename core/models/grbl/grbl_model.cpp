@@ -77,8 +77,9 @@ const ModelInfo& GrblModel::info() const {
           "stop within them, so that short blocks are slow. Lines that it does not understand are not run."),
       own_settings(),
       {},
-      {"No jerk is limited, and in corners the velocity of an axis jumps.",
-       "Rapids and feed motions meet by the rule of corners; there is no stop between them."},
+      {QT_TRANSLATE_NOOP("core", "No jerk is limited, and in corners the velocity of an axis jumps."),
+       QT_TRANSLATE_NOOP(
+           "core", "Rapids and feed motions meet by the rule of corners; there is no stop between them.")},
       {.jumps_in_corners = true,
        .stops_within = "buffer_blocks",
        .sources = {{FormulaId::junction_deviation, "grbl 1.1, junction deviation $11"},

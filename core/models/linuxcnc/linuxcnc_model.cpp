@@ -106,9 +106,13 @@ const ModelInfo& LinuxCncModel::info() const {
           "kept back for blends."),
       own_settings(),
       {},
-      {"No jerk is limited, and where blocks meet within a small kink the velocity of an axis jumps.",
-       "The time runs from the first to the last motion: a dwell before or behind all of it is not counted.",
-       "Rapids blend among each other; next to a feed motion they stop."},
+      {QT_TRANSLATE_NOOP(
+           "core",
+           "No jerk is limited, and where blocks meet within a small kink the velocity of an axis jumps."),
+       QT_TRANSLATE_NOOP("core",
+                         "The time runs from the first to the last motion: a dwell before or behind all of "
+                         "it is not counted."),
+       QT_TRANSLATE_NOOP("core", "Rapids blend among each other; next to a feed motion they stop.")},
       {.jumps_in_corners = true,
        .joints_take_acceleration = true,
        .sources = {

@@ -73,11 +73,15 @@ ModelInfo make_info() {
   jerk.choices = {QT_TRANSLATE_NOOP("core", "off"), QT_TRANSLATE_NOOP("core", "on")};
   info.settings.insert(info.settings.begin(), {path, jerk});
   info.remarks = {
-      "On blends that nearly reverse, limits were exceeded by up to 5 % (acceleration) and a third (jerk).",
-      "On the path of ward, jerk=on keeps the jerk except for short peaks where an arc begins from a "
-      "standstill.",
-      "Stops only where the path itself has a kink, a reversal or a dwell.",
-      "Kinks of up to 0.01 rad at arcs are treated as tangent, as in every model."};
+      QT_TRANSLATE_NOOP("core",
+                        "On blends that nearly reverse, limits were exceeded by up to 5 % (acceleration) and "
+                        "a third (jerk)."),
+      QT_TRANSLATE_NOOP("core",
+                        "On the path of ward, jerk=on keeps the jerk except for short peaks where an arc "
+                        "begins from a standstill."),
+      QT_TRANSLATE_NOOP("core", "Stops only where the path itself has a kink, a reversal or a dwell."),
+      QT_TRANSLATE_NOOP("core",
+                        "Kinks of up to 0.01 rad at arcs are treated as tangent, as in every model.")};
   info.limits.along_and_across = true;
   return info;
 }

@@ -19,11 +19,11 @@ const ModelInfo& TapieModel::info() const {
           "Corners are exact stops: the paper states that the control rounds them, but not how."),
       {},
       {"interpolation_period_s", "lookahead_blocks", "curvilinear_jerk_m_s3", "tangential_share"},
-      {"On arcs the tangential and the radial acceleration each keep the axis limits at the place where the "
-       "steady feed is reached, and so do the two parts of the jerk along the path, v'' and v^3 k^2; their "
-       "sum "
-       "may exceed them, and elsewhere on the arc the radial acceleration and v^3 k^2 too, as measured "
-       "there."},
+      {QT_TRANSLATE_NOOP("core",
+                         "On arcs the tangential and the radial acceleration each keep the axis limits at "
+                         "the place where the steady feed is reached, and so do the two parts of the jerk "
+                         "along the path, v'' and v^3 k^2; their sum may exceed them, and elsewhere on the "
+                         "arc the radial acceleration and v^3 k^2 too, as measured there.")},
       {.at_steady_place = true}};
   return info;
 }

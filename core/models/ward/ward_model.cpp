@@ -92,12 +92,16 @@ const ModelInfo& WardModel::info() const {
                           "they keep the static limits of Tapie 2007 and, as at corners, the tolerance."),
         with_smoothed_points({filters, jerk, time, enforce}),
         {"contour_tolerance_mm", "program_tolerance"},
-        {"A filtered velocity is an average of commanded ones, which keeps the axes' velocities.",
-         "Acceleration and jerk follow from the filters alone: a change of feed dF takes the jerk dF/T1^2; "
-         "axis limits are not considered.",
-         "With three filters the jerk is continuous, too.",
-         "Tolerance 0: full stops in every corner; on arcs the path is still inside the programmed one, by "
-         "the amount that the filters reduce the radius."}};
+        {QT_TRANSLATE_NOOP(
+             "core",
+             "A filtered velocity is an average of commanded ones, which keeps the axes' velocities."),
+         QT_TRANSLATE_NOOP("core",
+                           "Acceleration and jerk follow from the filters alone: a change of feed dF takes "
+                           "the jerk dF/T1^2; axis limits are not considered."),
+         QT_TRANSLATE_NOOP("core", "With three filters the jerk is continuous, too."),
+         QT_TRANSLATE_NOOP("core",
+                           "Tolerance 0: full stops in every corner; on arcs the path is still inside the "
+                           "programmed one, by the amount that the filters reduce the radius.")}};
   }();
   return info;
 }

@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <QLocale>
+
 #include "core/base/data_folder.h"
 #include "core/lessons/lesson_language.h"
 #include "core/lessons/lesson_runs.h"
 #include "tests/ui/report/page_checks.h"
+#include "ui/language/language.h"
 #include "ui/report/handout.h"
 #include "ui/report/paged_document.h"
 #include "ui/report/report.h"
@@ -36,7 +39,14 @@ TEST_P(ReportPages, AreWellFilledAndKeepTogetherWhatBelongsTogether) {
   input.runs = report_runs(shown);
   input.commands = QStringList(1 + static_cast<int>(shown.size()),
                                QStringLiteral("feedscope simulate part.nc --model essid --tolerance 0.01"));
-  check(report_page(input, load_report_template(), ReportFormat::pdf));
+  for (const QString& language : languages()) {
+    if (language != languages().front()) {
+      speak(language);
+    }
+    check(report_page(input, load_report_template(), ReportFormat::pdf));
+  }
+  speak(languages().front());
+  QLocale::setDefault(QLocale::c());
 }
 
 INSTANTIATE_TEST_SUITE_P(

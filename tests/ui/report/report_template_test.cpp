@@ -2,8 +2,11 @@
 
 #include <gmock/gmock.h>
 
+#include <QLocale>
+
 #include "core/base/error.h"
 #include "tests/support/folders.h"
+#include "ui/language/language.h"
 #include "ui/report/report.h"
 
 namespace feedscope::ui {
@@ -31,6 +34,27 @@ TEST(ReportTemplate, PutsBlocksInPlaceOfPlaceholders) {
   EXPECT_EQ(fill("{{comparison_table}}"), "<comparison_table>");
   EXPECT_EQ(fill(""), "");
   EXPECT_EQ(fill("a{{! a remark }}b"), "ab");
+}
+
+TEST(ReportTemplate, PutsBlocksIntoTexts) {
+  EXPECT_EQ(fill("a {{\"of %1, 100 %, %2 and %1\" title notes}} b", "N"),
+            "a of <title>, 100 %, N and <title> b");
+  EXPECT_EQ(fill("{{\"alone\"}}"), "alone");
+  EXPECT_EQ(fill("{{#notes}}{{\"Notes\"}}{{/notes}}"), "");
+  const ReportTemplate page("{{\"of %1\" title}}{{notes}}", "page.html", known);
+  EXPECT_EQ(page.placeholders(), (QStringList{"title", "notes"}));
+  EXPECT_THAT(refusal("\n{{\"of %1\" titel}}"),
+              testing::HasSubstr("page.html:2: unknown placeholder '{{titel}}'"));
+  EXPECT_EQ(refusal("{{\"of %1}}"), "page.html:1: the text \"of %1 has no quote at its end");
+}
+
+TEST(ReportTemplate, TextsAreInTheLanguageInForceIfTheyHaveATranslation) {
+  speak("fr");
+  EXPECT_EQ(fill("{{\"Notes\"}} {{\"Where does the time go?\"}} {{\"of my own\"}} Control models"),
+            QString("Notes Où passe le temps%1? of my own Control models").arg(QChar(0xa0)));
+  speak("en");
+  EXPECT_EQ(fill("{{\"Where does the time go?\"}}"), "Where does the time go?");
+  QLocale::setDefault(QLocale::c());
 }
 
 TEST(ReportTemplate, LeavesOutASectionWhoseBlockIsEmpty) {

@@ -15,7 +15,9 @@
 #include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
 #include "ui/fields/whole_number_box.h"
+#include "ui/language/language.h"
 #include "ui/session/session_file.h"
+#include "ui/window/language_box.h"
 #include "ui/window/page_preview.h"
 
 namespace feedscope::ui {
@@ -57,6 +59,17 @@ class PictureDialogTest : public testing::Test {
   PictureDialog::Subject subject_;
 };
 
+TEST_F(PictureDialogTest, AsksForTheLanguage) {
+  PictureDialog dialog(subject_, FEEDSCOPE_EXECUTABLE);
+  auto* const language = dialog.findChild<LanguageBox*>();
+  EXPECT_EQ(dialog.wish().language, chosen_language()) << "as the window";
+  language->choose("fr");
+  EXPECT_EQ(dialog.wish().language, "fr");
+  language->choose("xx");
+  EXPECT_EQ(dialog.wish().language, "fr") << "which is not offered";
+  EXPECT_TRUE(dialog.busy()) << "the preview follows";
+}
+
 TEST_F(PictureDialogTest, BeginsWithTheSizeOfTheView) {
   PictureDialog dialog(subject_, FEEDSCOPE_EXECUTABLE);
   EXPECT_EQ(dialog.wish().size, QStringLiteral("640x480"));
@@ -75,6 +88,7 @@ TEST_F(PictureDialogTest, SavesWhatTheCommandLineDraws) {
   PictureWish dark = wish("3d", "png", "800x500");
   dark.theme = QStringLiteral("dark");
   dark.scale = 2;
+  dark.language = QStringLiteral("fr");
   dialog.choose(dark);
   EXPECT_EQ(dialog.wish(), dark);
   QSignalSpy saved(&dialog, &PictureDialog::saved);
@@ -85,7 +99,7 @@ TEST_F(PictureDialogTest, SavesWhatTheCommandLineDraws) {
   QProcess again;
   again.setWorkingDirectory(folder_.path());
   again.start(FEEDSCOPE_EXECUTABLE, {"render", "s.feedscope", "--size", "800x500", "--theme", "dark",
-                                     "--scale", "2", "--out", "again.png"});
+                                     "--scale", "2", "--language", "fr", "--out", "again.png"});
   ASSERT_TRUE(again.waitForFinished(patience));
   EXPECT_TRUE(contents("p.png") == contents("again.png"));
   EXPECT_EQ(QImage(folder_.filePath("p.png")).size(), QSize(800, 500));
@@ -170,7 +184,7 @@ TEST(PictureWish, BecomesTheArgumentsOfTheCommand) {
   wish.language = QStringLiteral("fr");
   EXPECT_TRUE(picture_arguments(wish, "s").contains("--language=fr"));
   wish.view = QStringLiteral("sheet");
-  EXPECT_FALSE(picture_arguments(wish, "s").contains("--language=fr")) << "sheets are English";
+  EXPECT_TRUE(picture_arguments(wish, "s").contains("--language=fr"));
 }
 
 }  // namespace

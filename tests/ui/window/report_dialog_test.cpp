@@ -14,7 +14,9 @@
 
 #include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
+#include "ui/language/language.h"
 #include "ui/session/session_file.h"
+#include "ui/window/language_box.h"
 #include "ui/window/page_preview.h"
 
 namespace feedscope::ui {
@@ -99,6 +101,19 @@ TEST_F(ReportDialogTest, WithItsSessionTheReportSaysHowToMakeItAgain) {
   again.start(FEEDSCOPE_EXECUTABLE, {"report", "r.feedscope", "--out", "r.html"});
   ASSERT_TRUE(again.waitForFinished(patience));
   EXPECT_TRUE(contents("r.html") == first) << "the same call gives the same bytes";
+}
+
+TEST_F(ReportDialogTest, WritesInTheLanguageThatIsChosen) {
+  ReportDialog dialog(subject_, FEEDSCOPE_EXECUTABLE);
+  auto* const language = dialog.findChild<LanguageBox*>();
+  EXPECT_EQ(language->language(), chosen_language()) << "as the window";
+  language->choose("fr");
+  EXPECT_TRUE(dialog.busy()) << "the preview follows";
+  dialog.save(folder_.filePath("r.html"));
+  ASSERT_TRUE(rests(dialog));
+  const std::string html = contents("r.html");
+  EXPECT_THAT(html, HasSubstr("<html lang=\"fr\">"));
+  EXPECT_THAT(html, HasSubstr("essid, 0,01 mm"));
 }
 
 TEST_F(ReportDialogTest, SaysWhyNothingIsWritten) {

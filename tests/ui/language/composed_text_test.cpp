@@ -1,0 +1,152 @@
+#include "ui/language/composed_text.h"
+
+#include <gtest/gtest.h>
+
+#include <QLocale>
+#include <QRegularExpression>
+#include <vector>
+
+#include "core/analysis/control_dialect.h"
+#include "core/analysis/not_counted.h"
+#include "core/analysis/run.h"
+#include "core/analysis/unadvised_tolerance.h"
+#include "core/program/path_control.h"
+#include "core/program/program_unit.h"
+#include "ui/language/language.h"
+
+namespace feedscope::ui {
+namespace {
+
+class ComposedText : public testing::Test {
+ protected:
+  ComposedText() { speak(QStringLiteral("fr")); }
+  ~ComposedText() override {
+    speak(QStringLiteral("en"));
+    QLocale::setDefault(QLocale::c());
+  }
+
+  static void expect_french(const std::string& text) {
+    static const QRegularExpression english(
+        QStringLiteral("\\b(the|of|and|is|are|by|at|within|on|off|limit|times|not|axis|line|lines)\\b"),
+        QRegularExpression::UseUnicodePropertiesOption);
+    const QString made = composed_text(text);
+    QString rest = made;
+    for (const char* name : {"jerk=on", "law", "--unit"}) {  // what settings and options are called
+      rest.remove(QLatin1String(name));
+    }
+    EXPECT_NE(made.toStdString(), text);
+    EXPECT_FALSE(english.match(rest).hasMatch()) << text << "\n  " << made.toStdString();
+    EXPECT_FALSE(made.contains('%') && !text.empty() && text.find('%') == std::string::npos)
+        << made.toStdString();
+  }
+};
+
+TEST_F(ComposedText, SaysInFrenchWhatModelsGuarantee) {
+  for (const ControlModel* model : all_models()) {
+    std::vector<std::vector<std::string>> settings{{}};
+    if (model->info().id == "ward") {
+      settings.push_back({"enforce=off"});
+    } else if (model->info().id == "optimal") {
+      settings.push_back({"jerk=on"});
+      settings.push_back({"path=tapie"});
+    } else if (model->info().id == "essid") {
+      settings.push_back({"reading=strict"});
+      settings.push_back({"compressor=on"});
+    } else if (model->info().id == "msaddek") {
+      settings.push_back({"law=static"});
+    } else if (model->info().id == "linuxcnc") {
+      settings.push_back({"blend_mode=G61"});
+    }
+    for (const std::vector<std::string>& set : settings) {
+      const feedscope::Setup setup = make_setup({"", model->info().id, std::nullopt, set});
+      for (const std::string& sentence : sentences(model->guarantees(setup.settings))) {
+        expect_french(sentence);
+      }
+    }
+    for (const std::string& remark : model->info().remarks) {
+      expect_french(remark);
+    }
+  }
+}
+
+TEST_F(ComposedText, SaysInFrenchWhatIsNotInTheCycleTime) {
+  NotCounted counts;
+  counts.tool_changes = 2;
+  counts.spindle_starts = 1;
+  counts.stops = 3;
+  counts.machine_moves = 1;
+  counts.other_axes = {"B", "C"};
+  EXPECT_EQ(
+      composed_text(describe(counts)).toStdString(),
+      "2 changements d'outil, 1 démarrage de la broche, 3 arrêts programme (M0, M1), 1 déplacement vers "
+      "ou depuis une position machine, mouvement de B, C");
+}
+
+TEST_F(ComposedText, SaysInFrenchHowAProgramControlsThePath) {
+  PathControl control;
+  expect_french(describe(control));
+  control.contour_tolerance = 0.05;
+  control.blend_distance = 0.5;
+  control.orientation_tolerance = 0.01;
+  control.compaction_tolerance = 0.02;
+  for (const Switch to : {Switch::on, Switch::off}) {
+    control.compaction = to;
+    control.compressor = to == Switch::on ? Switch::off : Switch::on;
+    control.feed_forward = to;
+    control.look_ahead = to;
+    for (const PathMode mode : {PathMode::continuous, PathMode::exact_stop}) {
+      control.mode = mode;
+      for (const AccelerationMode acceleration :
+           {AccelerationMode::soft, AccelerationMode::brisk, AccelerationMode::drive}) {
+        control.acceleration = acceleration;
+        expect_french(describe(control));
+      }
+    }
+  }
+  EXPECT_TRUE(composed_text(describe(control)).contains(QStringLiteral("tolérance de contour 0,05 mm")));
+  for (const auto source :
+       {ProgramUnit::Source::program, ProgramUnit::Source::asked, ProgramUnit::Source::assumed}) {
+    ProgramUnit unit;
+    unit.source = source;
+    expect_french(describe(unit));
+  }
+}
+
+TEST_F(ComposedText, SaysInFrenchThatAControlDoesNotReadTheProgram) {
+  const feedscope::Setup setup = make_setup({"spinner-mvc850", "essid", std::nullopt, {}});
+  for (const Dialect dialect : {Dialect::heidenhain, Dialect::fanuc}) {
+    const auto mismatch = control_mismatch(setup.machine, dialect);
+    ASSERT_TRUE(mismatch.has_value());
+    const QString text = composed_text(describe(*mismatch));
+    EXPECT_TRUE(text.startsWith(QStringLiteral("Le programme est écrit pour "))) << text.toStdString();
+    EXPECT_TRUE(text.contains(QStringLiteral("Spinner MVC 850"))) << text.toStdString();
+    EXPECT_FALSE(text.contains(QStringLiteral("control "))) << text.toStdString();
+  }
+}
+
+TEST_F(ComposedText, LeavesWhatItDoesNotKnow) {
+  for (const char* text : {"", "Arc center and radius do not fit", "N10 to N20, part.nc", "essid, gassara"}) {
+    EXPECT_EQ(composed_text(std::string(text)).toStdString(), text);
+  }
+  EXPECT_EQ(composed_text(std::string("lines 5 to 9, 12 and 18 more")).toStdString(),
+            "lines 5 to 9, 12 and 18 more");
+  EXPECT_EQ(
+      composed_text(std::string("3 lines of the program are refused by the control and not run (lines 1, "
+                                "5 to 9 and 18 more)."))
+          .toStdString(),
+      "3 lignes du programme sont refusées par la commande et ne sont pas exécutées (lignes 1, 5 à 9 et "
+      "18 de plus).");
+}
+
+TEST_F(ComposedText, EnglishStaysAsItIs) {
+  speak(QStringLiteral("en"));
+  for (const ControlModel* model : all_models()) {
+    const feedscope::Setup setup = make_setup({"", model->info().id, std::nullopt, {}});
+    for (const std::string& sentence : sentences(model->guarantees(setup.settings))) {
+      EXPECT_EQ(composed_text(sentence).toStdString(), sentence);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace feedscope::ui

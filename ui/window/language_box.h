@@ -1,0 +1,23 @@
+#pragma once
+
+#include <QComboBox>
+
+namespace feedscope::ui {
+
+/// Asks for the language of a page or picture, each by its own name; at first that of the window.
+class LanguageBox : public QComboBox {
+  Q_OBJECT
+
+ public:
+  explicit LanguageBox(QWidget* parent = nullptr);
+
+  /// The code, "fr".
+  QString language() const { return currentData().toString(); }
+  /// One that is not offered changes nothing.
+  void choose(const QString& code);
+};
+
+/// What a language is called in itself, with a capital: "Français".
+QString own_name_of_language(const QString& code);
+
+}  // namespace feedscope::ui
