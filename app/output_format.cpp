@@ -29,4 +29,8 @@ std::string output_format(const std::string& out, const std::string& asked,
   return ending;
 }
 
+bool asks_for_pages(const std::string& out) {
+  return std::filesystem::path(out).extension() == ".feedpages";
+}
+
 }  // namespace feedscope

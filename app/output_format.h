@@ -10,4 +10,8 @@ namespace feedscope {
 std::string output_format(const std::string& out, const std::string& asked,
                           const std::vector<std::string>& known);
 
+/// Whether `out` ends as files of pages that the window prints (ui::RecordedPages): it asks for them, people
+/// do not.
+bool asks_for_pages(const std::string& out);
+
 }  // namespace feedscope

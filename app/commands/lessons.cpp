@@ -28,6 +28,10 @@
 namespace feedscope {
 namespace {
 
+#ifdef FEEDSCOPE_WITH_UI
+const std::string printed_format = "feedpages";
+#endif
+
 struct LessonsOptions {
   std::string id;
   bool check = false;
@@ -184,6 +188,9 @@ int check_lessons(const std::string& id) {
 
 std::string format_of(const LessonsOptions& options) {
 #ifdef FEEDSCOPE_WITH_UI
+  if (options.format.empty() && asks_for_pages(options.out)) {
+    return printed_format;
+  }
   return output_format(options.out, options.format, {"html", "pdf"});
 #else
   return output_format(options.out, options.format, {"html"});
@@ -202,7 +209,10 @@ std::string handout([[maybe_unused]] const std::string& format, HandoutReader re
     texts = ui::scene_texts();
   }
   return ui::make_handout(lesson, runs, reader,
-                          format == "pdf" ? ui::ReportFormat::pdf : ui::ReportFormat::html, texts, progress);
+                          format == "pdf"            ? ui::ReportFormat::pdf
+                          : format == printed_format ? ui::ReportFormat::pages
+                                                     : ui::ReportFormat::html,
+                          texts, progress);
 #else
   return handout_html(lesson, handout_contents(lesson, runs, reader, progress));
 #endif

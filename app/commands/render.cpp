@@ -65,6 +65,9 @@ std::vector<std::string> colouring_keys() {
 }
 
 ui::PictureFormat format_of(const RenderOptions& options) {
+  if (options.format.empty() && asks_for_pages(options.out)) {
+    return ui::PictureFormat::pages;
+  }
   return picture_formats.at(output_format(options.out, options.format, {"png", "svg", "pdf"}));
 }
 

@@ -5218,6 +5218,22 @@ max. : %1 %</translation>
         <source>export image screenshot print dpi poster</source>
         <translation>exporter image capture imprimer dpi affiche</translation>
     </message>
+    <message>
+        <source>P&amp;rint …</source>
+        <translation>&amp;Imprimer …</translation>
+    </message>
+    <message>
+        <source>Print the 3D view, charts, sheet, report, a hand-out or a table, with a preview</source>
+        <translation>Imprimer la vue 3D, les courbes, la fiche, le rapport, un polycopié ou un tableau, avec un aperçu</translation>
+    </message>
+    <message>
+        <source>printer paper hard copy</source>
+        <translation>imprimante papier impression tirage</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+R</source>
+        <translation>Ctrl+Alt+R</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::FindBar</name>
@@ -5341,6 +5357,30 @@ max. : %1 %</translation>
     <message>
         <source>Saved as %1.</source>
         <translation>Enregistré sous %1.</translation>
+    </message>
+    <message>
+        <source>Hand-out for &amp;learners …</source>
+        <translation>Polycopié pour les &amp;apprenants …</translation>
+    </message>
+    <message>
+        <source>Questions of the open lesson with room to write, no answers, as PDF or HTML</source>
+        <translation>Questions de la leçon ouverte avec de la place pour écrire, sans réponses, en PDF ou HTML</translation>
+    </message>
+    <message>
+        <source>Hand-out for the &amp;teacher …</source>
+        <translation>Polycopié pour l’&amp;enseignant …</translation>
+    </message>
+    <message>
+        <source>Questions and answers of the open lesson with the numbers they build on, as PDF or HTML</source>
+        <translation>Questions et réponses de la leçon ouverte avec les valeurs sur lesquelles elles reposent, en PDF ou HTML</translation>
+    </message>
+    <message>
+        <source>Hand-out for &amp;everybody …</source>
+        <translation>Polycopié pour &amp;tous …</translation>
+    </message>
+    <message>
+        <source>Questions of the open lesson, and answers on pages of their own, as PDF or HTML</source>
+        <translation>Questions de la leçon ouverte, et réponses sur des pages à part, en PDF ou HTML</translation>
     </message>
 </context>
 <context>
@@ -5566,6 +5606,82 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>Bring back the program, runs, settings and view that were in the window before the lesson</source>
         <translation>Rendre le programme, les simulations, les réglages et la vue qui étaient dans la fenêtre avant la leçon</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>Leçons</translation>
+    </message>
+    <message>
+        <source>Expected answer</source>
+        <translation>Réponse attendue</translation>
+    </message>
+    <message>
+        <source>Your own answer</source>
+        <translation>Votre propre réponse</translation>
+    </message>
+    <message>
+        <source>Your own answer, kept with the session</source>
+        <translation>Votre propre réponse, gardée avec la session</translation>
+    </message>
+    <message>
+        <source>Another value</source>
+        <translation>Autre valeur</translation>
+    </message>
+    <message>
+        <source>Type another value to try</source>
+        <translation>Saisir une autre valeur à essayer</translation>
+    </message>
+    <message>
+        <source>Try</source>
+        <translation>Essayer</translation>
+    </message>
+    <message>
+        <source>Set this value in the current run</source>
+        <translation>Donner cette valeur à la simulation courante</translation>
+    </message>
+    <message>
+        <source>All lessons</source>
+        <translation>Toutes les leçons</translation>
+    </message>
+    <message>
+        <source>Show the list of lessons</source>
+        <translation>Montrer la liste des leçons</translation>
+    </message>
+    <message>
+        <source>Copy the values tried</source>
+        <translation>Copier les valeurs essayées</translation>
+    </message>
+    <message>
+        <source>Copy the values tried at this question, for a text or a spreadsheet</source>
+        <translation>Copier les valeurs essayées à cette question, pour un texte ou un tableur</translation>
+    </message>
+    <message>
+        <source>Copy the values tried as CSV</source>
+        <translation>Copier les valeurs essayées en CSV</translation>
+    </message>
+    <message>
+        <source>Copy the values tried at this question as CSV, with decimal points</source>
+        <translation>Copier les valeurs essayées à cette question en CSV, avec des points décimaux</translation>
+    </message>
+    <message>
+        <source>Clear the values tried</source>
+        <translation>Effacer les valeurs essayées</translation>
+    </message>
+    <message>
+        <source>Forget the values tried at this question; the answer stays</source>
+        <translation>Oublier les valeurs essayées à cette question&#xa0;; la réponse reste</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+    <message>
+        <source>CSV</source>
+        <translation>CSV</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Effacer</translation>
     </message>
 </context>
 <context>
@@ -5850,6 +5966,10 @@ Utiliser la machine qu’elle décrit pour la simulation courante ?</translation
     <message>
         <source>&amp;Annotations</source>
         <translation>A&amp;nnotations</translation>
+    </message>
+    <message>
+        <source>&amp;Lessons</source>
+        <translation>&amp;Leçons</translation>
     </message>
 </context>
 <context>
@@ -6393,6 +6513,97 @@ Utiliser la machine qu’elle décrit pour la simulation courante ?</translation
     <message>
         <source>Use the whole screen, without a frame</source>
         <translation>Utiliser tout l’écran, sans cadre</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::PrintDialog</name>
+    <message>
+        <source>&amp;Print …</source>
+        <translation>&amp;Imprimer …</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>Imprimer</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>Vue 3D</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>Courbes</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Fiche</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
+        <source>Hand-out for learners</source>
+        <translation>Polycopié pour les apprenants</translation>
+    </message>
+    <message>
+        <source>Hand-out for the teacher</source>
+        <translation>Polycopié pour l’enseignant</translation>
+    </message>
+    <message>
+        <source>Hand-out for everybody</source>
+        <translation>Polycopié pour tous</translation>
+    </message>
+    <message>
+        <source>Table: %1</source>
+        <translation>Tableau : %1</translation>
+    </message>
+    <message>
+        <source>&amp;What</source>
+        <translation>&amp;Quoi</translation>
+    </message>
+    <message>
+        <source>What is printed: as the window shows it now</source>
+        <translation>Ce qui est imprimé : tel que la fenêtre le montre</translation>
+    </message>
+    <message>
+        <source>Preview of the pages</source>
+        <translation>Aperçu des pages</translation>
+    </message>
+    <message>
+        <source>Choose a printer, or a PDF file, and print these pages</source>
+        <translation>Choisir une imprimante ou un fichier PDF, et imprimer ces pages</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>There is nothing to print: open a program or a lesson first.</source>
+        <translation>Il n’y a rien à imprimer : ouvrez d’abord un programme ou une leçon.</translation>
+    </message>
+    <message>
+        <source>page %1 of %2</source>
+        <translation>page %1 sur %2</translation>
+    </message>
+    <message>
+        <source>Making the pages …</source>
+        <translation>Préparation des pages …</translation>
+    </message>
+    <message>
+        <source>1 page</source>
+        <translation>1 page</translation>
+    </message>
+    <message>
+        <source>%1 pages</source>
+        <translation>%1 pages</translation>
+    </message>
+    <message>
+        <source>The printer reports an error; nothing was printed.</source>
+        <translation>L’imprimante signale une erreur ; rien n’a été imprimé.</translation>
+    </message>
+    <message>
+        <source>%1 has been sent to %2</source>
+        <translation>%1 : envoyé à %2</translation>
     </message>
 </context>
 <context>
@@ -8628,6 +8839,21 @@ Ensemble&#xa0;: %4</translation>
         <source>cycle time</source>
         <translation>temps de cycle</translation>
     </message>
+        <source>Values tried</source>
+        <translation>Valeurs essayées</translation>
+    </message>
+    <message>
+        <source>cycle time</source>
+        <translation>temps de cycle</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>change</source>
+        <translation>variation</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::VersionsView</name>
@@ -8974,6 +9200,14 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>Runs and annotations of %1, which a lesson has replaced in the window, have not been saved.</source>
         <translation>Les simulations et les annotations de %1, qu’une leçon a remplacées dans la fenêtre, n’ont pas été enregistrées.</translation>
+    </message>
+    <message>
+        <source>Answers to lessons have not been saved.</source>
+        <translation>Des réponses aux leçons ne sont pas enregistrées.</translation>
+    </message>
+    <message>
+        <source>Runs, annotations or answers to lessons with %1 have not been saved.</source>
+        <translation>Des simulations, annotations ou réponses aux leçons avec %1 ne sont pas enregistrées.</translation>
     </message>
 </context>
 <context>

@@ -6,9 +6,7 @@
 
 #include "core/lessons/lesson_language.h"
 #include "ui/report/html_table.h"
-#include "ui/report/paged_pdf.h"
 #include "ui/report/question_figure.h"
-#include "ui/report/report_html.h"
 
 namespace feedscope::ui {
 
@@ -69,13 +67,11 @@ ReportPage handout_page(const Lesson& lesson, LessonRuns& runs, HandoutReader re
 std::string make_handout(const Lesson& lesson, LessonRuns& runs, HandoutReader reader, ReportFormat format,
                          const SceneTexts& texts, Progress* progress) {
   const ReportPage page = handout_page(lesson, runs, reader, texts, progress);
-  return format == ReportFormat::pdf
-             ? paged_pdf(page.html, page.pictures,
-                         {QString::fromStdString(lesson.title),
-                          {},
-                          {},
-                          QString::fromStdString(lesson_word("page %1 of %2", lesson.language))})
-             : report_html(page.html, page.pictures);
+  const PageTexts on_pages{QString::fromStdString(lesson.title),
+                           {},
+                           {},
+                           QString::fromStdString(lesson_word("page %1 of %2", lesson.language))};
+  return file_of(page, format, on_pages);
 }
 
 }  // namespace feedscope::ui

@@ -100,6 +100,17 @@ std::string paged_pdf(const QString& html, const ReportPictures& pictures, const
   return finished_pdf(buffer.data().toStdString(), {texts.title, texts.author, date, bookmarks_of(document)});
 }
 
+RecordedPages recorded_pages(const QString& html, const ReportPictures& pictures, const PageTexts& texts) {
+  constexpr QSizeF a4(210, 297);  // [mm]
+  PagedDocument document(html, pictures);
+  RecordedPages pages(texts.title, a4);
+  for (int page = 0; page < static_cast<int>(document.pages().size()); ++page) {
+    pages.add({page_width, page_height},
+              [&](QPainter& painter) { draw_page(painter, document, texts, page); });
+  }
+  return pages;
+}
+
 std::vector<std::string> paged_pictures(const QString& html, const ReportPictures& pictures,
                                         const PageTexts& texts, double dpi) {
   constexpr double units_an_inch = 96;

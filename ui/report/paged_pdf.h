@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ui/report/recorded_pages.h"
 #include "ui/report/report_pictures.h"
 
 namespace feedscope::ui {
@@ -20,6 +21,9 @@ struct PageTexts {
 /// `html` laid out on pages of A4 with title, page numbers and bookmarks from its headings. Headings stay
 /// with what follows them, and rows of tables on one page where they fit on one.
 std::string paged_pdf(const QString& html, const ReportPictures& pictures, const PageTexts& texts);
+
+/// The same pages, to be printed.
+RecordedPages recorded_pages(const QString& html, const ReportPictures& pictures, const PageTexts& texts);
 
 /// The same pages as pictures: a PNG file each, with `dpi` pixels an inch.
 std::vector<std::string> paged_pictures(const QString& html, const ReportPictures& pictures,

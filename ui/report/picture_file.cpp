@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "ui/report/pdf_file.h"
+#include "ui/report/recorded_pages.h"
 #include "ui/report/svg_device.h"
 
 namespace feedscope::ui {
@@ -88,6 +89,14 @@ std::string pdf_of(const PictureSpec& spec, const Paint& paint) {
                       {.title = spec.title, .author = {}, .date = {}, .outline = {}});
 }
 
+std::string pages_of(const PictureSpec& spec, const Paint& paint) {
+  RecordedPages pages(spec.title, millimetres_of(spec));
+  constexpr double no_printer_reaches = 8;  // [mm] of the sheet's edges
+  pages.add(
+      spec.size, [&](QPainter& painter) { paint_on(painter, spec, paint); }, no_printer_reaches);
+  return pages.bytes();
+}
+
 }  // namespace
 
 PictureFormat picture_format_of(const std::string& name) {
@@ -119,6 +128,8 @@ std::string make_picture(const PictureSpec& spec, const Paint& paint) {
       return svg_of(spec, paint);
     case PictureFormat::pdf:
       return pdf_of(spec, paint);
+    case PictureFormat::pages:
+      return pages_of(spec, paint);
     case PictureFormat::png:
       break;
   }

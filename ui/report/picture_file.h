@@ -15,7 +15,8 @@ class QPainter;
 
 namespace feedscope::ui {
 
-enum class PictureFormat : std::uint8_t { png, svg, pdf };
+/// `pages`: RecordedPages, to be printed by the window.
+enum class PictureFormat : std::uint8_t { png, svg, pdf, pages };
 
 /// By the ending of a file's name, in capitals or not. Throws InputError for any other ending.
 PictureFormat picture_format_of(const std::string& name);

@@ -172,11 +172,22 @@ ReportPage report_page(const ReportInput& asked, const ReportTemplate& page, Rep
   return result;
 }
 
+std::string file_of(const ReportPage& page, ReportFormat format, const PageTexts& texts) {
+  switch (format) {
+    case ReportFormat::pdf:
+      return paged_pdf(page.html, page.pictures, texts);
+    case ReportFormat::pages:
+      return recorded_pages(page.html, page.pictures, texts).bytes();
+    case ReportFormat::html:
+      break;
+  }
+  return report_html(page.html, page.pictures);
+}
+
 std::string make_report(const ReportInput& input, const ReportTemplate& page, ReportFormat format,
                         Progress* progress) {
   const ReportPage report = report_page(input, page, format, progress);
-  return format == ReportFormat::pdf ? paged_pdf(report.html, report.pictures, page_texts(input))
-                                     : report_html(report.html, report.pictures);
+  return file_of(report, format, page_texts(input));
 }
 
 std::vector<std::string> make_report_pictures(const ReportInput& input, const ReportTemplate& page,

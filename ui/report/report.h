@@ -5,13 +5,15 @@
 #include <string>
 #include <vector>
 
+#include "ui/report/paged_pdf.h"
 #include "ui/report/report_input.h"
 #include "ui/report/report_pictures.h"
 #include "ui/report/report_template.h"
 
 namespace feedscope::ui {
 
-enum class ReportFormat : std::uint8_t { pdf, html };
+/// `pages`: RecordedPages, to be printed by the window.
+enum class ReportFormat : std::uint8_t { pdf, html, pages };
 
 /// Every placeholder that a template may hold; resources/report/README.md says what each becomes.
 QStringList report_placeholders();
@@ -28,6 +30,9 @@ struct ReportPage {
 /// Throws Cancelled if `progress` is cancelled.
 ReportPage report_page(const ReportInput& input, const ReportTemplate& page, ReportFormat format,
                        Progress* progress = nullptr);
+
+/// The bytes of a file of it; `texts` are not for HTML.
+std::string file_of(const ReportPage& page, ReportFormat format, const PageTexts& texts);
 
 /// The bytes of the report; needs a QApplication. The same input and template give the same bytes. Throws
 /// Cancelled if `progress` is cancelled.

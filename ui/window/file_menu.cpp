@@ -16,6 +16,7 @@
 #include "ui/window/main_window.h"
 #include "ui/window/picture_commands.h"
 #include "ui/window/picture_dialog.h"
+#include "ui/window/print_dialog.h"
 #include "ui/window/report_dialog.h"
 #include "ui/workbench/recent_files.h"
 
@@ -85,7 +86,11 @@ void FileMenu::add_machines() {
 }
 
 void FileMenu::add_paper() {
-  QAction* report = add(tr("Re&port …"), QKeySequence::Print,
+  QAction* print = add(tr("P&rint …"), QKeySequence::Print,
+                       tr("Print the 3D view, charts, sheet, report, a hand-out or a table, with a preview"));
+  set_everyday_words(print, tr("printer paper hard copy"));
+  connect(print, &QAction::triggered, this, &FileMenu::ask_and_print);
+  QAction* report = add(tr("Re&port …"), QKeySequence(tr("Ctrl+Alt+R")),
                         tr("Report as PDF or HTML, to print or to send, with a preview of its pages"));
   set_everyday_words(report, tr("print printer export paper document send"));
   connect(report, &QAction::triggered, this, &FileMenu::ask_for_report);
@@ -159,6 +164,13 @@ void FileMenu::ask_for_report() {
   auto* dialog = new ReportDialog(std::move(subject), QCoreApplication::applicationFilePath(), &window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &ReportDialog::saved, this, &FileMenu::done);
+  dialog->open();
+}
+
+void FileMenu::ask_and_print() {
+  auto* dialog = new PrintDialog(print_subject(window_), QCoreApplication::applicationFilePath(), &window_);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &PrintDialog::printed, this, &FileMenu::done);
   dialog->open();
 }
 

@@ -24,6 +24,8 @@ class FileMenu : public QMenu {
   /// Of the program that is open, as it is shown now.
   void ask_for_report();
   void ask_for_picture();
+  /// What the window shows.
+  void ask_and_print();
 
  signals:
   /// For the status bar.

@@ -56,8 +56,8 @@ void HandoutCommand::ask(HandoutReader reader) {
 }
 
 QStringList HandoutCommand::arguments(const Lesson& lesson, HandoutReader reader) {
-  return {to_qstring(lesson.file), QStringLiteral("--language"), QString::fromStdString(lesson.language),
-          QStringLiteral("--for"),
+  return {to_qstring(std::filesystem::absolute(lesson.file)), QStringLiteral("--language"),
+          QString::fromStdString(lesson.language), QStringLiteral("--for"),
           QString::fromStdString(handout_readers()[static_cast<std::size_t>(reader)])};
 }
 
