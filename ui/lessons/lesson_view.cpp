@@ -15,6 +15,7 @@
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QTextBrowser>
+#include <QTimer>
 #include <QToolButton>
 #include <QUrl>
 #include <QVBoxLayout>
@@ -31,6 +32,7 @@
 #include "ui/shared/flow_layout.h"
 #include "ui/shared/panel_action.h"
 #include "ui/shared/row_copy.h"
+#include "ui/theme/type_size.h"
 
 namespace feedscope::ui {
 
@@ -101,6 +103,8 @@ void fit_to_lines(QPlainTextEdit& field) {
   };
   QObject::connect(field.document()->documentLayout(), &QAbstractTextDocumentLayout::documentSizeChanged,
                    &field, fit);
+  QObject::connect(&TypeSize::of_application(), &TypeSize::changed, &field,
+                   [&field, fit] { QTimer::singleShot(0, &field, fit); });
   fit();
 }
 

@@ -21,7 +21,7 @@ namespace feedscope::ui {
 
 namespace {
 
-constexpr int heading_letters = 14;  // in a line
+constexpr int heading_letters = 11;  // in a line
 
 /// "peak feed,", "line 16", "[m/min]".
 QString heading(const QString& title, const QString& unit) {

@@ -3,7 +3,9 @@
 #include <QAction>
 #include <QHeaderView>
 #include <QLabel>
+#include <QScrollArea>
 #include <QTableView>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -13,6 +15,7 @@
 #include "ui/language/core_texts.h"
 #include "ui/setup/run_notes_text.h"
 #include "ui/theme/theme.h"
+#include "ui/theme/type_size.h"
 #include "ui/workbench/workbench.h"
 
 namespace feedscope::ui {
@@ -31,7 +34,6 @@ QTableView* make_table(QAbstractItemModel* model, const QString& name, QWidget* 
   table->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
                          QAbstractItemView::AnyKeyPressed);
   table->setAlternatingRowColors(true);
-  table->verticalHeader()->setMinimumSectionSize(row_height);
   table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table->horizontalHeader()->setHighlightSections(false);
   table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -73,9 +75,7 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
       changes_(new QLabel(this)) {
   for (QTableView* table : {axes_, drives_}) {
     table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    table->verticalHeader()->setDefaultSectionSize(row_height);
     table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    table->setFixedHeight(full_height(table));
   }
   settings_->verticalHeader()->hide();
   // With Fixed, text that its width breaks into more lines than it hints at is cut.
@@ -103,14 +103,22 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
   help_->setWordWrap(true);
   help_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   help_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  help_->setMinimumHeight(6 * fontMetrics().height());
 
   changes_->setWordWrap(true);
   changes_->setTextFormat(Qt::RichText);
   changes_->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
   connect(changes_, &QLabel::linkActivated, &edit_, &SetupEdit::reset);
 
-  auto* layout = new QVBoxLayout(this);
+  auto* content = new QWidget(this);
+  auto* scroll = new QScrollArea(this);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  auto* whole = new QVBoxLayout(this);
+  whole->setContentsMargins(0, 0, 0, 0);
+  whole->addWidget(scroll);
+  auto* layout = new QVBoxLayout(content);
   layout->setContentsMargins(6, 6, 6, 6);
   layout->setSpacing(4);
   layout->addWidget(machine_);
@@ -125,7 +133,10 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
   layout->addWidget(changes_);
   layout->addWidget(help_);
   layout->addStretch();
+  scroll->setWidget(content);  // large type on a low screen: nothing lies on something else
 
+  connect(&TypeSize::of_application(), &TypeSize::changed, this,
+          [this] { QTimer::singleShot(0, this, &SetupView::fit_type); });
   for (QTableView* table : {axes_, drives_, settings_}) {
     connect(table->selectionModel(), &QItemSelectionModel::currentChanged, this, &SetupView::explain);
   }
@@ -135,14 +146,35 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
           [this](const QModelIndex& index, const QString& message) { refuse(drives_, index, message); });
   connect(settings_model_, &SetupTable::refused, this,
           [this](const QModelIndex& index, const QString& message) { refuse(settings_, index, message); });
-  connect(settings_->verticalHeader(), &QHeaderView::sectionResized, this,
-          [this] { settings_->setMaximumHeight(full_height(settings_)); });
+  connect(settings_->verticalHeader(), &QHeaderView::sectionResized, this, &SetupView::fit_settings);
   connect(&edit_, &SetupEdit::keys_changed, this, &SetupView::fit_tables);
   connect(&edit_, &SetupEdit::values_changed, this, &SetupView::show_changes);
   connect(&edit_, &SetupEdit::values_changed, this, &SetupView::hide_unset);
   connect(&edit_, &SetupEdit::values_changed, this, &SetupView::hide_drives);
   connect(axis_model_, &QAbstractItemModel::dataChanged, this, [this] { explain(explained_); });
   fit_tables();
+  fit_type();
+}
+
+/// Rows as high as their type.
+void SetupView::fit_type() {
+  constexpr int least_settings = 4;  // rows that are seen, however low the panel is
+  constexpr int help_lines = 6;
+  for (QTableView* table : {axes_, drives_}) {
+    table->verticalHeader()->setMinimumSectionSize(type_pixels(row_height));
+    table->verticalHeader()->setDefaultSectionSize(type_pixels(row_height));
+    table->setFixedHeight(full_height(table));
+  }
+  settings_->verticalHeader()->setMinimumSectionSize(type_pixels(row_height));
+  settings_->resizeRowsToContents();
+  fit_settings();
+  settings_->setMinimumHeight(
+      std::min(settings_->maximumHeight(), (least_settings + 1) * type_pixels(row_height)));
+  help_->setMinimumHeight(help_lines * fontMetrics().height());
+}
+
+void SetupView::fit_settings() {
+  settings_->setMaximumHeight(full_height(settings_));
 }
 
 QString SetupView::changes() const {
@@ -230,7 +262,7 @@ void SetupView::hide_unset() {
   unset_->setVisible(count > 0);
   unset_->setText(tr("Positions, tool change (%n unset)", nullptr, count));
   unset_->setArrowType(unset_->isChecked() ? Qt::DownArrow : Qt::RightArrow);
-  settings_->setMaximumHeight(full_height(settings_));
+  fit_settings();
 }
 
 /// As long as no axis has a drive they are there on demand.

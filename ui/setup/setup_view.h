@@ -37,6 +37,8 @@ class SetupView : public Panel {
   void explain(const QModelIndex& index);
   void refuse(QTableView* table, const QModelIndex& index, const QString& message);
   void fit_tables();
+  void fit_type();
+  void fit_settings();
   void show_changes();
   void hide_unset();
   void hide_drives();

@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QScrollArea>
 #include <QSignalSpy>
+#include <QTableView>
 #include <QTest>
 #include <QToolBar>
 
@@ -16,6 +17,7 @@
 #include "ui/charts/charts_panel.h"
 #include "ui/lessons/lesson_view.h"
 #include "ui/program_text/program_panel.h"
+#include "ui/setup/setup_view.h"
 #include "ui/theme/theme.h"
 #include "ui/theme/type_size.h"
 #include "ui/window/help_menu.h"
@@ -118,6 +120,28 @@ TEST_F(PresentationTest, EveryLessonFitsEveryScreenAndLeavesThe3dViewAndChartsTh
         EXPECT_GE(view + charts, least_both);
       }
     }
+  }
+}
+
+/// Its tables are as high as their type, and none lies on another one.
+TEST_F(PresentationTest, TheMachinePanelIsNotCrushed) {
+  open(find_lesson("4"));
+  desk().set_up_window();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !model.busy() && model.shown() != nullptr; }, patience));
+  present(true);
+  dock("machine").show();
+  SetupView& machine = window.part<SetupView>();
+  for (const QSize& screen : screens) {
+    window.resize(screen / window.devicePixelRatioF());
+    settle();
+    SCOPED_TRACE(testing::Message() << screen.width() << " x " << screen.height());
+    ASSERT_TRUE(machine.drives()->isVisible()) << "the machine of the lesson has drives";
+    EXPECT_GE(machine.drives()->rowHeight(0), machine.drives()->fontMetrics().height());
+    const QList<QTableView*> tables{machine.axes(), machine.drives(), machine.settings()};
+    for (qsizetype i = 0; i + 1 < tables.size(); ++i) {
+      EXPECT_LT(tables[i]->geometry().bottom(), tables[i + 1]->geometry().top()) << i;
+    }
+    EXPECT_GT(machine.settings()->height(), 3 * machine.settings()->fontMetrics().height());
   }
 }
 
