@@ -128,7 +128,8 @@ LessonView::LessonView(LessonDesk& desk, QWidget* parent)
       tried_(new QWidget(this)),
       tries_(new TriesTable(tried_)),
       own_answer_(new QPlainTextEdit(this)),
-      expected_(make_browser(tr("Expected answer"), this)) {
+      expected_(make_browser(tr("Expected answer"), this)),
+      work_(new QScrollArea(this)) {
   make_actions();
   make_own_value();
   set_up_ = make_button(set_up_action_, this);
@@ -220,6 +221,11 @@ void LessonView::make_actions() {
   connect(after_action_, &QAction::triggered, this, [this] { desk_.choose_question(desk_.question() + 1); });
   connect(hint_action_, &QAction::toggled, this, &LessonView::show_texts);
   connect(answer_action_, &QAction::toggled, this, &LessonView::show_texts);
+  connect(answer_action_, &QAction::toggled, this, [this](bool shown) {
+    if (shown) {  // when it has its height
+      QTimer::singleShot(0, this, [this] { work_->ensureWidgetVisible(expected_, 0, 0); });
+    }
+  });
 }
 
 void LessonView::lay_out() {
@@ -288,7 +294,6 @@ QWidget* LessonView::make_lower() {
   auto* content = new QWidget(this);
   auto* layout = new QVBoxLayout(content);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addLayout(steps);
   layout->addWidget(question_);
   layout->addWidget(control_);
   layout->addWidget(value_);
@@ -297,12 +302,16 @@ QWidget* LessonView::make_lower() {
   layout->addLayout(help);
   layout->addWidget(expected_);
   layout->addStretch(1);
-  auto* lower = new QScrollArea(this);
-  lower->setFrameShape(QFrame::NoFrame);
-  lower->setWidgetResizable(true);
-  lower->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  lower->setFocusPolicy(Qt::NoFocus);
-  lower->setWidget(content);
+  work_->setFrameShape(QFrame::NoFrame);
+  work_->setWidgetResizable(true);
+  work_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  work_->setFocusPolicy(Qt::NoFocus);
+  work_->setWidget(content);
+  auto* lower = new QWidget(this);
+  auto* whole = new QVBoxLayout(lower);
+  whole->setContentsMargins(0, 0, 0, 0);
+  whole->addLayout(steps);  // always at the same place
+  whole->addWidget(work_, 1);
   return lower;
 }
 

@@ -7,6 +7,7 @@ class QAction;
 class QLabel;
 class QPlainTextEdit;
 class QPushButton;
+class QScrollArea;
 class QStackedWidget;
 class QTextBrowser;
 class QToolButton;
@@ -98,6 +99,7 @@ class LessonView : public Panel {
   QPushButton* hint_;
   QPushButton* answer_;
   QTextBrowser* expected_;
+  QScrollArea* work_;  ///< all of a question
   QList<QAction*> actions_;
   QAction* set_up_action_ = nullptr;
   QAction* return_action_ = nullptr;

@@ -5,6 +5,7 @@
 #include <QLocale>
 #include <QResizeEvent>
 #include <QScrollBar>
+#include <QStyledItemDelegate>
 #include <QTimer>
 #include <algorithm>
 #include <cmath>
@@ -49,6 +50,25 @@ QString change_text(const std::optional<double>& percent) {
              : (*percent < 0 ? QStringLiteral("−") : QStringLiteral("+")) + size;
 }
 
+/// Below a number the change against the first one, where its own column has no room.
+class PairedDelegate : public QStyledItemDelegate {
+ public:
+  explicit PairedDelegate(QTableView& table) : QStyledItemDelegate(&table), table_(table) {}
+
+ protected:
+  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+    QStyledItemDelegate::initStyleOption(option, index);
+    const QModelIndex change = index.siblingAtColumn(index.column() + 1);
+    if (index.column() > 0 && change.isValid() && table_.isColumnHidden(change.column()) &&
+        !change.data().toString().isEmpty()) {
+      option->text += QChar(QChar::LineSeparator) + QStringLiteral("%1 %").arg(change.data().toString());
+    }
+  }
+
+ private:
+  QTableView& table_;
+};
+
 std::optional<double> measured_change(const LessonTry& one, const LessonTry& first) {
   return one.measured && first.measured ? change_percent(*one.measured, *first.measured) : std::nullopt;
 }
@@ -71,6 +91,7 @@ TriesTable::TriesTable(QWidget* parent) : QTableWidget(parent) {
   setTextElideMode(Qt::ElideMiddle);
   setWordWrap(false);
   horizontalHeader()->setHighlightSections(false);
+  setItemDelegate(new PairedDelegate(*this));
   install_row_copy(*this);
   new FocusOutline(*this);
 }
@@ -125,15 +146,27 @@ void TriesTable::resizeEvent(QResizeEvent* event) {
 }
 
 void TriesTable::fit_columns() {
-  constexpr int least_letters = 6;
-  resizeColumnsToContents();
-  int others = 0;
-  for (int column = 1; column < columnCount(); ++column) {
-    others += columnWidth(column);
-  }
+  constexpr int least_letters = 10;
+  const auto show_changes = [this](bool shown) {
+    for (int column = 2; column < columnCount(); column += 2) {
+      setColumnHidden(column, !shown);
+    }
+    resizeColumnsToContents();
+  };
+  const auto room_for_values = [this] {
+    int room = viewport()->width();
+    for (int column = 1; column < columnCount(); ++column) {
+      room -= columnWidth(column);
+    }
+    return room;
+  };
   if (columnCount() > 0) {
     const int least = least_letters * fontMetrics().averageCharWidth();
-    setColumnWidth(0, std::clamp(viewport()->width() - others, least, std::max(least, columnWidth(0))));
+    show_changes(true);
+    if (room_for_values() < std::min(least, columnWidth(0))) {
+      show_changes(false);
+    }
+    setColumnWidth(0, std::clamp(room_for_values(), least, std::max(least, columnWidth(0))));
   }
   fit_height();
 }

@@ -206,6 +206,8 @@ TEST_F(LessonViewTest, ShowsHintAndAnswerOnDemand) {
               HasSubstr("Half the period gives twice the feed, 6000 mm/min"));
   EXPECT_GT(view.expected().mapTo(&view, QPoint()).y(), view.own_answer().mapTo(&view, QPoint()).y())
       << "below one's own";
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !view.expected().visibleRegion().isEmpty(); }, patience))
+      << "the panel scrolls to it";
   click(&view.answer_button());
   EXPECT_EQ(view.expected().toPlainText(), "");
   QAction* hint = view.panel_actions()[3];
