@@ -8839,12 +8839,9 @@ Ensemble&#xa0;: %4</translation>
         <source>cycle time</source>
         <translation>temps de cycle</translation>
     </message>
+    <message>
         <source>Values tried</source>
         <translation>Valeurs essayées</translation>
-    </message>
-    <message>
-        <source>cycle time</source>
-        <translation>temps de cycle</translation>
     </message>
     <message>
         <source>s</source>
