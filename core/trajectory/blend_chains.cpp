@@ -45,7 +45,7 @@ class BlendChains {
   std::vector<PlanNode> fastest() {
     Steps best{std::vector(plan_.size(), Steps::level)};
     set_limits(best);
-    std::vector<PlanNode> nodes = plan_nodes(plan_, stretch_.ceiling, stretch_.level);
+    std::vector<PlanNode> nodes = plan_nodes(plan_, stretch_.ceiling, stretch_.held());
     if (!any_) {
       return nodes;
     }
@@ -118,7 +118,7 @@ class BlendChains {
   std::vector<PlanNode> plan_ramps(Steps& steps) {
     set_limits(steps);
     std::vector<PlanNode> before;
-    std::vector<PlanNode> nodes = plan_nodes(plan_, stretch_.ceiling, stretch_.level);
+    std::vector<PlanNode> nodes = plan_nodes(plan_, stretch_.ceiling, stretch_.held());
     std::vector<std::uint32_t> changed;
     for (;;) {
       changed = take_next_steps(steps, nodes, before, changed);
@@ -127,7 +127,7 @@ class BlendChains {
       }
       set_limits(steps);
       before = std::move(nodes);
-      nodes = plan_nodes_again(plan_, stretch_.ceiling, stretch_.level, before, changed);
+      nodes = plan_nodes_again(plan_, stretch_.ceiling, stretch_.held(), before, changed);
     }
   }
 

@@ -20,6 +20,7 @@ void Stretch::clear() {
   blend.clear();
   ceiling.clear();
   level.clear();
+  turning.clear();
 }
 
 void Stretch::reserve(std::size_t elements) {
@@ -56,6 +57,15 @@ void Stretch::hold_level(std::uint32_t e) {
     level.push_back(e);
   }
   level.push_back(e + 1);
+}
+
+std::span<const std::uint32_t> Stretch::held() {
+  if (turning.empty()) {
+    return level;
+  }
+  held_.clear();
+  std::ranges::set_union(level, turning, std::back_inserter(held_));
+  return held_;
 }
 
 namespace {
@@ -190,6 +200,7 @@ void set_junction_ceilings(Stretch& stretch, const BlendedPath& path, const Vec3
 void part_turning(Stretch& stretch, const BlendedPath& path) {
   constexpr double alike = 2;
   const Toolpath& toolpath = *path.programmed();
+  stretch.turning.clear();
   if (toolpath.segment_turns.empty()) {
     return;
   }
@@ -202,7 +213,6 @@ void part_turning(Stretch& stretch, const BlendedPath& path) {
       largest = std::max(largest, value);
     }
   };
-  std::vector<std::uint32_t> parts;
   Range acceleration;
   Range jerk;
   bool turned = false;
@@ -214,7 +224,7 @@ void part_turning(Stretch& stretch, const BlendedPath& path) {
     const bool turns = toolpath.segment_turn(path.segment(stretch.element(e))) != nullptr;
     const bool same = acceleration.holds(element.acceleration().value) && jerk.holds(element.jerk().value);
     if (!same && (turns || turned) && e > 0) {
-      parts.push_back(e);
+      stretch.turning.push_back(e);
     }
     if (!same) {
       acceleration = jerk = {};
@@ -223,9 +233,6 @@ void part_turning(Stretch& stretch, const BlendedPath& path) {
     jerk.add(element.jerk().value);
     turned = turns;
   }
-  std::vector<std::uint32_t> all;
-  std::ranges::set_union(stretch.level, parts, std::back_inserter(all));
-  stretch.level = std::move(all);
 }
 
 SpeedProfile profile_to(double target, const SpanLimits& span, double speed, double acceleration) {

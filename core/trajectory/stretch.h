@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -15,9 +16,10 @@ namespace feedscope {
 /// from stretch to stretch so that nothing is allocated again.
 struct Stretch {
   std::vector<PlanElement> plan;
-  std::vector<std::uint8_t> blend;   ///< 1: a corner blend, whose speed the model itself sets
-  std::vector<SpeedBound> ceiling;   ///< at the plan.size() + 1 junctions [mm/s]
-  std::vector<std::uint32_t> level;  ///< junctions that are nodes of the plan in any case
+  std::vector<std::uint8_t> blend;     ///< 1: a corner blend, whose speed the model itself sets
+  std::vector<SpeedBound> ceiling;     ///< at the plan.size() + 1 junctions [mm/s]
+  std::vector<std::uint32_t> level;    ///< junctions that are nodes of the plan in any case: of level places
+  std::vector<std::uint32_t> turning;  ///< the same, as part_turning() finds them
   /// Blends are planned and run by their own parameter u: what the plan calls path length there is u times
   /// the blend's planned length, which is |dS/du| at both of its ends, so that the speed goes on there.
   bool blends_by_parameter = false;
@@ -39,6 +41,8 @@ struct Stretch {
   /// Makes element `e` a level place of the plan: one speed for both of its ends. In order of e, after
   /// set_junction_ceilings().
   void hold_level(std::uint32_t e);
+  /// All junctions that are nodes of the plan in any case, in order; until the next call.
+  std::span<const std::uint32_t> held();
   bool is_level(std::size_t e) const { return plan[e].jerk().value == no_ramp; }
   bool by_parameter(std::size_t e) const { return blends_by_parameter && blend[e] != 0; }
 
@@ -46,7 +50,8 @@ struct Stretch {
 
  private:
   std::uint32_t first_element_ = 0;
-  std::uint32_t last_block_ = 0;  ///< of the element added last
+  std::uint32_t last_block_ = 0;     ///< of the element added last
+  std::vector<std::uint32_t> held_;  ///< level and turning ones
 };
 
 /// Segments [first, last) from standstill to standstill.
@@ -79,9 +84,9 @@ void follow_acceleration_mode(Stretch& stretch, const BlendedPath& path, const P
 void set_junction_ceilings(Stretch& stretch, const BlendedPath& path, const Vec3& axis_jerk,
                            double interpolation_period, std::uint32_t lookahead_blocks);
 
-/// Adds to stretch.level where the ramps that rotary axes allow have become twice as slow or fast as at the
-/// junction added before: a ramp has the least limits of what it runs over, and near a singular position
-/// those of a few blocks are a hundredth of those farther away. Nothing where no rotary axis turns.
+/// Sets stretch.turning: where the ramps that rotary axes allow have become twice as slow or fast as at the
+/// junction before. A ramp has the least limits of what it runs over, and near a singular position those of a
+/// few blocks are a hundredth of those farther away. None where no rotary axis turns.
 void part_turning(Stretch& stretch, const BlendedPath& path);
 
 /// plan_profile over `span` from (speed, acceleration) to (target, 0); where the span is too short to get up

@@ -246,6 +246,35 @@ Sample chip() {
   return {"lesson_chip.nc", nc.text()};
 }
 
+/// A straight line on which the tool swings past the vertical, half a degree beside it; the part tilted by
+/// `tilt` degrees about X.
+Sample past_the_axis(double tilt, const std::string& name, const std::string& shows) {
+  NcWriter nc =
+      begin("A LINE OF 80 MM, THE TOOL SWINGS FROM -15 TO 15 DEGREES, HALF A DEGREE BESIDE THE AXIS OF C" +
+                (tilt > 0 ? fmt::format(", PART TILTED BY {:g} DEGREES", tilt) : std::string()),
+            shows);
+  constexpr int blocks = 160;
+  constexpr double length = 80;
+  const double side = std::tan(units::from_deg(0.5));
+  const double turned = units::from_deg(tilt);
+  const auto vector = [&](int i) {
+    const double swing = std::tan(units::from_deg(15)) * (2.0 * i / blocks - 1);
+    const Vector3d tool = Vector3d(swing, side, 1).normalized();
+    return fmt::format("I{:.6f} J{:.6f} K{:.6f}", tool.x(),
+                       std::cos(turned) * tool.y() + std::sin(turned) * tool.z(),
+                       std::cos(turned) * tool.z() - std::sin(turned) * tool.y());
+  };
+  nc.raw("G0 X-40 Y0 Z20");
+  nc.raw("G43.5 H1 X-40 Y0 Z0 " + vector(0));
+  nc.raw("G1 F3000");
+  for (int i = 1; i <= blocks; ++i) {
+    nc.raw(fmt::format("X{:.1f} {}", length * i / blocks - length / 2, vector(i)));
+  }
+  nc.raw("G49");
+  nc.raw("M30");
+  return {name, nc.text()};
+}
+
 /// The same corners at two programmed feeds.
 Sample zigzag(int feed) {
   NcWriter nc =
@@ -279,6 +308,8 @@ std::vector<Sample> lesson_programs() {
           directions(),
           drives(),
           chip(),
+          past_the_axis(0, "lesson_singular.nc", "A ROTARY AXIS NEAR ITS SINGULAR POSITION"),
+          past_the_axis(10, "lesson_singular_tilted.nc", "THE SAME CUT AWAY FROM THE SINGULAR POSITION"),
           zigzag(3000),
           zigzag(6000)};
 }

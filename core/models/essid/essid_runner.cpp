@@ -55,14 +55,14 @@ void EssidRunner::run(const StretchRange& range, ProgressSteps& steps) {
 void EssidRunner::plan_and_move(ProgressSteps& steps) {
   stretch_.level.clear();
   set_junction_ceilings(stretch_, builder_.path(), axes_.jerk, settings_.period, settings_.lookahead);
+  part_turning(stretch_, builder_.path());
   if (settings_.reading == EssidReading::strict) {
     const auto ramps = [&](std::size_t e) { return parameter_ramps(blend_of(e).shape, blend_limits_); };
     move(plan_over_blends(stretch_, ramps), steps);
     return;
   }
   hold_level_blends();
-  part_turning(stretch_, builder_.path());
-  move(plan_nodes(stretch_.plan, stretch_.ceiling, stretch_.level), steps);
+  move(plan_nodes(stretch_.plan, stretch_.ceiling, stretch_.held()), steps);
 }
 
 void EssidRunner::lay_path(const StretchRange& range) {

@@ -149,6 +149,7 @@ Trajectory GassaraModel::do_simulate(const std::shared_ptr<const Toolpath>& shar
       lay_blended_stretch(toolpath, range, axes, rules, *none, part, *stretch, blend_corner);
       follow_acceleration_mode(*stretch, path, rules, own.period);
       set_junction_ceilings(*stretch, path, axes.jerk, own.period, own.lookahead);
+      part_turning(*stretch, path);
       const std::vector<PlanNode> nodes = plan_over_blends(*stretch, [&](std::size_t e) {
         return arc_blend_ramps(stretch->plan[e].limits(), path.min_radius(path.index(stretch->element(e))),
                                own);

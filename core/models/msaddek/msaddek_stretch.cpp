@@ -159,7 +159,7 @@ void MsaddekRunner::move_dynamic(ProgressSteps& steps) {
   move_over_curves(builder_, stretch_, axes_, [&] {
     set_junction_ceilings(stretch_, builder_.path(), axes_.jerk, settings_.period, settings_.lookahead);
     part_turning(stretch_, builder_.path());
-    add_planned_motion(builder_, stretch_, plan_nodes(stretch_.plan, stretch_.ceiling, stretch_.level),
+    add_planned_motion(builder_, stretch_, plan_nodes(stretch_.plan, stretch_.ceiling, stretch_.held()),
                        steps);
   });
 }

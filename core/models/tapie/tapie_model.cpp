@@ -59,7 +59,7 @@ Trajectory TapieModel::do_simulate(const std::shared_ptr<const Toolpath>& shared
       follow_acceleration_mode(*stretch, part.path(), rules, rule.period);
       set_junction_ceilings(*stretch, part.path(), rule.axes.jerk, rule.period, lookahead);
       part_turning(*stretch, part.path());
-      add_planned_motion(part, *stretch, plan_nodes(stretch->plan, stretch->ceiling, stretch->level), steps);
+      add_planned_motion(part, *stretch, plan_nodes(stretch->plan, stretch->ceiling, stretch->held()), steps);
     };
   });
   return builder.finish();

@@ -102,6 +102,38 @@ TEST_P(RotaryAxes, TakeTheLongerTheSlowerTheyAre) {
   }
 }
 
+/// A straight line of 80 mm on which the tool swings from -15 to 15 degrees, half a degree past the axis of
+/// C.
+std::string past_the_axis() {
+  constexpr int blocks = 160;
+  const double side = std::tan(units::from_deg(0.5));
+  std::string text;
+  for (int i = 0; i <= blocks; ++i) {
+    const double swing = std::tan(units::from_deg(15)) * (2.0 * i / blocks - 1);
+    const double tilt = units::to_deg(std::atan(std::hypot(swing, side)));
+    const double turn = units::to_deg(std::atan2(swing, side));
+    text += i == 0 ? fmt::format("G0 X0 Y0 Z0 A{:.6f} C{:.6f}\nTRAORI\nG1 F3000\n", tilt, turn)
+                   : fmt::format("X{:.3f} A{:.6f} C{:.6f}\n", 0.5 * i, tilt, turn);
+  }
+  return text;
+}
+
+TEST_P(RotaryAxes, TheWayToASingularPositionIsNotSlowedByTheLimitsThere) {
+  Machine machine = five_axes();
+  const ControlModel& model = find_model(GetParam());
+  const ControlModel& optimal = find_model("optimal");
+  const auto path = turning_path(past_the_axis());
+  double before = HUGE_VAL;
+  for (const double velocity : {25.0, 50.0, 100.0, 200.0}) {
+    set_axis_value(machine, 'C', "velocity", velocity);
+    const Trajectory trajectory = model.simulate(path, machine, complete_settings(model, machine));
+    const double bound = optimal.simulate(path, machine, complete_settings(optimal, machine)).duration();
+    EXPECT_LT(trajectory.duration(), before) << "a faster axis, " << velocity << " rev/min";
+    EXPECT_LE(trajectory.duration(), 1.6 * bound) << velocity;
+    before = trajectory.duration();
+  }
+}
+
 std::string model_name(const testing::TestParamInfo<const char*>& info) {
   return info.param;
 }

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "core/analysis/agreement/agreement.h"
 #include "tests/ui/run_fixture.h"
@@ -47,7 +48,8 @@ TEST_F(SampleRecorded, PlacesAreTheRecordedOnesAndDeviationsThoseOfTheRun) {
     EXPECT_LT((path.position(i) - of_run).norm(), found_within);
     largest = std::max(largest, path.deviation(i).norm());
   }
-  EXPECT_NEAR(largest, run_.summary.max_contour_error, found_within);
+  // Along the bisector of the right angle; the samples lie beside its middle.
+  EXPECT_NEAR(largest, std::numbers::sqrt2 * run_.summary.max_contour_error, 4e-3);
 }
 
 TEST_F(SampleRecorded, WhatDoesNotFitIsAGap) {
