@@ -42,6 +42,9 @@ class OutputFile {
   OutputFile& operator=(const OutputFile&) = delete;
 
   std::ostream& stream() { return stream_; }
+  /// The file until commit(), for a library that writes to the name of a file instead of the stream; empty
+  /// for standard output.
+  const std::filesystem::path& written_to() const { return written_; }
   /// Everything is on the disk, but not at its place. Throws InputError naming the file if not everything
   /// could be written (disk full).
   void finish();

@@ -6,9 +6,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "app/commands/command.h"
 #include "app/commands/language_option.h"
+#include "app/commands/film.h"
 #include "app/display_units.h"
 #include "app/exit_codes.h"
 #include "app/number_option.h"
@@ -46,6 +49,8 @@ struct RenderOptions {
   std::string language;
   std::string title;
   std::string out;
+  FilmOptions film;
+  bool progress = false;
 };
 
 const std::map<std::string, View> views{
@@ -82,12 +87,41 @@ ui::StandardView camera_of(const RenderOptions& options) {
   return camera_views.at(options.camera.empty() ? "iso" : options.camera);
 }
 
+/// Throws InputError for what does not go with a film, or only with one.
+void check_film_use(const RenderOptions& options) {
+  const FilmOptions& film = options.film;
+  if (!film.asked() && options.out.empty()) {
+    throw InputError("give --out FILE for a picture, or --film FILE for a film");
+  }
+  const std::vector<GivenOption> of_pictures{
+      {"--out", !options.out.empty()},       {"--view", views.at(options.view) != View::scene},
+      {"--format", !options.format.empty()}, {"--dpi", options.dpi.has_value()},
+      {"--title", !options.title.empty()},   {"--transparent", options.transparent}};
+  const std::vector<GivenOption> of_films{
+      {"--from", film.from.has_value()},   {"--to", film.to.has_value()},
+      {"--speed", film.speed.has_value()}, {"--fps", film.fps.has_value()},
+      {"--trail", film.trail.has_value()}, {"--charts", film.charts}};
+  for (const auto& [name, given] : film.asked() ? of_pictures : of_films) {
+    if (given) {
+      throw InputError(film.asked() ? fmt::format("{} has no effect on a film; omit it or --film", name)
+                                    : fmt::format("{} has no effect without --film", name));
+    }
+  }
+}
+
 ui::PictureRequest request_of(const RenderOptions& options) {
-  const ui::PictureFormat format = format_of(options);
+  const ui::PictureFormat format = options.film.asked() ? ui::PictureFormat::png : format_of(options);
   const bool sheet = views.at(options.view) == View::sheet;
-  const std::string size = !options.size.empty() ? options.size : sheet ? "A4" : "1280x960";
+  const std::string size = !options.size.empty()  ? options.size
+                           : sheet                ? "A4"
+                           : options.film.asked() ? "1280x720"
+                                                  : "1280x960";
   const double dpi = options.dpi.value_or(default_dpi);
   const PageSize page = parse_page_size(size, dpi);
+  if (page.paper && options.film.asked()) {
+    throw InputError(
+        fmt::format("--size {}: a film has pixels; give its width and height, such as 1280x720", size));
+  }
   const bool by_dots = page.paper.has_value() || format != ui::PictureFormat::png;
   if (options.dpi && !by_dots) {
     throw InputError(
@@ -229,6 +263,7 @@ void note_unused_tolerances(const RenderOptions& options, const std::vector<Aske
 }
 
 int render(const RenderOptions& options) {
+  check_film_use(options);
   std::optional<ui::Session> session = asked_session(options.runs);
   if (session) {
     session->load = asked_load(options.runs.load, std::move(session->load));
@@ -241,30 +276,44 @@ int render(const RenderOptions& options) {
       session ? std::vector<AskedRun>() : asked_runs(options.runs, dialect_of(options.runs, *source));
   check_runs(options, runs);
   note_unused_tolerances(options, runs);
-  check_outputs(options.runs.file, {options.out});
-  check_outputs(options.runs.load, {options.out}, "the load file");
+  check_outputs(options.runs.file, {options.out, options.film.out});
+  check_outputs(options.runs.load, {options.out, options.film.out}, "the load file");
   for (const std::string& trace : options.traces.files) {
-    check_outputs(trace, {options.out}, "a trace");
+    check_outputs(trace, {options.out, options.film.out}, "a trace");
   }
   if (session) {
-    check_outputs(session->program.string(), {options.out});
+    check_outputs(session->program.string(), {options.out, options.film.out});
   }
-  OutputFile out(options.out);
-  ui::ReportInput input;
-  {
-    Watch watch;
-    input = session ? simulate_session(*session, watch)
-                    : simulate_runs(options.runs.reading(), runs, source, watch);
-    add_traces(input, options.traces, watch);
+  std::optional<OutputFile> out;
+  std::optional<Film> film;
+  if (options.film.asked()) {
+    film.emplace(options.film, request);
+  } else {
+    out.emplace(options.out);
   }
+  if (options.progress) {
+    Watch::tell_in_lines();
+  }
+  std::optional<Watch> watch(std::in_place);
+  ui::ReportInput input = session ? simulate_session(*session, *watch)
+                                  : simulate_runs(options.runs.reading(), runs, source, *watch);
+  add_traces(input, options.traces, *watch);
   if (!session || !options.camera.empty()) {
     input.view = camera_of(options);
   }
   set_colours(options, input);
   input.title = QString::fromStdString(options.title);
   input.commands = {command_of(options)};
-  out.stream() << picture_file(input, options, session, request);
-  out.commit();
+  if (film) {
+    const ui::OffscreenApplication application(request.theme);
+    speak_in(options.language, input, session);
+    film->write(input, *watch->stage("drawing"));
+  }
+  watch.reset();
+  if (out) {
+    out->stream() << picture_file(input, options, session, request);
+    out->commit();
+  }
   if (!options.runs.tolerances.empty()) {
     note_replaced_tolerance(*input.program().toolpath);
   }
@@ -279,7 +328,8 @@ void add_size_options(CLI::App& command, RenderOptions& options) {
       .add_option(
           "--size", options.size,
           "Width and height in pixels, or a sheet of paper: A4 (landscape), A4-portrait, A2 to A6, Letter; a "
-          "--view sheet smaller than A4 needs a --scale below 1 [1280x960; A4 for a sheet]")
+          "--view sheet smaller than A4 needs a --scale below 1 [1280x960; 1280x720 for a film; A4 for a "
+          "sheet]")
       ->type_name("WxH|PAPER");
   add_number_option(
       command, "--dpi", numbers(36, 1200), [&options](double dpi) { options.dpi = dpi; },
@@ -297,7 +347,8 @@ void add_size_options(CLI::App& command, RenderOptions& options) {
 Command add_render_command(CLI::App& app) {
   const auto options = std::make_shared<RenderOptions>();
   CLI::App* command = app.add_subcommand(
-      "render", "Draw an NC program and its motion as a PNG, SVG or PDF picture; needs no display");
+      "render",
+      "Draw an NC program and its motion as a PNG, SVG or PDF picture, or as a film; needs no display");
   add_several_runs_options(*command, options->runs);
   add_trace_files(*command, options->traces);
   command->add_option("--view", options->view, "View to draw: 3d, charts, window, sheet")
@@ -334,8 +385,10 @@ Command add_render_command(CLI::App& app) {
   command->add_flag("--transparent", options->transparent, "Transparent background");
   command->add_option("--title", options->title, "Title of a sheet [the program's name]")->type_name("TEXT");
   command->add_option("--out", options->out, "The picture to write; - for standard output")
-      ->type_name("FILE.png|svg|pdf")
-      ->required();
+      ->type_name("FILE.png|svg|pdf");
+  add_film_options(*command, options->film);
+  command->add_flag("--progress", options->progress,
+                    "Tell the progress on standard error in lines, for programs that run this one");
   return {command, [options] {
             move_tolerance(options->runs.set, options->runs.tolerances);
             return render(*options);

@@ -271,6 +271,17 @@
     </message>
 </context>
 <context>
+    <name>FilmFrames</name>
+    <message>
+        <source>%1 / %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Line %1</source>
+        <translation>Ligne %1</translation>
+    </message>
+</context>
+<context>
     <name>KinematicCharts</name>
     <message>
         <source>Feed</source>
@@ -5233,6 +5244,165 @@ max. : %1 %</translation>
     <message>
         <source>Ctrl+Alt+R</source>
         <translation>Ctrl+Alt+R</translation>
+    </message>
+    <message>
+        <source>Fil&amp;m …</source>
+        <translation>Fil&amp;m …</translation>
+    </message>
+    <message>
+        <source>Film of a stretch of the run: the 3D view with the moving tool, with charts below if wanted</source>
+        <translation>Film d’une partie de la simulation : la vue 3D avec l’outil en mouvement, avec les graphiques dessous si souhaité</translation>
+    </message>
+    <message>
+        <source>video movie animation export record</source>
+        <translation>vidéo film animation exporter enregistrer</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::FilmDialog</name>
+    <message>
+        <source>C&amp;harts below, with a moving cursor</source>
+        <translation>&amp;Graphiques dessous, avec un curseur mobile</translation>
+    </message>
+    <message>
+        <source>&amp;Save film …</source>
+        <translation>&amp;Enregistrer le film …</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>Film</source>
+        <translation>Film</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+    <message>
+        <source>How far back the line behind the tool reaches, in seconds of the run</source>
+        <translation>Jusqu’où remonte le trait derrière l’outil, en secondes de la simulation</translation>
+    </message>
+    <message>
+        <source>Seconds of the run in a second of the film; 1 is real time</source>
+        <translation>Secondes de la simulation dans une seconde de film ; 1 est le temps réel</translation>
+    </message>
+    <message>
+        <source>Pixels, such as 1920x1080</source>
+        <translation>Pixels, par exemple 1920x1080</translation>
+    </message>
+    <message>
+        <source>as in the window</source>
+        <translation>comme dans la fenêtre</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>clair</translation>
+    </message>
+    <message>
+        <source>dark</source>
+        <translation>sombre</translation>
+    </message>
+    <message>
+        <source>Video: one file, .ogv</source>
+        <translation>Vidéo : un fichier .ogv</translation>
+    </message>
+    <message>
+        <source>Series of pictures: PNG files in a folder</source>
+        <translation>Suite d’images : fichiers PNG dans un dossier</translation>
+    </message>
+    <message>
+        <source>&amp;Whole run</source>
+        <translation>Toute la si&amp;mulation</translation>
+    </message>
+    <message>
+        <source>&amp;From</source>
+        <translation>&amp;Début</translation>
+    </message>
+    <message>
+        <source>T&amp;o</source>
+        <translation>&amp;Fin</translation>
+    </message>
+    <message>
+        <source>S&amp;peed</source>
+        <translation>&amp;Vitesse</translation>
+    </message>
+    <message>
+        <source>Frames a secon&amp;d</source>
+        <translation>&amp;Images par seconde</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Durée du film</translation>
+    </message>
+    <message>
+        <source>&amp;Trail</source>
+        <translation>Traî&amp;née</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>&amp;Taille</translation>
+    </message>
+    <message>
+        <source>&amp;Colours</source>
+        <translation>Co&amp;uleurs</translation>
+    </message>
+    <message>
+        <source>File for&amp;mat</source>
+        <translation>F&amp;ormat du fichier</translation>
+    </message>
+    <message>
+        <source>The film must end after it begins.</source>
+        <translation>Le film doit finir après avoir commencé.</translation>
+    </message>
+    <message>
+        <source>%1 frames are too many; at most %2 can be written. Choose a speed of at least %3, fewer frames a second or a shorter stretch.</source>
+        <translation>%1 images sont de trop ; %2 au plus peuvent être écrites. Choisissez une vitesse d’au moins %3, moins d’images par seconde ou une partie plus courte.</translation>
+    </message>
+    <message>
+        <source>The size is a width and a height in pixels, such as 1280x720.</source>
+        <translation>La taille est une largeur et une hauteur en pixels, par exemple 1280x720.</translation>
+    </message>
+    <message>
+        <source>A video needs an even width and an even height.</source>
+        <translation>Une vidéo demande une largeur et une hauteur paires.</translation>
+    </message>
+    <message>
+        <source>%1 in %2 frames</source>
+        <translation>%1 en %2 images</translation>
+    </message>
+    <message>
+        <source>Save film</source>
+        <translation>Enregistrer le film</translation>
+    </message>
+    <message>
+        <source>Video (*.ogv)</source>
+        <translation>Vidéo (*.ogv)</translation>
+    </message>
+    <message>
+        <source>Folder for the pictures</source>
+        <translation>Dossier des images</translation>
+    </message>
+    <message>
+        <source>%1 has been written</source>
+        <translation>%1 a été écrit</translation>
+    </message>
+    <message>
+        <source>Writing %1 …</source>
+        <translation>Écriture de %1 …</translation>
+    </message>
+    <message>
+        <source>Cancelled; nothing has been written.</source>
+        <translation>Arrêté ; rien n’a été écrit.</translation>
+    </message>
+    <message>
+        <source>As the cha&amp;rts show</source>
+        <translation>Comme les gra&amp;phiques</translation>
     </message>
 </context>
 <context>

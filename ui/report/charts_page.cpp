@@ -76,6 +76,13 @@ void ChartsPage::set_runs(const ReportInput& input, std::size_t row) {
   charts_->set_state(input.charts);
 }
 
+void ChartsPage::set_cursor(double time) {
+  if (cursor_.trajectory() != charts_->trajectory()) {
+    cursor_.set_trajectory(charts_->trajectory());
+  }
+  cursor_.set_time(time);
+}
+
 void ChartsPage::hide_title() {
   title_->hide();
 }

@@ -17,6 +17,8 @@ class ChartsPage : public QWidget {
   void set_run(const Run& run);
   /// Run `row` of `input`, the others behind it.
   void set_runs(const ReportInput& input, std::size_t row);
+  /// Points at an instant of the run [s], with the values there in the headers.
+  void set_cursor(double time);
   void hide_title();
   /// The colour behind titles and legends.
   void set_background(const QColor& colour);

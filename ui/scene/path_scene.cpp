@@ -64,6 +64,7 @@ class PathScene::Impl : public ScenePaths {
   }
   std::optional<TimeStretch> shown_times() const { return stretch.times(highlight, cursor_at); }
   void apply_stretch() {
+    layers.trail().end_at(cursor_at, cursor);
     const auto times = shown_times();
     const bool only = times && stretch.rest_hidden && layers.executed() != nullptr;
     layers.set_stretch(
@@ -242,6 +243,11 @@ void PathScene::set_cursor(const State& state) {
   impl_->cursor = drawn_at(state.time);
   impl_->cursor_at = state.time;
   impl_->apply_stretch();
+}
+
+void PathScene::set_trail(double seconds) {
+  impl_->layers.trail().set_length(seconds);
+  impl_->changed();
 }
 
 void PathScene::set_colouring(Colouring colouring) {

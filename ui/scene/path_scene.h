@@ -58,6 +58,8 @@ class PathScene {
   void set_cursor(const std::optional<Vec3>& tip);
   /// The tool at an instant of the executed path.
   void set_cursor(const State& state);
+  /// Draws where the tool has been up to so long before [s], rapids included; 0: does not.
+  void set_trail(double seconds);
 
   void set_colouring(Colouring colouring);
   Colouring colouring() const;

@@ -13,6 +13,7 @@
 #include "ui/program_text/reading_dialog.h"
 #include "ui/shared/panel_action.h"
 #include "ui/shared/paths.h"
+#include "ui/window/film_dialog.h"
 #include "ui/window/main_window.h"
 #include "ui/window/picture_commands.h"
 #include "ui/window/picture_dialog.h"
@@ -109,6 +110,15 @@ void FileMenu::add_paper() {
   connect(&workbench_, &Workbench::program_changed, picture,
           [this, picture] { picture->setEnabled(workbench_.program() != nullptr); });
   picture->setEnabled(workbench_.program() != nullptr);
+  QAction* film =
+      add(tr("Fil&m …"), {},
+          tr("Film of a stretch of the run: the 3D view with the moving tool, with charts below if "
+             "wanted"));
+  set_everyday_words(film, tr("video movie animation export record"));
+  connect(film, &QAction::triggered, this, &FileMenu::ask_for_film);
+  const auto follow_run = [this, film] { film->setEnabled(workbench_.shown() != nullptr); };
+  connect(&workbench_, &Workbench::run_changed, film, follow_run);
+  follow_run();
   addMenu(tr("Save &picture"))->addActions(pictures->save_actions());
   addMenu(tr("&Copy picture"))->addActions(pictures->copy_actions());
   connect(pictures, &PictureCommands::failed, this, &FileMenu::failed);
@@ -183,6 +193,23 @@ void FileMenu::ask_for_picture() {
                                    QCoreApplication::applicationFilePath(), &window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &PictureDialog::saved, this, &FileMenu::done);
+  dialog->open();
+}
+
+void FileMenu::ask_for_film() {
+  const auto shown = workbench_.shown();
+  if (shown == nullptr) {
+    return;
+  }
+  const ViewRange& range = workbench_.view_range();
+  auto* dialog = new FilmDialog({session_.capture(),
+                                 shown->run.trajectory->duration(),
+                                 {range.lower_time(), range.upper_time()},
+                                 window_.scene().canvas().size(),
+                                 chosen_language()},
+                                QCoreApplication::applicationFilePath(), &window_);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &FilmDialog::saved, this, &FileMenu::done);
   dialog->open();
 }
 

@@ -8,7 +8,7 @@ class MainWindow;
 class WindowSession;
 class Workbench;
 
-/// Programs, sessions, machine files, pictures and reports: opened, saved, and asked for.
+/// Programs, sessions, machine files, pictures, films and reports: opened, saved, and asked for.
 class FileMenu : public QMenu {
   Q_OBJECT
 
@@ -26,6 +26,7 @@ class FileMenu : public QMenu {
   void ask_for_picture();
   /// What the window shows.
   void ask_and_print();
+  void ask_for_film();
 
  signals:
   /// For the status bar.

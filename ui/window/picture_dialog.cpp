@@ -28,12 +28,12 @@ namespace feedscope::ui {
 
 namespace {
 
-constexpr QSize usual_size(1060, 640);
-constexpr int form_width = 340;
-constexpr int pause_before_preview = 500;  // [ms] after the last change
-constexpr int preview_dpi = 96;
+constexpr QSize picture_dialog_size(1060, 640);
+constexpr int picture_form_width = 340;
+constexpr int pause_before_picture = 500;  // [ms] after the last change
+constexpr int picture_preview_dpi = 96;
 const QStringList render_command{QStringLiteral("render")};
-const QString session_name = QStringLiteral("picture.feedscope");
+const QString picture_session = QStringLiteral("picture.feedscope");
 const QString preview_name = QStringLiteral("preview.png");
 
 QString size_text(const QSize& size) {
@@ -78,10 +78,10 @@ PictureDialog::PictureDialog(Subject subject, const QString& executable, QWidget
   auto* layout = new QVBoxLayout(this);
   layout->addLayout(halves, 1);
   layout->addLayout(buttons);
-  resize(usual_size.boundedTo(screen()->availableSize() - QSize(40, 60)));
+  resize(picture_dialog_size.boundedTo(screen()->availableSize() - QSize(40, 60)));
 
   changed_.setSingleShot(true);
-  changed_.setInterval(pause_before_preview);
+  changed_.setInterval(pause_before_picture);
   const auto change = [this] {
     follow_view();
     changed_.start();
@@ -103,7 +103,7 @@ PictureDialog::PictureDialog(Subject subject, const QString& executable, QWidget
     });
   }
   try {
-    write_session(subject_.session, to_path(QDir(folder_.path()).filePath(session_name)));
+    write_session(subject_.session, to_path(QDir(folder_.path()).filePath(picture_session)));
     make_preview();
   } catch (const InputError& error) {
     show_state(QString::fromUtf8(error.what()), true);
@@ -139,7 +139,7 @@ QWidget* PictureDialog::make_form() {
   scale_->setSingleStep(smallest);
   scale_->setToolTip(tr("How much larger text and lines are; 1 suits 96 pixels an inch"));
   auto* form = new QWidget(this);
-  form->setFixedWidth(form_width);
+  form->setFixedWidth(picture_form_width);
   auto* fields = new QFormLayout(form);
   fields->setContentsMargins(0, 0, 0, 0);
   fields->addRow(tr("&What"), view_);
@@ -226,7 +226,7 @@ void PictureDialog::make_preview() {
   const QDir folder(folder_.path());
   QFile::remove(folder.filePath(preview_name));
   show_state(tr("Drawing the preview …"));
-  previewing_.start(picture_arguments(for_preview(wish(), preview_dpi), session_name) +
+  previewing_.start(picture_arguments(for_preview(wish(), picture_preview_dpi), picture_session) +
                         QStringList{QStringLiteral("--out=%1").arg(preview_name)},
                     folder.path());
 }
@@ -287,7 +287,7 @@ void PictureDialog::save(const QString& file) {
     emit saved(message);
   });
   show_state(tr("Writing %1 …").arg(target.fileName()));
-  saving_.start(picture_arguments(wish(), QDir(folder_.path()).filePath(session_name)) +
+  saving_.start(picture_arguments(wish(), QDir(folder_.path()).filePath(picture_session)) +
                     QStringList{QStringLiteral("--out=%1").arg(target.fileName())},
                 target.absolutePath());
 }

@@ -472,6 +472,7 @@ void PathLayers::place(const SceneFrame& frame, const Projection& view, double s
     actor.SetScale(lift.shrink / frame.unit);
     actor.SetPosition(at.x(), at.y(), at.z());
   }
+  trail_.place(executed_.get(), look_.colours->highlight, frame, view, scale);
   place_clipping(frame, view);
 }
 

@@ -13,6 +13,7 @@
 #include "ui/scene/path/colouring.h"
 #include "ui/scene/path/drawn_path.h"
 #include "ui/scene/path/path_stretch.h"
+#include "ui/scene/path/path_trail.h"
 
 class vtkActor;
 class vtkCellArray;
@@ -52,7 +53,8 @@ class PathLayers {
  public:
   /// `below`: of a layer of the window below that of `renderer`, with the same camera: there a range and what
   /// is pale cover no path, however near they come to the eye.
-  PathLayers(vtkRenderer& renderer, vtkRenderer& below) : renderer_(renderer), below_(below) {}
+  PathLayers(vtkRenderer& renderer, vtkRenderer& below)
+      : renderer_(renderer), below_(below), trail_(renderer) {}
 
   /// Replaces what is shown; each path may be null. A path that is shown already stays as it is drawn.
   void show(std::shared_ptr<const SampledPath> programmed, std::shared_ptr<const SampledPath> executed,
@@ -63,6 +65,8 @@ class PathLayers {
   /// What of the executed path is drawn in full; none: all of it. `only`: the box [mm] outside of which
   /// nothing else is drawn, and of the executed path nothing but the stretch; none: the rest is pale.
   void set_stretch(const std::optional<TimeStretch>& stretch, const std::optional<Bounds>& only);
+  /// Behind the tool, in the colour of what is highlighted.
+  PathTrail& trail() { return trail_; }
   /// Before each frame. `scale`: size of text and lines.
   void place(const SceneFrame& frame, const Projection& view, double scale, bool moving);
 
@@ -129,6 +133,7 @@ class PathLayers {
 
   vtkRenderer& renderer_;
   vtkRenderer& below_;
+  PathTrail trail_;
   PathLook look_;
   std::unique_ptr<DrawnPath> programmed_;
   std::unique_ptr<DrawnPath> executed_;
