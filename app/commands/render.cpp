@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "app/commands/command.h"
-#include "app/commands/language_option.h"
 #include "app/commands/film.h"
+#include "app/commands/language_option.h"
 #include "app/display_units.h"
 #include "app/exit_codes.h"
 #include "app/number_option.h"
