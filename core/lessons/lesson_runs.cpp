@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/error.h"
 
@@ -26,12 +27,14 @@ double related(Relation relation, double value, double other) {
 
 }  // namespace
 
-const LoadedProgram& LessonRuns::program(const std::filesystem::path& file, Progress* progress) {
-  const auto known = programs_.find(file);
+const LoadedProgram& LessonRuns::program(const std::filesystem::path& file, const Machine& machine,
+                                         Progress* progress) {
+  const std::pair key(file, machine.id);
+  const auto known = programs_.find(key);
   if (known != programs_.end()) {
     return known->second;
   }
-  LoadedProgram loaded = load_program(file, progress);
+  LoadedProgram loaded = load_program(file, progress, reading_on({}, machine));
   const auto& diagnostics = loaded.program->diagnostics;
   const auto error = std::find_if(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& diagnostic) {
     return diagnostic.severity == Severity::error;
@@ -40,7 +43,7 @@ const LoadedProgram& LessonRuns::program(const std::filesystem::path& file, Prog
     throw InputError(fmt::format("program '{}' of the lesson has an error on line {}: {}", file.string(),
                                  error->line, error->message));
   }
-  return programs_.emplace(file, std::move(loaded)).first->second;
+  return programs_.emplace(key, std::move(loaded)).first->second;
 }
 
 const Run& LessonRuns::run(const Changes& changes, Progress* progress) {
@@ -49,7 +52,7 @@ const Run& LessonRuns::run(const Changes& changes, Progress* progress) {
     return known->second;
   }
   LessonSetup setup = set_up(lesson_, changes);
-  const LoadedProgram& input = program(setup.program, progress);
+  const LoadedProgram& input = program(setup.program, setup.setup.machine, progress);
   return runs_.emplace(changes, simulate_run(input, std::move(setup.setup), progress)).first->second;
 }
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -35,10 +36,11 @@ class LessonRuns {
   WrittenNumbers numbers(Progress* progress = nullptr);
 
  private:
-  const LoadedProgram& program(const std::filesystem::path& file, Progress* progress);
+  /// As it is read on a machine: with its rotary axes and work offsets.
+  const LoadedProgram& program(const std::filesystem::path& file, const Machine& machine, Progress* progress);
 
   const Lesson& lesson_;
-  std::map<std::filesystem::path, LoadedProgram> programs_;
+  std::map<std::pair<std::filesystem::path, std::string>, LoadedProgram> programs_;  ///< by file and machine
   std::map<Changes, Run> runs_;
 };
 
