@@ -33,6 +33,7 @@ expect 'feedscope machines im' import
 expect 'feedscope machines import --o' --out
 expect 'feedscope help sim' simulate
 expect 'feedscope simulate --dialect si' sinumerik
+expect 'feedscope report --language ' en fr
 
 command -v zsh >/dev/null && zsh -n zsh
 if command -v fish >/dev/null; then

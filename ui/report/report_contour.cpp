@@ -146,7 +146,7 @@ QString contour_histogram_block(const ReportInput& input, ReportPictures& pictur
 
 QString contour_places_block(const ReportInput& input) {
   const std::vector<int> widths =
-      speaks_english() ? std::vector{4, 15, 8, 9, 6, 19, 14, 25} : std::vector{4, 14, 8, 10, 8, 18, 14, 24};
+      speaks_english() ? std::vector{4, 15, 8, 9, 6, 19, 14, 25} : std::vector{4, 14, 8, 10, 8, 17, 16, 23};
   HtmlTable table("rlrrlllr", widths);
   table.add_head({ReportWords::tr("No."), ReportWords::tr("Line"),
                   with_unit_of(ReportWords::tr("Error"), Dimension::error),
