@@ -1302,11 +1302,11 @@
     </message>
     <message>
         <source>mean feed, %1</source>
-        <translation>avance moyenne, %1</translation>
+        <translation>avance moy., %1</translation>
     </message>
     <message>
         <source>peak feed, %1</source>
-        <translation>avance maximale, %1</translation>
+        <translation>avance max., %1</translation>
     </message>
     <message>
         <source>contour error, %1</source>
