@@ -27,11 +27,8 @@ constexpr QSize usual_print_size(900, 760);
 const QString printed_session = QStringLiteral("print.feedscope");
 const QString printed_pages = QStringLiteral("pages.feedpages");
 
-/// `feedscope render` of the session on a sheet of paper.
-QStringList render_command(const char* view, const QString& language) {
-  QStringList command{QStringLiteral("render"), printed_session,
-                      QStringLiteral("--view=%1").arg(QLatin1String(view)), QStringLiteral("--size=A4"),
-                      QStringLiteral("--theme=light")};
+/// With language and units of the window.
+QStringList as_in_window(QStringList command, const QString& language) {
   if (!language.isEmpty()) {
     command.append(QStringLiteral("--language=%1").arg(language));
   }
@@ -39,6 +36,14 @@ QStringList render_command(const char* view, const QString& language) {
     command.append(QStringLiteral("--display-units=inch"));
   }
   return command;
+}
+
+/// `feedscope render` of the session on a sheet of paper.
+QStringList render_command(const char* view, const QString& language) {
+  return as_in_window(
+      {QStringLiteral("render"), printed_session, QStringLiteral("--view=%1").arg(QLatin1String(view)),
+       QStringLiteral("--size=A4"), QStringLiteral("--theme=light")},
+      language);
 }
 
 }  // namespace
@@ -71,8 +76,9 @@ void PrintDialog::list_items() {
   if (subject_.session) {
     items_.append({tr("3D view"), render_command("3d", subject_.language), {}});
     items_.append({tr("Charts"), render_command("charts", subject_.language), {}});
-    items_.append({tr("Sheet"), render_command("sheet", {}), {}});
-    items_.append({tr("Report"), {QStringLiteral("report"), printed_session}, {}});
+    items_.append({tr("Sheet"), render_command("sheet", subject_.language), {}});
+    items_.append(
+        {tr("Report"), as_in_window({QStringLiteral("report"), printed_session}, subject_.language), {}});
   }
   if (subject_.lesson != nullptr) {
     for (const auto& [reader, title] : {std::pair(HandoutReader::learners, tr("Hand-out for learners")),
