@@ -10,6 +10,7 @@
 
 #include "core/base/data_folder.h"
 #include "ui/charts/charts_panel.h"
+#include "ui/language/language.h"
 #include "ui/program_text/reading_dialog.h"
 #include "ui/shared/panel_action.h"
 #include "ui/shared/paths.h"
