@@ -3,6 +3,7 @@
 #include <QAbstractTextDocumentLayout>
 #include <QAction>
 #include <QClipboard>
+#include <QCoreApplication>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -223,7 +224,7 @@ void LessonView::make_actions() {
   connect(answer_action_, &QAction::toggled, this, &LessonView::show_texts);
   connect(answer_action_, &QAction::toggled, this, [this](bool shown) {
     if (shown) {  // when it has its height
-      QTimer::singleShot(0, this, [this] { work_->ensureWidgetVisible(expected_, 0, 0); });
+      QTimer::singleShot(0, this, &LessonView::show_expected);
     }
   });
 }
@@ -391,6 +392,15 @@ void LessonView::show_texts() {
       answer_action_->isChecked()
           ? as_html(QStringLiteral("**%1** %2").arg(tr("Answer:"), desk_.filled(question.answer)))
           : QString());
+}
+
+void LessonView::show_expected() {
+  // The answer gets its height from its width, and all below the question from that.
+  for (int turn = 0; turn < 2; ++turn) {
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+  }
+  const int bottom = expected_->geometry().bottom();
+  work_->ensureVisible(0, bottom, 0, std::min(expected_->height(), work_->viewport()->height() / 2));
 }
 
 void LessonView::show_control() {

@@ -70,6 +70,7 @@ class LessonView : public Panel {
   void show_lesson();
   void show_question();
   void show_texts();
+  void show_expected();
   void show_control();
   void show_value();
   void show_work();

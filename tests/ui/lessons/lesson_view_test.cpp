@@ -120,6 +120,28 @@ TEST_F(LessonViewTest, KeepsEachValueTriedWithWhatItChanges) {
   EXPECT_EQ(view.tries().rowCount(), 2) << "a value has one row";
 }
 
+/// A narrow column has no room for columns of their own; what is copied has them all the same.
+TEST_F(LessonViewTest, ChangesStandBelowTheNumbersInANarrowPanel) {
+  choose_lesson(6);
+  click(&view.set_up_button());
+  wait_for("3000 mm/min");
+  click(view.values()[0]);
+  wait_for("6000 mm/min");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view.tries().rowCount() == 2; }, patience));
+  constexpr QSize wide(700, 700);
+  view.resize(wide);
+  QCoreApplication::processEvents();
+  EXPECT_FALSE(view.tries().isColumnHidden(4));
+  const int height = view.tries().rowHeight(1);
+  constexpr QSize narrow(250, 700);
+  view.resize(narrow);
+  QCoreApplication::processEvents();
+  EXPECT_TRUE(view.tries().isColumnHidden(2));
+  EXPECT_TRUE(view.tries().isColumnHidden(4));
+  EXPECT_GT(view.tries().rowHeight(1), height * 3 / 2);
+  EXPECT_THAT(copied_tries(view), HasSubstr("\t6000\t+100.0\n"));
+}
+
 TEST_F(LessonViewTest, TriesLastUntilTheyAreCleared) {
   choose_lesson(6);
   click(&view.set_up_button());
@@ -200,13 +222,16 @@ TEST_F(LessonViewTest, ShowsHintAndAnswerOnDemand) {
   choose_lesson(6);
   EXPECT_FALSE(view.expected().isVisible());
   EXPECT_EQ(view.expected().toPlainText(), "");
-  click(&view.answer_button());
+  constexpr QSize too_low(360, 420);
+  view.resize(too_low);
+  view.panel_actions()[4]->trigger();
   EXPECT_TRUE(view.expected().isVisible());
   EXPECT_THAT(view.expected().toPlainText().toStdString(),
               HasSubstr("Half the period gives twice the feed, 6000 mm/min"));
   EXPECT_GT(view.expected().mapTo(&view, QPoint()).y(), view.own_answer().mapTo(&view, QPoint()).y())
       << "below one's own";
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !view.expected().visibleRegion().isEmpty(); }, patience))
+  EXPECT_TRUE(
+      QTest::qWaitFor([&] { return !view.expected().viewport()->visibleRegion().isEmpty(); }, patience))
       << "the panel scrolls to it";
   click(&view.answer_button());
   EXPECT_EQ(view.expected().toPlainText(), "");
