@@ -5246,16 +5246,16 @@ max. : %1 %</translation>
         <translation>Ctrl+Alt+R</translation>
     </message>
     <message>
-        <source>Fil&amp;m …</source>
-        <translation>Fil&amp;m …</translation>
-    </message>
-    <message>
         <source>Film of a stretch of the run: the 3D view with the moving tool, with charts below if wanted</source>
         <translation>Film d’une partie de la simulation : la vue 3D avec l’outil en mouvement, avec les graphiques dessous si souhaité</translation>
     </message>
     <message>
         <source>video movie animation export record</source>
         <translation>vidéo film animation exporter enregistrer</translation>
+    </message>
+    <message>
+        <source>&amp;Film …</source>
+        <translation>&amp;Film …</translation>
     </message>
 </context>
 <context>
@@ -5361,10 +5361,6 @@ max. : %1 %</translation>
         <translation>Le film doit finir après avoir commencé.</translation>
     </message>
     <message>
-        <source>%1 frames are too many; at most %2 can be written. Choose a speed of at least %3, fewer frames a second or a shorter stretch.</source>
-        <translation>%1 images sont de trop ; %2 au plus peuvent être écrites. Choisissez une vitesse d’au moins %3, moins d’images par seconde ou une partie plus courte.</translation>
-    </message>
-    <message>
         <source>The size is a width and a height in pixels, such as 1280x720.</source>
         <translation>La taille est une largeur et une hauteur en pixels, par exemple 1280x720.</translation>
     </message>
@@ -5403,6 +5399,10 @@ max. : %1 %</translation>
     <message>
         <source>As the cha&amp;rts show</source>
         <translation>Comme les gra&amp;phiques</translation>
+    </message>
+    <message>
+        <source>%1 frames; at most %2 can be written. The speed must be %3 at least.</source>
+        <translation>%1 images ; %2 au plus peuvent être écrites. Il faut une vitesse d’au moins %3.</translation>
     </message>
 </context>
 <context>

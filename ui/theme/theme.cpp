@@ -65,7 +65,7 @@ const ThemeColours dark_colours{
     .warning = QColor(0xf2, 0xc0, 0x5c),
     .info = QColor(0x7f, 0xb8, 0xf0)};
 
-QPalette make_palette(const Roles& roles) {
+QPalette make_palette(const Roles& roles, const ThemeColours& colours) {
   QPalette palette;
   palette.setColor(QPalette::Window, roles.window);
   palette.setColor(QPalette::WindowText, roles.text);
@@ -78,6 +78,7 @@ QPalette make_palette(const Roles& roles) {
   palette.setColor(QPalette::Highlight, roles.highlight);
   palette.setColor(QPalette::HighlightedText, Qt::white);
   palette.setColor(QPalette::Link, roles.link);
+  palette.setColor(QPalette::BrightText, colours.error);  // white, it cannot be read on light
   palette.setColor(QPalette::ToolTipBase, roles.tool_tip);
   palette.setColor(QPalette::ToolTipText, roles.text);
   for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
@@ -184,7 +185,8 @@ class ThemeStyle : public QProxyStyle {
 void apply_theme(ThemeKind kind) {
   add_missing_fonts();
   QApplication::setStyle(new ThemeStyle);
-  QApplication::setPalette(make_palette(kind == ThemeKind::dark ? dark_roles : light_roles));
+  QApplication::setPalette(kind == ThemeKind::dark ? make_palette(dark_roles, dark_colours)
+                                                   : make_palette(light_roles, light_colours));
   QFont font = QApplication::font();
   font.setPixelSize(type_pixels(12));
   QApplication::setFont(font);

@@ -112,7 +112,7 @@ void FileMenu::add_paper() {
           [this, picture] { picture->setEnabled(workbench_.program() != nullptr); });
   picture->setEnabled(workbench_.program() != nullptr);
   QAction* film =
-      add(tr("Fil&m …"), {},
+      add(tr("&Film …"), {},
           tr("Film of a stretch of the run: the 3D view with the moving tool, with charts below if "
              "wanted"));
   set_everyday_words(film, tr("video movie animation export record"));

@@ -79,6 +79,9 @@ FilmDialog::FilmDialog(Subject subject, const QString& executable, QWidget* pare
     label->setWordWrap(true);
     label->setTextFormat(Qt::PlainText);
   }
+  constexpr int rows_of_problem = 2;
+  length_->setMinimumHeight(rows_of_problem * length_->fontMetrics().lineSpacing());
+  length_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   state_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* close = new QPushButton(tr("Close"), this);
   for (QPushButton* button : {close, cancel_}) {
@@ -231,9 +234,7 @@ QString FilmDialog::problem() const {
     return tr("The film must end after it begins.");
   }
   if (times.frames() > most_film_frames) {
-    return tr("%1 frames are too many; at most %2 can be written. Choose a speed of at least %3, fewer "
-              "frames a "
-              "second or a shorter stretch.")
+    return tr("%1 frames; at most %2 can be written. The speed must be %3 at least.")
         .arg(locale.toString(static_cast<qulonglong>(times.frames())),
              locale.toString(static_cast<qulonglong>(most_film_frames)),
              locale.toString(times.least_speed(), 'g', 3));
