@@ -277,8 +277,8 @@
         <translation>%1 / %2</translation>
     </message>
     <message>
-        <source>Line %1</source>
-        <translation>Ligne %1</translation>
+        <source>Line %1: %2</source>
+        <translation>Ligne %1 : %2</translation>
     </message>
 </context>
 <context>
