@@ -93,6 +93,14 @@ void ChartsPage::set_background(const QColor& colour) {
   setPalette(colours);
 }
 
+int ChartsPage::count() const {
+  int count = 0;
+  for (std::size_t i = 0; i < chart_count; ++i) {
+    count += charts_->chart(i).isVisibleTo(charts_) ? 1 : 0;
+  }
+  return count;
+}
+
 void ChartsPage::prepare(const QSize& size, double resolution) {
   for (std::size_t i = 0; i < chart_count; ++i) {
     charts_->chart(i).set_resolution(resolution);

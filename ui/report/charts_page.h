@@ -22,6 +22,8 @@ class ChartsPage : public QWidget {
   void hide_title();
   /// The colour behind titles and legends.
   void set_background(const QColor& colour);
+  /// How many charts there are on it, one above the other.
+  int count() const;
   /// Lays the page out; `resolution`: columns that the curves have for each pixel.
   void prepare(const QSize& size, double resolution = 1);
   /// What prepare() has laid out, as vectors. `background`: behind title and legends too.

@@ -24,8 +24,8 @@ constexpr double caption_height = 28;  // all of this at text scale 1 [1/96 inch
 constexpr int caption_pixels = 14;
 constexpr double caption_margin = 12;
 constexpr double caption_gap = 28;
-constexpr double charts_share = 0.47;                  // of the height
-constexpr QSizeF enough_for_charts_of_film(640, 330);  // smaller ones are laid out larger and shrunk
+constexpr double charts_share = 0.47;                   // of the height
+constexpr QSizeF enough_for_a_chart_of_film(640, 110);  // smaller ones are laid out larger and shrunk
 constexpr QSizeF least_view(320, 160);
 constexpr double usual_trail = 2;  // [s] of the film
 
@@ -80,8 +80,9 @@ void FilmFrames::make_charts() {
   charts_->set_runs(input_, input_.current);
   charts_->hide_title();
   charts_->set_cursor(times_.from);  // the values in the headers take their room
-  charts_scale_ = std::min({text_scale_, below_.height() / enough_for_charts_of_film.height(),
-                            below_.width() / enough_for_charts_of_film.width()});
+  const QSizeF& enough = enough_for_a_chart_of_film;
+  charts_scale_ = std::min(
+      {text_scale_, below_.height() / (charts_->count() * enough.height()), below_.width() / enough.width()});
   charts_->prepare((below_.size() / charts_scale_).toSize(), charts_scale_ * look_.picture.pixel_ratio);
 }
 

@@ -36,8 +36,8 @@ constexpr double gap = 14;
 constexpr double title_height = 58;
 constexpr double figures_height = 50;
 constexpr double footer_height = 16;
-constexpr std::size_t max_runs = 12;           // in the table
-constexpr QSizeF enough_for_charts(640, 400);  // smaller ones are laid out larger and shrunk
+constexpr std::size_t max_runs = 12;                  // in the table
+constexpr QSizeF enough_for_a_chart(640, 400.0 / 3);  // smaller ones are laid out larger and shrunk
 
 struct Colours {
   QColor title, text, muted, rule, tile, paper, alarm;
@@ -185,8 +185,8 @@ class SheetPainter {
     page.set_runs(input_, input_.current);
     page.hide_title();
     page.set_background(colours_.paper);
-    const double shrunk =
-        std::min({1.0, room.height() / enough_for_charts.height(), room.width() / enough_for_charts.width()});
+    const double shrunk = std::min({1.0, room.height() / (page.count() * enough_for_a_chart.height()),
+                                    room.width() / enough_for_a_chart.width()});
     page.prepare((room.size() / shrunk).toSize(), shrunk * look_.pixel_ratio);
     painter_.save();
     painter_.translate(room.topLeft());
