@@ -1,6 +1,8 @@
 #include "ui/report/html_table.h"
 
+#include <QAbstractItemModel>
 #include <algorithm>
+#include <utility>
 
 namespace feedscope::ui {
 
@@ -99,6 +101,26 @@ QString HtmlTable::html() const {
              "<table class=\"data\" width=\"100%\" cellspacing=\"0\" cellpadding=\"3\">\n"
              "%1<tbody>\n%2</tbody>\n</table>\n")
       .arg(head, rows_);
+}
+
+QString html_of_model(const QAbstractItemModel& model, std::vector<int> widths) {
+  std::string sides;
+  QStringList heads;
+  for (int column = 0; column < model.columnCount(); ++column) {
+    const int aligned = model.index(0, column).data(Qt::TextAlignmentRole).toInt();
+    sides += (aligned & Qt::AlignRight) != 0 ? 'r' : 'l';
+    heads.append(html_text(model.headerData(column, Qt::Horizontal).toString().simplified()));
+  }
+  HtmlTable table(std::move(sides), std::move(widths));
+  table.add_head(heads);
+  for (int row = 0; row < model.rowCount(); ++row) {
+    QStringList cells;
+    for (int column = 0; column < model.columnCount(); ++column) {
+      cells.append(html_text(model.index(row, column).data().toString()));
+    }
+    table.add(cells);
+  }
+  return table.html();
 }
 
 }  // namespace feedscope::ui

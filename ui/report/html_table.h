@@ -4,6 +4,8 @@
 #include <QStringList>
 #include <vector>
 
+class QAbstractItemModel;
+
 namespace feedscope::ui {
 
 /// `text` for HTML, with "<wbr>" where a long word may be broken.
@@ -37,5 +39,9 @@ class HtmlTable {
   QString heads_;
   QString rows_;
 };
+
+/// What a table view shows of `model`, columns on the sides to which their cells in the first row are
+/// aligned. `widths`: as of HtmlTable.
+QString html_of_model(const QAbstractItemModel& model, std::vector<int> widths = {});
 
 }  // namespace feedscope::ui

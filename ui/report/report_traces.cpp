@@ -9,23 +9,6 @@ namespace feedscope::ui {
 
 namespace {
 
-QString html_of(const QStandardItemModel& model, const std::string& sides, const std::vector<int>& widths) {
-  HtmlTable table(sides, widths);
-  QStringList head;
-  for (int column = 0; column < model.columnCount(); ++column) {
-    head.append(html_text(model.headerData(column, Qt::Horizontal).toString()));
-  }
-  table.add_head(head);
-  for (int row = 0; row < model.rowCount(); ++row) {
-    QStringList cells;
-    for (int column = 0; column < model.columnCount(); ++column) {
-      cells.append(html_text(model.index(row, column).data().toString()));
-    }
-    table.add(cells);
-  }
-  return table.html();
-}
-
 QString part_of(const ReportTrace& trace) {
   QStandardItemModel figures;
   fill_figures(figures, *trace.shown);
@@ -33,9 +16,9 @@ QString part_of(const ReportTrace& trace) {
   fill_worst_places(places, *trace.shown);
   QString html = QStringLiteral("<h3><span style=\"color:%1\">■</span> %2</h3>\n<p>%3</p>\n")
                      .arg(trace.colour.name(), html_text(trace.name), html_text(verdict_of(*trace.shown)));
-  html += html_of(figures, "lrrr", {40, 20, 20, 20});
+  html += html_of_model(figures, {40, 20, 20, 20});
   if (places.rowCount() > 0) {
-    html += html_of(places, "rrrr", {25, 25, 25, 25});
+    html += html_of_model(places, {25, 25, 25, 25});
   }
   return html + caption_paragraph(html_text(remarks_of(*trace.shown).join(QLatin1Char(' '))));
 }

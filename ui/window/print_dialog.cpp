@@ -138,7 +138,7 @@ void PrintDialog::make_pages() {
   const Item& item = items_[row];
   try {
     if (item.command.isEmpty()) {
-      show_pages(recorded_pages(table_html(item.table.title, *item.table.view->model()), ReportPictures(),
+      show_pages(recorded_pages(table_page(item.table.title, *item.table.view->model()), ReportPictures(),
                                 {item.table.title, {}, {}, tr("page %1 of %2")}));
       return;
     }

@@ -38,25 +38,9 @@ PrintSubject print_subject(MainWindow& window) {
   return subject;
 }
 
-QString table_html(const QString& title, const QAbstractItemModel& table) {
-  QString sides;
-  QStringList heads;
-  for (int column = 0; column < table.columnCount(); ++column) {
-    const int aligned = table.index(0, column).data(Qt::TextAlignmentRole).toInt();
-    sides += (aligned & Qt::AlignRight) != 0 ? 'r' : 'l';
-    heads.append(html_text(table.headerData(column, Qt::Horizontal).toString().simplified()));
-  }
-  HtmlTable html(sides.toStdString());
-  html.add_head(heads);
-  for (int row = 0; row < table.rowCount(); ++row) {
-    QStringList cells;
-    for (int column = 0; column < table.columnCount(); ++column) {
-      cells.append(html_text(table.index(row, column).data().toString()));
-    }
-    html.add(cells);
-  }
+QString table_page(const QString& title, const QAbstractItemModel& table) {
   return QStringLiteral("<html><head><style>%1</style></head><body><h1>%2</h1>%3</body></html>")
-      .arg(QString::fromLatin1(table_style), title.toHtmlEscaped(), html.html());
+      .arg(QString::fromLatin1(table_style), title.toHtmlEscaped(), html_of_model(table));
 }
 
 }  // namespace feedscope::ui

@@ -31,6 +31,6 @@ struct PrintSubject {
 PrintSubject print_subject(MainWindow& window);
 
 /// A table as HTML: title, headings and the rows that the view shows, as text.
-QString table_html(const QString& title, const QAbstractItemModel& table);
+QString table_page(const QString& title, const QAbstractItemModel& table);
 
 }  // namespace feedscope::ui

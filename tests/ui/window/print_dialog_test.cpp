@@ -84,7 +84,7 @@ TEST_F(PrintDialogTest, TheTableWithTheFocusComesFirst) {
   PrintDialog dialog(subject, FEEDSCOPE_EXECUTABLE);
   EXPECT_EQ(dialog.choice().currentText(), "Table: Lesson");
   EXPECT_EQ(dialog.pages().count(), 1);
-  EXPECT_THAT(table_html("Runs", *table.model()).toStdString(), testing::HasSubstr("&lt;b&gt;"));
+  EXPECT_THAT(table_page("Runs", *table.model()).toStdString(), testing::HasSubstr("&lt;b&gt;"));
 }
 
 TEST_F(PrintDialogTest, SaysThatThereIsNothing) {
