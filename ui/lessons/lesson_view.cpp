@@ -26,7 +26,7 @@
 #include "core/base/markdown.h"
 #include "core/base/typed_number.h"
 #include "ui/fields/focus_outline.h"
-#include "ui/fields/number_box.h"
+#include "ui/fields/short_number_box.h"
 #include "ui/language/texts.h"
 #include "ui/lessons/lesson_tries.h"
 #include "ui/lessons/tries_table.h"
@@ -123,7 +123,7 @@ LessonView::LessonView(LessonDesk& desk, QWidget* parent)
       key_(new QLabel(control_)),
       values_(new QWidget(control_)),
       own_(new QWidget(values_)),
-      own_value_(new NumberBox(own_)),
+      own_value_(new ShortNumberBox(own_)),
       show_setting_(new QToolButton(control_)),
       value_(new QLabel(this)),
       tried_(new QWidget(this)),

@@ -179,6 +179,7 @@ TEST_F(LessonViewTest, AValueOfOnesOwnIsTriedAsTheSuggestedOnes) {
   wait_for("4000 mm/min");
   ASSERT_TRUE(QTest::qWaitFor([&] { return view.tries().rowCount() == 2; }, patience));
   EXPECT_EQ(view.tries().item(1, 0)->text(), "0.0015");
+  EXPECT_EQ(field->text(), "0.0015") << "without zeros behind";
 }
 
 /// A run with other changes than the question's is no try of it.
