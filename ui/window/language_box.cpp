@@ -20,7 +20,8 @@ void LanguageBox::choose(const QString& code) {
 }
 
 QString own_name_of_language(const QString& code) {
-  const QString name = QLocale(code).nativeLanguageName();
+  // Of no country: "English" rather than "American English".
+  const QString name = QLocale(QLocale(code).language(), QLocale::World).nativeLanguageName();
   return name.left(1).toUpper() + name.mid(1);
 }
 

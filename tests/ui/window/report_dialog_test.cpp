@@ -107,6 +107,7 @@ TEST_F(ReportDialogTest, WritesInTheLanguageThatIsChosen) {
   ReportDialog dialog(subject_, FEEDSCOPE_EXECUTABLE);
   auto* const language = dialog.findChild<LanguageBox*>();
   EXPECT_EQ(language->language(), chosen_language()) << "as the window";
+  EXPECT_EQ(language->itemText(language->findData("en")), "English");
   language->choose("fr");
   EXPECT_TRUE(dialog.busy()) << "the preview follows";
   dialog.save(folder_.filePath("r.html"));
