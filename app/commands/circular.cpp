@@ -22,6 +22,7 @@
 #include "core/base/units.h"
 #include "core/export/circular.h"
 #ifdef FEEDSCOPE_WITH_UI
+#include "app/commands/language_option.h"
 #include "app/picture_size.h"
 #include "ui/window/pictures_of_panels.h"
 #endif
@@ -39,6 +40,7 @@ struct CircularOptions {
   std::string entry_radius;  ///< [mm]
   std::string json, csv, program;
   std::string out, size;
+  std::string language;              ///< of the picture
   std::vector<std::string> circles;  ///< of a program, to be drawn, as typed, from 1
 
   bool of_program() const { return !run.file.empty(); }
@@ -150,7 +152,8 @@ void write_outputs(const CircularOptions& options, const Setup& setup, Json json
   if (!options.out.empty()) {
     const auto size =
         options.size.empty() ? std::optional<ui::PictureSize>() : parse_picture_size(options.size);
-    files.add(options.out) << ui::circular_file(options.out, setup, tests, size);
+    files.add(options.out) << ui::circular_file(options.out, setup, tests, size,
+                                                QString::fromStdString(options.language));
   }
 #endif
   files.commit();
@@ -288,6 +291,8 @@ Command add_circular_command(CLI::App& app) {
   command->add_option("--size", options->size, "Width and height of the picture [as large as the plots need]")
       ->type_name("WxH")
       ->needs(out);
+  add_language_option(*command, options->language);
+  command->get_option("--language")->needs(out);
   command
       ->add_option("--circle", options->circles,
                    "Number in the table of a circle of the program that --out draws; repeat for more [the "

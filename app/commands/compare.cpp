@@ -24,6 +24,7 @@
 #include "core/export/export.h"
 #include "core/export/merge.h"
 #ifdef FEEDSCOPE_WITH_UI
+#include "app/commands/language_option.h"
 #include "app/picture_size.h"
 #include "ui/window/pictures_of_panels.h"
 #endif
@@ -45,7 +46,8 @@ struct CompareOptions : ProgramOptions {
   std::string csv;
   std::string json;
   std::string png;
-  std::string size;  // as typed, WxH
+  std::string size;      // as typed, WxH
+  std::string language;  // of the picture
 };
 
 /// A file that was asked for, and what goes into it.
@@ -71,12 +73,14 @@ Result picture(const CompareOptions& options, const StudyRequest& request, const
   }
   if (!request.sweeps.empty()) {
     return {options.png, [&options, size](const LoadedProgram& program, const Study& study) {
-              return ui::to_png(ui::draw_study(program, study, options.set, size));
+              return ui::to_png(ui::draw_study(program, study, options.set, size,
+                                               QString::fromStdString(options.language)));
             }};
   }
   ui::check_comparison_size(setups, size);
   return {options.png, [&options, size](const LoadedProgram& program, const Study& study) {
-            return ui::to_png(ui::draw_comparison(program, plain_runs(study), options.set, size));
+            return ui::to_png(ui::draw_comparison(program, plain_runs(study), options.set, size,
+                                                  QString::fromStdString(options.language)));
           }};
 }
 #endif
@@ -357,6 +361,8 @@ Command add_compare_command(CLI::App& app) {
                    "Width and height of the picture [1280 x the height that the runs need]")
       ->type_name("WxH")
       ->needs(png);
+  add_language_option(*command, options->language);
+  command->get_option("--language")->needs(png);
 #endif
   return {command, [options] {
             move_tolerance(options->set, options->tolerances);

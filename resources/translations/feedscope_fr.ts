@@ -93,6 +93,22 @@
         <source>Set path: this machine has no drives. Give them in Machine, Drives.</source>
         <translation>Trajectoire de consigne : cette machine n’a pas d’entraînements. Donnez-les dans Machine, Entraînements.</translation>
     </message>
+    <message>
+        <source>Circular test (ISO 230-4)</source>
+        <translation>Essai circulaire (ISO 230-4)</translation>
+    </message>
+    <message>
+        <source>%1, model %2, %3</source>
+        <translation>%1, modèle %2, %3</translation>
+    </message>
+    <message>
+        <source>actual path of the axes</source>
+        <translation>trajectoire réelle des axes</translation>
+    </message>
+    <message>
+        <source>set path: the machine has no drives</source>
+        <translation>trajectoire de consigne : la machine n&apos;a pas d&apos;entraînements</translation>
+    </message>
 </context>
 <context>
     <name>Contour</name>
@@ -429,25 +445,6 @@
     <message>
         <source>“%1” has more than one decimal separator or uses thousands separators; type %2.</source>
         <translation>«&#xa0;%1&#xa0;» a plus d’un séparateur décimal ou des séparateurs de milliers&#xa0;; saisissez %2.</translation>
-    </message>
-</context>
-<context>
-    <name>PolarPlot</name>
-    <message>
-        <source>actual path of the axes</source>
-        <translation>trajectoire réelle des axes</translation>
-    </message>
-    <message>
-        <source>set path: the machine has no drives</source>
-        <translation>trajectoire de consigne : la machine n&apos;a pas d&apos;entraînements</translation>
-    </message>
-    <message>
-        <source>Circular test (ISO 230-4)</source>
-        <translation>Essai circulaire (ISO 230-4)</translation>
-    </message>
-    <message>
-        <source>%1, model %2, %3</source>
-        <translation>%1, modèle %2, %3</translation>
     </message>
 </context>
 <context>

@@ -161,6 +161,20 @@ TEST_F(CircularCommand, SimulationOnDrivesReportsFollowingErrors) {
   EXPECT_TRUE(json::parse(without.out)["actual"].is_null());
 }
 
+TEST_F(CircularCommand, PicturesSpeakTheLanguageThatIsAskedFor) {
+  const std::string circle = "circular --radius 30 --feed 2000 --out ";
+  EXPECT_EQ(run(circle + "en.svg", no_display).code, 0);
+  EXPECT_EQ(run(circle + "fr.svg --language fr", no_display).code, 0);
+  EXPECT_THAT(contents(folder_ / "en.svg"), HasSubstr("<title>Circular test (ISO 230-4)</title>"));
+  EXPECT_THAT(contents(folder_ / "fr.svg"), HasSubstr("<title>Essai circulaire (ISO 230-4)</title>"));
+  expect_wrong_use(circle + "x.svg --language xx", "--language: xx not in {en,fr}");
+  expect_wrong_use("circular --radius 30 --feed 2000 --language fr", "--language requires --out");
+  const std::string bars = "compare corner.nc --tolerance 0.01 --tolerance 0.05 --png ";
+  EXPECT_EQ(run(bars + "en.png", no_display).code, 0);
+  EXPECT_EQ(run(bars + "fr.png --language fr", no_display).code, 0);
+  EXPECT_TRUE(contents(folder_ / "en.png") != contents(folder_ / "fr.png"));
+}
+
 TEST_F(CircularCommand, PoorDampingIsNotedWithItsOvershoot) {
   for (const std::string command : {"simulate corner.nc", "circular --radius 30 --feed 2000"}) {
     const Result result = run(command + " --set X.kv=200 --set X.velocity_lag=20");

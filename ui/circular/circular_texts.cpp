@@ -55,6 +55,17 @@ QString circular_message(const CircularResult& result) {
   return parts.join(QLatin1Char(' '));
 }
 
+QString circular_picture_title() {
+  return CircularTexts::tr("Circular test (ISO 230-4)");
+}
+
+QString circular_picture_details(const Setup& setup, bool actual) {
+  return CircularTexts::tr("%1, model %2, %3")
+      .arg(QString::fromStdString(setup.machine.name), QString::fromStdString(setup.model->info().id),
+           actual ? CircularTexts::tr("actual path of the axes")
+                  : CircularTexts::tr("set path: the machine has no drives"));
+}
+
 std::vector<CircularRequest> requests_of(const CircularState& state) {
   const std::size_t count = state.radii.size() * state.feeds.size();
   if (count > max_circular_tests) {

@@ -149,8 +149,16 @@ QSize PolarPlot::least_picture() const {
 }
 
 QSize PolarPlot::sizeHint() const {
+  constexpr int usual_width = 560;
   const int rows = (static_cast<int>(tests_.size()) + columns() - 1) / columns();
-  return {560 * columns(), 120 + 560 * std::max(rows, 1)};
+  double widest = 0;  // of the values below a plot, which would be cut
+  for (const CircularTest& test : tests_) {
+    for (const QString& value : circular_values(test)) {
+      widest = std::max(widest, QFontMetricsF(font()).horizontalAdvance(value) + 2 * margin);
+    }
+  }
+  return {std::max(usual_width, static_cast<int>(std::ceil(widest))) * columns(),
+          120 + 560 * std::max(rows, 1)};
 }
 
 void PolarPlot::paintEvent(QPaintEvent*) {

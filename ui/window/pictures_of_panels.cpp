@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "ui/charts/charts_panel.h"
+#include "ui/circular/circular_texts.h"
 #include "ui/circular/polar_plot.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/report/charts_page.h"
@@ -133,6 +134,17 @@ Picture draw_window(const Run& run, PictureSize size, const WindowLook& look) {
   return grab(window, size);
 }
 
+namespace {
+
+/// English, in which programs begin, keeps its decimal point without group separators.
+void speak_other(const QString& language) {
+  if (language != languages().front()) {
+    speak(language);
+  }
+}
+
+}  // namespace
+
 Picture draw_charts(const Run& run, PictureSize size) {
   const OffscreenApplication application;
   ChartsPage page;
@@ -161,8 +173,10 @@ void check_comparison_size(std::span<const Setup> setups, std::optional<PictureS
 }
 
 Picture draw_comparison(const LoadedProgram& program, std::span<const ComparedRun> runs,
-                        const std::vector<std::string>& assignments, std::optional<PictureSize> wanted) {
+                        const std::vector<std::string>& assignments, std::optional<PictureSize> wanted,
+                        const QString& language) {
   const OffscreenApplication application;
+  speak_other(language);
   ComparisonChart chart;
   chart.set_comparison(program_file_name(*program.program), comparison_details(program, runs, assignments),
                        comparison_bars(runs));
@@ -175,8 +189,10 @@ Picture draw_comparison(const LoadedProgram& program, std::span<const ComparedRu
 }
 
 Picture draw_study(const LoadedProgram& program, const Study& study,
-                   const std::vector<std::string>& assignments, std::optional<PictureSize> wanted) {
+                   const std::vector<std::string>& assignments, std::optional<PictureSize> wanted,
+                   const QString& language) {
   const OffscreenApplication application;
+  speak_other(language);
   StudyChart chart;
   chart.set_study(program_file_name(*program.program), comparison_details(program, study.runs, assignments),
                   study_curves(study));
@@ -187,23 +203,18 @@ Picture draw_study(const LoadedProgram& program, const Study& study,
 }
 
 std::string circular_file(const std::string& name, const Setup& setup, const std::vector<CircularTest>& tests,
-                          std::optional<PictureSize> wanted) {
+                          std::optional<PictureSize> wanted, const QString& language) {
   PictureSpec spec;
   spec.format = picture_format_of(name);
   const OffscreenApplication application;
+  speak_other(language);
   PolarPlot plot;
-  const QString path = tests.front().actual ? PolarPlot::tr("actual path of the axes")
-                                            : PolarPlot::tr("set path: the machine has no drives");
-  plot.set_tests(PolarPlot::tr("Circular test (ISO 230-4)"),
-                 PolarPlot::tr("%1, model %2, %3")
-                     .arg(QString::fromStdString(setup.machine.name),
-                          QString::fromStdString(setup.model->info().id), path),
-                 tests);
+  plot.set_tests(circular_picture_title(), circular_picture_details(setup, tests.front().actual), tests);
   plot.ensurePolished();
   const PictureSize size = wanted.value_or(PictureSize{plot.sizeHint().width(), plot.sizeHint().height()});
   check_size(size, plot.least_picture());
   spec.size = QSizeF(size.width, size.height);
-  spec.title = PolarPlot::tr("Circular test (ISO 230-4)");
+  spec.title = circular_picture_title();
   return make_picture(
       spec, [&plot, &spec](QPainter& painter) { plot.draw(painter, QRectF(QPointF(), spec.size)); });
 }

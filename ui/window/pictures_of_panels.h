@@ -44,15 +44,17 @@ void check_comparison_size(std::span<const Setup> setups, std::optional<PictureS
 /// Runs of a program side by side (ComparisonChart); 1280 pixels wide and as high as they need unless a size
 /// is `wanted`. `assignments`: what was set for all of them.
 Picture draw_comparison(const LoadedProgram& program, std::span<const ComparedRun> runs,
-                        const std::vector<std::string>& assignments, std::optional<PictureSize> wanted);
+                        const std::vector<std::string>& assignments, std::optional<PictureSize> wanted,
+                        const QString& language = languages().front());
 /// A study with a sweep as curves (StudyChart); 960 x 640 pixels unless a size is `wanted`.
 Picture draw_study(const LoadedProgram& program, const Study& study,
-                   const std::vector<std::string>& assignments, std::optional<PictureSize> wanted);
+                   const std::vector<std::string>& assignments, std::optional<PictureSize> wanted,
+                   const QString& language = languages().front());
 
 /// Circular tests of one setup as polar plots, in the format that the end of the file's name says: .png, .svg
 /// or .pdf; the bytes of the file. As large as the plots need unless a size is `wanted`. Throws InputError
 /// for another ending too.
 std::string circular_file(const std::string& name, const Setup& setup, const std::vector<CircularTest>& tests,
-                          std::optional<PictureSize> wanted);
+                          std::optional<PictureSize> wanted, const QString& language = languages().front());
 
 }  // namespace feedscope::ui
