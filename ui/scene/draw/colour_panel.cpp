@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 #include "core/base/ticks.h"
 #include "ui/scene/cause_colour.h"
@@ -36,16 +37,22 @@ TextStyle cause_style(double scale, const SceneColours& colours) {
   return {.size = cause_text_pixels * scale, .colour = colours.text, .horizontal = -1, .vertical = 1};
 }
 
+/// Behind the last line where it fits into `width`, otherwise on a line of its own.
+void add_word(std::vector<std::string>& lines, const std::string& word, double width,
+              const TextStyle& style) {
+  if (!lines.empty() && Canvas::text_size(lines.back() + " " + word, style).x() <= width) {
+    lines.back() += " " + word;
+  } else {
+    lines.push_back(word);
+  }
+}
+
 /// Lines of words no wider than `width` where words allow.
 std::vector<std::string> wrapped(const std::string& text, double width, const TextStyle& style) {
   std::vector<std::string> lines;
   std::istringstream words(text);
   for (std::string word; words >> word;) {
-    if (!lines.empty() && Canvas::text_size(lines.back() + " " + word, style).x() <= width) {
-      lines.back() += " " + word;
-    } else {
-      lines.push_back(word);
-    }
+    add_word(lines, word, width, style);
   }
   return lines;
 }
@@ -66,15 +73,10 @@ std::string title_of(const Captions& captions) {
 std::vector<std::string> title_lines(const Captions& captions, double scale) {
   const TextStyle style = title_style(scale, *captions.colours);
   const ColourKey& key = captions.key;
-  std::vector<std::string> lines = wrapped(title_of(captions), 1.3 * narrowest * scale, style);
+  const double width = 1.3 * narrowest * scale;
+  std::vector<std::string> lines = wrapped(title_of(captions), width, style);
   if (key.has_scale()) {
-    const std::string unit = "(" + key.scale.unit + ")";
-    if (!lines.empty() &&
-        Canvas::text_size(lines.back() + " " + unit, style).x() <= 1.3 * narrowest * scale) {
-      lines.back() += " " + unit;
-    } else {
-      lines.push_back(unit);
-    }
+    add_word(lines, "(" + key.scale.unit + ")", width, style);
   }
   return lines;
 }
@@ -95,8 +97,10 @@ std::vector<CauseRow> cause_rows(const Captions& captions, double width, double 
     const double percent = 100 * cause.share;
     const std::string share =
         captions.texts->localised(percent < 0.1 ? "< 0.1 %" : fmt::format("{:.1f} %", percent));
-    rows.push_back({wrapped(captions.texts->name_of(cause.kind) + " " + share, width, style),
-                    cause_colour(cause.kind, captions.colours->kind)});
+    CauseRow row{wrapped(captions.texts->name_of(cause.kind), width, style),
+                 cause_colour(cause.kind, captions.colours->kind)};
+    add_word(row.lines, share, width, style);  // whole: a sign of percent alone says nothing
+    rows.push_back(std::move(row));
   }
   return rows;
 }
