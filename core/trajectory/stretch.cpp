@@ -198,7 +198,7 @@ void set_junction_ceilings(Stretch& stretch, const BlendedPath& path, const Vec3
 }
 
 void part_turning(Stretch& stretch, const BlendedPath& path) {
-  constexpr double alike = 2;
+  constexpr double largest_ratio = 2;
   const Toolpath& toolpath = *path.programmed();
   stretch.turning.clear();
   if (toolpath.segment_turns.empty()) {
@@ -207,7 +207,9 @@ void part_turning(Stretch& stretch, const BlendedPath& path) {
   struct Range {
     double least = std::numeric_limits<double>::infinity();
     double largest = 0;
-    bool holds(double value) const { return std::max(largest, value) <= alike * std::min(least, value); }
+    bool holds(double value) const {
+      return std::max(largest, value) <= largest_ratio * std::min(least, value);
+    }
     void add(double value) {
       least = std::min(least, value);
       largest = std::max(largest, value);

@@ -3841,8 +3841,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>Aucun jerk n&apos;est limité et, dans les angles, la vitesse d&apos;un axe saute.</translation>
     </message>
     <message>
-        <source>Rapids and feed motions meet by the rule of corners; there is no stop between them.</source>
-        <translation>Rapides et déplacements en avance s&apos;enchaînent selon la règle des angles, sans arrêt entre eux.</translation>
+        <source>Corners between rapids and feed motions follow the rule of all corners; the tool does not stop there.</source>
+        <translation>Les angles entre rapides et avances suivent la règle de tous les angles ; l&apos;outil ne s&apos;y arrête pas.</translation>
     </message>
     <message>
         <source>Rapids are lines at the feed in force; those of a program that is run as it is meant run at the maximum velocity.</source>

@@ -78,8 +78,9 @@ const ModelInfo& GrblModel::info() const {
       own_settings(),
       {},
       {QT_TRANSLATE_NOOP("core", "No jerk is limited, and in corners the velocity of an axis jumps."),
-       QT_TRANSLATE_NOOP(
-           "core", "Rapids and feed motions meet by the rule of corners; there is no stop between them.")},
+       QT_TRANSLATE_NOOP("core",
+                         "Corners between rapids and feed motions follow the rule of all corners; the tool "
+                         "does not stop there.")},
       {.jumps_in_corners = true,
        .stops_within = "buffer_blocks",
        .sources = {{FormulaId::junction_deviation, "grbl 1.1, junction deviation $11"},

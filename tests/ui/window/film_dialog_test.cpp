@@ -16,6 +16,7 @@
 
 #include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
+#include "tests/ui/window/small_session.h"
 #include "ui/fields/number_box.h"
 #include "ui/fields/whole_number_box.h"
 #include "ui/session/session_file.h"
@@ -27,12 +28,7 @@ class FilmDialogTest : public testing::Test {
  protected:
   FilmDialogTest() {
     QSettings().remove("film");
-    QFile program(folder_.filePath("part.nc"));
-    EXPECT_TRUE(program.open(QIODevice::WriteOnly));
-    program.write(test::small_program.c_str());
-    subject_.session.program = program.fileName().toStdString();
-    subject_.session.runs.push_back(
-        {1, {}, run_colour(0), true, SetupState(make_setup({"", "essid", 0.02, {}}))});
+    subject_.session = test::small_session(folder_);
     subject_.duration = test::simulate_text(test::small_program).trajectory->duration();
     subject_.shown = {0.5, 1};
     subject_.scene = {641, 481};

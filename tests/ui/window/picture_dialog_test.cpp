@@ -14,6 +14,7 @@
 
 #include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
+#include "tests/ui/window/small_session.h"
 #include "ui/fields/whole_number_box.h"
 #include "ui/language/language.h"
 #include "ui/session/session_file.h"
@@ -27,12 +28,7 @@ class PictureDialogTest : public testing::Test {
  protected:
   PictureDialogTest() {
     QSettings().remove("picture");
-    QFile program(folder_.filePath("part.nc"));
-    EXPECT_TRUE(program.open(QIODevice::WriteOnly));
-    program.write(test::small_program.c_str());
-    subject_.session.program = program.fileName().toStdString();
-    subject_.session.runs.push_back(
-        {1, {}, run_colour(0), true, SetupState(make_setup({"", "essid", 0.02, {}}))});
+    subject_.session = test::small_session(folder_);
     subject_.scene = {640, 480};
     subject_.charts = {700, 300};
     subject_.window = {1000, 700};
