@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/units.h"
+#include "core/toolpath/turn_limiter.h"
 
 namespace feedscope {
 namespace {
@@ -90,6 +91,7 @@ RotarySample RotaryCourse::at(const State& state) const {
       }
     }
   }
+  add_joints(way, state.speed, sample);
   for (std::size_t i = 0; i < rotary_names.size(); ++i) {
     if (!has(rotary_names[i])) {
       sample.angle[i] = sample.velocity[i] = std::numeric_limits<double>::quiet_NaN();
@@ -161,6 +163,25 @@ RotarySample RotaryCourse::along(const SegmentTurn& turn, const Way& way, double
     sample.velocity[i] = on_it ? angle * way.slope * speed : 0;
   }
   return sample;
+}
+
+/// What the joints at both ends of the segment change.
+void RotaryCourse::add_joints(const Way& way, double speed, RotarySample& sample) const {
+  if (path().turn_joints.empty() || !(way.slope > 0)) {
+    return;
+  }
+  const double length = path().segments[way.segment].length;
+  const auto add = [&](const TurnJoint* joint, double away) {
+    for (std::size_t i = 0; joint != nullptr && i < rotary_names.size(); ++i) {
+      const JointTurn turn = joint_turn(joint->step[i], joint->half, away);
+      sample.angle[i] += turn.angle;
+      sample.velocity[i] += turn.slope * length * way.slope * speed;
+    }
+  };
+  add(path().turn_joint(way.segment), -(1 - way.share) * length);
+  if (way.segment > 0) {
+    add(path().turn_joint(way.segment - std::size_t{1}), way.share * length);
+  }
 }
 
 RotarySample RotaryCourse::turning(const RotaryTurn& turn, double time) const {

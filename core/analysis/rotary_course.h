@@ -17,8 +17,8 @@ namespace feedscope {
 /// A turn on its own goes from rest to rest at the limits of its axes (rest_to_rest_at()); axes that turn at
 /// a feed arrive together, others each when it can. Where a model runs the rapid beside a turn faster than
 /// its axes can from rest to rest (cam), the turn is as much faster. Beside feed motions the angles are
-/// linear in the programmed way; on the curve in a corner each half of the curve is the way that it replaces,
-/// so that the velocity jumps where blocks meet (with_rotary_moves()).
+/// linear in the programmed way, rounded where blocks meet (Toolpath::turn_joints); on the curve in a corner
+/// each half of the curve is the way that it replaces.
 class RotaryCourse {
  public:
   /// All of them stand at zero before the first turn.
@@ -51,6 +51,7 @@ class RotaryCourse {
   const Toolpath& path() const { return *trajectory_->path().programmed(); }
   Way way_of(const State& state) const;
   RotarySample along(const SegmentTurn& turn, const Way& way, double speed) const;
+  void add_joints(const Way& way, double speed, RotarySample& sample) const;
   RotarySample turning(const RotaryTurn& turn, double time) const;
   void set_starts();
   std::size_t last_of(const Event& event) const;

@@ -96,6 +96,10 @@ CompactedPath compact(const Toolpath& toolpath, double longest, const PathRules&
       result.path.segment_turns.push_back(*turn);
       result.path.segment_turns.back().segment = result.path.segments.size();
     }
+    if (const TurnJoint* joint = toolpath.turn_joint(i + count - 1)) {
+      result.path.turn_joints.push_back(*joint);
+      result.path.turn_joints.back().segment = result.path.segments.size();
+    }
     result.path.segments.push_back(segment);
     result.first.push_back(static_cast<std::uint32_t>(i));
     i += count;

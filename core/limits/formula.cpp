@@ -70,9 +70,12 @@ constexpr std::array symbols{
     SymbolText{Symbol::turn_slope, Dimension::turn_slope, "|q'_{}|"},
     SymbolText{Symbol::turn_bend, Dimension::turn_bend, "|q''_{}|"},
     SymbolText{Symbol::turn_change, Dimension::turn_change, "|q'''_{}|"},
+    SymbolText{Symbol::jump_share, Dimension::number, "R_v"},
+    SymbolText{Symbol::turn_step, Dimension::turn_slope, "|dq'_{}|"},
     SymbolText{Symbol::axis_slope, Dimension::number, "|q'_{}|"},
     SymbolText{Symbol::axis_bend, Dimension::inverse_length, "|q''_{}|"},
     SymbolText{Symbol::axis_change, Dimension::inverse_area, "|q'''_{}|"},
+    SymbolText{Symbol::axis_step, Dimension::number, "|dq'_{}|"},
 };
 
 using Values = std::array<double, 5>;
@@ -181,6 +184,8 @@ constexpr std::array formulas{
                 [](const Values& x) { return std::sqrt(x[0] * x[1] / x[2]); }},
     FormulaText{FormulaId::turning_jerk, Dimension::feed, "V", "({0} {1} / {2})^(1/3)",
                 [](const Values& x) { return std::cbrt(x[0] * x[1] / x[2]); }},
+    FormulaText{FormulaId::turning_jump, Dimension::feed, "V", "{0} {1} {2} / {3}",
+                [](const Values& x) { return x[0] * x[1] * x[2] / x[3]; }},
 };
 
 template <typename Table, typename Key>
@@ -193,9 +198,9 @@ constexpr bool in_order(const Table& table, Key Table::value_type::*key) {
   return true;
 }
 static_assert(in_order(symbols, &SymbolText::symbol));
-static_assert(symbols.size() == static_cast<std::size_t>(Symbol::axis_change) + 1);
+static_assert(symbols.size() == static_cast<std::size_t>(Symbol::axis_step) + 1);
 static_assert(in_order(formulas, &FormulaText::id));
-static_assert(formulas.size() == static_cast<std::size_t>(FormulaId::turning_jerk) + 1);
+static_assert(formulas.size() == static_cast<std::size_t>(FormulaId::turning_jump) + 1);
 
 const FormulaText& text_of(FormulaId id) {
   return formulas[static_cast<std::size_t>(id)];

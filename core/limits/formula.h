@@ -62,9 +62,12 @@ enum class Symbol : std::uint8_t {
   turn_slope,            ///< |q'_C|, turn of a rotary axis along the path of the tip
   turn_bend,             ///< |q''_C|
   turn_change,           ///< |q'''_C|
+  jump_share,            ///< R_v, of what an axis can take up within a period, that its velocity may jump
+  turn_step,             ///< |dq'_C|, jump of q'_C where blocks meet
   axis_slope,            ///< |q'_X|, motion of a linear axis along the path of the tip
   axis_bend,             ///< |q''_X|
   axis_change,           ///< |q'''_X|
+  axis_step,             ///< |dq'_X|
 };
 
 struct Quantity {
@@ -122,6 +125,7 @@ enum class FormulaId : std::uint8_t {
   turning_velocity,
   turning_acceleration,
   turning_jerk,
+  turning_jump,
 };
 
 /// A formula with the numbers of one place, in the order in which its text names them.

@@ -1,6 +1,7 @@
 #include "core/limits/segment_limits.h"
 
 #include <cmath>
+#include <limits>
 
 #include "core/base/units.h"
 
@@ -76,12 +77,42 @@ SpeedBound programmed_speed(const Toolpath& toolpath, std::size_t i, const Vec3&
 SpeedBound feed_ceiling(const Toolpath& toolpath, std::size_t i, const Vec3& velocity) {
   SpeedBound bound = programmed_speed(toolpath, i, velocity);
   if (const SegmentTurn* turn = toolpath.segment_turn(i)) {
-    const CauseKind kind = turn->speed_order == 1   ? CauseKind::axis_velocity
-                           : turn->speed_order == 2 ? CauseKind::axis_acceleration
-                                                    : CauseKind::axis_jerk;
-    bound.lower(turn->speed, {kind, turn->speed_axis});
+    bound.lower(turn->limit.speed, cause_of(turn->limit));
   }
   return bound;
+}
+
+SpeedBound turn_ceiling(const Toolpath& toolpath, std::size_t i) {
+  const TurnJoint* joint = toolpath.turn_joint(i);
+  return joint != nullptr ? SpeedBound{joint->limit.speed, cause_of(joint->limit)}
+                          : SpeedBound{std::numeric_limits<double>::infinity(), {}};
+}
+
+SpeedBound corner_ceiling(const Toolpath& toolpath, std::size_t i, const Vec3& velocity) {
+  SpeedBound bound = feed_ceiling(toolpath, i, velocity);
+  for (const SpeedBound& other : {feed_ceiling(toolpath, i + 1, velocity), turn_ceiling(toolpath, i)}) {
+    bound.lower(other.value, other.cause);
+  }
+  return bound;
+}
+
+Cause cause_of(const TurnLimit& limit) {
+  switch (limit.by) {
+    case TurnLimit::By::velocity:
+      return {CauseKind::axis_velocity, limit.axis};
+    case TurnLimit::By::jerk:
+      return {CauseKind::axis_jerk, limit.axis};
+    case TurnLimit::By::acceleration:
+    case TurnLimit::By::jump:
+      break;
+  }
+  return {CauseKind::axis_acceleration, limit.axis};
+}
+
+SpeedBound element_ceiling(const BlendedPath& path, std::size_t element, const Vec3& velocity) {
+  const std::size_t i = path.segment(element);
+  return path.in_corner(element) ? corner_ceiling(*path.programmed(), i, velocity)
+                                 : feed_ceiling(*path.programmed(), i, velocity);
 }
 
 SpeedBound programmed_speed_of_span(const BlendedPath& path, std::size_t element, const Vec3& velocity) {
@@ -97,8 +128,9 @@ SpeedBound programmed_speed_of_span(const BlendedPath& path, std::size_t element
     --last;  // the curve ends with a block
   }
   for (std::size_t i = first + 1; i <= last; ++i) {
-    const SpeedBound other = feed_ceiling(toolpath, i, velocity);
-    bound.lower(other.value, other.cause);
+    for (const SpeedBound& other : {feed_ceiling(toolpath, i, velocity), turn_ceiling(toolpath, i - 1)}) {
+      bound.lower(other.value, other.cause);
+    }
   }
   return bound;
 }

@@ -55,6 +55,18 @@ SpeedBound programmed_speed(const Toolpath& toolpath, std::size_t i, const Vec3&
 /// (Toolpath::segment_turns): the ceiling that a motion along it starts from [mm/s].
 SpeedBound feed_ceiling(const Toolpath& toolpath, std::size_t i, const Vec3& velocity);
 
+/// What a limit of a turn is as the cause of a speed.
+Cause cause_of(const TurnLimit& limit);
+/// What rotary axes allow where segment `i` meets the next one (Toolpath::turn_joints) [mm/s]; infinite where
+/// none changes its slope.
+SpeedBound turn_ceiling(const Toolpath& toolpath, std::size_t i);
+/// The ceiling that the corner between segment `i` and the next one starts from: feed_ceiling() of both, and
+/// turn_ceiling() [mm/s].
+SpeedBound corner_ceiling(const Toolpath& toolpath, std::size_t i, const Vec3& velocity);
+
+/// feed_ceiling() of the segment of an element, on one in a corner corner_ceiling() [mm/s].
+SpeedBound element_ceiling(const BlendedPath& path, std::size_t element, const Vec3& velocity);
+
 /// feed_ceiling() of a span of a smooth curve, the lowest of the blocks along it.
 SpeedBound programmed_speed_of_span(const BlendedPath& path, std::size_t element, const Vec3& velocity);
 

@@ -154,6 +154,14 @@ std::vector<SettingSpec> make_machine_settings() {
       specs.push_back(std::move(spec));
     }
   }
+  SettingSpec orientation = optional_spec(
+      "orientation_tolerance_deg", QT_TRANSLATE_NOOP("core", "Orientation tolerance"), "deg",
+      QT_TRANSLATE_NOOP("core",
+                        "How far rotary axes may leave their programmed angles where blocks meet along which "
+                        "they turn at different rates; without it 0.05 degrees."));
+  orientation.minimum_allowed = false;
+  orientation.maximum = 10;
+  specs.push_back(std::move(orientation));
   return specs;
 }
 

@@ -9,6 +9,9 @@
 
 namespace feedscope {
 
+/// Of the setting orientation_tolerance_deg where it is not given.
+inline constexpr double usual_orientation_tolerance_deg = 0.05;
+
 /// One setting as files, command line and editor show it. The key carries the unit of the value
 /// ("interpolation_period_s"), so a Settings value is always in its key's unit; models convert.
 struct SettingSpec {
@@ -31,7 +34,7 @@ struct SettingSpec {
 /// and those of machine_settings(), which hold for every model.
 const std::vector<SettingSpec>& common_settings();
 /// What of a machine no model of its control needs, each optional: tool_change_time_s, spindle_start_time_s,
-/// and of every axis home_x_mm, tool_change_x_mm, part_zero_x_mm.
+/// of every axis home_x_mm, tool_change_x_mm, part_zero_x_mm, and orientation_tolerance_deg.
 const std::vector<SettingSpec>& machine_settings();
 
 using SettingValue = std::variant<double, std::string>;

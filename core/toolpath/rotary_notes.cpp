@@ -55,8 +55,8 @@ void RotaryNotes::add_unclear(std::uint32_t line, std::span<const RotaryPlaces> 
 void RotaryNotes::add_singular(const SegmentTurn& turn, const Segment& segment, const RotaryAxis& first) {
   constexpr double near = 10 * units::pi / 180;
   const std::size_t axis = known_axes.size() + rotary_names.find(first.name);
-  const bool held = turn.tilt >= 0 && turn.tilt <= near && segment.feed > turn.speed &&
-                    turn.speed_axis == static_cast<std::int8_t>(axis);
+  const bool held = turn.tilt >= 0 && turn.tilt <= near && segment.feed > turn.limit.speed &&
+                    turn.limit.axis == static_cast<std::int8_t>(axis);
   if (!held) {
     return;
   }
@@ -65,14 +65,14 @@ void RotaryNotes::add_singular(const SegmentTurn& turn, const Segment& segment, 
   last_singular_ = turn.segment;
   if (!goes_on) {
     places.push_back(
-        {segment.line, segment.line, segment.line, first.name, turn.tilt, turn.speed, segment.feed});
+        {segment.line, segment.line, segment.line, first.name, turn.tilt, turn.limit.speed, segment.feed});
   }
   SingularPlace& place = places.back();
   place.last_line = segment.line;
-  if (turn.speed / segment.feed < place.speed / place.feed) {
+  if (turn.limit.speed / segment.feed < place.speed / place.feed) {
     place.line = segment.line;
     place.tilt = turn.tilt;
-    place.speed = turn.speed;
+    place.speed = turn.limit.speed;
     place.feed = segment.feed;
   }
 }

@@ -11,6 +11,7 @@
 #include "core/kinematics/kinematic_chain.h"
 #include "core/program/text/message_codes.h"
 #include "core/toolpath/rotary_notes.h"
+#include "core/toolpath/turn_limiter.h"
 
 namespace feedscope {
 namespace {
@@ -24,18 +25,12 @@ std::size_t place_of(char axis) {
 class RotaryResolver {
  public:
   RotaryResolver(const Toolpath& path, const Machine& machine, const Settings& settings)
-      : from_(path), machine_(machine), chain_(chain_of(machine.kinematics)), path_(path) {
-    for (const std::size_t axis : chain_.rotary()) {
-      axes_.push_back(machine.kinematics.find(chain_.axes()[axis].name));
-    }
-    bool placed = machine.kinematics.tool_length.has_value();
-    for (int axis = 0; axis < 3; ++axis) {
-      const std::string key = fmt::format("part_zero_{}_mm", "xyz"[axis]);
-      placed = placed && settings.has(key);
-      part_zero_[axis] = settings.has(key) ? settings.number(key) : 0;
-    }
-    tip_follows_ = placed;
-  }
+      : from_(path),
+        machine_(machine),
+        chain_(chain_of(machine.kinematics)),
+        limiter_(machine, chain_, settings),
+        axes_(limiter_.axes()),
+        path_(path) {}
 
   std::shared_ptr<const Toolpath> run() {
     path_.segments.clear();
@@ -74,6 +69,7 @@ class RotaryResolver {
         }
       }
     }
+    join_turns();
     notes_.report_singular();
     path_.rotary_moves.clear();
     std::erase_if(path_.other_axes, [&](const std::string& name) {
@@ -127,8 +123,9 @@ class RotaryResolver {
       done += from_.segments[k].length;
       turn.to = k + 1 == last ? at_ : angles_at(done);
       if (turn.from != turn.to) {
-        set_limits(turn, move.at_tip);
-        turn.tilt = tilt_of(turn);
+        turn.at_tip = move.at_tip;
+        limiter_.set_limits(from_, turn);
+        note_unknown_tip(turn);
         if (axes_.size() == 2) {
           notes_.add_singular(turn, from_.segments[turn.segment], *axes_.front());
         }
@@ -141,127 +138,49 @@ class RotaryResolver {
     return true;
   }
 
-  /// Largest derivatives of an axis by the path.
-  struct AxisCourse {
-    double first = 0, second = 0, third = 0;
-    double velocity = 0, acceleration = 0, jerk = 0;  // its limits
-  };
+  /// Once, where tool centre point control is on and it is not known how the linear axes follow.
+  void note_unknown_tip(const SegmentTurn& turn) {
+    if (!turn.at_tip || limiter_.knows_linear() || std::exchange(tip_reported_, true)) {
+      return;
+    }
+    Diagnostic note;
+    note.severity = Severity::info;
+    note.line = from_.segments[turn.segment].line;
+    note.code = std::string(MessageCode("rotary-feed").text());
+    note.message = "how X, Y and Z follow the rotary axes is not known without tool length and part zero";
+    note.hint =
+        "where rotary axes turn, their own limits hold and those of X, Y and Z as without them; give "
+        "tool_length_mm in [kinematics] and part_zero_x_mm, _y_mm, _z_mm";
+    path_.machine_faults.push_back(std::move(note));
+  }
 
-  /// With the derivatives q1, q2, q3 by the path: v q1 <= V, v^2 q2 <= s A, v^3 q3 <= s J. The share 1 - s
-  /// and what is not used is for ramps.
-  void set_limits(SegmentTurn& turn, bool at_tip) {
-    constexpr double share = 0.75;  // as turning_share of limits/segment_limits.h
-    std::array<AxisCourse, 6> axes;
-    for (const RotaryAxis* axis : axes_) {
-      const std::size_t place = place_of(axis->name);
-      const double slope = std::abs(turn.to[place] - turn.from[place]) / from_.segments[turn.segment].length;
-      axes[3 + place] = {slope, 0, 0, axis->velocity, axis->acceleration, axis->jerk};
-    }
-    if (at_tip && tip_follows_) {
-      add_linear(turn, axes);
-    } else if (at_tip && !std::exchange(tip_reported_, true)) {
-      Diagnostic note;
-      note.severity = Severity::info;
-      note.line = from_.segments[turn.segment].line;
-      note.code = std::string(MessageCode("rotary-feed").text());
-      note.message = "how X, Y and Z follow the rotary axes is not known without tool length and part zero";
-      note.hint =
-          "where rotary axes turn, their own limits hold and those of X, Y and Z as without them; give "
-          "tool_length_mm in [kinematics] and part_zero_x_mm, _y_mm, _z_mm";
-      path_.machine_faults.push_back(std::move(note));
-    }
-    turn.speed = turn.acceleration = turn.jerk = HUGE_VAL;
-    for (std::size_t i = 0; i < axes.size(); ++i) {
-      const AxisCourse& axis = axes[i];
-      const auto lower = [&](double value, std::uint8_t order) {
-        if (value < turn.speed) {
-          turn.speed = value;
-          turn.speed_order = order;
-          turn.speed_slope = order == 1 ? axis.first : order == 2 ? axis.second : axis.third;
-          turn.speed_axis = static_cast<std::int8_t>(i);
+  /// At both ends of every turn beside which the feed goes on.
+  void join_turns() {
+    const auto is_feed = [&](std::size_t i) {
+      return i < path_.segments.size() && path_.segments[i].kind != SegmentKind::dwell &&
+             !path_.segments[i].rapid;
+    };
+    const auto join = [&](std::size_t i, const SegmentTurn* before, const SegmentTurn* behind) {
+      if (is_feed(i) && is_feed(i + 1)) {
+        const TurnJoint joint = limiter_.joint(path_, i, before, behind);
+        if (std::isfinite(joint.limit.speed)) {
+          path_.turn_joints.push_back(joint);
         }
-      };
-      if (axis.first > 0) {
-        lower(axis.velocity / axis.first, 1);
       }
-      if (axis.second > 0) {
-        lower(std::sqrt(share * axis.acceleration / axis.second), 2);
+    };
+    const SegmentTurn* before = nullptr;
+    for (const SegmentTurn& turn : path_.segment_turns) {
+      const bool meets = before != nullptr && before->segment + 1 == turn.segment;
+      if (before != nullptr && !meets) {
+        join(before->segment, before, nullptr);
       }
-      if (axis.third > 0) {
-        lower(std::cbrt(share * axis.jerk / axis.third), 3);
+      if (turn.segment > 0) {
+        join(turn.segment - 1, meets ? before : nullptr, &turn);
       }
+      before = &turn;
     }
-    const double v = turn.speed;
-    for (std::size_t i = 0; i < axes.size(); ++i) {
-      const AxisCourse& axis = axes[i];
-      if (!(axis.first > 0)) {
-        continue;
-      }
-      const double acceleration = (axis.acceleration - v * v * axis.second) / axis.first;
-      const double jerk = (axis.jerk - v * v * v * axis.third) / axis.first;
-      if (acceleration < turn.acceleration) {
-        turn.acceleration = acceleration;
-        turn.acceleration_axis = static_cast<std::int8_t>(i);
-      }
-      if (jerk < turn.jerk) {
-        turn.jerk = jerk;
-        turn.jerk_axis = static_cast<std::int8_t>(i);
-      }
-    }
-  }
-
-  /// Of the tool to the first rotary axis in the middle of a turn [rad]; -1 where there is only one.
-  double tilt_of(const SegmentTurn& turn) const {
-    if (axes_.size() != 2) {
-      return -1;
-    }
-    std::vector<double> places(chain_.size(), 0);
-    for (const std::size_t k : chain_.rotary()) {
-      const std::size_t place = place_of(chain_.axes()[k].name);
-      places[k] = (turn.from[place] + turn.to[place]) / 2;
-    }
-    const double along =
-        std::abs(chain_.pose(places, 0).direction.dot(chain_.axes()[chain_.rotary()[0]].direction));
-    return std::acos(std::min(1.0, along));
-  }
-
-  /// X, Y and Z while the tip runs along the segment and the rotary axes turn.
-  void add_linear(const SegmentTurn& turn, std::array<AxisCourse, 6>& axes) const {
-    constexpr int places = 5;
-    const Segment& segment = from_.segments[turn.segment];
-    for (int i = 0; i < places; ++i) {
-      const double along = i / (places - 1.0);
-      CurvePoint at;
-      if (segment.kind == SegmentKind::arc) {
-        at = from_.arc_of(segment).at(along * segment.length);
-      } else {
-        const Vec3 start = from_.start_of(turn.segment);
-        at.d1 = (segment.end - start) / segment.length;
-        at.position = start + along * segment.length * at.d1;
-        at.d2 = at.d3 = Vec3::Zero();
-      }
-      std::array<Series, 3> tip;
-      for (int j = 0; j < 3; ++j) {
-        tip[static_cast<std::size_t>(j)] = {at.position[j] + part_zero_[j], at.d1[j], at.d2[j], at.d3[j]};
-      }
-      std::vector<Series> angles;
-      for (const RotaryAxis* axis : axes_) {
-        const std::size_t place = place_of(axis->name);
-        const double way = turn.to[place] - turn.from[place];
-        angles.emplace_back(turn.from[place] + along * way, way / segment.length, 0, 0);
-      }
-      const std::vector<Series> courses = chain_.courses(tip, angles, *machine_.kinematics.tool_length);
-      for (const std::size_t k : chain_.linear()) {
-        const auto j = static_cast<std::size_t>(chain_.axes()[k].name - 'X');
-        const AxisLimits& limit = *machine_.axes.find(chain_.axes()[k].name);
-        AxisCourse& axis = axes[j];
-        axis = {std::max(axis.first, std::abs(courses[k].d1())),
-                std::max(axis.second, std::abs(courses[k].d2())),
-                std::max(axis.third, std::abs(courses[k].d3())),
-                limit.velocity,
-                limit.acceleration,
-                limit.jerk};
-      }
+    if (before != nullptr) {
+      join(before->segment, before, nullptr);
     }
   }
 
@@ -410,13 +329,12 @@ class RotaryResolver {
   const Toolpath& from_;
   const Machine& machine_;
   KinematicChain chain_;
-  std::vector<const RotaryAxis*> axes_;  ///< in the order of the chain
-  std::array<double, 3> at_{};           ///< [rad]
-  std::vector<SegmentTurn> along_;       ///< by segment of from_
+  TurnLimiter limiter_;
+  const std::vector<const RotaryAxis*>& axes_;  ///< in the order of the chain
+  std::array<double, 3> at_{};                  ///< [rad]
+  std::vector<SegmentTurn> along_;              ///< by segment of from_
   std::size_t next_along_ = 0;
   std::map<std::size_t, double> feeds_;  ///< of segments of from_, along their own length [mm/s]
-  Vec3 part_zero_;                       ///< [mm]
-  bool tip_follows_ = false;             ///< tool length and part zero are known
   bool tip_reported_ = false;
   Toolpath path_;
   RotaryNotes notes_{path_};

@@ -68,11 +68,21 @@ Vec3 tangent(const Toolpath& toolpath, std::size_t i, bool at_end) {
   return Vec3::Zero();
 }
 
+/// The one of `segment` in a list by segment.
+template <typename Item>
+const Item* of_segment(const std::vector<Item>& items, std::size_t segment) {
+  const auto found = std::ranges::lower_bound(items, segment, std::less(), &Item::segment);
+  return found != items.end() && found->segment == segment ? &*found : nullptr;
+}
+
 }  // namespace
 
 const SegmentTurn* Toolpath::segment_turn(std::size_t i) const {
-  const auto found = std::ranges::lower_bound(segment_turns, i, std::less(), &SegmentTurn::segment);
-  return found != segment_turns.end() && found->segment == i ? &*found : nullptr;
+  return of_segment(segment_turns, i);
+}
+
+const TurnJoint* Toolpath::turn_joint(std::size_t i) const {
+  return of_segment(turn_joints, i);
 }
 
 Vec3 Toolpath::tangent_at_start(std::size_t i) const {

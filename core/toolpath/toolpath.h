@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -50,21 +51,42 @@ struct Segment {
 };
 static_assert(sizeof(Segment) == 56);
 
+/// How fast the axes of a machine let the tip go while rotary axes turn, and by which of their limits.
+struct TurnLimit {
+  /// `jump`: of the velocity, where slopes of two segments meet; it is taken up within a period.
+  enum class By : std::uint8_t { velocity, acceleration, jerk, jump };
+
+  double speed = std::numeric_limits<double>::infinity();  ///< along the path [mm/s]
+  /// Derivative of its axis by the path, of the order of the limit, or the jump of the first [rad/mm^n] or
+  /// [mm/mm^n].
+  double slope = 0;
+  By by = By::velocity;
+  std::int8_t axis = -1;  ///< a place in cause_axes
+};
+
 /// What the rotary axes of a machine, and its linear axes that make up for them, allow along a segment in
 /// which they turn, and which axis says so, a place in cause_axes.
 struct SegmentTurn {
   std::size_t segment = 0;
   std::array<double, 3> from{};  ///< angles of A, B and C [rad]
   std::array<double, 3> to{};
-  double speed = 0;        ///< along the segment [mm/s]
-  double speed_slope = 0;  ///< derivative of its axis by the path, of that order [rad/mm^n] or [mm/mm^n]
-  double tilt = -1;        ///< of the tool to the first of two rotary axes, in the middle [rad]; -1: only one
-  std::uint8_t speed_order = 1;  ///< by a limit of velocity (1), acceleration (2) or jerk (3) of its axis
-  double acceleration = 0;       ///< along it, at this speed [mm/s2]
-  double jerk = 0;               ///< [mm/s3]
-  std::int8_t speed_axis = -1;
+  TurnLimit limit;
+  double tilt = -1;         ///< of the tool to the first of two rotary axes, in the middle [rad]; -1: only one
+  double acceleration = 0;  ///< along it, at the speed of `limit` [mm/s2]
+  double jerk = 0;          ///< [mm/s3]
   std::int8_t acceleration_axis = -1;
   std::int8_t jerk_axis = -1;
+  bool at_tip = false;  ///< tool centre point control is on
+};
+
+/// Where two feed segments meet along which rotary axes have different slopes: each goes over from one to the
+/// other along the path from `half` before to `half` behind the place (joint_turn()).
+struct TurnJoint {
+  std::size_t segment = 0;       ///< that ends there
+  std::array<double, 3> step{};  ///< change of the slopes of A, B and C [rad/mm]
+  double half = 0;               ///< [mm]
+  TurnLimit limit;
+  double tilt = -1;  ///< as SegmentTurn::tilt, at the place
 };
 
 /// Neighbouring segments along which the first of two rotary axes holds the feed while the tool lies near it.
@@ -101,6 +123,7 @@ struct Toolpath {
   /// As Program::rotary_moves with segments for motions; none once a machine has made pauses of them.
   std::vector<RotaryMove> rotary_moves;
   std::vector<SegmentTurn> segment_turns;      ///< in which rotary axes turn, by segment
+  std::vector<TurnJoint> turn_joints;          ///< by segment
   std::vector<RotaryTurn> rotary_turns;        ///< what they came to on the machine
   std::vector<SingularPlace> singular_places;  ///< in the order of the path
   std::vector<Diagnostic> machine_faults;      ///< what the machine cannot do
@@ -133,6 +156,8 @@ struct Toolpath {
   }
   /// Of segment `i`; null where no rotary axis turns in it.
   const SegmentTurn* segment_turn(std::size_t i) const;
+  /// At the end of segment `i`; null where no rotary axis changes its slope.
+  const TurnJoint* turn_joint(std::size_t i) const;
   Vec3 tangent_at_start(std::size_t i) const;  ///< unit; zero for a dwell
   Vec3 tangent_at_end(std::size_t i) const;    ///< unit; zero for a dwell
   double length() const;                       ///< sum of the segments [mm]

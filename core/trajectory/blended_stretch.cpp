@@ -29,9 +29,7 @@ CornerPlace corner_behind(const Toolpath& toolpath, const PathRules& rules, std:
     place.longest = left;
   }
   place.tolerance = rules.corner_tolerance(segment);
-  place.feed = feed_ceiling(toolpath, segment, velocity);
-  const SpeedBound next = feed_ceiling(toolpath, segment + 1, velocity);
-  place.feed.lower(next.value, next.cause);
+  place.feed = corner_ceiling(toolpath, segment, velocity);
   return place;
 }
 
@@ -104,8 +102,10 @@ void add_smooth_curve(const SmoothCurve& curve, const Toolpath& toolpath, const 
     const std::size_t end = k + 1 < curve.blocks.size() ? curve.blocks[k + 1] : curve.run.last;
     SpeedBound feed = feed_ceiling(toolpath, block, axes.velocity);
     for (std::size_t other = block + std::size_t{1}; other <= end; ++other) {
-      const SpeedBound next = feed_ceiling(toolpath, other, axes.velocity);
-      feed.lower(next.value, next.cause);
+      for (const SpeedBound& next :
+           {feed_ceiling(toolpath, other, axes.velocity), turn_ceiling(toolpath, other - 1)}) {
+        feed.lower(next.value, next.cause);
+      }
     }
     MotionLimits limits = curve_limits(extremes, feed, axes);
     if (limit_span) {

@@ -178,12 +178,17 @@ void set_junction_ceilings(Stretch& stretch, const BlendedPath& path, const Vec3
                            double interpolation_period, std::uint32_t lookahead_blocks) {
   const std::size_t count = stretch.plan.size();
   stretch.ceiling.assign(count + 1, {0, {CauseKind::exact_stop}});
+  const bool turns = !path.programmed()->turn_joints.empty();
   for (std::size_t j = 1; j < count; ++j) {
     SpeedBound& ceiling = stretch.ceiling[j];
     ceiling = stretch.plan[j - 1].speed();
     ceiling.lower(stretch.plan[j].speed().value, stretch.plan[j].speed().cause);
     const std::uint32_t before = stretch.element(j - 1);
     const std::uint32_t after = stretch.element(j);
+    if (turns && path.segment(after) > path.segment(before)) {
+      const SpeedBound turn = turn_ceiling(*path.programmed(), path.segment(after) - std::size_t{1});
+      ceiling.lower(turn.value, turn.cause);
+    }
     const bool arcs = path.kind(before) == ElementKind::arc || path.kind(after) == ElementKind::arc ||
                       path.kind(before) == ElementKind::connecting_arc ||
                       path.kind(after) == ElementKind::connecting_arc;

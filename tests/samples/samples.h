@@ -27,6 +27,8 @@ Sample msaddek_pocket();
 Sample trochoidal_slot();
 /// Zigzag finishing of a free-form surface in more than 50 000 short blocks.
 Sample freeform_finish();
+/// Twisted blade with tool vectors, finished by one spiral: the direction turns by 180 degrees at its edges.
+Sample blade();
 
 /// The small programs of resources/lessons, one effect each.
 std::vector<Sample> lesson_programs();

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "core/analysis/explanation/joint_limits.h"
+#include "core/analysis/explanation/turn_formula.h"
+#include "core/limits/segment_limits.h"
 
 namespace feedscope {
 namespace {
@@ -107,41 +109,8 @@ Reason ReasonFinder::find(const State& state, Cause cause) const {
   }
 }
 
-namespace {
-
-/// The limit of an axis over the derivative of its place by the path that `turn` has of the same order.
-Formula formula_of(const SegmentTurn& turn, const Machine& machine) {
-  const auto axis = static_cast<std::size_t>(turn.speed_axis);
-  const std::size_t order = turn.speed_order - std::size_t{1};
-  constexpr std::array ids{FormulaId::turning_velocity, FormulaId::turning_acceleration,
-                           FormulaId::turning_jerk};
-  constexpr std::array rotary_limits{Symbol::rotary_velocity, Symbol::rotary_acceleration,
-                                     Symbol::rotary_jerk};
-  constexpr std::array linear_limits{Symbol::axis_velocity, Symbol::axis_acceleration, Symbol::axis_jerk};
-  constexpr std::array turns{Symbol::turn_slope, Symbol::turn_bend, Symbol::turn_change};
-  constexpr std::array slopes{Symbol::axis_slope, Symbol::axis_bend, Symbol::axis_change};
-  const char name = cause_axes[axis].name;
-  const RotaryAxis* rotary = machine.kinematics.find(name);
-  const AxisLimits* linear = machine.axes.find(name);
-  if (rotary == nullptr && linear == nullptr) {
-    return {};
-  }
-  const double limit = rotary != nullptr
-                           ? std::array{rotary->velocity, rotary->acceleration, rotary->jerk}[order]
-                           : std::array{linear->velocity, linear->acceleration, linear->jerk}[order];
-  Formula formula{ids[order], {}};
-  if (order > 0) {
-    formula.numbers.push_back({Symbol::turning_share, -1, turning_share});
-  }
-  formula.numbers.push_back(
-      {(rotary != nullptr ? rotary_limits : linear_limits)[order], turn.speed_axis, limit});
-  formula.numbers.push_back({(rotary != nullptr ? turns : slopes)[order], turn.speed_axis, turn.speed_slope});
-  return formula;
-}
-
-}  // namespace
-
-/// The block, or the one behind the corner that the tool rounds, whose turn allows about this speed.
+/// The turn along the block or the one behind the corner that the tool rounds, or the joint at an end of the
+/// block, that allows about this speed.
 Reason ReasonFinder::of_turn(const State& state, Cause cause) const {
   const BlendedPath& path = run_.path();
   if (path.is_executed() || path.programmed() == nullptr) {
@@ -149,29 +118,32 @@ Reason ReasonFinder::of_turn(const State& state, Cause cause) const {
   }
   const Toolpath& programmed = *path.programmed();
   const std::size_t segment = path.segment(state.element);
-  const CauseKind kinds[]{CauseKind::axis_velocity, CauseKind::axis_acceleration, CauseKind::axis_jerk};
   Reason best = made(cause, {}, state.speed, state.element);
-  const SegmentTurn* here = nullptr;
-  for (std::size_t i = segment; i < std::min(segment + 2, programmed.segments.size()); ++i) {
-    const SegmentTurn* turn = programmed.segment_turn(i);
-    if (turn == nullptr || turn->speed_axis < 0) {
-      continue;
-    }
-    here = here == nullptr ? turn : here;
-    const bool sets = turn->speed_axis == cause.axis && kinds[turn->speed_order - 1] == cause.kind;
-    const Formula formula = sets ? formula_of(*turn, machine_) : Formula();
+  const auto consider = [&](const TurnLimit& limit, double of_tilt, std::size_t i) {
+    const bool sets = cause_of(limit) == cause;
+    const std::optional<double> tilt = of_tilt >= 0 ? std::optional(of_tilt) : std::nullopt;
+    const Formula formula =
+        sets ? formula_of(limit, machine_, settings_.number("interpolation_period_s")) : Formula();
+    best.tilt = best.tilt ? best.tilt : tilt;
     if (sets && mismatch(formula, state.speed) < mismatch(best.formula, state.speed)) {
       const bool speeds = same(formula.value(), state.speed);
       best.formula = speeds || cause.kind == CauseKind::axis_velocity ? formula : best.formula;
       best.line = programmed.segments[i].line;
-      here = turn;
+      best.tilt = tilt;
+    }
+  };
+  for (std::size_t i = segment; i < std::min(segment + 2, programmed.segments.size()); ++i) {
+    if (const SegmentTurn* turn = programmed.segment_turn(i)) {
+      consider(turn->limit, turn->tilt, i);
+    }
+  }
+  for (std::size_t i = segment > 0 ? segment - 1 : 0; i <= segment; ++i) {
+    if (const TurnJoint* joint = programmed.turn_joint(i)) {
+      consider(joint->limit, joint->tilt, i);
     }
   }
   if (!best.formula.empty()) {
     best.source = source_of(best.formula.id, limits_.traits());
-  }
-  if (here != nullptr && here->tilt >= 0) {
-    best.tilt = here->tilt;
   }
   return best;
 }
@@ -475,6 +447,7 @@ std::string_view source_of(FormulaId id, const LimitTraits& traits) {
     case FormulaId::turning_velocity:
     case FormulaId::turning_acceleration:
     case FormulaId::turning_jerk:
+    case FormulaId::turning_jump:
       return "chain rule over the kinematics of the machine";
     case FormulaId::whole_acceleration:
     case FormulaId::whole_jerk:

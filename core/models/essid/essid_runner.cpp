@@ -100,9 +100,7 @@ EssidRunner::Blend EssidRunner::blend_of(std::size_t element) const {
   const Vec3 in = toolpath_.tangent_at_end(segment);
   const Vec3 out = toolpath_.tangent_at_start(segment + 1);
   const double transition = path.corner_transition(path.index(stretch_.element(element)));
-  SpeedBound feed = feed_ceiling(toolpath_, segment, axes_.velocity);
-  const SpeedBound next = feed_ceiling(toolpath_, segment + 1, axes_.velocity);
-  feed.lower(next.value, next.cause);
+  const SpeedBound feed = corner_ceiling(toolpath_, segment, axes_.velocity);
   return {BlendShape(in, out, transition, settings_.corner.alpha), feed, turn_angle(in, out)};
 }
 

@@ -131,9 +131,7 @@ void MsaddekRunner::add_curve(const SmoothCurve& curve) {
 
 void MsaddekRunner::add_connection(std::size_t segment, const ConnectingArc& connection) {
   const Toolpath& path = compacted_.path;
-  SpeedBound feed = feed_ceiling(path, segment, axes_.velocity);
-  const SpeedBound next = feed_ceiling(path, segment + 1, axes_.velocity);
-  feed.lower(next.value, next.cause);
+  const SpeedBound feed = corner_ceiling(path, segment, axes_.velocity);
 
   const Arc& arc = connection.arc;
   const double length = arc.length();

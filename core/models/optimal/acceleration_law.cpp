@@ -31,9 +31,8 @@ LawPoint joined_motion(double v0, double v1, double length, double time) {
 
 }  // namespace
 
-AccelerationLaw::AccelerationLaw(const Toolpath& toolpath, const AxisVectors& axes, int fineness,
-                                 TrajectoryBuilder& builder)
-    : builder_(builder), cells_(toolpath, axes, fineness) {}
+AccelerationLaw::AccelerationLaw(const AxisVectors& axes, int fineness, TrajectoryBuilder& builder)
+    : builder_(builder), cells_(axes, fineness) {}
 
 void AccelerationLaw::run(std::uint32_t first, std::uint32_t last, ProgressSteps& steps) {
   const TrajectoryBuilder::Mark start = builder_.mark();

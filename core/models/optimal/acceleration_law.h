@@ -21,8 +21,7 @@ namespace feedscope {
 class AccelerationLaw {
  public:
   /// `builder` holds the path and takes the motion; `fineness` as of CellRule.
-  AccelerationLaw(const Toolpath& toolpath, const AxisVectors& axes, int fineness,
-                  TrajectoryBuilder& builder);
+  AccelerationLaw(const AxisVectors& axes, int fineness, TrajectoryBuilder& builder);
 
   /// Lays the motion over elements [first, last).
   void run(std::uint32_t first, std::uint32_t last, ProgressSteps& steps);

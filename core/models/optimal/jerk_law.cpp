@@ -33,8 +33,7 @@ double turn_of(const std::vector<PathCell>& cells, double from, double to) {
 
 }  // namespace
 
-JerkLaw::JerkLaw(const Toolpath& toolpath, const AxisVectors& axes, TrajectoryBuilder& builder)
-    : toolpath_(toolpath), axes_(axes), builder_(builder) {
+JerkLaw::JerkLaw(const AxisVectors& axes, TrajectoryBuilder& builder) : axes_(axes), builder_(builder) {
   rule_.acceleration = axes.acceleration;
   rule_.jerk = axes.jerk.cwiseMin(axes.blend_jerk);
 }
@@ -68,7 +67,7 @@ const Vec3& JerkLaw::jerk_of(std::uint32_t index) const {
 
 void JerkLaw::load_element(std::uint32_t index, int fineness) {
   rule_.fineness = fineness;
-  feed_ = feed_ceiling(toolpath_, builder_.path().segment(index), axes_.velocity);
+  feed_ = element_ceiling(builder_.path(), index, axes_.velocity);
   rule_.speed = feed_.value;
   geometry_.clear();
   append_cells(builder_.path(), index, rule_, geometry_);

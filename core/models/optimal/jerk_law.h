@@ -20,7 +20,7 @@ namespace feedscope {
 class JerkLaw {
  public:
   /// `builder` holds the path and takes the motion.
-  JerkLaw(const Toolpath& toolpath, const AxisVectors& axes, TrajectoryBuilder& builder);
+  JerkLaw(const AxisVectors& axes, TrajectoryBuilder& builder);
 
   /// Lays the motion over elements [first, last).
   void run(std::uint32_t first, std::uint32_t last, ProgressSteps& steps);
@@ -52,7 +52,6 @@ class JerkLaw {
   PlaceLimits limits_at(double s);
   const Vec3& jerk_of(std::uint32_t index) const;
 
-  const Toolpath& toolpath_;
   const AxisVectors& axes_;
   TrajectoryBuilder& builder_;
   CellRule rule_;

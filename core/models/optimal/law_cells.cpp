@@ -20,9 +20,8 @@ double largest_of(const Vec3& values) {
 
 }  // namespace
 
-LawCells::LawCells(const Toolpath& toolpath, const AxisVectors& axes, int fineness)
-    : toolpath_(toolpath),
-      axes_(axes),
+LawCells::LawCells(const AxisVectors& axes, int fineness)
+    : axes_(axes),
       share_of_acceleration_(inverse_of(axes.acceleration)),
       share_of_velocity_(inverse_of(axes.velocity)) {
   rule_.fineness = fineness;
@@ -31,7 +30,7 @@ LawCells::LawCells(const Toolpath& toolpath, const AxisVectors& axes, int finene
 }
 
 void LawCells::add_element(const BlendedPath& path, std::uint32_t index) {
-  const SpeedBound programmed = feed_ceiling(toolpath_, path.segment(index), axes_.velocity);
+  const SpeedBound programmed = element_ceiling(path, index, axes_.velocity);
   rule_.speed = programmed.value;
   path_cells_.clear();
   append_cells(path, index, rule_, path_cells_);

@@ -45,7 +45,7 @@ struct Phases {
 class LawCells {
  public:
   /// `fineness` as of CellRule.
-  LawCells(const Toolpath& toolpath, const AxisVectors& axes, int fineness);
+  LawCells(const AxisVectors& axes, int fineness);
 
   void clear() { drop_front(size()); }
   void add_element(const BlendedPath& path, std::uint32_t index);
@@ -95,7 +95,6 @@ class LawCells {
   template <typename Use>
   auto with_ends(const LawCell& cell, const Use& use) const;
 
-  const Toolpath& toolpath_;
   const AxisVectors& axes_;
   Vec3 share_of_acceleration_;  ///< 1 / A_j; 0 for an axis that cannot move
   Vec3 share_of_velocity_;      ///< 1 / V_j

@@ -164,8 +164,8 @@ Trajectory OptimalModel::do_simulate(const std::shared_ptr<const Toolpath>& shar
   TrajectoryBuilder builder =
       with_jerk ? lay_path_of(model_run) : lay_path_of(model.lay_path(shared, machine, settings, progress));
   const SlowedLaw slowed_law(model_run, axes);
-  AccelerationLaw acceleration_law(toolpath, axes, 1, builder);
-  JerkLaw jerk_law(toolpath, axes, builder);
+  AccelerationLaw acceleration_law(axes, 1, builder);
+  JerkLaw jerk_law(axes, builder);
   const BlendedPath& path = builder.path();
   const auto count = static_cast<std::uint32_t>(path.size());
   ProgressSteps steps(progress, toolpath.segments.size());

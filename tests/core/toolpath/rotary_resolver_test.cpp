@@ -253,9 +253,9 @@ TEST(SegmentTurns, HoldTheRotaryAxisWithoutToolCentrePointControl) {
   ASSERT_EQ(path->segment_turns.size(), 1);
   const SegmentTurn& turn = path->segment_turns[0];
   EXPECT_EQ(turn.segment, 1);
-  EXPECT_NEAR(turn.speed, 150 / 4.5, 1e-9);
-  EXPECT_EQ(turn.speed_axis, 3);
-  EXPECT_EQ(turn.speed_order, 1);
+  EXPECT_NEAR(turn.limit.speed, 150 / 4.5, 1e-9);
+  EXPECT_EQ(turn.limit.axis, 3);
+  EXPECT_EQ(turn.limit.by, TurnLimit::By::velocity);
   EXPECT_NEAR(turn.acceleration, 720 / 4.5, 1e-9);
   EXPECT_NEAR(turn.jerk, 7200 / 4.5, 1e-9);
   EXPECT_NEAR(path->segments[1].feed, 1000.0 / 60 * 10 / std::hypot(10, 45, 60), 1e-9)
@@ -281,9 +281,9 @@ TEST(SegmentTurns, LetTheTableCarryTheTipRoundACircle) {
   const auto path = at_tip("TRAORI\nG0 X20 Y0 Z5\nG3 X-20 Y0 I-20 J0 C180 F100000\n");
   ASSERT_EQ(path->segment_turns.size(), 1);
   const SegmentTurn& turn = path->segment_turns[0];
-  EXPECT_NEAR(turn.speed, 300 * deg * 20, 1e-6);
-  EXPECT_EQ(turn.speed_axis, 5);
-  EXPECT_EQ(turn.speed_order, 1);
+  EXPECT_NEAR(turn.limit.speed, 300 * deg * 20, 1e-6);
+  EXPECT_EQ(turn.limit.axis, 5);
+  EXPECT_EQ(turn.limit.by, TurnLimit::By::velocity);
   EXPECT_NEAR(turn.acceleration, 1440 * deg * 20, 1e-6);
   EXPECT_EQ(turn.acceleration_axis, 5);
 }
@@ -295,9 +295,9 @@ TEST(SegmentTurns, CountTheLinearAxesThatMakeUpForATurn) {
   const SegmentTurn& turn = path->segment_turns[0];
   const double radians_a_mm = 90 * deg / 0.001;
   // The velocity of X or Y, v r q', at most 500 mm/s, is the least: C alone allows 300 degrees/s.
-  EXPECT_NEAR(turn.speed, 500.0 / 100 / radians_a_mm, 1e-4 * turn.speed);
-  EXPECT_EQ(turn.speed_order, 1);
-  EXPECT_LT(turn.speed_axis, 3);
+  EXPECT_NEAR(turn.limit.speed, 500.0 / 100 / radians_a_mm, 1e-4 * turn.limit.speed);
+  EXPECT_EQ(turn.limit.by, TurnLimit::By::velocity);
+  EXPECT_LT(turn.limit.axis, 3);
 }
 
 TEST(SegmentTurns, KeepEveryAxisWithinItsLimitsByFiniteDifferences) {
@@ -326,10 +326,10 @@ TEST(SegmentTurns, KeepEveryAxisWithinItsLimitsByFiniteDifferences) {
       for (const std::size_t k : chain.linear()) {
         const double first = std::abs(after[k] - before[k]) / (2 * h);
         const double second = std::abs(after[k] - 2 * here[k] + before[k]) / (h * h);
-        EXPECT_LE(turn.speed * first, 500 * 1.03);
-        EXPECT_LE(turn.speed * turn.speed * second, 0.75 * 5000 * 1.06);
+        EXPECT_LE(turn.limit.speed * first, 500 * 1.03);
+        EXPECT_LE(turn.limit.speed * turn.limit.speed * second, 0.75 * 5000 * 1.06);
       }
-      EXPECT_LE(turn.speed * std::abs(turn.to[2]) / length, 300 * deg * (1 + 1e-9));
+      EXPECT_LE(turn.limit.speed * std::abs(turn.to[2]) / length, 300 * deg * (1 + 1e-9));
     }
   }
 }

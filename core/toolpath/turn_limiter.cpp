@@ -1,0 +1,283 @@
+#include "core/toolpath/turn_limiter.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/units.h"
+
+namespace feedscope {
+namespace {
+
+using Angles = std::array<double, 3>;
+
+constexpr double share = 0.75;  // as turning_share of limits/segment_limits.h
+constexpr std::size_t linear_count = coordinate_names.size();
+
+// Of a slope that goes from 0 to 1 as 3 t^2 - 2 t^3: largest first and second derivative, and how far its
+// integral is from that of a jump in the middle.
+constexpr double steepest = 1.5;
+constexpr double most_bent = 6;
+constexpr double farthest = 3.0 / 32;
+
+std::size_t place_of(const RotaryAxis& axis) {
+  return rotary_names.find(axis.name);
+}
+
+std::size_t linear_place(char name) {
+  return static_cast<std::size_t>(name - 'X');
+}
+
+CurvePoint point_at(const Toolpath& path, std::size_t i, double along) {
+  const Segment& segment = path.segments[i];
+  if (segment.kind == SegmentKind::arc) {
+    return path.arc_of(segment).at(along * segment.length);
+  }
+  CurvePoint at;
+  const Vec3& start = path.start_of(i);
+  at.d1 = (segment.end - start) / segment.length;
+  at.position = start + along * segment.length * at.d1;
+  at.d2 = at.d3 = Vec3::Zero();
+  return at;
+}
+
+Angles slopes_of(const Toolpath& path, const SegmentTurn* turn) {
+  Angles slopes{};
+  for (std::size_t i = 0; turn != nullptr && i < slopes.size(); ++i) {
+    slopes[i] = (turn->to[i] - turn->from[i]) / path.segments[turn->segment].length;
+  }
+  return slopes;
+}
+
+/// Keeps the lower of the two.
+void lower(TurnLimit& limit, double speed, TurnLimit::By by, double slope, std::size_t axis) {
+  if (speed < limit.speed) {
+    limit = {speed, slope, by, static_cast<std::int8_t>(axis)};
+  }
+}
+
+}  // namespace
+
+TurnLimiter::TurnLimiter(const Machine& machine, const KinematicChain& chain, const Settings& settings)
+    : machine_(machine), chain_(chain), knows_linear_(machine.kinematics.tool_length.has_value()) {
+  for (const std::size_t axis : chain.rotary()) {
+    axes_.push_back(machine.kinematics.find(chain.axes()[axis].name));
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::string key = fmt::format("part_zero_{}_mm", "xyz"[axis]);
+    knows_linear_ = knows_linear_ && settings.has(key);
+    part_zero_[axis] = settings.has(key) ? settings.number(key) : 0;
+  }
+  const std::string tolerance = "orientation_tolerance_deg";
+  tolerance_ =
+      units::from_deg(settings.has(tolerance) ? settings.number(tolerance) : usual_orientation_tolerance_deg);
+  const std::string period = "interpolation_period_s";
+  period_ = settings.has(period) ? settings.number(period) : 0;
+}
+
+void TurnLimiter::AxisCourse::add(const Series& course) {
+  first = std::max(first, std::abs(course.d1()));
+  second = std::max(second, std::abs(course.d2()));
+  third = std::max(third, std::abs(course.d3()));
+}
+
+TurnLimiter::Courses TurnLimiter::still() const {
+  Courses courses;
+  for (const std::size_t k : chain_.linear()) {
+    const char name = chain_.axes()[k].name;
+    const AxisLimits& limit = *machine_.axes.find(name);
+    courses[linear_place(name)] = {0, 0, 0, limit.velocity, limit.acceleration, limit.jerk};
+  }
+  for (const RotaryAxis* axis : axes_) {
+    courses[linear_count + place_of(*axis)] = {0, 0, 0, axis->velocity, axis->acceleration, axis->jerk};
+  }
+  return courses;
+}
+
+std::array<Series, 3> TurnLimiter::tip_at(const CurvePoint& at) const {
+  std::array<Series, 3> tip;
+  for (int j = 0; j < 3; ++j) {
+    tip[static_cast<std::size_t>(j)] = {at.position[j] + part_zero_[j], at.d1[j], at.d2[j], at.d3[j]};
+  }
+  return tip;
+}
+
+void TurnLimiter::add_linear(const CurvePoint& at, std::span<const Series> angles, Courses& courses) const {
+  const std::vector<Series> all = chain_.courses(tip_at(at), angles, *machine_.kinematics.tool_length);
+  for (const std::size_t k : chain_.linear()) {
+    courses[linear_place(chain_.axes()[k].name)].add(all[k]);
+  }
+}
+
+void TurnLimiter::set_limits(const Toolpath& path, SegmentTurn& turn) const {
+  Courses courses = still();
+  const Angles slopes = slopes_of(path, &turn);
+  for (const RotaryAxis* axis : axes_) {
+    courses[linear_count + place_of(*axis)].first = std::abs(slopes[place_of(*axis)]);
+  }
+  if (turn.at_tip && knows_linear_) {
+    constexpr int places = 5;
+    for (int i = 0; i < places; ++i) {
+      const double along = i / (places - 1.0);
+      Angles angles{};
+      for (std::size_t k = 0; k < angles.size(); ++k) {
+        angles[k] = turn.from[k] + along * (turn.to[k] - turn.from[k]);
+      }
+      add_linear(point_at(path, turn.segment, along), angles_at(angles, slopes, 0, 0, {}), courses);
+    }
+  }
+  turn.limit = {};
+  for (std::size_t i = 0; i < courses.size(); ++i) {
+    const AxisCourse& axis = courses[i];
+    if (axis.first > 0) {
+      lower(turn.limit, axis.velocity / axis.first, TurnLimit::By::velocity, axis.first, i);
+    }
+    if (axis.second > 0) {
+      lower(turn.limit, std::sqrt(share * axis.acceleration / axis.second), TurnLimit::By::acceleration,
+            axis.second, i);
+    }
+    if (axis.third > 0) {
+      lower(turn.limit, std::cbrt(share * axis.jerk / axis.third), TurnLimit::By::jerk, axis.third, i);
+    }
+  }
+  const double v = turn.limit.speed;
+  turn.acceleration = turn.jerk = HUGE_VAL;
+  for (std::size_t i = 0; i < courses.size(); ++i) {
+    const AxisCourse& axis = courses[i];
+    if (!(axis.first > 0)) {
+      continue;
+    }
+    const double acceleration = (axis.acceleration - v * v * axis.second) / axis.first;
+    const double jerk = (axis.jerk - v * v * v * axis.third) / axis.first;
+    if (acceleration < turn.acceleration) {
+      turn.acceleration = acceleration;
+      turn.acceleration_axis = static_cast<std::int8_t>(i);
+    }
+    if (jerk < turn.jerk) {
+      turn.jerk = jerk;
+      turn.jerk_axis = static_cast<std::int8_t>(i);
+    }
+  }
+  Angles middle{};
+  for (std::size_t i = 0; i < middle.size(); ++i) {
+    middle[i] = (turn.from[i] + turn.to[i]) / 2;
+  }
+  turn.tilt = tilt_at(middle);
+}
+
+TurnJoint TurnLimiter::joint(const Toolpath& path, std::size_t segment, const SegmentTurn* before,
+                             const SegmentTurn* behind) const {
+  TurnJoint joint;
+  joint.segment = segment;
+  const Angles from = slopes_of(path, before);
+  const Angles to = slopes_of(path, behind);
+  const Angles angles = before != nullptr ? before->to : behind->from;
+  const bool at_tip = (before != nullptr && before->at_tip) || (behind != nullptr && behind->at_tip);
+  double largest = 0;
+  Angles middle{};
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    joint.step[i] = to[i] - from[i];
+    middle[i] = (from[i] + to[i]) / 2;
+    largest = std::max(largest, std::abs(joint.step[i]));
+  }
+  joint.half = std::min(path.segments[segment].length, path.segments[segment + 1].length) / 2;
+  if (largest > 0) {
+    joint.half = std::min(joint.half, tolerance_ / (2 * farthest * largest));
+  }
+  joint.tilt = tilt_at(angles);
+
+  const double way = 2 * joint.half;
+  Courses courses = still();
+  for (const RotaryAxis* axis : axes_) {
+    const double step = std::abs(joint.step[place_of(*axis)]);
+    AxisCourse& course = courses[linear_count + place_of(*axis)];
+    course.second = steepest * step / way;
+    course.third = most_bent * step / (way * way);
+  }
+  const CurvePoint place = point_at(path, segment, 1);
+  if (at_tip && knows_linear_) {
+    const double second = steepest / way;
+    const double third = most_bent / (way * way);
+    add_linear(place, angles_at(angles, middle, second, 0, joint.step), courses);
+    add_linear(place, angles_at(angles, from, 0, third, joint.step), courses);
+    add_linear(point_at(path, segment + 1, 0), angles_at(angles, to, 0, -third, joint.step), courses);
+  }
+  for (std::size_t i = 0; i < courses.size(); ++i) {
+    const AxisCourse& axis = courses[i];
+    if (axis.second > 0) {
+      lower(joint.limit, std::sqrt(share * axis.acceleration / axis.second), TurnLimit::By::acceleration,
+            axis.second, i);
+    }
+    if (axis.third > 0) {
+      lower(joint.limit, std::cbrt(share * axis.jerk / axis.third), TurnLimit::By::jerk, axis.third, i);
+    }
+  }
+  allow_jump(place, angles, from, to, at_tip, joint);
+  return joint;
+}
+
+/// Raises the limit to the speed at which the velocities jump by jump_share of what a period takes up.
+void TurnLimiter::allow_jump(const CurvePoint& place, const Angles& angles, const Angles& from,
+                             const Angles& to, bool at_tip, TurnJoint& joint) const {
+  Courses courses = still();
+  for (const RotaryAxis* axis : axes_) {
+    courses[linear_count + place_of(*axis)].first = std::abs(joint.step[place_of(*axis)]);
+  }
+  if (at_tip && knows_linear_) {
+    const double length = *machine_.kinematics.tool_length;
+    const std::vector<Series> before =
+        chain_.courses(tip_at(place), angles_at(angles, from, 0, 0, {}), length);
+    const std::vector<Series> behind = chain_.courses(tip_at(place), angles_at(angles, to, 0, 0, {}), length);
+    for (const std::size_t k : chain_.linear()) {
+      courses[linear_place(chain_.axes()[k].name)].first = std::abs(behind[k].d1() - before[k].d1());
+    }
+  }
+  TurnLimit jump;
+  for (std::size_t i = 0; i < courses.size(); ++i) {
+    const AxisCourse& axis = courses[i];
+    if (axis.first > 0) {
+      lower(jump, jump_share * axis.acceleration * period_ / axis.first, TurnLimit::By::jump, axis.first, i);
+    }
+  }
+  if (jump.speed > joint.limit.speed) {
+    joint.limit = jump;
+  }
+}
+
+/// The rotary axes in the order of the chain, with these slopes and `second` and `third` of their steps.
+std::vector<Series> TurnLimiter::angles_at(const Angles& angles, const Angles& slopes, double second,
+                                           double third, const Angles& step) const {
+  std::vector<Series> series;
+  for (const RotaryAxis* axis : axes_) {
+    const std::size_t i = place_of(*axis);
+    series.emplace_back(angles[i], slopes[i], second * step[i], third * step[i]);
+  }
+  return series;
+}
+
+/// Of the tool to the first of two rotary axes [rad]; -1 where there is only one.
+double TurnLimiter::tilt_at(const Angles& angles) const {
+  if (axes_.size() != 2) {
+    return -1;
+  }
+  std::vector<double> places(chain_.size(), 0);
+  for (const std::size_t k : chain_.rotary()) {
+    places[k] = angles[rotary_names.find(chain_.axes()[k].name)];
+  }
+  const double along =
+      std::abs(chain_.pose(places, 0).direction.dot(chain_.axes()[chain_.rotary()[0]].direction));
+  return std::acos(std::min(1.0, along));
+}
+
+JointTurn joint_turn(double step, double half, double away) {
+  if (!(half > 0) || std::abs(away) >= half) {
+    return {};
+  }
+  const double way = 2 * half;
+  const double t = (half - std::abs(away)) / way;  // of the way from the nearer end, up to its middle
+  const double slope = t * t * (3 - 2 * t);
+  return {step * way * t * t * t * (1 - t / 2), away < 0 ? step * slope : -step * slope};
+}
+
+}  // namespace feedscope

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/kinematics/kinematic_chain.h"
+#include "core/machine/machine.h"
+#include "core/toolpath/toolpath.h"
+
+namespace feedscope {
+
+/// Of what an axis takes up within an interpolation period, that its velocity may jump where blocks meet: the
+/// usual overload factor of 1.2 of a Sinumerik (MD32310) allows (1.2 - 1) A t_cy (SINUMERIK 840D/828D, Basic
+/// Functions, B1).
+inline constexpr double jump_share = 0.2;
+
+/// What the axes of a machine allow where rotary axes turn along the path of the tip, by the derivatives of
+/// every axis along it (KinematicChain::courses(); core/models/README.md, "Rotary axes").
+class TurnLimiter {
+ public:
+  /// `chain`: of the machine; both outlive it. Of the settings it reads part_zero_x_mm ...,
+  /// orientation_tolerance_deg and interpolation_period_s.
+  TurnLimiter(const Machine& machine, const KinematicChain& chain, const Settings& settings);
+
+  /// The rotary axes in the order of the chain.
+  const std::vector<const RotaryAxis*>& axes() const { return axes_; }
+  /// Tool length and part zero are known, so that it is known how X, Y and Z follow the rotary axes.
+  bool knows_linear() const { return knows_linear_; }
+
+  /// Sets limits and tilt of a turn along its segment of `path`: v q1 <= V, v^2 q2 <= s A, v^3 q3 <= s J
+  /// with the derivatives q1, q2, q3 by the path, for the rotary axes, and for the linear ones under tool
+  /// centre point control. The share 1 - s and what is not used is for ramps.
+  void set_limits(const Toolpath& path, SegmentTurn& turn) const;
+
+  /// Where segment `segment` of `path` meets the next one. The slope of every rotary axis goes over from
+  /// before to behind as 3 t^2 - 2 t^3 of the way, so that acceleration is continuous; the angles leave the
+  /// programmed ones by 3/32 of step and way at most, the orientation tolerance. The way is half of the
+  /// shorter segment on both sides at most. The velocities may jump by jump_share, if that is faster.
+  /// `before`, `behind`: turns along the two; null for none.
+  TurnJoint joint(const Toolpath& path, std::size_t segment, const SegmentTurn* before,
+                  const SegmentTurn* behind) const;
+
+ private:
+  /// Largest derivatives of an axis by the path, and its limits.
+  struct AxisCourse {
+    double first = 0, second = 0, third = 0;
+    double velocity = 0, acceleration = 0, jerk = 0;
+
+    void add(const Series& course);
+  };
+  /// X, Y, Z, A, B, C, as cause_axes.
+  using Courses = std::array<AxisCourse, 6>;
+
+  Courses still() const;
+  std::array<Series, 3> tip_at(const CurvePoint& at) const;
+  void add_linear(const CurvePoint& at, std::span<const Series> angles, Courses& courses) const;
+  std::vector<Series> angles_at(const std::array<double, 3>& angles, const std::array<double, 3>& slopes,
+                                double second, double third, const std::array<double, 3>& step) const;
+  void allow_jump(const CurvePoint& place, const std::array<double, 3>& angles,
+                  const std::array<double, 3>& from, const std::array<double, 3>& to, bool at_tip,
+                  TurnJoint& joint) const;
+  double tilt_at(const std::array<double, 3>& angles) const;
+
+  const Machine& machine_;
+  const KinematicChain& chain_;
+  std::vector<const RotaryAxis*> axes_;
+  Vec3 part_zero_ = Vec3::Zero();  ///< [mm]
+  bool knows_linear_ = false;
+  double tolerance_ = 0;  ///< of the orientation [rad]
+  double period_ = 0;     ///< [s]
+};
+
+/// How far a rotary axis is from its programmed angle beside a joint, and how much steeper its course is than
+/// there.
+struct JointTurn {
+  double angle = 0;  ///< [rad]
+  double slope = 0;  ///< [rad/mm]
+};
+/// Of the axis with this step, `away` from the joint along the path, negative before it [mm].
+JointTurn joint_turn(double step, double half, double away);
+
+}  // namespace feedscope

@@ -1,0 +1,63 @@
+0  BEGIN PGM TILTED MM
+1  ; Written for Feedscope: one pocket in the top and in four faces that lean by 30 degrees.
+2  ; Shows: the time in which rotary axes turn between faces. Machine five-axis-table-ac
+3  BLK FORM 0.1 Z X-50 Y-50 Z-60
+4  BLK FORM 0.2 X+50 Y+50 Z+0
+5  TOOL DEF 1 L+0 R+4
+6  * - Top
+7  TOOL CALL 1 Z S12000 F3000
+8  L X+0 Y+0 Z+80 R0 FMAX M3
+9  CALL LBL "POCKET"
+10 Q10 = 0
+11 * - Faces, 90 degrees apart
+12 LBL "FACE"
+13 L Z+80 FMAX
+14 CYCL DEF 7.0 DATUM SHIFT
+15 CYCL DEF 7.1 X+0
+16 CYCL DEF 7.2 Y+0
+17 CYCL DEF 7.3 Z-20
+18 PLANE SPATIAL SPA+30 SPB+0 SPC+Q10 TURN FMAX
+19 L X+0 Y-30 FMAX
+20 CALL LBL "POCKET"
+21 L Z+80 FMAX
+22 PLANE RESET TURN FMAX
+23 CYCL DEF 7.0 DATUM SHIFT
+24 CYCL DEF 7.1 X+0
+25 CYCL DEF 7.2 Y+0
+26 CYCL DEF 7.3 Z+0
+27 Q10 = Q10 + 90
+28 CALL LBL "FACE" REP 3/3
+29 L Z+100 FMAX M30
+30 ; 24 x 16 mm around the place of the tool, 4 mm deep, corners of 3 mm on the tool's path
+31 LBL "POCKET"
+32 L Z+2 FMAX
+33 L Z-2 F800
+34 CALL LBL "RINGS"
+35 L Z-4 F800
+36 CALL LBL "RINGS"
+37 L Z+10 FMAX
+38 LBL 0
+39 LBL "RINGS"
+40 L IX+4 F3000
+41 L IY+2
+42 RND R1
+43 L IX-8
+44 RND R1
+45 L IY-4
+46 RND R1
+47 L IX+8
+48 RND R1
+49 L IY+2
+50 L IX+4
+51 L IY+2
+52 RND R3
+53 L IX-16
+54 RND R3
+55 L IY-4
+56 RND R3
+57 L IX+16
+58 RND R3
+59 L IY+2
+60 L IX-8 IY+0
+61 LBL 0
+62 END PGM TILTED MM

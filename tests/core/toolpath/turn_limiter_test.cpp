@@ -1,0 +1,139 @@
+#include "core/toolpath/turn_limiter.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "core/base/units.h"
+#include "core/toolpath/machine_toolpath.h"
+
+namespace feedscope {
+namespace {
+
+constexpr double deg = units::pi / 180;
+
+/// C on A in the table, the tool along Z; equal limits of A and C.
+Machine equal_axes() {
+  Machine machine;
+  machine.id = "equal";
+  for (AxisLimits& axis : machine.axes) {
+    axis = {500, 5000, 50000, 50000};
+  }
+  for (const char name : {'A', 'C'}) {
+    RotaryAxis axis;
+    axis.name = name;
+    axis.velocity = 300 * deg;
+    axis.acceleration = 1440 * deg;
+    axis.jerk = 14400 * deg;
+    axis.direction = name == 'A' ? Vec3::UnitX() : Vec3::UnitZ();
+    axis.point = Vec3(0, 0, -300);
+    machine.kinematics.rotary.push_back(axis);
+  }
+  machine.kinematics.chain = "C A X Y frame Z";
+  return machine;
+}
+
+Settings with(std::initializer_list<std::pair<const char*, double>> values) {
+  Settings settings;
+  for (const auto& [key, value] : values) {
+    settings.set(key, value);
+  }
+  return settings;
+}
+
+std::shared_ptr<const Toolpath> path_of(const std::string& text, const Settings& settings,
+                                        const Machine& machine = equal_axes()) {
+  ReadOptions options;
+  options.dialect = Dialect::sinumerik;
+  options.unit = LengthUnit::mm;
+  options.rotary_axes = "AC";
+  const Program program =
+      read_program(std::make_shared<const SourceText>("test.mpf", text), nullptr, options);
+  return on_machine(std::make_shared<const Toolpath>(build_toolpath(program)), machine, settings);
+}
+
+/// C turns by 3 degrees a millimetre, then not at all.
+constexpr const char* stops_turning = "TRAORI\nG0 X0 Y0 Z0\nG1 F60000 X20 C60\nX40\nX60\n";
+
+TEST(TurnJoints, GoOverFromOneSlopeToTheOtherWithinTheOrientationTolerance) {
+  const auto path = path_of(stops_turning, with({{"orientation_tolerance_deg", 0.1}}));
+  ASSERT_EQ(path->turn_joints.size(), 1) << "where the turn ends; the first block begins at rest";
+  const TurnJoint& joint = path->turn_joints[0];
+  EXPECT_EQ(joint.segment, 1);
+  EXPECT_NEAR(joint.step[2], -3 * deg, 1e-12);
+  // 3/32 of step and way, 3 degrees a millimetre: a way of 0.1/3 * 32/3 mm.
+  const double way = 0.1 / 3 * 32 / 3;
+  EXPECT_NEAR(2 * joint.half, way, 1e-12);
+  EXPECT_NEAR(std::abs(joint_turn(joint.step[2], joint.half, 0).angle), 0.1 * deg, 1e-12);
+  // v^2 1.5 step/way <= 0.75 A gives 7.9 mm/s, v^3 6 step/way^2 <= 0.75 J 4.3 mm/s.
+  EXPECT_NEAR(joint.limit.speed, std::cbrt(0.75 * 14400 * way * way / (6 * 3)), 1e-9);
+  EXPECT_EQ(joint.limit.by, TurnLimit::By::jerk);
+  EXPECT_EQ(joint.limit.axis, 5);
+}
+
+TEST(TurnJoints, TakeHalfOfTheShorterBlockAtMost) {
+  const auto path = path_of("TRAORI\nG0 X0 Y0 Z0\nG1 F60000 X20 C0.02\nX20.5\nX60\n",
+                            with({{"orientation_tolerance_deg", 1}}));
+  ASSERT_EQ(path->turn_joints.size(), 1);
+  EXPECT_NEAR(path->turn_joints[0].half, 0.25, 1e-12);
+}
+
+TEST(TurnJoints, LetTheVelocityJumpByAShareOfWhatAPeriodTakesUp) {
+  // A step of 0.001 degrees a millimetre on blocks of 0.1 mm, as rounded numbers make it.
+  const std::string text = "TRAORI\nG0 X0 Y0 Z0\nG1 F60000 X0.1 C0.0001\nX0.2\nX0.3\n";
+  const auto rounded = path_of(text, with({}));
+  const auto jumps = path_of(text, with({{"interpolation_period_s", 0.002}}));
+  ASSERT_EQ(rounded->turn_joints.size(), 1);
+  ASSERT_EQ(jumps->turn_joints.size(), 1);
+  EXPECT_NEAR(rounded->turn_joints[0].limit.speed, std::cbrt(0.75 * 14400 * 0.01 / (6 * 0.001)), 1e-6);
+  EXPECT_NEAR(jumps->turn_joints[0].limit.speed, 0.2 * 1440 * 0.002 / 0.001, 1e-6);
+  EXPECT_EQ(jumps->turn_joints[0].limit.by, TurnLimit::By::jump);
+}
+
+TEST(TurnJoints, AreWhereTheFeedGoesOnOnly) {
+  const auto path = path_of(
+      "TRAORI\nG0 X0 Y0 Z0\nG1 F6000 X20 C60\nG0 X40\nG1 X60 C80\nG4 F1\nG1 X80 C90\nX100 C100\nM30\n",
+      with({}));
+  EXPECT_EQ(path->segment_turns.size(), 4);
+  EXPECT_EQ(path->turn_joints.size(), 0) << "the last two turn at one slope; before are a rapid and a dwell";
+}
+
+TEST(TurnJoints, CountTheLinearAxesThatMakeUpForTheTurn) {
+  Machine machine = equal_axes();
+  machine.kinematics.tool_length = 150;
+  const Settings placed = with({{"part_zero_x_mm", 400}, {"part_zero_y_mm", 0}, {"part_zero_z_mm", -300}});
+  const auto path = path_of(stops_turning, placed, machine);
+  ASSERT_EQ(path->turn_joints.size(), 1);
+  // 420 mm from the axis of C, that changes its slope by 3 degrees a millimetre over 2 half.
+  const TurnJoint& joint = path->turn_joints[0];
+  const double way = 2 * joint.half;
+  EXPECT_LT(joint.limit.axis, 3);
+  EXPECT_EQ(joint.limit.by, TurnLimit::By::jerk);
+  EXPECT_NEAR(joint.limit.speed, std::cbrt(0.75 * 50000 * way * way / (6 * 3 * deg * 420)),
+              0.05 * joint.limit.speed);
+}
+
+/// Against a sum of small steps: the angle is the integral of the slope, before the place and behind it.
+TEST(JointTurns, AreTheIntegralOfTheirSlopes) {
+  const double step = 0.7;
+  const double half = 1.3;
+  const auto slope = [&](double s) { return (s < 0 ? 0 : step) + joint_turn(step, half, s).slope; };
+  const int steps = 20000;
+  double angle = 0;
+  for (int i = 0; i < steps; ++i) {
+    const double h = 2 * half / steps;
+    const double s = -half + (i + 0.5) * h;
+    angle += slope(s) * h;
+    const double programmed = std::max(0.0, s + h / 2) * step;
+    ASSERT_NEAR(angle, programmed + joint_turn(step, half, s + h / 2).angle, 1e-6) << s;
+    ASSERT_NEAR(slope(s), step * std::pow((s + half) / (2 * half), 2) * (3 - (s + half) / half), 1e-12);
+  }
+  EXPECT_EQ(joint_turn(step, half, half).angle, 0);
+  EXPECT_EQ(joint_turn(step, half, -2 * half).slope, 0);
+}
+
+}  // namespace
+}  // namespace feedscope
