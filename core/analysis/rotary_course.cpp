@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/units.h"
+#include "core/toolpath/turn_course.h"
 #include "core/toolpath/turn_limiter.h"
 
 namespace feedscope {
@@ -24,6 +25,21 @@ double share_of_arc(const Arc& arc, const Vec3& position, double near) {
   return (angle + turns * 2 * units::pi) / arc.sweep;
 }
 
+/// That element `i` is part of; null if of none.
+const RoundedCorner* rounded_corner(const BlendedPath& path, std::uint32_t i) {
+  std::size_t low = 0;
+  std::size_t high = path.rounded_count();
+  while (low < high) {
+    const std::size_t middle = (low + high) / 2;
+    if (path.rounded(middle).last < i) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low < path.rounded_count() && path.rounded(low).first <= i ? &path.rounded(low) : nullptr;
+}
+
 }  // namespace
 
 RotaryCourse::RotaryCourse(std::shared_ptr<const Trajectory> trajectory, const Machine& machine)
@@ -31,18 +47,16 @@ RotaryCourse::RotaryCourse(std::shared_ptr<const Trajectory> trajectory, const M
       axes_(machine.kinematics.rotary),
       chain_(chain_of(machine.kinematics)) {
   for (std::size_t i = 0; i < path().rotary_turns.size(); ++i) {
-    const RotaryTurn& turn = path().rotary_turns[i];
-    const std::size_t first = turn.beside_rapid && turn.segment > 0 ? turn.segment - 1 : turn.segment;
-    events_.push_back({first, trajectory_->duration(), 1, i, false});
+    events_.push_back({path().rotary_turns[i].segment, trajectory_->duration(), i, false});
   }
   for (std::size_t i = 0; i < path().segment_turns.size(); ++i) {
-    events_.push_back({path().segment_turns[i].segment, 0, 1, i, true});
+    events_.push_back({path().segment_turns[i].segment, 0, i, true});
   }
   std::ranges::stable_sort(events_, {}, &Event::segment);
   set_starts();
 }
 
-/// When the segment of each turn, or the next one that the control runs, begins, and how much time it has.
+/// When the segment of each turn, or the next one that the control runs, begins.
 void RotaryCourse::set_starts() {
   auto event = events_.begin();
   for (const Piece& piece : trajectory_->pieces()) {
@@ -51,26 +65,6 @@ void RotaryCourse::set_starts() {
       event->start = piece.time;
     }
   }
-  auto turn = events_.begin();
-  for (const Piece& piece : trajectory_->pieces()) {
-    const std::uint32_t segment = trajectory_->path().segment(piece.element);
-    for (; turn != events_.end() && last_of(*turn) < segment; ++turn) {
-      const double time = turn->along ? 0 : path().rotary_turns[turn->index].time;
-      const double room = piece.time - turn->start;
-      turn->rate = time > room && room > 0 ? time / room : 1;
-    }
-  }
-}
-
-/// The last segment while it turns: its pause, or the rapid beside it.
-std::size_t RotaryCourse::last_of(const Event& event) const {
-  if (event.along) {
-    return event.segment;
-  }
-  const std::size_t pause = path().rotary_turns[event.index].segment;
-  const bool waits = pause < path().segments.size() && path().segments[pause].kind == SegmentKind::dwell &&
-                     path().pause_of(path().segments[pause]).kind == Pause::indexing;
-  return waits ? pause : event.segment;
 }
 
 bool RotaryCourse::has(char axis) const {
@@ -84,12 +78,7 @@ RotarySample RotaryCourse::at(const State& state) const {
   if (after != events_.begin()) {
     const Event& event = *std::prev(after);
     sample = event.along ? along(path().segment_turns[event.index], way, state.speed)
-                         : turning(path().rotary_turns[event.index], (state.time - event.start) * event.rate);
-    if (!event.along) {
-      for (double& velocity : sample.velocity) {
-        velocity *= event.rate;
-      }
-    }
+                         : turning(path().rotary_turns[event.index], state.time - event.start);
   }
   add_joints(way, state.speed, sample);
   for (std::size_t i = 0; i < rotary_names.size(); ++i) {
@@ -106,7 +95,7 @@ Vec3 RotaryCourse::tool_direction(const State& state) const {
   for (const std::size_t axis : chain_.rotary()) {
     places[axis] = sample.angle[rotary_names.find(chain_.axes()[axis].name)];
   }
-  return chain_.pose(places, 0).direction;
+  return path().part_turn.transpose() * chain_.pose(places, 0).direction;
 }
 
 RotaryCourse::Way RotaryCourse::way_of(const State& state) const {
@@ -117,6 +106,9 @@ RotaryCourse::Way RotaryCourse::way_of(const State& state) const {
   const double length = blended.length(state.element);
   const double done = length > 0 ? std::clamp(q / length, 0.0, 1.0) : 0;
   const bool line = segment.kind == SegmentKind::line;
+  if (blended.is_executed() && line && length > 0) {
+    return executed_way(state, done);
+  }
   switch (blended.kind(state.element)) {
     case ElementKind::dwell:
       return {i, 0, 0};
@@ -154,13 +146,46 @@ RotaryCourse::Way RotaryCourse::way_of(const State& state) const {
   return {i, done, length > 0 ? 1 / length : 0};
 }
 
+/// On what a control makes of programmed lines: the share of a line is the nearest one, and a rounded corner
+/// goes from where it leaves one line to where it meets the next.
+RotaryCourse::Way RotaryCourse::executed_way(const State& state, double done) const {
+  const BlendedPath& blended = trajectory_->path();
+  const std::uint32_t i = blended.segment(state.element);
+  const auto share_on = [&](std::uint32_t on, const Vec3& place) {
+    const Vec3 way = path().segments[on].end - path().start_of(on);
+    return std::clamp((place - path().start_of(on)).dot(way) / way.squaredNorm(), 0.0, 1.0);
+  };
+  const RoundedCorner* corner = rounded_corner(blended, state.element);
+  if (corner == nullptr) {
+    return {i, share_on(i, state.position), 1 / path().segments[i].length};
+  }
+  const std::uint32_t before = corner->block;
+  const std::uint32_t behind = before + 1;
+  if (behind >= path().segments.size() || path().segments[before].kind != SegmentKind::line ||
+      path().segments[behind].kind != SegmentKind::line) {
+    return {i, done, 1 / path().segments[i].length};
+  }
+  const double begin = blended.s(corner->first);
+  const double length = blended.s(corner->last + std::size_t{1}) - begin;
+  const double half = 2 * (state.path_length - begin) / length;  // 1 in the middle
+  const double left = share_on(before, blended.element(corner->first).start);
+  const double met = share_on(behind, blended.element(corner->last).end);
+  return half < 1 ? Way{before, left + (1 - left) * half, 2 * (1 - left) / length}
+                  : Way{behind, met * (half - 1), 2 * met / length};
+}
+
 RotarySample RotaryCourse::along(const SegmentTurn& turn, const Way& way, double speed) const {
-  const bool on_it = way.segment == turn.segment;
   RotarySample sample;
-  for (std::size_t i = 0; i < rotary_names.size(); ++i) {
-    const double angle = turn.to[i] - turn.from[i];
-    sample.angle[i] = turn.from[i] + (on_it ? way.share : 1) * angle;
-    sample.velocity[i] = on_it ? angle * way.slope * speed : 0;
+  sample.angle = turn.to;
+  if (way.segment != turn.segment) {
+    return sample;
+  }
+  const double length = path().segments[turn.segment].length;
+  const std::vector<Series> angles = TurnCourse(chain_, turn, length).at(way.share * length);
+  for (std::size_t k = 0; k < angles.size(); ++k) {
+    const std::size_t i = rotary_names.find(chain_.axes()[chain_.rotary()[k]].name);
+    sample.angle[i] = angles[k].value();
+    sample.velocity[i] = angles[k].d1() * length * way.slope * speed;
   }
   return sample;
 }

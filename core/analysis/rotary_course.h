@@ -15,10 +15,9 @@ namespace feedscope {
 /// say, on the time of the trajectory.
 ///
 /// A turn on its own goes from rest to rest at the limits of its axes (rest_to_rest_at()); axes that turn at
-/// a feed arrive together, others each when it can. Where a model runs the rapid beside a turn faster than
-/// its axes can from rest to rest (cam), the turn is as much faster. Beside feed motions the angles are
-/// linear in the programmed way, rounded where blocks meet (Toolpath::turn_joints); on the curve in a corner
-/// each half of the curve is the way that it replaces.
+/// a feed arrive together, others each when it can. Beside other motions the angles are
+/// those of TurnCourse by the programmed way, rounded where blocks meet (Toolpath::turn_joints); on the curve
+/// in a corner each half of the curve is the way that it replaces.
 class RotaryCourse {
  public:
   /// All of them stand at zero before the first turn.
@@ -36,8 +35,7 @@ class RotaryCourse {
   /// A turn from the first segment in which it shows on.
   struct Event {
     std::size_t segment = 0;
-    double start = 0;  ///< of a turn of its own [s]
-    double rate = 1;   ///< of its time, above 1 where a model gives the rapid beside it less than it takes
+    double start = 0;       ///< of a turn of its own [s]
     std::size_t index = 0;  ///< into Toolpath::rotary_turns or segment_turns
     bool along = false;     ///< of segment_turns
   };
@@ -50,11 +48,11 @@ class RotaryCourse {
 
   const Toolpath& path() const { return *trajectory_->path().programmed(); }
   Way way_of(const State& state) const;
+  Way executed_way(const State& state, double done) const;
   RotarySample along(const SegmentTurn& turn, const Way& way, double speed) const;
   void add_joints(const Way& way, double speed, RotarySample& sample) const;
   RotarySample turning(const RotaryTurn& turn, double time) const;
   void set_starts();
-  std::size_t last_of(const Event& event) const;
 
   std::shared_ptr<const Trajectory> trajectory_;
   std::vector<RotaryAxis> axes_;

@@ -247,11 +247,11 @@ std::vector<RotaryPlaces> KinematicChain::turn_to(const Vec3& direction, std::sp
     add(std::move(angles), singular);
   }
   const auto way = [&](const RotaryPlaces& places) {
-    double largest = 0;
+    double sum = 0;
     for (std::size_t k = 0; k < places.angles.size(); ++k) {
-      largest = std::max(largest, std::abs(places.angles[k] - from[k]));
+      sum = std::hypot(sum, places.angles[k] - from[k]);
     }
-    return largest;
+    return sum;
   };
   std::ranges::stable_sort(found, std::less(), way);
   return found;

@@ -66,7 +66,8 @@ class KinematicChain {
   ToolPose pose(std::span<const double> places, double tool_length) const;
 
   /// The angles, each in (-pi, pi] or a turn beside it where travel asks for that, that give the tool
-  /// `direction` (unit); none where it cannot have it, else one or two, the one nearer to `from` first.
+  /// `direction` (unit); none where it cannot have it, else one or two, the one nearer to `from` (root of
+  /// the sum of squares) first.
   /// `from`: angles of the rotary axes before.
   std::vector<RotaryPlaces> turn_to(const Vec3& direction, std::span<const double> from) const;
 

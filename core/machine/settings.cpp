@@ -154,6 +154,13 @@ std::vector<SettingSpec> make_machine_settings() {
       specs.push_back(std::move(spec));
     }
   }
+  SettingSpec tool_length = optional_spec(
+      "tool_length_mm", QT_TRANSLATE_NOOP("core", "Tool length"), "mm",
+      QT_TRANSLATE_NOOP("core",
+                        "From the gauge point of the spindle to the tip of the tool; it says how X, Y and Z "
+                        "follow rotary axes. Without it the one of the machine's kinematics."));
+  tool_length.maximum = farthest;
+  specs.push_back(std::move(tool_length));
   SettingSpec orientation = optional_spec(
       "orientation_tolerance_deg", QT_TRANSLATE_NOOP("core", "Orientation tolerance"), "deg",
       QT_TRANSLATE_NOOP("core",
@@ -162,6 +169,18 @@ std::vector<SettingSpec> make_machine_settings() {
   orientation.minimum_allowed = false;
   orientation.maximum = 10;
   specs.push_back(std::move(orientation));
+  for (const char axis : {'X', 'Y', 'Z'}) {
+    SettingSpec spec = optional_spec(
+        fmt::format("part_angle_{}_deg", static_cast<char>(axis - 'X' + 'x')),
+        with_axis(QT_TRANSLATE_NOOP("core", "Angle of the part about %1"), axis), "deg",
+        QT_TRANSLATE_NOOP(
+            "core",
+            "How the part is turned in the clamping, about X, then Y, then Z, against how the "
+            "program was made for; rotary axes stand as if the program had been posted again."));
+    spec.minimum = -360;
+    spec.maximum = 360;
+    specs.push_back(std::move(spec));
+  }
   return specs;
 }
 

@@ -34,7 +34,7 @@ void RotaryNotes::add_unclear(std::uint32_t line, std::span<const RotaryPlaces> 
   const auto way_to = [&](const RotaryPlaces& places) {
     double way = 0;
     for (std::size_t k = 0; k < from.size(); ++k) {
-      way = std::max(way, std::abs(places.angles[k] - from[k]));  // as turn_to()
+      way = std::hypot(way, places.angles[k] - from[k]);  // as turn_to()
     }
     return way;
   };
@@ -48,14 +48,16 @@ void RotaryNotes::add_unclear(std::uint32_t line, std::span<const RotaryPlaces> 
     add(line, "rotary-way",
         fmt::format("axis {} turns by {:.4g} degrees within one block for a tool vector", first.name,
                     units::to_deg(turn)),
-        "the path passes near the singular position; a control may stop, limit the turn or go another way");
+        "a control may stop, limit the turn or go another way; near the singular position smaller steps of "
+        "the "
+        "tool vector, or a part that is clamped at a tilt, make it turn less");
   }
 }
 
 void RotaryNotes::add_singular(const SegmentTurn& turn, const Segment& segment, const RotaryAxis& first) {
   constexpr double near = 10 * units::pi / 180;
   const std::size_t axis = known_axes.size() + rotary_names.find(first.name);
-  const bool held = turn.tilt >= 0 && turn.tilt <= near && segment.feed > turn.limit.speed &&
+  const bool held = turn.at_tip && turn.tilt >= 0 && turn.tilt <= near && segment.feed > turn.limit.speed &&
                     turn.limit.axis == static_cast<std::int8_t>(axis);
   if (!held) {
     return;

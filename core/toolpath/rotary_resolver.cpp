@@ -11,6 +11,8 @@
 #include "core/kinematics/kinematic_chain.h"
 #include "core/program/text/message_codes.h"
 #include "core/toolpath/rotary_notes.h"
+#include "core/toolpath/rotary_positions.h"
+#include "core/toolpath/turn_course.h"
 #include "core/toolpath/turn_limiter.h"
 
 namespace feedscope {
@@ -18,8 +20,10 @@ namespace {
 
 constexpr double same_angle = 1e-9;  // [rad]
 
-std::size_t place_of(char axis) {
-  return rotary_names.find(axis);
+/// The path with the part as the settings have it on the machine.
+Toolpath turned(Toolpath path, const Settings& settings) {
+  path.part_turn = part_turn(settings);
+  return path;
 }
 
 class RotaryResolver {
@@ -28,30 +32,22 @@ class RotaryResolver {
       : from_(path),
         machine_(machine),
         chain_(chain_of(machine.kinematics)),
-        limiter_(machine, chain_, settings),
-        axes_(limiter_.axes()),
-        path_(path) {}
+        path_(turned(path, settings)),
+        positions_(machine, chain_, path.rotary_moves, path_, notes_),
+        limiter_(machine, chain_, settings, path_.part_turn),
+        axes_(limiter_.axes()) {}
 
   std::shared_ptr<const Toolpath> run() {
     path_.segments.clear();
     path_.segments.reserve(from_.segments.size() + from_.rotary_moves.size());
     auto move = from_.rotary_moves.begin();
     for (std::size_t i = 0; i <= from_.segments.size(); ++i) {
-      double waits = 0;
-      RotaryTurn after{};
       for (; move != from_.rotary_moves.end() && move->motion <= i; ++move) {
-        const std::array<double, 3> before = at_;
-        RotaryTurn turn = turn_of(*move);
-        if (move->with_feed && turn_along(*move, i, before)) {
-          continue;
-        }
-        if (move->with_rapid && is_its_rapid(i, *move)) {
-          if (turn.time > 0) {
-            after = turn;
-            waits = std::max(0.0, turn.time - rapid_time(i));
-          }
-        } else if (turn.time > 0) {
-          pause(turn, turn.time, move->line);
+        const std::array<double, 3> before = positions_.at();
+        const RotaryTurn turn = turn_of(*move);
+        const bool along = (move->with_feed || move->with_rapid) && turn_along(*move, i, before);
+        if (!along && turn.time > 0) {
+          pause(turn, move->line);
         }
       }
       if (i < from_.segments.size()) {
@@ -62,10 +58,6 @@ class RotaryResolver {
         path_.segments.push_back(from_.segments[i]);
         if (const auto feed = feeds_.find(i); feed != feeds_.end()) {
           path_.segments.back().feed = feed->second;
-        }
-        if (after.time > 0) {
-          after.beside_rapid = true;
-          pause(after, waits, from_.segments[i].line);
         }
       }
     }
@@ -80,17 +72,14 @@ class RotaryResolver {
   }
 
  private:
-  bool is_its_rapid(std::size_t i, const RotaryMove& move) const {
-    return i < from_.segments.size() && from_.segments[i].line == move.line && from_.segments[i].rapid;
-  }
-
-  /// The angles go linearly along the segments of the block, the first of which is `i` or one soon after it;
+  /// The axes turn along the segments of the block, the first of which is `i` or one soon after it;
   /// false if it has none.
   bool turn_along(const RotaryMove& move, std::size_t i, const std::array<double, 3>& before) {
     constexpr std::size_t held_back = 4;
     const auto is_of_block = [&](std::size_t k) {
       const Segment& segment = from_.segments[k];
-      return segment.line == move.line && segment.kind != SegmentKind::dwell && !segment.rapid;
+      return segment.line == move.line && segment.kind != SegmentKind::dwell &&
+             segment.rapid == move.with_rapid;
     };
     std::size_t first = i;
     while (first < from_.segments.size() && first < i + held_back && !is_of_block(first)) {
@@ -104,24 +93,23 @@ class RotaryResolver {
     if (!(length > 0)) {
       return false;
     }
+    const std::array<double, 3>& behind = positions_.at();
     double turned = 0;  // [deg]
     for (std::size_t k = 0; k < 3; ++k) {
-      turned = std::hypot(turned, units::to_deg(at_[k] - before[k]));
+      turned = std::hypot(turned, units::to_deg(behind[k] - before[k]));
     }
+    SegmentTurn whole;
+    whole.from = before;
+    whole.to = behind;
+    whole.great_circle = move.great_circle;
+    const TurnCourse course(chain_, whole, length);
     double done = 0;
     for (std::size_t k = first; k < last; ++k) {
-      const auto angles_at = [&](double way) {
-        std::array<double, 3> angles{};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          angles[axis] = before[axis] + way / length * (at_[axis] - before[axis]);
-        }
-        return angles;
-      };
-      SegmentTurn turn;
+      SegmentTurn turn = whole;
       turn.segment = k;
-      turn.from = angles_at(done);
+      turn.from = k == first ? before : course.angles(done);
       done += from_.segments[k].length;
-      turn.to = k + 1 == last ? at_ : angles_at(done);
+      turn.to = k + 1 == last ? behind : course.angles(done);
       if (turn.from != turn.to) {
         turn.at_tip = move.at_tip;
         limiter_.set_limits(from_, turn);
@@ -150,18 +138,19 @@ class RotaryResolver {
     note.message = "how X, Y and Z follow the rotary axes is not known without tool length and part zero";
     note.hint =
         "where rotary axes turn, their own limits hold and those of X, Y and Z as without them; give "
-        "tool_length_mm in [kinematics] and part_zero_x_mm, _y_mm, _z_mm";
+        "tool_length_mm and part_zero_x_mm, _y_mm, _z_mm";
     path_.machine_faults.push_back(std::move(note));
   }
 
-  /// At both ends of every turn beside which the feed goes on.
+  /// At both ends of every turn beside which the motion goes on, at a feed or as a rapid.
   void join_turns() {
-    const auto is_feed = [&](std::size_t i) {
-      return i < path_.segments.size() && path_.segments[i].kind != SegmentKind::dwell &&
-             !path_.segments[i].rapid;
+    const auto go_on = [&](std::size_t i) {
+      return i + 1 < path_.segments.size() && path_.segments[i].kind != SegmentKind::dwell &&
+             path_.segments[i + 1].kind != SegmentKind::dwell &&
+             path_.segments[i].rapid == path_.segments[i + 1].rapid;
     };
     const auto join = [&](std::size_t i, const SegmentTurn* before, const SegmentTurn* behind) {
-      if (is_feed(i) && is_feed(i + 1)) {
+      if (go_on(i)) {
         const TurnJoint joint = limiter_.joint(path_, i, before, behind);
         if (std::isfinite(joint.limit.speed)) {
           path_.turn_joints.push_back(joint);
@@ -184,78 +173,14 @@ class RotaryResolver {
     }
   }
 
-  void fault(const RotaryMove& move, MessageCode code, std::string message, std::string hint) {
-    Diagnostic diagnostic;
-    diagnostic.severity = Severity::error;
-    diagnostic.line = move.line;
-    diagnostic.code = std::string(code.text());
-    diagnostic.message = std::move(message);
-    diagnostic.hint = std::move(hint);
-    path_.machine_faults.push_back(std::move(diagnostic));
-  }
-
-  /// Angles after the move, by rotary_names.
-  std::array<double, 3> targets_of(const RotaryMove& move) {
-    std::array<double, 3> to = at_;
-    if (!move.direction) {
-      for (const RotaryAxis* axis : axes_) {
-        const std::size_t place = place_of(axis->name);
-        to[place] = move.to[place].value_or(to[place]);
-        if (to[place] < axis->minimum.value_or(to[place]) - same_angle ||
-            to[place] > axis->maximum.value_or(to[place]) + same_angle) {
-          fault(move, "rotary-travel",
-                fmt::format("axis {} goes to {:g} degrees, beyond its travel from {:g} to {:g}", axis->name,
-                            units::to_deg(to[place]), units::to_deg(axis->minimum.value_or(-HUGE_VAL)),
-                            units::to_deg(axis->maximum.value_or(HUGE_VAL))),
-                "the time of the whole way is counted; a control refuses the block");
-        }
-      }
-      return to;
-    }
-    std::vector<double> from;
-    for (const RotaryAxis* axis : axes_) {
-      from.push_back(at_[place_of(axis->name)]);
-    }
-    std::vector<RotaryPlaces> found = chain_.turn_to(*move.direction, from);
-    if (found.empty()) {
-      fault(move, "rotary-direction",
-            fmt::format("no position of the rotary axes of machine '{}' gives the tool the direction {:.4g}, "
-                        "{:.4g}, {:.4g} of {}",
-                        machine_.id, move.direction->x(), move.direction->y(), move.direction->z(),
-                        move.with_feed || move.with_rapid ? "the tool vector" : "the tilted plane"),
-            "the rotary axes stay; tilt less, or choose another machine");
-      return to;
-    }
-    if (move.with_feed) {
-      notes_.add_unclear(move.line, found, from, *axes_.front());
-    }
-    const auto on_side = [&](const RotaryPlaces& places) {
-      return move.side == 0 || move.side * places.angles.back() > -same_angle;
-    };
-    const auto asked = std::ranges::find_if(found, on_side);
-    if (asked == found.end()) {
-      fault(
-          move, "rotary-direction",
-          fmt::format("no position of the rotary axes with {} of axis {} gives the tool the direction of the "
-                      "tilted plane within its travel",
-                      move.side > 0 ? "a positive angle" : "a negative angle", axes_.back()->name),
-          "the other position is used; ask for the other side");
-    }
-    const std::vector<double>& angles = asked == found.end() ? found.front().angles : asked->angles;
-    for (std::size_t k = 0; k < angles.size(); ++k) {
-      to[place_of(axes_[k]->name)] = angles[k];
-    }
-    return to;
-  }
-
   RotaryTurn turn_of(const RotaryMove& move) {
     RotaryTurn turn;
-    turn.from = at_;
-    turn.to = targets_of(move);
-    at_ = turn.to;
+    turn.from = positions_.at();
+    positions_.follow(move);
+    turn.to = positions_.at();
     double way = 0;
     for (const RotaryAxis* axis : axes_) {
-      const std::size_t place = place_of(axis->name);
+      const std::size_t place = rotary_place(axis->name);
       way = std::hypot(way, turn.to[place] - turn.from[place]);
     }
     if (way < same_angle) {
@@ -267,7 +192,7 @@ class RotaryResolver {
     double least_jerk = HUGE_VAL;
     double longest = 0;
     for (const RotaryAxis* axis : axes_) {
-      const std::size_t place = place_of(axis->name);
+      const std::size_t place = rotary_place(axis->name);
       const double share = std::abs(turn.to[place] - turn.from[place]) / way;
       if (share * way < same_angle) {
         continue;
@@ -289,55 +214,34 @@ class RotaryResolver {
     return turn;
   }
 
-  /// Of the rapid, a line, from rest to rest.
-  double rapid_time(std::size_t i) const {
-    const Segment& segment = from_.segments[i];
-    const Vec3 way = segment.end - from_.start_of(i);
-    double velocity = HUGE_VAL;
-    double acceleration = HUGE_VAL;
-    double jerk = HUGE_VAL;
-    for (int j = 0; j < 3; ++j) {
-      const double share = std::abs(way[j]) / segment.length;
-      const AxisLimits* axis = machine_.axes.find(coordinate_names[static_cast<std::size_t>(j)]);
-      if (share > 0 && axis != nullptr) {
-        velocity = std::min(velocity, axis->velocity / share);
-        acceleration = std::min(acceleration, axis->acceleration / share);
-        jerk = std::min(jerk, axis->jerk / share);
-      }
-    }
-    return segment.length > 0 ? rest_to_rest_time(segment.length, velocity, acceleration, jerk) : 0;
-  }
-
-  void pause(RotaryTurn turn, double time, std::uint32_t line) {
+  void pause(RotaryTurn turn, std::uint32_t line) {
     turn.segment = path_.segments.size();
-    if (time > 0) {
-      Segment segment;
-      segment.kind = SegmentKind::dwell;
-      segment.line = line;
-      segment.end = path_.segments.empty() ? path_.start : path_.segments.back().end;
-      segment.index = static_cast<std::int32_t>(path_.pauses.size());
-      if (!path_.segments.empty()) {
-        segment.path_control = path_.segments.back().path_control;
-        segment.spindle = path_.segments.back().spindle;
-      }
-      path_.pauses.push_back({time, Pause::indexing, true, 0, turn.axis});
-      path_.segments.push_back(segment);
+    Segment segment;
+    segment.kind = SegmentKind::dwell;
+    segment.line = line;
+    segment.end = path_.segments.empty() ? path_.start : path_.segments.back().end;
+    segment.index = static_cast<std::int32_t>(path_.pauses.size());
+    if (!path_.segments.empty()) {
+      segment.path_control = path_.segments.back().path_control;
+      segment.spindle = path_.segments.back().spindle;
     }
+    path_.pauses.push_back({turn.time, Pause::indexing, true, 0, turn.axis});
+    path_.segments.push_back(segment);
     path_.rotary_turns.push_back(turn);
   }
 
   const Toolpath& from_;
   const Machine& machine_;
   KinematicChain chain_;
+  Toolpath path_;
+  RotaryNotes notes_{path_};
+  RotaryPositions positions_;
   TurnLimiter limiter_;
   const std::vector<const RotaryAxis*>& axes_;  ///< in the order of the chain
-  std::array<double, 3> at_{};                  ///< [rad]
   std::vector<SegmentTurn> along_;              ///< by segment of from_
   std::size_t next_along_ = 0;
   std::map<std::size_t, double> feeds_;  ///< of segments of from_, along their own length [mm/s]
   bool tip_reported_ = false;
-  Toolpath path_;
-  RotaryNotes notes_{path_};
 };
 
 }  // namespace

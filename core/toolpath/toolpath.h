@@ -26,13 +26,12 @@ struct ToolpathPause {
 
 /// A turn of rotary axes on a machine, from rest to rest.
 struct RotaryTurn {
-  std::size_t segment = 0;       ///< its pause, or what follows it where it has none
+  std::size_t segment = 0;       ///< its pause
   std::array<double, 3> from{};  ///< angles of A, B and C [rad]
   std::array<double, 3> to{};
   double time = 0;        ///< that it takes [s]
   std::int8_t axis = -1;  ///< that takes this time, a place in cause_axes
   double feed = 0;        ///< of all axes together, which arrive together [rad/s]; 0: each as fast as it can
-  bool beside_rapid = false;  ///< begins with the rapid before `segment`; its pause is what is left then
 };
 
 /// One geometric element of the programmed path; it starts where the one before ends. A dwell ends where it
@@ -71,12 +70,14 @@ struct SegmentTurn {
   std::array<double, 3> from{};  ///< angles of A, B and C [rad]
   std::array<double, 3> to{};
   TurnLimit limit;
-  double tilt = -1;         ///< of the tool to the first of two rotary axes, in the middle [rad]; -1: only one
+  double tilt = -1;  ///< of the tool to the first of two rotary axes, in the middle [rad]; -1: only one
   double acceleration = 0;  ///< along it, at the speed of `limit` [mm/s2]
   double jerk = 0;          ///< [mm/s3]
   std::int8_t acceleration_axis = -1;
   std::int8_t jerk_axis = -1;
   bool at_tip = false;  ///< tool centre point control is on
+  /// The tool's direction goes along a great circle, else the axes go linearly.
+  bool great_circle = false;
 };
 
 /// Where two feed segments meet along which rotary axes have different slopes: each goes over from one to the
@@ -122,12 +123,13 @@ struct Toolpath {
   std::vector<std::string> cutting_axes;                  ///< as Program::cutting_axes
   /// As Program::rotary_moves with segments for motions; none once a machine has made pauses of them.
   std::vector<RotaryMove> rotary_moves;
-  std::vector<SegmentTurn> segment_turns;      ///< in which rotary axes turn, by segment
-  std::vector<TurnJoint> turn_joints;          ///< by segment
-  std::vector<RotaryTurn> rotary_turns;        ///< what they came to on the machine
-  std::vector<SingularPlace> singular_places;  ///< in the order of the path
-  std::vector<Diagnostic> machine_faults;      ///< what the machine cannot do
-  std::vector<ZeroPoint> zero_points;          ///< of Program::work_offsets
+  std::vector<SegmentTurn> segment_turns;                   ///< in which rotary axes turn, by segment
+  std::vector<TurnJoint> turn_joints;                       ///< by segment
+  Eigen::Matrix3d part_turn = Eigen::Matrix3d::Identity();  ///< of the part's frame on the machine
+  std::vector<RotaryTurn> rotary_turns;                     ///< what they came to on the machine
+  std::vector<SingularPlace> singular_places;               ///< in the order of the path
+  std::vector<Diagnostic> machine_faults;                   ///< what the machine cannot do
+  std::vector<ZeroPoint> zero_points;                       ///< of Program::work_offsets
   /// The text, where it is words of G code, which some controls read in ways of their own; null: none.
   std::shared_ptr<const SourceText> source;
   bool read_by_control = false;  ///< `source` has been read in a control's own way

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/base/units.h"
+#include "core/toolpath/turn_course.h"
 
 namespace feedscope {
 namespace {
@@ -20,10 +22,6 @@ constexpr std::size_t linear_count = coordinate_names.size();
 constexpr double steepest = 1.5;
 constexpr double most_bent = 6;
 constexpr double farthest = 3.0 / 32;
-
-std::size_t place_of(const RotaryAxis& axis) {
-  return rotary_names.find(axis.name);
-}
 
 std::size_t linear_place(char name) {
   return static_cast<std::size_t>(name - 'X');
@@ -42,12 +40,34 @@ CurvePoint point_at(const Toolpath& path, std::size_t i, double along) {
   return at;
 }
 
-Angles slopes_of(const Toolpath& path, const SegmentTurn* turn) {
+/// Of a turn along a segment, at its end or its start; zero for none.
+Angles slopes_of(const Toolpath& path, const KinematicChain& chain, const SegmentTurn* turn, bool at_end) {
   Angles slopes{};
-  for (std::size_t i = 0; turn != nullptr && i < slopes.size(); ++i) {
-    slopes[i] = (turn->to[i] - turn->from[i]) / path.segments[turn->segment].length;
+  if (turn == nullptr) {
+    return slopes;
+  }
+  const double length = path.segments[turn->segment].length;
+  const std::vector<Series> angles = TurnCourse(chain, *turn, length).at(at_end ? length : 0);
+  for (std::size_t k = 0; k < angles.size(); ++k) {
+    slopes[rotary_place(chain.axes()[chain.rotary()[k]].name)] = angles[k].d1();
   }
   return slopes;
+}
+
+/// Shares of a segment at which the derivatives along it are looked at: even ones, and on a great circle
+/// those about the place nearest to the pole, where the first axis is fastest.
+std::vector<double> places_along(const TurnCourse& course, const SegmentTurn& turn, double length) {
+  const int even = turn.great_circle ? 17 : 5;
+  std::vector<double> places;
+  for (int i = 0; i < even; ++i) {
+    places.push_back(i / (even - 1.0));
+  }
+  if (const std::optional<double> pole = course.nearest_to_pole()) {
+    for (const double away : {-0.01, -0.001, 0.0, 0.001, 0.01}) {
+      places.push_back(std::clamp(*pole / length + away, 0.0, 1.0));
+    }
+  }
+  return places;
 }
 
 /// Keeps the lower of the two.
@@ -59,8 +79,17 @@ void lower(TurnLimit& limit, double speed, TurnLimit::By by, double slope, std::
 
 }  // namespace
 
-TurnLimiter::TurnLimiter(const Machine& machine, const KinematicChain& chain, const Settings& settings)
-    : machine_(machine), chain_(chain), knows_linear_(machine.kinematics.tool_length.has_value()) {
+TurnLimiter::TurnLimiter(const Machine& machine, const KinematicChain& chain, const Settings& settings,
+                         const Eigen::Matrix3d& part_turn)
+    : machine_(machine),
+      chain_(chain),
+      part_turn_(part_turn),
+      tool_length_(machine.kinematics.tool_length.value_or(0)),
+      knows_linear_(machine.kinematics.tool_length.has_value()) {
+  if (settings.has("tool_length_mm")) {
+    tool_length_ = settings.number("tool_length_mm");
+    knows_linear_ = true;
+  }
   for (const std::size_t axis : chain.rotary()) {
     axes_.push_back(machine.kinematics.find(chain.axes()[axis].name));
   }
@@ -90,21 +119,26 @@ TurnLimiter::Courses TurnLimiter::still() const {
     courses[linear_place(name)] = {0, 0, 0, limit.velocity, limit.acceleration, limit.jerk};
   }
   for (const RotaryAxis* axis : axes_) {
-    courses[linear_count + place_of(*axis)] = {0, 0, 0, axis->velocity, axis->acceleration, axis->jerk};
+    courses[linear_count + rotary_place(axis->name)] = {0,         0, 0, axis->velocity, axis->acceleration,
+                                                        axis->jerk};
   }
   return courses;
 }
 
 std::array<Series, 3> TurnLimiter::tip_at(const CurvePoint& at) const {
+  const Vec3 position = part_turn_ * at.position + part_zero_;
+  const Vec3 d1 = part_turn_ * at.d1;
+  const Vec3 d2 = part_turn_ * at.d2;
+  const Vec3 d3 = part_turn_ * at.d3;
   std::array<Series, 3> tip;
   for (int j = 0; j < 3; ++j) {
-    tip[static_cast<std::size_t>(j)] = {at.position[j] + part_zero_[j], at.d1[j], at.d2[j], at.d3[j]};
+    tip[static_cast<std::size_t>(j)] = {position[j], d1[j], d2[j], d3[j]};
   }
   return tip;
 }
 
 void TurnLimiter::add_linear(const CurvePoint& at, std::span<const Series> angles, Courses& courses) const {
-  const std::vector<Series> all = chain_.courses(tip_at(at), angles, *machine_.kinematics.tool_length);
+  const std::vector<Series> all = chain_.courses(tip_at(at), angles, tool_length_);
   for (const std::size_t k : chain_.linear()) {
     courses[linear_place(chain_.axes()[k].name)].add(all[k]);
   }
@@ -112,19 +146,15 @@ void TurnLimiter::add_linear(const CurvePoint& at, std::span<const Series> angle
 
 void TurnLimiter::set_limits(const Toolpath& path, SegmentTurn& turn) const {
   Courses courses = still();
-  const Angles slopes = slopes_of(path, &turn);
-  for (const RotaryAxis* axis : axes_) {
-    courses[linear_count + place_of(*axis)].first = std::abs(slopes[place_of(*axis)]);
-  }
-  if (turn.at_tip && knows_linear_) {
-    constexpr int places = 5;
-    for (int i = 0; i < places; ++i) {
-      const double along = i / (places - 1.0);
-      Angles angles{};
-      for (std::size_t k = 0; k < angles.size(); ++k) {
-        angles[k] = turn.from[k] + along * (turn.to[k] - turn.from[k]);
-      }
-      add_linear(point_at(path, turn.segment, along), angles_at(angles, slopes, 0, 0, {}), courses);
+  const double length = path.segments[turn.segment].length;
+  const TurnCourse course(chain_, turn, length);
+  for (const double along : places_along(course, turn, length)) {
+    const std::vector<Series> angles = course.at(along * length);
+    for (std::size_t k = 0; k < axes_.size(); ++k) {
+      courses[linear_count + rotary_place(axes_[k]->name)].add(angles[k]);
+    }
+    if (turn.at_tip && knows_linear_) {
+      add_linear(point_at(path, turn.segment, along), angles, courses);
     }
   }
   turn.limit = {};
@@ -159,19 +189,15 @@ void TurnLimiter::set_limits(const Toolpath& path, SegmentTurn& turn) const {
       turn.jerk_axis = static_cast<std::int8_t>(i);
     }
   }
-  Angles middle{};
-  for (std::size_t i = 0; i < middle.size(); ++i) {
-    middle[i] = (turn.from[i] + turn.to[i]) / 2;
-  }
-  turn.tilt = tilt_at(middle);
+  turn.tilt = tilt_at(course.angles(course.nearest_to_pole().value_or(length / 2)));
 }
 
 TurnJoint TurnLimiter::joint(const Toolpath& path, std::size_t segment, const SegmentTurn* before,
                              const SegmentTurn* behind) const {
   TurnJoint joint;
   joint.segment = segment;
-  const Angles from = slopes_of(path, before);
-  const Angles to = slopes_of(path, behind);
+  const Angles from = slopes_of(path, chain_, before, true);
+  const Angles to = slopes_of(path, chain_, behind, false);
   const Angles angles = before != nullptr ? before->to : behind->from;
   const bool at_tip = (before != nullptr && before->at_tip) || (behind != nullptr && behind->at_tip);
   double largest = 0;
@@ -190,8 +216,8 @@ TurnJoint TurnLimiter::joint(const Toolpath& path, std::size_t segment, const Se
   const double way = 2 * joint.half;
   Courses courses = still();
   for (const RotaryAxis* axis : axes_) {
-    const double step = std::abs(joint.step[place_of(*axis)]);
-    AxisCourse& course = courses[linear_count + place_of(*axis)];
+    const double step = std::abs(joint.step[rotary_place(axis->name)]);
+    AxisCourse& course = courses[linear_count + rotary_place(axis->name)];
     course.second = steepest * step / way;
     course.third = most_bent * step / (way * way);
   }
@@ -222,10 +248,10 @@ void TurnLimiter::allow_jump(const CurvePoint& place, const Angles& angles, cons
                              const Angles& to, bool at_tip, TurnJoint& joint) const {
   Courses courses = still();
   for (const RotaryAxis* axis : axes_) {
-    courses[linear_count + place_of(*axis)].first = std::abs(joint.step[place_of(*axis)]);
+    courses[linear_count + rotary_place(axis->name)].first = std::abs(joint.step[rotary_place(axis->name)]);
   }
   if (at_tip && knows_linear_) {
-    const double length = *machine_.kinematics.tool_length;
+    const double length = tool_length_;
     const std::vector<Series> before =
         chain_.courses(tip_at(place), angles_at(angles, from, 0, 0, {}), length);
     const std::vector<Series> behind = chain_.courses(tip_at(place), angles_at(angles, to, 0, 0, {}), length);
@@ -250,7 +276,7 @@ std::vector<Series> TurnLimiter::angles_at(const Angles& angles, const Angles& s
                                            double third, const Angles& step) const {
   std::vector<Series> series;
   for (const RotaryAxis* axis : axes_) {
-    const std::size_t i = place_of(*axis);
+    const std::size_t i = rotary_place(axis->name);
     series.emplace_back(angles[i], slopes[i], second * step[i], third * step[i]);
   }
   return series;
@@ -263,7 +289,7 @@ double TurnLimiter::tilt_at(const Angles& angles) const {
   }
   std::vector<double> places(chain_.size(), 0);
   for (const std::size_t k : chain_.rotary()) {
-    places[k] = angles[rotary_names.find(chain_.axes()[k].name)];
+    places[k] = angles[rotary_place(chain_.axes()[k].name)];
   }
   const double along =
       std::abs(chain_.pose(places, 0).direction.dot(chain_.axes()[chain_.rotary()[0]].direction));

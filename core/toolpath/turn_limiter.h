@@ -19,9 +19,10 @@ inline constexpr double jump_share = 0.2;
 /// every axis along it (KinematicChain::courses(); core/models/README.md, "Rotary axes").
 class TurnLimiter {
  public:
-  /// `chain`: of the machine; both outlive it. Of the settings it reads part_zero_x_mm ...,
-  /// orientation_tolerance_deg and interpolation_period_s.
-  TurnLimiter(const Machine& machine, const KinematicChain& chain, const Settings& settings);
+  /// `chain`: of the machine; both outlive it. Of the settings it reads tool_length_mm,
+  /// part_zero_x_mm ..., orientation_tolerance_deg and interpolation_period_s. `part_turn`: as Toolpath's.
+  TurnLimiter(const Machine& machine, const KinematicChain& chain, const Settings& settings,
+              const Eigen::Matrix3d& part_turn);
 
   /// The rotary axes in the order of the chain.
   const std::vector<const RotaryAxis*>& axes() const { return axes_; }
@@ -65,6 +66,8 @@ class TurnLimiter {
   const Machine& machine_;
   const KinematicChain& chain_;
   std::vector<const RotaryAxis*> axes_;
+  Eigen::Matrix3d part_turn_;
+  double tool_length_ = 0;         ///< [mm]
   Vec3 part_zero_ = Vec3::Zero();  ///< [mm]
   bool knows_linear_ = false;
   double tolerance_ = 0;  ///< of the orientation [rad]

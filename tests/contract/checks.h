@@ -59,6 +59,10 @@ Result check_stops(const Motion& motion, const Guarantees& promised, const Machi
 Result check_contour(const Motion& motion, const Guarantees& promised, double tolerance,
                      const Machine& machine);
 
+/// Where rotary axes turn (rotary_checks.cpp): their angles go on from part to part, their velocities are the
+/// derivatives, and where the model keeps limits, they keep theirs along feed blocks. Not of filtered motion.
+Result check_rotary(const Motion& motion, const Guarantees& promised, const Machine& machine);
+
 // Runs that must agree with each other (run_checks.cpp).
 
 /// The same bytes when run again.

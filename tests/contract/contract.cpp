@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <fstream>
 
+#include "core/analysis/run.h"
 #include "core/program/program.h"
+#include "core/toolpath/machine_toolpath.h"
 
 namespace feedscope::contract {
 namespace {
@@ -37,8 +39,8 @@ std::vector<Finding> check_run(const Toolpath& toolpath, const Inputs& inputs) {
         check_feed(motion, promised), check_stops(motion, promised, inputs.machine),
         check_contour(motion, promised, tolerance, inputs.machine), check_derivatives(motion),
         check_displacement(motion, promised, inputs.machine), check_path_lookup(motion),
-        check_again(motion, inputs), check_split(motion, promised, inputs),
-        check_bound(motion, promised, inputs)}) {
+        check_rotary(motion, promised, inputs.machine), check_again(motion, inputs),
+        check_split(motion, promised, inputs), check_bound(motion, promised, inputs)}) {
     if (result) {
       broken.push_back(*result);
     }
@@ -51,10 +53,12 @@ std::vector<Finding> check_run(const Toolpath& toolpath, const Inputs& inputs) {
 std::vector<Finding> check_case(const Case& example) {
   try {
     const Program program =
-        read_program(std::make_shared<const SourceText>(SourceText("program", text_of(example))));
+        read_program(std::make_shared<const SourceText>(SourceText("program", text_of(example))), nullptr,
+                     reading_on({}, example.machine));
     const ControlModel& model = find_model(example.model);
     const Settings settings = complete_settings(model, example.machine);
-    const auto path = std::make_shared<const Toolpath>(build_toolpath(program));
+    const auto path =
+        on_machine(std::make_shared<const Toolpath>(build_toolpath(program)), example.machine, settings);
     return check_run(*model.read(path, settings).path, {model, example.machine, settings});
   } catch (const std::exception& error) {
     return {Finding{"throws", error.what()}};

@@ -9,6 +9,7 @@
 
 #include "core/analysis/run.h"
 #include "tests/contract/hand_cases.h"
+#include "tests/contract/rotary_case.h"
 #include "tests/support/folders.h"
 
 namespace feedscope::contract {
@@ -141,6 +142,14 @@ TEST_P(ModelContract, HoldsOnRandomProgramsWithoutAnyTolerance) {
     Case example = random_case(GetParam(), seed, number);
     example.machine.settings.set(tolerance_key, 0.0);
     found_.check(example, "exact-" + std::to_string(number));
+  }
+}
+
+TEST_P(ModelContract, HoldsOnRandomFiveAxisPrograms) {
+  const std::uint64_t programs = GetParam() == "optimal" ? 40 : 200;
+  constexpr std::uint64_t seed = 2028;
+  for (std::uint64_t number = 0; number < programs && !HasFailure(); ++number) {
+    found_.check(rotary_case(GetParam(), seed, number), "five-axis-" + std::to_string(number));
   }
 }
 

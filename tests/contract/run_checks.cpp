@@ -10,12 +10,28 @@
 namespace feedscope::contract {
 namespace {
 
+/// Those of a list by segment that are in [first, last), counted from `first`.
+template <typename Item>
+std::vector<Item> items_of(const std::vector<Item>& items, std::size_t first, std::size_t last) {
+  std::vector<Item> found;
+  for (Item item : items) {
+    if (item.segment >= first && item.segment < last) {
+      item.segment -= first;
+      found.push_back(item);
+    }
+  }
+  return found;
+}
+
 /// Segments [first, last) of `whole` as a path of their own.
 Toolpath part_of(const Toolpath& whole, std::size_t first, std::size_t last) {
   Toolpath part = whole;
   part.start = whole.start_of(first);
   part.segments.assign(whole.segments.begin() + static_cast<std::ptrdiff_t>(first),
                        whole.segments.begin() + static_cast<std::ptrdiff_t>(last));
+  part.segment_turns = items_of(whole.segment_turns, first, last);
+  part.turn_joints = items_of(whole.turn_joints, first, last);
+  part.rotary_turns = items_of(whole.rotary_turns, first, last);
   return part;
 }
 

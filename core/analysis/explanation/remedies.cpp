@@ -182,6 +182,10 @@ void add_for_blend(Candidates& candidates, Cause cause) {
   }
 }
 
+bool is_rotary(Cause cause) {
+  return cause.axis >= static_cast<std::int8_t>(known_axes.size());
+}
+
 void add_for(Candidates& candidates, Cause cause, const Setup& setup) {
   if (cause.kind >= CauseKind::blend_velocity && cause.kind <= CauseKind::blend_tangential_jerk &&
       cause.axis >= 0) {
@@ -237,6 +241,12 @@ void add_for(Candidates& candidates, Cause cause, const Setup& setup) {
   }
   if (cause.axis < 0) {
     return;
+  }
+  if (is_rotary(cause) &&
+      (cause.kind == CauseKind::axis_acceleration || cause.kind == CauseKind::axis_jerk)) {
+    const std::string key = "orientation_tolerance_deg";
+    const double now = candidates.has(key) ? setup.settings.number(key) : usual_orientation_tolerance_deg;
+    candidates.set(key, 2 * now);
   }
   switch (cause.kind) {
     case CauseKind::axis_velocity:
@@ -342,6 +352,10 @@ LoadedProgram with_feed(const LoadedProgram& program, double factor) {
   auto toolpath = std::make_shared<Toolpath>(*program.toolpath);
   for (Segment& segment : toolpath->segments) {
     segment.feed *= factor;
+  }
+  for (RotaryMove& move : toolpath->rotary_moves) {
+    move.feed *= factor;
+    move.time /= factor;
   }
   changed.toolpath = std::move(toolpath);
   return changed;

@@ -40,7 +40,8 @@ Trajectory CamModel::do_simulate(const std::shared_ptr<const Toolpath>& shared, 
     if (segment.kind == SegmentKind::dwell) {
       builder.add_pause(static_cast<std::uint32_t>(i));
     } else {
-      const SpeedBound programmed = programmed_speed(toolpath, i, velocity);
+      const SpeedBound programmed =
+          segment.rapid ? feed_ceiling(toolpath, i, velocity) : programmed_speed(toolpath, i, velocity);
       const std::uint32_t index = builder.add_segment(static_cast<std::uint32_t>(i));
       builder.add_piece({0, 0, programmed.value, 0, 0, index, programmed.cause},
                         segment.length / programmed.value);

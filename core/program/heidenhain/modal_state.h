@@ -25,6 +25,8 @@ struct ModalState {
   /// Q120 to Q122 were read: the angles that the control has calculated for the tilted plane.
   bool calculated_angles = false;
   bool tool_centre_point = false;  ///< M128: X, Y and Z are those of the tip
+  bool shortest_way = false;       ///< M126: rotary axes go the shortest way
+  bool great_circle = false;       ///< PATHCTRL VECTOR: the tool goes along great circles
 
   bool is_inch() const { return unit != 1; }
   double to_mm(double value) const { return value * unit; }

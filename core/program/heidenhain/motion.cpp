@@ -259,13 +259,24 @@ void Motions::orient_tool(const MotionWords& words) {
   end_contour(words.vector_column);
   const bool moves = words.has_axes() || words.has_polar();
   const bool rapid = words.feed_word == FeedWord::rapid;
+  AxisBlock block = turning(rapid);
+  block.alone = !moves;
+  block.great_circle = modal_.great_circle;
   machining_.other_axes.orient_tool(*tool, rapid ? AxisMotion::positions : AxisMotion::at_tip,
-                                    words.vector_column, moves ? AxisBlock() : turning(rapid));
+                                    words.vector_column, block);
+}
+
+/// M128 holds the tip while the axes go linearly, M129 ends it; M126 sends them the shortest way, M127 ends
+/// it.
+void Motions::follow_axis_functions(const MotionWords& words) {
+  modal_.tool_centre_point = (modal_.tool_centre_point || words.has_m(128)) && !words.has_m(129);
+  modal_.great_circle = modal_.great_circle && !words.has_m(128) && !words.has_m(129);
+  modal_.shortest_way = (modal_.shortest_way || words.has_m(126)) && !words.has_m(127);
 }
 
 void Motions::move_other_axes(const MotionWords& words) {
   if (!words.has_other_axes) {
-    modal_.tool_centre_point = (modal_.tool_centre_point || words.has_m(128)) && !words.has_m(129);
+    follow_axis_functions(words);
     return;
   }
   const bool moves = words.has_axes() || words.has_polar();
@@ -277,9 +288,12 @@ void Motions::move_other_axes(const MotionWords& words) {
       return;
     }
   }
-  modal_.tool_centre_point = (modal_.tool_centre_point || words.has_m(128)) && !words.has_m(129);
-  AxisBlock block = moves ? AxisBlock() : turning(rapid);
+  follow_axis_functions(words);
+  AxisBlock block = turning(rapid);
+  block.alone = !moves;
   block.at_tip = modal_.tool_centre_point;
+  block.way = modal_.shortest_way ? AxisBlock::Way::shortest : AxisBlock::Way::written;
+  block.great_circle = modal_.great_circle;
   for (std::size_t i = 0; i < other_axis_letters.size(); ++i) {
     const bool rotary = i < 3;
     const double target = words.other_axes[i].from(other_places_[i]);

@@ -46,6 +46,7 @@ class Motions : private Part {
   /// Reports which word of the block no motion of this kind has.
   void check_words(PathKind kind, const MotionWords& words) const;
   void orient_tool(const MotionWords& words);
+  void follow_axis_functions(const MotionWords& words);
   void move_other_axes(const MotionWords& words);
   AxisBlock turning(bool rapid) const;
   int turn_of(const MotionWords& words);

@@ -184,11 +184,11 @@ void ProgramStatements::tool_centre_point(Scanner& scanner, std::uint32_t column
   modal_.tool_centre_point = true;
   const std::string_view words = scanner.rest();
   const auto has = [&](std::string_view word) { return words.find(word) != std::string_view::npos; };
-  if (has("F CONT") || has("AXIS SPAT") || has("PATHCTRL VECTOR") || has("REFPNT TIP-CENTER") ||
-      has("REFPNT CENTER-CENTER")) {
+  modal_.great_circle = has("PATHCTRL VECTOR");
+  if (has("F CONT") || has("AXIS SPAT") || has("REFPNT TIP-CENTER") || has("REFPNT CENTER-CENTER")) {
     report(Severity::info, "unread-statement", 90, column, [] {
-      return Text{"FUNCTION TCPM is followed as with F TCP, AXIS POS, PATHCTRL AXIS and REFPNT TIP-TIP",
-                  "F holds at the tip, angles are those of the axes, which go linearly along each block"};
+      return Text{"FUNCTION TCPM is followed as with F TCP, AXIS POS and REFPNT TIP-TIP",
+                  "F holds at the tip, and angles are those of the axes"};
     });
   }
 }

@@ -49,8 +49,9 @@ void ModalWords::apply_g(const Block& block, const Word& word) {
   }
   constexpr int tool_centre_point = 434;
   constexpr int tool_vectors = 435;
-  const bool followed =
-      (number == tool_centre_point || number == tool_vectors) && machining_.other_axes.turns();
+  constexpr int turn_tool_axis = 531;
+  const bool followed = (number == tool_centre_point || number == tool_vectors || number == turn_tool_axis) &&
+                        machining_.other_axes.turns();
   if (!code->subject.empty() && !followed) {
     report(code->severity, "unread-g", number, word.column, [&] {
       return Text{fmt::format("{} ({}) is not supported", g_name(number), code->subject),
@@ -58,7 +59,6 @@ void ModalWords::apply_g(const Block& block, const Word& word) {
     });
   }
   apply(*code, word);
-  constexpr int turn_tool_axis = 531;
   if (code->group == GGroup::tool_length) {
     modal_.tool_vectors = number == tool_vectors && machining_.other_axes.turns();
     modal_.tool_centre_point = number == tool_centre_point || modal_.tool_vectors;

@@ -31,10 +31,7 @@ void WordChecks::orient_tool() {
   if (!tool) {
     return;
   }
-  AxisBlock block = beside_motion();
-  if (!words_.has_any("XYZ")) {
-    block = turning_alone(path(), modal_.to_mm(1), !cuts);
-  }
+  const AxisBlock block = beside_motion(!words_.has_any("XYZ"), !cuts);
   machining_.other_axes.orient_tool(*tool, cuts ? AxisMotion::at_tip : AxisMotion::positions, column, block);
 }
 
@@ -56,7 +53,7 @@ void WordChecks::check_other_axes() {
       const bool rotary = i < 3;
       machining_.other_axes.move(axes.substr(i, 1), target,
                                  rotary && !cuts ? AxisMotion::positions : AxisMotion::cuts, word.column,
-                                 alone ? turning_alone(path(), modal_.to_mm(1), !cuts) : beside_motion());
+                                 beside_motion(alone, !cuts));
     }
     other_axes_[i] = target;
   }
@@ -64,8 +61,9 @@ void WordChecks::check_other_axes() {
 
 /// F of Fanuc and its kin holds along all axes, a degree as a millimetre or inch; LinuxCNC's along X, Y and
 /// Z.
-AxisBlock WordChecks::beside_motion() const {
-  AxisBlock block;
+AxisBlock WordChecks::beside_motion(bool alone, bool rapid) const {
+  AxisBlock block = turning_alone(path(), modal_.to_mm(1), rapid);
+  block.alone = alone;
   block.at_tip = modal_.tool_centre_point;
   block.per_degree = is_linuxcnc() || path().feed_mode() == FeedMode::inverse_time ? 0 : modal_.to_mm(1);
   return block;

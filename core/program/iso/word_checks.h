@@ -17,7 +17,7 @@ class WordChecks : private Part {
   void check_other_axes();
   /// I, J and K of a line under G43.5.
   void orient_tool();
-  AxisBlock beside_motion() const;
+  AxisBlock beside_motion(bool alone, bool rapid) const;
   void check_unused() const;
 
   std::array<double, 6> other_axes_{};  ///< A B C U V W as written

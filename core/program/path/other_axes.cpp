@@ -45,8 +45,7 @@ void OtherAxes::report_feed(char axis, bool at_tip, std::uint32_t column) {
       at_tip ? Severity::info : Severity::warning, "rotary-feed", at_tip ? 1 : 0, lines_.place(column), [&] {
         return at_tip
                    ? DiagnosticLog::Text{fmt::format("axis {} turns in feed motions of the tool's tip", axis),
-                                         "its limits hold along each block; where blocks meet, its "
-                                         "velocity may jump"}
+                                         "its limits hold along each block and where blocks meet"}
                    : DiagnosticLog::Text{
                          fmt::format("axis {} turns in a feed motion of X, Y and Z without tool centre "
                                      "point control",
@@ -60,8 +59,13 @@ void OtherAxes::note_turn(std::size_t axis, double target, AxisMotion motion, st
                           const AxisBlock& block) {
   constexpr double half = 180;
   double way = target - programmed_[axis];
-  if (block.shortest) {
-    way -= 2 * half * std::round(way / (2 * half));
+  constexpr double turn = 2 * half;
+  if (block.way == AxisBlock::Way::shortest) {
+    way -= turn * std::round(way / turn);
+  } else if (block.way == AxisBlock::Way::positive) {
+    way -= turn * std::floor(way / turn);
+  } else if (block.way == AxisBlock::Way::negative) {
+    way -= turn * std::ceil(way / turn);
   } else if (std::abs(way) > half && options_.rotary_axes.find(rotary_names[axis]) != std::string::npos) {
     log_.add(Severity::info, "rotary-way", static_cast<int>(axis), lines_.place(column), [&] {
       return DiagnosticLog::Text{
@@ -69,6 +73,16 @@ void OtherAxes::note_turn(std::size_t axis, double target, AxisMotion motion, st
                       programmed_[axis], target),
           "a control whose axis takes the shortest way turns less; its time is that of the way as written"};
     });
+  }
+  if (const std::vector<RotaryMove>& moves = program_.rotary_moves;
+      !moves.empty() && moves.back().direction && moves.back().block == lines_.block_count() &&
+      options_.rotary_axes.find(rotary_names[axis]) != std::string::npos) {
+    log_.add(Severity::error, "rotary-direction", 3, lines_.place(column), [&] {
+      return DiagnosticLog::Text{
+          fmt::format("the tool's direction and axis {} are given in one block", rotary_names[axis]),
+          "the direction is used; remove one of them"};
+    });
+    return;
   }
   RotaryMove& move = move_of_block();
   move.to[axis] = units::from_deg(at_[axis] + way);
@@ -79,6 +93,7 @@ void OtherAxes::note_turn(std::size_t axis, double target, AxisMotion motion, st
   move.with_rapid = !block.alone && motion == AxisMotion::positions;
   move.with_feed = !block.alone && motion != AxisMotion::positions;
   move.at_tip = move.with_feed && (block.at_tip || motion == AxisMotion::at_tip);
+  move.great_circle = move.at_tip && block.great_circle;
   move.per_degree = move.at_tip ? 0 : block.per_degree;
 }
 
@@ -107,13 +122,17 @@ void OtherAxes::orient_tool(const Vec3& direction, AxisMotion motion, std::uint3
   move.with_rapid = !block.alone && motion == AxisMotion::positions;
   move.with_feed = !block.alone && motion != AxisMotion::positions;
   move.at_tip = move.with_feed && (block.at_tip || motion == AxisMotion::at_tip);
+  move.great_circle = move.at_tip && block.great_circle;
   if (!turns()) {
     this->move("tool orientation", 0, motion, column, block);
   } else if (move.with_feed) {
-    log_.add(Severity::info, "rotary-feed", 2, lines_.place(column), [] {
+    const bool circle = move.great_circle;
+    log_.add(Severity::info, "rotary-feed", circle ? 3 : 2, lines_.place(column), [circle] {
       return DiagnosticLog::Text{"tool vectors turn the rotary axes",
-                                 "to the nearer of two positions, the axes linearly along each block; where "
-                                 "blocks meet, their velocity may jump"};
+                                 circle ? "to the nearer of two positions, the tool along a great circle in "
+                                          "each block; rounded where blocks meet"
+                                        : "to the nearer of two positions, the axes linearly along each "
+                                          "block; rounded where blocks meet"};
     });
   }
 }

@@ -27,8 +27,13 @@ void OtherAxisWords::go(const std::string& name, const BlockWords::Value& word, 
   }
   const bool cuts = modal_.motion == nullptr || modal_.moves_at_feed();
   const double unit = modal_.inch_feed ? units::from_inch(1) : 1;
-  AxisBlock block = alone ? turning_alone(path(), unit, !cuts) : AxisBlock();
-  block.shortest = word.reading == Reading::shortest;
+  AxisBlock block = turning_alone(path(), unit, !cuts);
+  block.alone = alone;
+  block.great_circle = great_circle_;
+  block.way = word.reading == Reading::shortest   ? AxisBlock::Way::shortest
+              : word.reading == Reading::positive ? AxisBlock::Way::positive
+              : word.reading == Reading::negative ? AxisBlock::Way::negative
+                                                  : AxisBlock::Way::written;
   machining_.other_axes.move(is_orientation(name) ? "tool orientation" : name, value,
                              !cuts       ? AxisMotion::positions
                              : oriented_ ? AxisMotion::at_tip
@@ -57,8 +62,10 @@ bool OtherAxisWords::orient(bool alone) {
   }
   const bool cuts = modal_.motion == nullptr || modal_.moves_at_feed();
   const double unit = modal_.inch_feed ? units::from_inch(1) : 1;
-  machining_.other_axes.orient_tool(*tool, cuts ? AxisMotion::at_tip : AxisMotion::positions, column,
-                                    alone ? turning_alone(path(), unit, !cuts) : AxisBlock());
+  AxisBlock block = turning_alone(path(), unit, !cuts);
+  block.alone = alone;
+  block.great_circle = great_circle_;
+  machining_.other_axes.orient_tool(*tool, cuts ? AxisMotion::at_tip : AxisMotion::positions, column, block);
   return true;
 }
 

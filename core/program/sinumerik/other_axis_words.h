@@ -20,9 +20,12 @@ class OtherAxisWords : private Part {
   /// Angles that turn the tool, and components of the vectors that give its direction: "A3", "LEAD".
   static bool is_orientation(std::string_view name);
 
-  /// TRAORI and TRAFOOF: whether X, Y and Z are those of the tool's tip.
+  /// TRAORI and TRAFOOF: whether X, Y and Z are those of the tool's tip. ORIVECT, ORIPLANE and ORIAXES:
+  /// whether its direction goes along great circles or the axes go linearly.
   void follow(const Function& function) {
     oriented_ = (oriented_ || function.name == "TRAORI") && function.name != "TRAFOOF";
+    const bool vector = function.name == "ORIVECT" || function.name == "ORIPLANE";
+    great_circle_ = (great_circle_ || vector) && function.name != "ORIAXES";
   }
   void begin_block() { named_.clear(); }
   /// The axis goes to `value`, [mm] or [deg], with the block; nothing if it is there.
@@ -40,6 +43,7 @@ class OtherAxisWords : private Part {
   std::map<std::string, double> places_;                          ///< by upper-case name
   std::vector<std::pair<std::string, BlockWords::Value>> named_;  ///< of the block
   bool oriented_ = false;
+  bool great_circle_ = false;
 };
 
 }  // namespace feedscope::sinumerik

@@ -66,7 +66,7 @@ Vec3 Targets::center() const {
     if (words_.has(letter)) {
       const double value = to_mm(words_[letter].value);
       const Reading reading = words_[letter].reading;
-      const bool absolute = reading == Reading::absolute || reading == Reading::shortest;
+      const bool absolute = reading != Reading::modal && reading != Reading::incremental;
       center[axis] = absolute ? value : center[axis] + value;
     }
   }

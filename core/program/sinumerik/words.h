@@ -14,6 +14,8 @@ enum class Reading : std::uint8_t {
   absolute,     ///< AC()
   incremental,  ///< IC()
   shortest,     ///< DC()
+  positive,     ///< ACP(): absolute, turning that way
+  negative,     ///< ACN()
 };
 
 /// How a coordinate across the turning axis is meant.

@@ -444,7 +444,7 @@ TEST(ToolVectors, AreTheSameInAllDialects) {
       for (const std::size_t axis : {std::size_t{0}, std::size_t{2}}) {
         EXPECT_NEAR(other->segment_turns[i].to[axis], sinumerik->segment_turns[i].to[axis], 1e-9) << i;
       }
-      EXPECT_NEAR(other->segment_turns[i].speed, sinumerik->segment_turns[i].speed, 1e-6) << i;
+      EXPECT_NEAR(other->segment_turns[i].limit.speed, sinumerik->segment_turns[i].limit.speed, 1e-6) << i;
     }
   }
 }

@@ -9,32 +9,12 @@
 
 #include "core/base/units.h"
 #include "core/toolpath/machine_toolpath.h"
+#include "tests/core/toolpath/table_machine.h"
 
 namespace feedscope {
 namespace {
 
 constexpr double deg = units::pi / 180;
-
-/// C on A in the table, the tool along Z; equal limits of A and C.
-Machine equal_axes() {
-  Machine machine;
-  machine.id = "equal";
-  for (AxisLimits& axis : machine.axes) {
-    axis = {500, 5000, 50000, 50000};
-  }
-  for (const char name : {'A', 'C'}) {
-    RotaryAxis axis;
-    axis.name = name;
-    axis.velocity = 300 * deg;
-    axis.acceleration = 1440 * deg;
-    axis.jerk = 14400 * deg;
-    axis.direction = name == 'A' ? Vec3::UnitX() : Vec3::UnitZ();
-    axis.point = Vec3(0, 0, -300);
-    machine.kinematics.rotary.push_back(axis);
-  }
-  machine.kinematics.chain = "C A X Y frame Z";
-  return machine;
-}
 
 Settings with(std::initializer_list<std::pair<const char*, double>> values) {
   Settings settings;
@@ -45,7 +25,7 @@ Settings with(std::initializer_list<std::pair<const char*, double>> values) {
 }
 
 std::shared_ptr<const Toolpath> path_of(const std::string& text, const Settings& settings,
-                                        const Machine& machine = equal_axes()) {
+                                        const Machine& machine = table_machine()) {
   ReadOptions options;
   options.dialect = Dialect::sinumerik;
   options.unit = LengthUnit::mm;
@@ -102,7 +82,7 @@ TEST(TurnJoints, AreWhereTheFeedGoesOnOnly) {
 }
 
 TEST(TurnJoints, CountTheLinearAxesThatMakeUpForTheTurn) {
-  Machine machine = equal_axes();
+  Machine machine = table_machine();
   machine.kinematics.tool_length = 150;
   const Settings placed = with({{"part_zero_x_mm", 400}, {"part_zero_y_mm", 0}, {"part_zero_z_mm", -300}});
   const auto path = path_of(stops_turning, placed, machine);

@@ -1,0 +1,168 @@
+#include "core/toolpath/rotary_positions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/units.h"
+#include "core/toolpath/turn_course.h"
+
+namespace feedscope {
+namespace {
+
+constexpr double reached = 1e-9;  // [rad]
+
+/// Whether the program says where the tool points, not only where the axes of one machine stand.
+bool says_directions(const std::vector<RotaryMove>& moves) {
+  const auto cuts_by_axes = [](const RotaryMove& move) {
+    return move.with_feed && !move.at_tip && !move.direction;
+  };
+  return std::ranges::none_of(moves, cuts_by_axes) &&
+         std::ranges::any_of(moves, [](const RotaryMove& move) { return move.at_tip || move.direction; });
+}
+
+}  // namespace
+
+Eigen::Matrix3d part_turn(const Settings& settings) {
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::string key = fmt::format("part_angle_{}_deg", "xyz"[axis]);
+    if (settings.has(key)) {
+      const double angle = units::from_deg(settings.number(key));
+      turn = Eigen::AngleAxisd(angle, Vec3::Unit(axis)).toRotationMatrix() * turn;
+    }
+  }
+  return turn;
+}
+
+RotaryPositions::RotaryPositions(const Machine& machine, const KinematicChain& chain,
+                                 const std::vector<RotaryMove>& moves, Toolpath& path, RotaryNotes& notes)
+    : machine_(machine), chain_(chain), path_(path), notes_(notes) {
+  for (const std::size_t axis : chain.rotary()) {
+    axes_.push_back(machine.kinematics.find(chain.axes()[axis].name));
+  }
+  if (path.part_turn.isIdentity()) {
+    return;
+  }
+  if (!says_directions(moves)) {
+    path.part_turn.setIdentity();
+    fault(moves.front().line, Severity::warning, "rotary-position",
+          "the part stays as programmed: the program sends the rotary axes of one machine to angles",
+          "part_angle_x_deg, _y_deg and _z_deg turn the part under programs with tool vectors, tilted planes "
+          "or "
+          "tool centre point control; post this one again");
+    return;
+  }
+  RotaryMove first;
+  first.line = moves.front().line;
+  at_ = angles_for(first, path.part_turn * direction_at(at_));
+}
+
+void RotaryPositions::follow(const RotaryMove& move) {
+  if (move.direction) {
+    at_ = angles_for(move, path_.part_turn * *move.direction);
+    posted_ = path_.part_turn.isIdentity() ? at_ : nearest(*move.direction, posted_);
+    return;
+  }
+  posted_ = asked_by(move);
+  at_ = path_.part_turn.isIdentity() ? posted_ : angles_for(move, path_.part_turn * direction_at(posted_));
+}
+
+std::array<double, 3> RotaryPositions::asked_by(const RotaryMove& move) {
+  std::array<double, 3> to = posted_;
+  for (const RotaryAxis* axis : axes_) {
+    const std::size_t place = rotary_place(axis->name);
+    to[place] = move.to[place].value_or(to[place]);
+    if (path_.part_turn.isIdentity() && (to[place] < axis->minimum.value_or(to[place]) - reached ||
+                                         to[place] > axis->maximum.value_or(to[place]) + reached)) {
+      fault(move.line, Severity::error, "rotary-travel",
+            fmt::format("axis {} goes to {:g} degrees, beyond its travel from {:g} to {:g}", axis->name,
+                        units::to_deg(to[place]), units::to_deg(axis->minimum.value_or(-HUGE_VAL)),
+                        units::to_deg(axis->maximum.value_or(HUGE_VAL))),
+            "the time of the whole way is counted; a control refuses the block");
+    }
+  }
+  return to;
+}
+
+/// `direction` on the machine, the part turned.
+std::array<double, 3> RotaryPositions::angles_for(const RotaryMove& move, const Vec3& direction) {
+  std::array<double, 3> to = at_;
+  std::vector<double> from;
+  for (const RotaryAxis* axis : axes_) {
+    from.push_back(at_[rotary_place(axis->name)]);
+  }
+  std::vector<RotaryPlaces> found = chain_.turn_to(direction, from);
+  if (found.empty()) {
+    const Vec3 asked = path_.part_turn.transpose() * direction;
+    fault(move.line, Severity::error, "rotary-direction",
+          fmt::format("no position of the rotary axes of machine '{}' gives the tool the direction {:.4g}, "
+                      "{:.4g}, {:.4g} of {}{}",
+                      machine_.id, asked.x(), asked.y(), asked.z(),
+                      move.with_feed || move.with_rapid ? "the tool vector" : "the tilted plane",
+                      path_.part_turn.isIdentity() ? "" : " in the part as it is turned"),
+          "the rotary axes stay; tilt less, or choose another machine");
+    return to;
+  }
+  if (move.with_feed) {
+    notes_.add_unclear(move.line, found, from, *axes_.front());
+  }
+  const auto on_side = [&](const RotaryPlaces& places) {
+    return move.side == 0 || move.side * places.angles.back() > -reached;
+  };
+  const auto asked = std::ranges::find_if(found, on_side);
+  if (asked == found.end()) {
+    fault(move.line, Severity::error, "rotary-direction",
+          fmt::format("no position of the rotary axes with {} of axis {} gives the tool the direction of the "
+                      "tilted plane within its travel",
+                      move.side > 0 ? "a positive angle" : "a negative angle", axes_.back()->name),
+          "the other position is used; ask for the other side");
+  }
+  const std::vector<double>& angles = asked == found.end() ? found.front().angles : asked->angles;
+  for (std::size_t k = 0; k < angles.size(); ++k) {
+    to[rotary_place(axes_[k]->name)] = angles[k];
+  }
+  return to;
+}
+
+/// Angles that give the tool the direction, or `from`.
+std::array<double, 3> RotaryPositions::nearest(const Vec3& direction, std::array<double, 3> from) const {
+  std::vector<double> before;
+  for (const RotaryAxis* axis : axes_) {
+    before.push_back(from[rotary_place(axis->name)]);
+  }
+  const std::vector<RotaryPlaces> found = chain_.turn_to(direction, before);
+  for (std::size_t k = 0; !found.empty() && k < axes_.size(); ++k) {
+    from[rotary_place(axes_[k]->name)] = found.front().angles[k];
+  }
+  return from;
+}
+
+Vec3 RotaryPositions::direction_at(const std::array<double, 3>& angles) const {
+  std::vector<double> places(chain_.size(), 0);
+  for (std::size_t k = 0; k < axes_.size(); ++k) {
+    places[chain_.rotary()[k]] = angles[rotary_place(axes_[k]->name)];
+  }
+  return chain_.pose(places, 0).direction;
+}
+
+void RotaryPositions::fault(std::uint32_t line, Severity severity, MessageCode code, std::string message,
+                            std::string hint) {
+  constexpr std::size_t most = 10;  // of a kind
+  const auto same_kind = [&](const Diagnostic& other) {
+    return other.code == code.text() && other.severity == severity;
+  };
+  if (static_cast<std::size_t>(std::ranges::count_if(path_.machine_faults, same_kind)) >= most) {
+    return;
+  }
+  Diagnostic diagnostic;
+  diagnostic.severity = severity;
+  diagnostic.line = line;
+  diagnostic.code = std::string(code.text());
+  diagnostic.message = std::move(message);
+  diagnostic.hint = std::move(hint);
+  path_.machine_faults.push_back(std::move(diagnostic));
+}
+
+}  // namespace feedscope

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "core/kinematics/kinematic_chain.h"
+#include "core/machine/rotary_axis.h"
+#include "core/toolpath/toolpath.h"
+
+namespace feedscope {
+
+/// Of a rotary axis, in lists by rotary_names.
+inline std::size_t rotary_place(char name) {
+  return rotary_names.find(name);
+}
+
+/// How rotary axes go along a segment: linearly by its length, or so that the tool's direction goes along a
+/// great circle at an even rate, by the nearer of the two ways to hold it.
+class TurnCourse {
+ public:
+  /// `chain` outlives it; `length` of the segment [mm].
+  TurnCourse(const KinematicChain& chain, const SegmentTurn& turn, double length);
+
+  /// Angles in the order of KinematicChain::rotary(), with derivatives by the path, `s` from the start [mm].
+  std::vector<Series> at(double s) const;
+  /// The same by rotary_names; those that the chain lacks are zero.
+  std::array<double, 3> angles(double s) const;
+  /// On a great circle: where the tool is nearest to the direction of the first of two rotary axes [mm].
+  std::optional<double> nearest_to_pole() const;
+
+ private:
+  std::vector<Series> linear(double s) const;
+
+  const KinematicChain& chain_;
+  double length_;
+  std::vector<double> from_;
+  std::vector<double> to_;
+  // Of a great circle: the direction at the start, the one a quarter turn on, and how far it goes [rad].
+  Vec3 start_ = Vec3::Zero();
+  Vec3 quarter_ = Vec3::Zero();
+  double swing_ = 0;
+};
+
+}  // namespace feedscope

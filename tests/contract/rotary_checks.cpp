@@ -1,0 +1,90 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/analysis/rotary_course.h"
+#include "tests/contract/checks.h"
+
+namespace feedscope::contract {
+namespace {
+
+constexpr std::size_t axes = rotary_names.size();
+
+/// What the largest turn within a program is, by which its angles are rounded [rad].
+double size_of(const Toolpath& path) {
+  double largest = 1;
+  for (const SegmentTurn& turn : path.segment_turns) {
+    for (std::size_t i = 0; i < axes; ++i) {
+      largest = std::max({largest, std::abs(turn.from[i]), std::abs(turn.to[i])});
+    }
+  }
+  return largest;
+}
+
+/// The velocity in the middle of a part against the difference of the angles beside it.
+Result check_slope(const Motion& motion, const RotaryCourse& course, const Part& part,
+                   const Machine& machine) {
+  constexpr double away = 1e-3;  // of its duration
+  const RotarySample before = course.at(motion.at(part, 0.5 - away));
+  const RotarySample middle = course.at(motion.at(part, 0.5));
+  const RotarySample behind = course.at(motion.at(part, 0.5 + away));
+  const double time = 2 * away * part.duration;
+  for (const RotaryAxis& axis : machine.kinematics.rotary) {
+    const std::size_t i = rotary_names.find(axis.name);
+    const double way = behind.angle[i] - before.angle[i];
+    const double larger = std::max(std::abs(before.velocity[i]), std::abs(behind.velocity[i]));
+    const double rounding = 1e-12 * (1 + std::abs(middle.angle[i]));
+    if (std::abs(way - middle.velocity[i] * time) > 0.05 * larger * time + rounding) {
+      return Finding{"rotary-derivative",
+                     fmt::format("axis {} turns by {} rad in {} s at {} rad/s in line {}", axis.name, way,
+                                 time, middle.velocity[i], motion.toolpath().segments[part.segment].line)};
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+Result check_rotary(const Motion& motion, const Guarantees& promised, const Machine& machine) {
+  const auto run = std::make_shared<const Trajectory>(motion.run());
+  const std::shared_ptr<const RotaryCourse> course = rotary_course_of(run, machine);
+  if (!course || motion.lags()) {
+    return {};
+  }
+  const Toolpath& path = *run->path().programmed();
+  const double rounding = 1e-9 * size_of(path);
+  RotarySample last;
+  for (const Part& part : motion.parts()) {
+    constexpr int samples = 12;
+    for (int k = 0; k <= samples; ++k) {
+      const State state = motion.at(part, static_cast<double>(k) / samples);
+      const RotarySample sample = course->at(state);
+      for (const RotaryAxis& axis : machine.kinematics.rotary) {
+        const std::size_t i = rotary_names.find(axis.name);
+        const bool turns = path.segment_turn(part.segment) != nullptr;
+        const bool of_block = part.place == Place::line || part.place == Place::arc;
+        const bool kept = promised.lines.velocity.of != KeptLimit::Of::nothing;
+        if (kept && turns && of_block &&
+            std::abs(sample.velocity[i]) > 1.001 * promised.feed * axis.velocity + rounding) {
+          return Finding{"rotary-velocity", fmt::format("axis {} at {} rad/s of {} in line {} at {} s",
+                                                        axis.name, sample.velocity[i], axis.velocity,
+                                                        path.segments[part.segment].line, state.time)};
+        }
+        if (&part != &motion.parts().front() && k == 0 &&
+            std::abs(sample.angle[i] - last.angle[i]) > rounding) {
+          return Finding{"rotary-jump", fmt::format("axis {} jumps by {} rad in line {} at {} s", axis.name,
+                                                    sample.angle[i] - last.angle[i],
+                                                    path.segments[part.segment].line, state.time)};
+        }
+      }
+      last = sample;
+    }
+    if (Result wrong = check_slope(motion, *course, part, machine)) {
+      return wrong;
+    }
+  }
+  return {};
+}
+
+}  // namespace feedscope::contract
