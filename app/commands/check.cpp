@@ -15,17 +15,38 @@
 #include "core/analysis/program_facts.h"
 #include "core/base/units.h"
 #include "core/export/export.h"
+#include "core/toolpath/machine_toolpath.h"
 
 namespace feedscope {
 namespace {
 
 struct CheckOptions : ProgramOptions {
   std::string json;
+  std::string machine;  ///< id or file; "": none
 };
+
+/// Reads it for the machine, if one is asked for: its rotary axes turn, and what it cannot do is in the path.
+LoadedProgram load(const CheckOptions& options, const AskedProgram& asked, Progress* progress) {
+  if (options.machine.empty()) {
+    return load_program(asked.source, progress, asked.reading);
+  }
+  SetupRequest request;
+  request.machine = options.machine;
+  const Setup setup = make_setup(request);
+  LoadedProgram loaded = load_program(asked.source, progress, reading_on(asked.reading, setup.machine));
+  loaded.toolpath = on_machine(loaded.toolpath, setup.machine, setup.settings);
+  return loaded;
+}
+
+/// Without the sign of a zero that rounding leaves.
+double shown(double value) {
+  constexpr double least = 5e-5;  // below it four decimals are zeros [mm]
+  return std::abs(value) < least ? 0 : value;
+}
 
 std::string range_text(const Bounds& bounds, Eigen::Index axis) {
   const bool programmed = std::isfinite(bounds.min[axis]) && std::isfinite(bounds.max[axis]);
-  return programmed ? fmt::format("{:.4f} to {:.4f} mm", bounds.min[axis], bounds.max[axis])
+  return programmed ? fmt::format("{:.4f} to {:.4f} mm", shown(bounds.min[axis]), shown(bounds.max[axis]))
                     : "not programmed";
 }
 
@@ -120,11 +141,12 @@ int check(const CheckOptions& options) {
   LoadedProgram loaded;
   {
     Watch watch;
-    loaded = load_program(asked.source, watch.stage("reading"), asked.reading);
+    loaded = load(options, asked, watch.stage("reading"));
   }
   const ProgramFacts facts = facts_of(*loaded.program, *loaded.toolpath);
   note_unused_reading(*loaded.program, asked.reading);
   print_diagnostics(*loaded.program, DiagnosticStyle::with_source);
+  print_diagnostics(loaded.toolpath->machine_faults, *loaded.program);
   if (!options.json.empty()) {
     OutputFile json(options.json);
     json.stream() << check_json(loaded);
@@ -133,7 +155,9 @@ int check(const CheckOptions& options) {
   if (options.json != "-") {
     fmt::print("{}\n{}", asked.source->name(), facts_text(*loaded.program, facts));
   }
-  return has_errors(loaded.program->diagnostics) ? exit_code::program_errors : exit_code::done;
+  return has_errors(loaded.program->diagnostics) || has_errors(loaded.toolpath->machine_faults)
+             ? exit_code::program_errors
+             : exit_code::done;
 }
 
 }  // namespace
@@ -142,6 +166,10 @@ Command add_check_command(CLI::App& app) {
   const auto options = std::make_shared<CheckOptions>();
   CLI::App* command = app.add_subcommand("check", "Read an NC program and report its contents and errors");
   add_program_options(*command, *options);
+  command
+      ->add_option("--machine", options->machine,
+                   "Also what this machine cannot do: ID or FILE; its rotary axes are read")
+      ->type_name("ID|FILE");
   command->add_option("--json", options->json, "Write facts and messages; - for standard output")
       ->type_name("FILE");
   return {command, [options] { return check(*options); }};

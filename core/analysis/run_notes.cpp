@@ -80,6 +80,26 @@ const char* jump_note(const Setup& setup) {
                    : nullptr;
 }
 
+const char* limits_note(const Setup& setup) {
+  const Guarantees promised = setup.model->guarantees(setup.settings);
+  const bool holds = promised.lines.acceleration.of != KeptLimit::Of::nothing;
+  return holds || !promised.limits_jerk
+             ? nullptr
+             : QT_TRANSLATE_NOOP(
+                   "core",
+                   "This model holds no acceleration and jerk limits of the axes: largest values "
+                   "may be above what the machine allows.");
+}
+
+const char* tip_note(const Toolpath& path) {
+  return std::ranges::none_of(path.segment_turns, &SegmentTurn::at_tip)
+             ? nullptr
+             : QT_TRANSLATE_NOOP(
+                   "core",
+                   "Velocity, acceleration and jerk of X, Y and Z are those of the tool's tip in "
+                   "the part; where rotary axes turn, the axes of the machine move otherwise.");
+}
+
 std::string machine_fault_note(const std::vector<Diagnostic>& faults) {
   const auto errors = std::ranges::count(faults, Severity::error, &Diagnostic::severity);
   if (errors < std::ssize(faults)) {  // what is to be known of them, without places beyond reach first
@@ -110,13 +130,15 @@ std::vector<std::string> run_notes(const LoadedProgram& program, const Setup& se
   if (std::string refused = refused_note(refused_lines(program, setup)); !refused.empty()) {
     notes.push_back(std::move(refused));
   }
-  if (std::string faults = machine_fault_note(
-          with_rotary_moves(program.toolpath, setup.machine, setup.settings)->machine_faults);
-      !faults.empty()) {
+  const std::shared_ptr<const Toolpath> path =
+      with_rotary_moves(program.toolpath, setup.machine, setup.settings);
+  if (std::string faults = machine_fault_note(path->machine_faults); !faults.empty()) {
     notes.push_back(std::move(faults));
   }
-  if (const char* const jumps = jump_note(setup)) {
-    notes.emplace_back(jumps);
+  for (const char* const note : {tip_note(*path), limits_note(setup), jump_note(setup)}) {
+    if (note != nullptr) {
+      notes.emplace_back(note);
+    }
   }
   if (const auto unadvised =
           unadvised_tolerance(program.chord_error, tolerance_in_force(program.feed_controls, setup))) {

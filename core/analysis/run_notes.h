@@ -26,6 +26,13 @@ std::vector<std::string> drive_notes(const Machine& machine);
 /// translatable.
 const char* jump_note(const Setup& setup);
 
+/// Of a model that limits jerk, but by no limits of the axes: that these may be exceeded; else null;
+/// translatable.
+const char* limits_note(const Setup& setup);
+/// Where rotary axes turn under tool centre point control: whose motion the figures of X, Y and Z are; else
+/// null; translatable.
+const char* tip_note(const Toolpath& path);
+
 /// What of the program the machine cannot do, in one sentence; empty if nothing.
 std::string machine_fault_note(const std::vector<Diagnostic>& faults);
 

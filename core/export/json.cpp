@@ -322,6 +322,14 @@ Json contour_json(const ContourReport& report) {
             {"side", histogram_json(report, ContourBins::sides)}}}};
 }
 
+/// Of the reader, then what the machine that the path is for cannot do.
+std::vector<Diagnostic> messages_of(const LoadedProgram& program) {
+  std::vector<Diagnostic> all = program.program->diagnostics;
+  const std::vector<Diagnostic>& faults = program.toolpath->machine_faults;
+  all.insert(all.end(), faults.begin(), faults.end());
+  return all;
+}
+
 }  // namespace
 
 Json run_head_json(const LoadedProgram& program, const ComparedRun& run) {
@@ -331,7 +339,7 @@ Json run_head_json(const LoadedProgram& program, const ComparedRun& run) {
 }
 
 Json run_end_json(const LoadedProgram& program, const ComparedRun& run) {
-  std::vector<Diagnostic> all = program.program->diagnostics;
+  std::vector<Diagnostic> all = messages_of(program);
   const std::vector<Diagnostic> refused = refused_lines(program, run.setup);
   all.insert(all.end(), refused.begin(), refused.end());
   return {{"diagnostics", diagnostics(all)},
@@ -461,7 +469,7 @@ std::string study_json(const LoadedProgram& program, const Study& study) {
 std::string check_json(const LoadedProgram& program) {
   Json json = with_format("check");
   json["program"] = program_json(*program.program, *program.toolpath);
-  json["diagnostics"] = diagnostics(program.program->diagnostics);
+  json["diagnostics"] = diagnostics(messages_of(program));
   json["elapsed"] = {{"read_s", program.read_time}};
   return text_of(json);
 }

@@ -79,6 +79,10 @@ void lower(TurnLimit& limit, double speed, TurnLimit::By by, double slope, std::
 
 }  // namespace
 
+bool is_rotary_setting(std::string_view key) {
+  return key == "tool_length_mm" || key == "orientation_tolerance_deg" || key.starts_with("part_angle_");
+}
+
 TurnLimiter::TurnLimiter(const Machine& machine, const KinematicChain& chain, const Settings& settings,
                          const Eigen::Matrix3d& part_turn)
     : machine_(machine),

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "core/kinematics/kinematic_chain.h"
@@ -9,6 +10,10 @@
 #include "core/toolpath/toolpath.h"
 
 namespace feedscope {
+
+/// Whether a setting counts only where a machine has rotary axes: tool_length_mm, orientation_tolerance_deg,
+/// part_angle_x_deg ...
+bool is_rotary_setting(std::string_view key);
 
 /// Of what an axis takes up within an interpolation period, that its velocity may jump where blocks meet: the
 /// usual overload factor of 1.2 of a Sinumerik (MD32310) allows (1.2 - 1) A t_cy (SINUMERIK 840D/828D, Basic

@@ -54,6 +54,19 @@ TEST_F(CheckCommand, ListsPathControlByLinesAlsoWhereTheyRunInAnotherOrder) {
   EXPECT_LT(early, out.find("line 5:"));
 }
 
+TEST_F(CheckCommand, TellsWhatAMachineCannotDo) {
+  write("tilted.nc", "G0 X0 Y0 Z0\nG43.4 H1\nG1 X10 A60 F1000\nX20 A10\nM30\n");
+  EXPECT_THAT(run("check tilted.nc --dialect fanuc").err, HasSubstr("which is not simulated"));
+  const Result here = run("check tilted.nc --dialect fanuc --machine five-axis-table-ac");
+  EXPECT_EQ(here.code, 1);
+  EXPECT_THAT(here.err, AllOf(HasSubstr("tilted.nc:3: error: axis A goes to 60 degrees, beyond its travel"),
+                              testing::Not(HasSubstr("not simulated"))));
+  const json report =
+      json::parse(run("check tilted.nc --dialect fanuc --machine five-axis-table-ac --json -").out);
+  EXPECT_EQ(report["diagnostics"].back()["code"], "rotary-travel");
+  EXPECT_EQ(run("check tilted.nc --dialect fanuc --machine no-such").code, 2);
+}
+
 TEST_F(CheckCommand, AsksForTheOffsetThatHasNoValue) {
   write("offsets.nc", "G21 G90\nG54 G0 X0 Y0\nG1 X10 F1000\nG55 X20\nM30\n");
   EXPECT_THAT(run("check offsets.nc").err, HasSubstr("--offset G55=X,Y,Z"));

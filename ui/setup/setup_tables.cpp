@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/toolpath/turn_limiter.h"
 #include "ui/fields/choice_delegate.h"
 #include "ui/fields/number_text.h"
 #include "ui/language/core_texts.h"
@@ -239,6 +240,9 @@ SettingsTable::SettingsTable(SetupEdit& edit, QObject* parent) : SetupTable(edit
 
 void SettingsTable::reload() {
   specs_ = settings_of(*state().file().model);
+  if (state().file().machine.kinematics.empty()) {
+    std::erase_if(specs_, [](const SettingSpec& spec) { return is_rotary_setting(spec.key); });
+  }
 }
 
 int SettingsTable::rowCount(const QModelIndex& parent) const {

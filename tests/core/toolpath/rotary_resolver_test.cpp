@@ -111,15 +111,22 @@ TEST(RotaryMoves, UnderInverseTimeTakeTheTimeOfTheBlock) {
   EXPECT_GT(pause_time(*path), 6);
 }
 
-TEST(RotaryMoves, BesideARapidTakeWhatTheyLastLonger) {
+TEST(RotaryMoves, BesideARapidTurnAlongIt) {
   const auto path = run_on(trunnion(), "G0 X10 Z50\nG0 X110 A45\n");
-  const double rapid = rest_to_rest_time(100, 500, 5000, 50000);
-  EXPECT_NEAR(pause_time(*path), turn_time('A', 45) - rapid, 1e-12);
-  EXPECT_EQ(path->segments.back().kind, SegmentKind::dwell);
-  EXPECT_TRUE(path->rotary_turns.front().beside_rapid);
-  const auto covered = run_on(trunnion(), "G0 X10\nG0 X5000 A1\n");
-  EXPECT_EQ(pause_time(*covered), 0);
-  EXPECT_THAT(turns_of(*covered), ElementsAre("A 1 C 0 by A"));
+  EXPECT_EQ(pause_time(*path), 0);
+  ASSERT_EQ(path->segment_turns.size(), 1U);
+  const SegmentTurn& turn = path->segment_turns.front();
+  EXPECT_EQ(turn.segment, 1U);
+  EXPECT_NEAR(turn.limit.speed, 150 / 0.45, 1e-9) << "0.45 degrees a millimetre";
+  EXPECT_NEAR(turn.acceleration, 720 / 0.45, 1e-9);
+  EXPECT_NEAR(turn.jerk, 7200 / 0.45, 1e-9);
+}
+
+TEST(RotaryMoves, AtAFeedKeepItWhereTheWordsOfXYAndZMoveNothing) {
+  for (const char* block : {"G1 A30 F600\n", "G1 X10 A30 F600\n", "G1 X10 Y0 A30 F600\n"}) {
+    const auto path = run_on(trunnion(), std::string("G1 X10 Y0 F500\n") + block);
+    EXPECT_NEAR(pause_time(*path), turn_time('A', 30, 10 * deg), 1e-9) << block;
+  }
 }
 
 TEST(RotaryMoves, OfATiltedPlaneTakeTheAnglesOfTheChain) {
@@ -339,7 +346,7 @@ TEST(SegmentTurns, SayWhatIsMissingToFollowTheTip) {
   ASSERT_EQ(path->machine_faults.size(), 1);
   EXPECT_EQ(path->machine_faults[0].severity, Severity::info);
   EXPECT_THAT(path->machine_faults[0].message, HasSubstr("not known without tool length and part zero"));
-  EXPECT_NEAR(path->segment_turns.at(0).speed, 300 / 9.0, 1e-9);
+  EXPECT_NEAR(path->segment_turns.at(0).limit.speed, 300 / 9.0, 1e-9);
 }
 
 TEST(SegmentTurns, KnowTheTipInEveryDialect) {
@@ -413,10 +420,9 @@ TEST(ToolVectors, TurnTheAxesToTheirDirection) {
       places[chain.rotary()[1]] = turn.to[0];
       EXPECT_LT((chain.pose(places, 0).direction - directions[i]).norm(), 1e-9) << seed << ' ' << i;
       const std::vector<double> from{turn.from[2], turn.from[0]};
-      const auto largest = [](double a, double b) { return std::max(std::abs(a), std::abs(b)); };
-      const double way = largest(turn.to[2] - turn.from[2], turn.to[0] - turn.from[0]);
+      const double way = std::hypot(turn.to[2] - turn.from[2], turn.to[0] - turn.from[0]);
       for (const RotaryPlaces& other : chain.turn_to(directions[i], from)) {
-        EXPECT_LE(way, largest(other.angles[0] - from[0], other.angles[1] - from[1]) + 1e-9);
+        EXPECT_LE(way, std::hypot(other.angles[0] - from[0], other.angles[1] - from[1]) + 1e-9);
       }
     }
   }

@@ -42,7 +42,7 @@ TEST(TurnJoints, GoOverFromOneSlopeToTheOtherWithinTheOrientationTolerance) {
   const auto path = path_of(stops_turning, with({{"orientation_tolerance_deg", 0.1}}));
   ASSERT_EQ(path->turn_joints.size(), 1) << "where the turn ends; the first block begins at rest";
   const TurnJoint& joint = path->turn_joints[0];
-  EXPECT_EQ(joint.segment, 1);
+  EXPECT_EQ(joint.segment, 0);
   EXPECT_NEAR(joint.step[2], -3 * deg, 1e-12);
   // 3/32 of step and way, 3 degrees a millimetre: a way of 0.1/3 * 32/3 mm.
   const double way = 0.1 / 3 * 32 / 3;
