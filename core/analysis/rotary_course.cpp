@@ -109,6 +109,10 @@ RotaryCourse::Way RotaryCourse::way_of(const State& state) const {
   if (blended.is_executed() && line && length > 0) {
     return executed_way(state, done);
   }
+  if (blended.is_executed() && segment.kind == SegmentKind::arc) {
+    const double share = share_of_arc(path().arc_of(segment), state.position, 0.5);
+    return {i, std::clamp(share, 0.0, 1.0), 1 / segment.length};
+  }
   switch (blended.kind(state.element)) {
     case ElementKind::dwell:
       return {i, 0, 0};
@@ -129,9 +133,7 @@ RotaryCourse::Way RotaryCourse::way_of(const State& state) const {
       if (!line) {
         break;
       }
-      const Vec3 start = path().start_of(i);
-      const double way = (state.position - start).dot(segment.end - start) / segment.length;
-      return {i, std::clamp(way / segment.length, 0.0, 1.0), 1 / segment.length};
+      return on_lines(i, state.position);
     }
     case ElementKind::arc:
       if (segment.kind == SegmentKind::arc) {
@@ -144,6 +146,22 @@ RotaryCourse::Way RotaryCourse::way_of(const State& state) const {
       break;
   }
   return {i, done, length > 0 ? 1 / length : 0};
+}
+
+/// The nearest place on line `i`, or where that is its end, on one of the lines behind it, over which a
+/// smooth curve goes on.
+RotaryCourse::Way RotaryCourse::on_lines(std::uint32_t i, const Vec3& position) const {
+  for (;; ++i) {
+    const Segment& segment = path().segments[i];
+    const Vec3& start = path().start_of(i);
+    const double share = (position - start).dot(segment.end - start) / (segment.length * segment.length);
+    const std::size_t next = i + std::size_t{1};
+    const bool goes_on = next < path().segments.size() && path().segments[next].kind == SegmentKind::line &&
+                         (position - segment.end).dot(path().segments[next].end - segment.end) > 0;
+    if (share < 1 || !goes_on) {
+      return {i, std::clamp(share, 0.0, 1.0), 1 / segment.length};
+    }
+  }
 }
 
 /// On what a control makes of programmed lines: the share of a line is the nearest one, and a rounded corner

@@ -48,6 +48,7 @@ class RotaryCourse {
 
   const Toolpath& path() const { return *trajectory_->path().programmed(); }
   Way way_of(const State& state) const;
+  Way on_lines(std::uint32_t i, const Vec3& position) const;
   Way executed_way(const State& state, double done) const;
   RotarySample along(const SegmentTurn& turn, const Way& way, double speed) const;
   void add_joints(const Way& way, double speed, RotarySample& sample) const;

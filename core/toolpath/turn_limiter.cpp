@@ -198,67 +198,127 @@ void TurnLimiter::set_limits(const Toolpath& path, SegmentTurn& turn) const {
 
 TurnJoint TurnLimiter::joint(const Toolpath& path, std::size_t segment, const SegmentTurn* before,
                              const SegmentTurn* behind) const {
+  Meeting meeting;
+  meeting.from = slopes_of(path, chain_, before, true);
+  meeting.to = slopes_of(path, chain_, behind, false);
+  meeting.angles = before != nullptr ? before->to : behind->from;
+  meeting.at_tip = (before != nullptr && before->at_tip) || (behind != nullptr && behind->at_tip);
+  meeting.begin = point_at(path, segment, 1);
+  meeting.end = point_at(path, segment + 1, 0);
+  meeting.speed_up = {speed_up(meeting.begin, before), speed_up(meeting.end, behind)};
+
   TurnJoint joint;
   joint.segment = segment;
-  const Angles from = slopes_of(path, chain_, before, true);
-  const Angles to = slopes_of(path, chain_, behind, false);
-  const Angles angles = before != nullptr ? before->to : behind->from;
-  const bool at_tip = (before != nullptr && before->at_tip) || (behind != nullptr && behind->at_tip);
+  joint.tilt = tilt_at(meeting.angles);
   double largest = 0;
-  Angles middle{};
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    joint.step[i] = to[i] - from[i];
-    middle[i] = (from[i] + to[i]) / 2;
+  for (std::size_t i = 0; i < joint.step.size(); ++i) {
+    joint.step[i] = meeting.to[i] - meeting.from[i];
     largest = std::max(largest, std::abs(joint.step[i]));
   }
-  joint.half = std::min(path.segments[segment].length, path.segments[segment + 1].length) / 2;
-  if (largest > 0) {
-    joint.half = std::min(joint.half, tolerance_ / (2 * farthest * largest));
+  if (largest == 0) {
+    return joint;
   }
-  joint.tilt = tilt_at(angles);
-
-  const double way = 2 * joint.half;
-  Courses courses = still();
-  for (const RotaryAxis* axis : axes_) {
-    const double step = std::abs(joint.step[rotary_place(axis->name)]);
-    AxisCourse& course = courses[linear_count + rotary_place(axis->name)];
-    course.second = steepest * step / way;
-    course.third = most_bent * step / (way * way);
-  }
-  const CurvePoint place = point_at(path, segment, 1);
-  if (at_tip && knows_linear_) {
-    const double second = steepest / way;
-    const double third = most_bent / (way * way);
-    add_linear(place, angles_at(angles, middle, second, 0, joint.step), courses);
-    add_linear(place, angles_at(angles, from, 0, third, joint.step), courses);
-    add_linear(point_at(path, segment + 1, 0), angles_at(angles, to, 0, -third, joint.step), courses);
-  }
-  for (std::size_t i = 0; i < courses.size(); ++i) {
-    const AxisCourse& axis = courses[i];
-    if (axis.second > 0) {
-      lower(joint.limit, std::sqrt(share * axis.acceleration / axis.second), TurnLimit::By::acceleration,
-            axis.second, i);
-    }
-    if (axis.third > 0) {
-      lower(joint.limit, std::cbrt(share * axis.jerk / axis.third), TurnLimit::By::jerk, axis.third, i);
+  constexpr int halvings = 6;
+  double half = std::min(path.segments[segment].length, path.segments[segment + 1].length) / 2;
+  half = std::min(half, tolerance_ / (2 * farthest * largest));
+  joint.limit.speed = 0;
+  for (int i = 0; i < halvings; ++i, half /= 2) {
+    const TurnLimit limit = rounded_limit(meeting, joint.step, half);
+    if (limit.speed > joint.limit.speed) {
+      joint.limit = limit;
+      joint.half = half;
     }
   }
-  allow_jump(place, angles, from, to, at_tip, joint);
+  if (const TurnLimit jump = jump_limit(meeting, joint.step); jump.speed > joint.limit.speed) {
+    joint.limit = jump;
+    joint.half = 0;
+  }
   return joint;
 }
 
-/// Raises the limit to the speed at which the velocities jump by jump_share of what a period takes up.
-void TurnLimiter::allow_jump(const CurvePoint& place, const Angles& angles, const Angles& from,
-                             const Angles& to, bool at_tip, TurnJoint& joint) const {
+/// How the speed of the tip may grow along a segment [mm/s2].
+double TurnLimiter::speed_up(const CurvePoint& at, const SegmentTurn* turn) const {
+  double acceleration = turn != nullptr ? turn->acceleration : HUGE_VAL;
+  for (int j = 0; j < 3; ++j) {
+    const AxisLimits* axis = machine_.axes.find("XYZ"[j]);
+    if (axis != nullptr && at.d1[j] != 0) {
+      acceleration = std::min(acceleration, axis->acceleration / std::abs(at.d1[j]));
+    }
+  }
+  return acceleration;
+}
+
+/// Where the slopes go over from one to the other within `half` on both sides.
+TurnLimit TurnLimiter::rounded_limit(const Meeting& meeting, const Angles& step, double half) const {
+  const double way = 2 * half;
+  Angles middle{};
+  for (std::size_t i = 0; i < middle.size(); ++i) {
+    middle[i] = (meeting.from[i] + meeting.to[i]) / 2;
+  }
   Courses courses = still();
   for (const RotaryAxis* axis : axes_) {
-    courses[linear_count + rotary_place(axis->name)].first = std::abs(joint.step[rotary_place(axis->name)]);
+    const double of_axis = std::abs(step[rotary_place(axis->name)]);
+    AxisCourse& course = courses[linear_count + rotary_place(axis->name)];
+    course.second = steepest * of_axis / way;
+    course.third = most_bent * of_axis / (way * way);
   }
-  if (at_tip && knows_linear_) {
-    const double length = tool_length_;
-    const std::vector<Series> before =
-        chain_.courses(tip_at(place), angles_at(angles, from, 0, 0, {}), length);
-    const std::vector<Series> behind = chain_.courses(tip_at(place), angles_at(angles, to, 0, 0, {}), length);
+  if (meeting.at_tip && knows_linear_) {
+    const double second = steepest / way;
+    const double third = most_bent / (way * way);
+    add_linear(meeting.begin, angles_at(meeting.angles, middle, second, 0, step), courses);
+    add_linear(meeting.begin, angles_at(meeting.angles, meeting.from, 0, third, step), courses);
+    add_linear(meeting.end, angles_at(meeting.angles, meeting.to, 0, -third, step), courses);
+  }
+  TurnLimit limit;
+  for (std::size_t i = 0; i < courses.size(); ++i) {
+    const AxisCourse& axis = courses[i];
+    if (axis.second > 0) {
+      lower(limit, std::sqrt(share * axis.acceleration / axis.second), TurnLimit::By::acceleration,
+            axis.second, i);
+    }
+    if (axis.third > 0) {
+      lower(limit, std::cbrt(share * axis.jerk / axis.third), TurnLimit::By::jerk, axis.third, i);
+    }
+  }
+  for (const RotaryAxis* axis : axes_) {
+    const std::size_t i = rotary_place(axis->name);
+    const double speed = speed_for_velocity(meeting, i, step[i], half, axis->velocity);
+    lower(limit, speed, TurnLimit::By::velocity, axis->velocity / speed, linear_count + i);
+  }
+  return limit;
+}
+
+/// The speed from which the velocity of a rotary axis stays within its limit while the tip goes on faster on
+/// the side where the axis turns less, still steeper beside the joint than on the rest of the block.
+double TurnLimiter::speed_for_velocity(const Meeting& meeting, std::size_t i, double step, double half,
+                                       double velocity) const {
+  constexpr int places = 8;
+  const bool behind = std::abs(meeting.to[i]) < std::abs(meeting.from[i]);
+  const double flat = behind ? meeting.to[i] : meeting.from[i];
+  const double speed_up = meeting.speed_up[behind ? 1 : 0];
+  double least = HUGE_VAL;  // square of the speed
+  for (int k = 0; k <= places; ++k) {
+    const double away = half * k / places;
+    const double slope = std::abs(flat + joint_turn(step, half, behind ? away : -away).slope);
+    if (slope > 0) {
+      least = std::min(least, std::pow(velocity / slope, 2) - 2 * speed_up * away);
+    }
+  }
+  return std::sqrt(std::max(least, 0.0));
+}
+
+/// The speed at which the velocities jump by jump_share of what a period takes up.
+TurnLimit TurnLimiter::jump_limit(const Meeting& meeting, const Angles& step) const {
+  Courses courses = still();
+  for (const RotaryAxis* axis : axes_) {
+    courses[linear_count + rotary_place(axis->name)].first = std::abs(step[rotary_place(axis->name)]);
+  }
+  if (meeting.at_tip && knows_linear_) {
+    const auto axes_with = [&](const Angles& slopes) {
+      return chain_.courses(tip_at(meeting.begin), angles_at(meeting.angles, slopes, 0, 0, {}), tool_length_);
+    };
+    const std::vector<Series> before = axes_with(meeting.from);
+    const std::vector<Series> behind = axes_with(meeting.to);
     for (const std::size_t k : chain_.linear()) {
       courses[linear_place(chain_.axes()[k].name)].first = std::abs(behind[k].d1() - before[k].d1());
     }
@@ -270,9 +330,7 @@ void TurnLimiter::allow_jump(const CurvePoint& place, const Angles& angles, cons
       lower(jump, jump_share * axis.acceleration * period_ / axis.first, TurnLimit::By::jump, axis.first, i);
     }
   }
-  if (jump.speed > joint.limit.speed) {
-    joint.limit = jump;
-  }
+  return jump;
 }
 
 /// The rotary axes in the order of the chain, with these slopes and `second` and `third` of their steps.
@@ -307,7 +365,7 @@ JointTurn joint_turn(double step, double half, double away) {
   const double way = 2 * half;
   const double t = (half - std::abs(away)) / way;  // of the way from the nearer end, up to its middle
   const double slope = t * t * (3 - 2 * t);
-  return {step * way * t * t * t * (1 - t / 2), away < 0 ? step * slope : -step * slope};
+  return {step * way * t * t * t * (1 - t / 2), std::signbit(away) ? step * slope : -step * slope};
 }
 
 }  // namespace feedscope

@@ -42,7 +42,8 @@ class TurnLimiter {
   /// Where segment `segment` of `path` meets the next one. The slope of every rotary axis goes over from
   /// before to behind as 3 t^2 - 2 t^3 of the way, so that acceleration is continuous; the angles leave the
   /// programmed ones by 3/32 of step and way at most, the orientation tolerance. The way is half of the
-  /// shorter segment on both sides at most. The velocities may jump by jump_share, if that is faster.
+  /// shorter segment on both sides at most, and shorter where that is faster: what the axis still turns
+  /// beside the place holds the tip that goes on. The velocities may jump by jump_share, if that is faster.
   /// `before`, `behind`: turns along the two; null for none.
   TurnJoint joint(const Toolpath& path, std::size_t segment, const SegmentTurn* before,
                   const SegmentTurn* behind) const;
@@ -58,14 +59,27 @@ class TurnLimiter {
   /// X, Y, Z, A, B, C, as cause_axes.
   using Courses = std::array<AxisCourse, 6>;
 
+  /// Where two segments meet.
+  struct Meeting {
+    std::array<double, 3> from{};  ///< slopes of A, B and C before it [rad/mm]
+    std::array<double, 3> to{};    ///< and behind it
+    std::array<double, 3> angles{};
+    CurvePoint begin;                  ///< as the end of the first segment
+    CurvePoint end;                    ///< as the start of the second one
+    std::array<double, 2> speed_up{};  ///< along both [mm/s2]
+    bool at_tip = false;
+  };
+
   Courses still() const;
   std::array<Series, 3> tip_at(const CurvePoint& at) const;
   void add_linear(const CurvePoint& at, std::span<const Series> angles, Courses& courses) const;
   std::vector<Series> angles_at(const std::array<double, 3>& angles, const std::array<double, 3>& slopes,
                                 double second, double third, const std::array<double, 3>& step) const;
-  void allow_jump(const CurvePoint& place, const std::array<double, 3>& angles,
-                  const std::array<double, 3>& from, const std::array<double, 3>& to, bool at_tip,
-                  TurnJoint& joint) const;
+  double speed_up(const CurvePoint& at, const SegmentTurn* turn) const;
+  TurnLimit rounded_limit(const Meeting& meeting, const std::array<double, 3>& step, double half) const;
+  double speed_for_velocity(const Meeting& meeting, std::size_t i, double step, double half,
+                            double velocity) const;
+  TurnLimit jump_limit(const Meeting& meeting, const std::array<double, 3>& step) const;
   double tilt_at(const std::array<double, 3>& angles) const;
 
   const Machine& machine_;
@@ -85,7 +99,7 @@ struct JointTurn {
   double angle = 0;  ///< [rad]
   double slope = 0;  ///< [rad/mm]
 };
-/// Of the axis with this step, `away` from the joint along the path, negative before it [mm].
+/// Of the axis with this step, `away` from the joint along the path, negative (-0.0 too) before it [mm].
 JointTurn joint_turn(double step, double half, double away);
 
 }  // namespace feedscope

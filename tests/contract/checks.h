@@ -60,7 +60,8 @@ Result check_contour(const Motion& motion, const Guarantees& promised, double to
                      const Machine& machine);
 
 /// Where rotary axes turn (rotary_checks.cpp): their angles go on from part to part, their velocities are the
-/// derivatives, and where the model keeps limits, they keep theirs along feed blocks. Not of filtered motion.
+/// derivatives, and where the model keeps limits, they keep theirs along feed blocks. Not of filtered motion,
+/// nor of controls that make a path of their own.
 Result check_rotary(const Motion& motion, const Guarantees& promised, const Machine& machine);
 
 // Runs that must agree with each other (run_checks.cpp).
