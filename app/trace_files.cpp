@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include "app/print.h"
 #include "app/several_runs.h"
 #include "app/trace_columns_option.h"
 #include "core/base/error.h"
 #include "core/trace/read_trace.h"
 #include "ui/shared/paths.h"
+#include "ui/trace/trace_tables.h"
 
 namespace feedscope {
 
@@ -16,7 +18,9 @@ std::shared_ptr<const ui::ShownTrace> beside_run(const ui::ReportInput& input,
                                                  const std::filesystem::path& file,
                                                  const TraceColumns& columns, Watch& watch) {
   const auto trace = std::make_shared<const Trace>(read_trace(file, columns, watch.stage("reading a trace")));
-  return ui::lay_beside(trace, input.run().shown, watch.stage("comparing with it"));
+  auto shown = ui::lay_beside(trace, input.run().shown, watch.stage("comparing with it"));
+  print_diagnostics(ui::messages_on(*trace, shown->found), file.string());
+  return shown;
 }
 
 }  // namespace

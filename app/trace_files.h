@@ -21,8 +21,9 @@ void add_trace_files(CLI::App& command, TraceFiles& options);
 /// As it is typed behind a command: " --trace a.csv --columns time=1,x=2"; empty without traces.
 std::string command_text(const TraceFiles& options);
 
-/// Reads what was asked for and lays it beside the current run of `input`. Throws InputError naming the trace
-/// that cannot be read or is of another program, and Cancelled.
+/// Reads what was asked for and lays it beside the current run of `input`; what is wrong with it is told on
+/// standard error. Throws InputError naming the trace that cannot be read or is nowhere on the program, and
+/// Cancelled.
 void add_traces(ui::ReportInput& input, const TraceFiles& options, Watch& watch);
 /// The visible traces of a session; one that cannot be used is reported on standard error and omitted.
 void add_traces(ui::ReportInput& input, const std::vector<ui::TraceItem>& traces, Watch& watch);

@@ -112,12 +112,13 @@ class Work {
     for (const std::string& file : options.traces) {
       traces_.push_back(read_trace(file, columns, watch.stage("traces")));
     }
+    remarks_.resize(traces_.size());
     for (const auto& source : sources_) {
       programs_.push_back(load_program(source, watch.stage("programs"), reading));
     }
   }
 
-  Identification fit(const std::string& model) const {
+  Identification fit(const std::string& model) {
     SetupRequest request;
     request.machine = options_.machine.empty() ? usual_machine(model) : options_.machine;
     request.model = model;
@@ -130,6 +131,7 @@ class Work {
     for (std::size_t i = 0; i < traces_.size(); ++i) {
       cases.emplace_back(traces_[i], programs_[programs_.size() == 1 ? 0 : i], start,
                          watch_.stage("matching"));
+      remarks_[i] = cases.back().found().remarks;
     }
     IdentifyOptions how;
     how.date = today();
@@ -138,6 +140,8 @@ class Work {
 
   const std::vector<Trace>& traces() const { return traces_; }
   const std::vector<LoadedProgram>& programs() const { return programs_; }
+  /// What is wrong with each trace on its program; known after fit().
+  const std::vector<std::vector<Diagnostic>>& remarks() const { return remarks_; }
 
  private:
   const IdentifyCommandOptions& options_;
@@ -145,6 +149,7 @@ class Work {
   std::vector<std::shared_ptr<const SourceText>> sources_;
   std::vector<Trace> traces_;
   std::vector<LoadedProgram> programs_;
+  std::vector<std::vector<Diagnostic>> remarks_;
 };
 
 Machine named_after(Machine machine, const std::string& out) {
@@ -236,7 +241,7 @@ int identify_machine(const IdentifyCommandOptions& options) {
   bool wrong_programs = false;
   {
     Watch watch;
-    const Work work(options, watch);
+    Work work(options, watch);
     for (std::size_t i = 0; i < options.traces.size(); ++i) {
       print_diagnostics(work.traces()[i].notes, options.traces[i]);
     }
@@ -246,6 +251,9 @@ int identify_machine(const IdentifyCommandOptions& options) {
     }
     for (const std::string& model : options.models.empty() ? std::vector<std::string>{""} : options.models) {
       found.push_back(work.fit(model));
+    }
+    for (std::size_t i = 0; i < options.traces.size(); ++i) {
+      print_diagnostics(work.remarks()[i], options.traces[i]);
     }
   }
   std::ranges::stable_sort(found, {}, &Identification::residual);

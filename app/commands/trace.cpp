@@ -143,9 +143,7 @@ int show_trace(const TraceOptions& options) {
   if (run) {
     print_diagnostics(*run->input.program);
     note_runs(run->input, {run->setup});
-    for (const std::string& remark : found->remarks) {
-      fmt::print(stderr, "feedscope: note: {}\n", remark);
-    }
+    print_diagnostics(found->remarks, options.trace);
   }
   if (json != nullptr) {
     *json << (run ? trace_json(trace, *found, *agreement, *run) : trace_json(trace));

@@ -10,6 +10,18 @@ Json vector_json(const Vec3& v) {
   return Json::array({finite(v.x()), finite(v.y()), finite(v.z())});
 }
 
+Json messages_json(const std::vector<Diagnostic>& messages) {
+  Json list = Json::array();
+  for (const Diagnostic& message : messages) {
+    list.push_back({{"severity", to_string(message.severity)},
+                    {"line", message.line},
+                    {"code", message.code},
+                    {"message", message.message},
+                    {"hint", message.hint}});
+  }
+  return list;
+}
+
 Json head_of(const Trace& trace) {
   Json json = with_format("trace");
   Json axes = Json::array();
@@ -17,14 +29,6 @@ Json head_of(const Trace& trace) {
     if (trace.has(axis)) {
       axes.push_back(std::string(1, coordinate_names[axis]));
     }
-  }
-  Json notes = Json::array();
-  for (const Diagnostic& note : trace.notes) {
-    notes.push_back({{"severity", to_string(note.severity)},
-                     {"line", note.line},
-                     {"code", note.code},
-                     {"message", note.message},
-                     {"hint", note.hint}});
   }
   json["trace"] = {{"file", trace.name},
                    {"format", trace.format},
@@ -36,11 +40,15 @@ Json head_of(const Trace& trace) {
                    {"lost_s", finite(trace.lost)},
                    {"axes", axes},
                    {"columns", trace.columns},
-                   {"notes", notes}};
+                   {"notes", messages_json(trace.notes)}};
   return json;
 }
 
 Json agreement_json(const TraceOnProgram& found, const Agreement& agreement) {
+  Json remarks = Json::array();
+  for (const Diagnostic& remark : found.remarks) {
+    remarks.push_back(remark.message);
+  }
   Json worst = Json::array();
   for (const WorstPlace& place : agreement.worst) {
     worst.push_back({{"line", place.line},
@@ -79,7 +87,10 @@ Json agreement_json(const TraceOnProgram& found, const Agreement& agreement) {
           {"scale", finite(found.pose.scale)},
           {"mirror", vector_json(found.pose.mirror)},
           {"offset_mm", vector_json(found.pose.offset)},
-          {"remarks", found.remarks},
+          {"belongs", found.belongs()},
+          {"trace_share", finite(found.fit.trace_share)},
+          {"remarks", remarks},
+          {"messages", messages_json(found.remarks)},
           {"worst", worst},
           {"operations", operations},
           {"corner_rms_percent", finite(100 * agreement.corner_rms())},

@@ -1,5 +1,7 @@
 #include "core/identification/fit_case.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -30,8 +32,12 @@ FitCase::FitCase(Trace trace, const LoadedProgram& program, const Setup& start, 
                                                      SeenAxes{trace_.has(0), trace_.has(1), trace_.has(2)});
   found_ =
       find_on_program(trace_, *course_, freedom / 2 + deviation_of(run, *course_, coarsest_step), progress);
-  if (found_.law.empty()) {
-    throw InputError(trace_.name + ": the trace is nowhere on the path of its program");
+  if (found_.law.empty() || !found_.belongs()) {
+    throw InputError(fmt::format(
+        "{}: the trace does not belong to its program: {:.1f} % of its way runs along the path within {:.3g} "
+        "mm, "
+        "and along {:.1f} % of it; give the program that was recorded, with the zero point it ran with",
+        trace_.name, 100 * found_.fit.trace_share, found_.tolerance, 100 * found_.fit.path_share));
   }
   step_ = std::clamp(trace_.period / 4, finest_step, coarsest_step);
   const double duration = found_.law.times().back() - found_.law.times().front();
@@ -58,7 +64,10 @@ FitCase::FitCase(Trace trace, const LoadedProgram& program, const Setup& start, 
   constexpr std::size_t many = 64;
   for (const std::size_t width : {std::size_t{1}, several, many, borders_.size() - 1}) {
     for (std::size_t i = 0; i + width < borders_.size(); i += width) {
-      add_span(i, i + width);
+      if (!found_.loses(borders_[i], borders_[i + width], true)) {
+        add_span(i, i + width);
+        short_ += width == 1 ? 1 : 0;
+      }
     }
   }
   for (std::size_t i = 0; i + 1 < borders_.size(); ++i) {

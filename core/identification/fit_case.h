@@ -24,7 +24,7 @@ class FitCase {
   /// see how much a value depends on a part of the trace.
   std::size_t stretch_of(std::size_t residual) const { return stretch_[residual]; }
   /// Whether it is the time of one short stretch.
-  bool is_short(std::size_t residual) const { return residual + 1 < borders_.size(); }
+  bool is_short(std::size_t residual) const { return residual < short_; }
   std::size_t stretches() const { return borders_.empty() ? 0 : borders_.size() - 1; }
 
   const Trace& trace() const { return trace_; }
@@ -47,7 +47,8 @@ class FitCase {
   std::vector<double> borders_;  ///< programmed path length [mm]
   std::vector<double> times_;    ///< measured there [s]
   std::vector<double> time_noise_;
-  std::vector<Span> spans_;
+  std::vector<Span> spans_;  ///< without those that the trace has left the path in
+  std::size_t short_ = 0;    ///< of them, short ones, which come first
   /// Where the trace is farthest from the path, by short stretches whose distance counts. A run is compared
   /// at the same places: between its samples a trace has been farther away than it says.
   std::vector<TimeLaw::Farthest> farthest_;

@@ -241,7 +241,7 @@ void TraceBuilder::look_at_times() {
          fmt::format("one sample each {:.4g} ms: ramps and corners that last less than {:.4g} ms cannot be "
                      "told apart",
                      units::to_ms(trace_.period), units::to_ms(3 * trace_.period)),
-         "record at 1 to 4 ms");
+         "record at 1 to 4 ms; times and velocities of long moves are right as it is");
   }
 }
 

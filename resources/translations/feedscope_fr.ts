@@ -1888,10 +1888,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>La simulation est %1 % plus lente que la commande</translation>
     </message>
     <message>
-        <source>The trace fits %1 % of the path alone: it is a part, or of another program. %2 there (%3 and %4).</source>
-        <translation>La trace ne correspond qu&apos;à %1 % de la trajectoire&#xa0;: c&apos;en est une partie, ou elle vient d&apos;un autre programme. %2 à cet endroit (%3 et %4).</translation>
-    </message>
-    <message>
         <source>%1 (%2 and %3); their feeds differ by %4 (rms over the path).</source>
         <translation>%1 (%2 et %3)&#xa0;; leurs avances diffèrent de %4 (moyenne quadratique le long de la trajectoire).</translation>
     </message>
@@ -1902,6 +1898,10 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>Read as %1: one sample each %2 ms, noise %3. Its feeds are means over %4 ms, accelerations over %5 ms.</source>
         <translation>Lue comme %1&#xa0;: un échantillon toutes les %2 ms, bruit %3. Ses avances sont des moyennes sur %4 ms, ses accélérations sur %5 ms.</translation>
+    </message>
+    <message>
+        <source>The trace covers %1 % of the path. %2 there (%3 and %4).</source>
+        <translation>La trace couvre %1 % de la trajectoire. %2 sur cette partie (%3 et %4).</translation>
     </message>
 </context>
 <context>
@@ -3895,6 +3895,234 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>%1 more</source>
         <translation>%1 de plus</translation>
+    </message>
+    <message>
+        <source>the trace does not belong to this program: %1 % of its way runs along the path, and along %2 % of it</source>
+        <translation>la trace n&apos;est pas celle de ce programme&#xa0;: %1 % de son parcours suit la trajectoire, et %2 % de celle-ci est suivi</translation>
+    </message>
+    <message>
+        <source>open the program that was recorded, or give the zero point it ran with; times and feeds of the two tell nothing together</source>
+        <translation>ouvrir le programme enregistré, ou indiquer l&apos;origine avec laquelle il a tourné&#xa0;; les temps et les avances des deux ne disent rien ensemble</translation>
+    </message>
+    <message>
+        <source>the trace does not move</source>
+        <translation>la trace ne bouge pas</translation>
+    </message>
+    <message>
+        <source>record while the program runs, and check the columns of the positions</source>
+        <translation>enregistrer pendant que le programme tourne, et vérifier les colonnes des positions</translation>
+    </message>
+    <message>
+        <source>the trace is in inches; it is used as 25.4 times what it says</source>
+        <translation>la trace est en pouces&#xa0;; ses valeurs sont multipliées par 25,4</translation>
+    </message>
+    <message>
+        <source>give its columns the unit, as --columns x=2:in, where that is right</source>
+        <translation>si c&apos;est exact, donner l&apos;unité à ses colonnes, comme --columns x=2:in</translation>
+    </message>
+    <message>
+        <source>the trace is 25.4 times as large as the program; it is used as that part of it</source>
+        <translation>la trace est 25,4 fois plus grande que le programme&#xa0;; ses valeurs sont divisées par 25,4</translation>
+    </message>
+    <message>
+        <source>its positions are in mm, not in inches: say so, as --columns x=2:mm, where that is right</source>
+        <translation>ses positions sont en mm et non en pouces&#xa0;: si c&apos;est exact, l&apos;indiquer, comme --columns x=2:mm</translation>
+    </message>
+    <message>
+        <source>axis %1 of the trace is mirrored; it is used with the other sign</source>
+        <translation>l&apos;axe %1 de la trace est inversé&#xa0;; il est utilisé avec le signe contraire</translation>
+    </message>
+    <message>
+        <source>give its column a minus sign, as --columns x=2:-mm, where that is right</source>
+        <translation>si c&apos;est exact, donner un signe moins à sa colonne, comme --columns x=2:-mm</translation>
+    </message>
+    <message>
+        <source>axis %1 does not move in the trace, but by %2 mm in the program</source>
+        <translation>l&apos;axe %1 ne bouge pas dans la trace, mais de %2 mm dans le programme</translation>
+    </message>
+    <message>
+        <source>if it was not recorded, name the columns of the others alone, as --columns time=1,x=2: times and the motion of these axes can be compared then</source>
+        <translation>s&apos;il n&apos;a pas été enregistré, ne nommer que les colonnes des autres, comme --columns time=1,x=2&#xa0;: les temps et le mouvement de ces axes peuvent alors être comparés</translation>
+    </message>
+    <message>
+        <source>the trace does not have %1, which the program moves: feeds, corners and distances are those of %2 alone</source>
+        <translation>il manque à la trace %1, que le programme déplace&#xa0;: avances, angles et distances sont ceux de %2 seulement</translation>
+    </message>
+    <message>
+        <source>times and limits of the axes that are there can be told; record X, Y and Z for the others</source>
+        <translation>les temps et les limites des axes présents peuvent être déterminés&#xa0;; enregistrer X, Y et Z pour les autres</translation>
+    </message>
+    <message>
+        <source>the trace is farther than %1 mm from the path of the program for %2 s in %3 stretches, the longest from %4 s on at %5</source>
+        <translation>la trace est à plus de %1 mm de la trajectoire du programme pendant %2 s (tronçons&#xa0;: %3), le plus long à partir de %4 s, %5</translation>
+    </message>
+    <message>
+        <source>they are marked and their feeds not compared; the control did there what the program does not say</source>
+        <translation>ils sont marqués et leurs avances ne sont pas comparées&#xa0;; la commande y a fait ce que le programme ne dit pas</translation>
+    </message>
+    <message>
+        <source>nothing was recorded for %1 s in %2 stretches, the longest from %3 s on at %4</source>
+        <translation>rien n&apos;a été enregistré pendant %1 s (tronçons&#xa0;: %2), le plus long à partir de %3 s, %4</translation>
+    </message>
+    <message>
+        <source>the time of the whole is right; feeds, ramps and corners there are not known</source>
+        <translation>le temps de l&apos;ensemble est juste&#xa0;; avances, rampes et angles y sont inconnus</translation>
+    </message>
+    <message>
+        <source>the trace covers %1 % of the path of the program, %2; only that is compared</source>
+        <translation>la trace couvre %1 % de la trajectoire du programme, %2&#xa0;; seule cette partie est comparée</translation>
+    </message>
+    <message>
+        <source>feeds, ramps and corners there can be compared and limits be told; the cycle time is not known</source>
+        <translation>avances, rampes et angles de cette partie peuvent être comparés et des limites déterminées&#xa0;; le temps de cycle est inconnu</translation>
+    </message>
+    <message>
+        <source>the trace holds %1 passes through the program; the first is compared</source>
+        <translation>la trace contient %1 passages du programme&#xa0;; le premier est comparé</translation>
+    </message>
+    <message>
+        <source>the trace is nowhere within %1 mm of the path of the program; it is of another program, or its zero point is another</source>
+        <translation>la trace n&apos;est nulle part à moins de %1 mm de la trajectoire du programme&#xa0;; elle est d&apos;un autre programme, ou son origine est autre</translation>
+    </message>
+    <message>
+        <source>the run does not follow the path of the program within the tolerance of the comparison</source>
+        <translation>la simulation ne suit pas la trajectoire du programme dans la tolérance de la comparaison</translation>
+    </message>
+    <message>
+        <source>trace and run have no part of the path in common</source>
+        <translation>la trace et la simulation n&apos;ont aucune partie de la trajectoire en commun</translation>
+    </message>
+    <message>
+        <source>the time goes back from %1 s to %2 s</source>
+        <translation>le temps revient de %1 s à %2 s</translation>
+    </message>
+    <message>
+        <source>only the longest part between two such places is used</source>
+        <translation>seule la partie la plus longue entre deux de ces endroits est utilisée</translation>
+    </message>
+    <message>
+        <source>the time goes back %1 times; the longest part with %2 of %3 samples is used</source>
+        <translation>le temps revient en arrière %1 fois&#xa0;; la partie la plus longue, %2 échantillons sur %3, est utilisée</translation>
+    </message>
+    <message>
+        <source>record one run in one trace</source>
+        <translation>enregistrer une seule exécution par trace</translation>
+    </message>
+    <message>
+        <source>%1 missing positions are interpolated between their neighbours</source>
+        <translation>positions manquantes interpolées entre leurs voisines&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>signals recorded at one rate need none</source>
+        <translation>des signaux enregistrés à une même cadence n&apos;en ont pas besoin</translation>
+    </message>
+    <message>
+        <source>%1 ms without a sample at %2 s</source>
+        <translation>%1 ms sans échantillon à %2 s</translation>
+    </message>
+    <message>
+        <source>what happened there is not known; ramps and corners there tell nothing</source>
+        <translation>ce qui s&apos;y est passé est inconnu&#xa0;; rampes et angles n&apos;y disent rien</translation>
+    </message>
+    <message>
+        <source>%1 more stretches without samples, %2 s in all</source>
+        <translation>autres tronçons sans échantillons&#xa0;: %1, %2 s en tout</translation>
+    </message>
+    <message>
+        <source>record less signals, or at a lower rate</source>
+        <translation>enregistrer moins de signaux, ou à une cadence plus basse</translation>
+    </message>
+    <message>
+        <source>samples are %1 ms apart, give or take %2 ms</source>
+        <translation>les échantillons sont espacés de %1 ms, à %2 ms près</translation>
+    </message>
+    <message>
+        <source>times are used as they stand</source>
+        <translation>les temps sont utilisés tels quels</translation>
+    </message>
+    <message>
+        <source>one sample each %1 ms: ramps and corners that last less than %2 ms cannot be told apart</source>
+        <translation>un échantillon toutes les %1 ms&#xa0;: rampes et angles de moins de %2 ms ne se distinguent pas</translation>
+    </message>
+    <message>
+        <source>record at 1 to 4 ms; times and velocities of long moves are right as it is</source>
+        <translation>enregistrer toutes les 1 à 4 ms&#xa0;; les temps et les vitesses des longs déplacements sont justes ainsi</translation>
+    </message>
+    <message>
+        <source>a row without numbers is skipped, the first is &apos;%1&apos;</source>
+        <translation>une ligne sans nombres est ignorée&#xa0;: «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>%1 rows without numbers are skipped, the first is &apos;%2&apos;</source>
+        <translation>%1 lignes sans nombres sont ignorées, la première est «&#xa0;%2&#xa0;»</translation>
+    </message>
+    <message>
+        <source>remove what is no table, or check the columns</source>
+        <translation>retirer ce qui n&apos;est pas un tableau, ou vérifier les colonnes</translation>
+    </message>
+    <message>
+        <source>%1 samples at the time of the one before are skipped</source>
+        <translation>échantillons ignorés, au même temps que le précédent&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>record the time with more digits</source>
+        <translation>enregistrer le temps avec plus de chiffres</translation>
+    </message>
+    <message>
+        <source>the table has no head: what its columns are is judged by their values</source>
+        <translation>le tableau n&apos;a pas d&apos;en-tête&#xa0;: le sens de ses colonnes est jugé d&apos;après leurs valeurs</translation>
+    </message>
+    <message>
+        <source>say what they are: --columns time=1:s,x=2:mm,y=3:mm,z=4:mm</source>
+        <translation>l&apos;indiquer&#xa0;: --columns time=1:s,x=2:mm,y=3:mm,z=4:mm</translation>
+    </message>
+    <message>
+        <source>the time has no unit and rises by %1 a sample: milliseconds are assumed</source>
+        <translation>le temps n&apos;a pas d&apos;unité et croît de %1 par échantillon&#xa0;: des millisecondes sont supposées</translation>
+    </message>
+    <message>
+        <source>say it: --columns time=%1:ms</source>
+        <translation>l&apos;indiquer&#xa0;: --columns time=%1:ms</translation>
+    </message>
+    <message>
+        <source>the trace has no times: one sample each millisecond is assumed</source>
+        <translation>la trace n&apos;a pas de temps&#xa0;: un échantillon par milliseconde est supposé</translation>
+    </message>
+    <message>
+        <source>say the rate in samples a second: --columns linuxcnc, or ...,rate=1000</source>
+        <translation>indiquer la cadence en échantillons par seconde&#xa0;: --columns linuxcnc, ou ...,rate=1000</translation>
+    </message>
+    <message>
+        <source>the XML ends early: %1</source>
+        <translation>le XML se termine trop tôt&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>the records before it are used</source>
+        <translation>les enregistrements précédents sont utilisés</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>ligne %1</translation>
+    </message>
+    <message>
+        <source>lines %1 to %2</source>
+        <translation>lignes %1 à %2</translation>
+    </message>
+    <message>
+        <source>the program lines of the trace are not those of this program; it is matched by position alone</source>
+        <translation>les lignes de programme de la trace ne sont pas celles de ce programme&#xa0;; elle est posée d&apos;après la position seule</translation>
+    </message>
+    <message>
+        <source>record the line of the file, not the block number N</source>
+        <translation>enregistrer la ligne du fichier, non le numéro de bloc N</translation>
+    </message>
+    <message>
+        <source>the trace is farther than %1 mm from the path of the program for %2 s from %3 s on at %4</source>
+        <translation>la trace est à plus de %1 mm de la trajectoire du programme pendant %2 s à partir de %3 s, %4</translation>
+    </message>
+    <message>
+        <source>nothing was recorded for %1 s from %2 s on at %3</source>
+        <translation>rien n&apos;a été enregistré pendant %1 s à partir de %2 s, %3</translation>
     </message>
 </context>
 <context>
@@ -8998,6 +9226,10 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>%1 cannot be written: %2. Choose another folder.</source>
         <translation>Impossible d&apos;écrire %1&#xa0;: %2. Choisir un autre dossier.</translation>
+    </message>
+    <message>
+        <source>Trace %1: %2</source>
+        <translation>Trace %1&#xa0;: %2</translation>
     </message>
 </context>
 <context>

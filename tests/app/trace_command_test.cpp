@@ -51,6 +51,38 @@ TEST_F(TraceCommand, PicturesAndReportsShowItBesideTheRun) {
   }
 }
 
+TEST_F(TraceCommand, WarnsEverywhereOfATraceOfAnotherProgram) {
+  write("other.nc", "G21 G90\nG1 X7 Y3 F3000\nX2 Y9\nX11 Y12\nX0 Y0\nM30\n");
+  const std::string warning = "trace.csv: warning: the trace does not belong to this program: ";
+  const std::string machine = " --machine linuxcnc-mill ";
+  EXPECT_THAT(run("trace trace.csv other.nc" + machine).err, HasSubstr(warning));
+  for (const std::string command : {"report other.nc --out r.html", "render other.nc --out r.svg"}) {
+    const Result result = run(command + machine + "--trace trace.csv", no_display);
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_THAT(result.err, HasSubstr(warning)) << command;
+    EXPECT_THAT(result.err, HasSubstr("open the program that was recorded")) << command;
+  }
+  EXPECT_THAT(contents(folder_ / "r.html"), HasSubstr("does not belong to this program"));
+  const json report = json::parse(run("trace trace.csv other.nc --json -" + machine).out);
+  EXPECT_FALSE(report["agreement"]["belongs"].get<bool>());
+  EXPECT_FALSE(report["agreement"]["whole"].get<bool>());
+  EXPECT_EQ(report["agreement"]["messages"][0]["code"], "trace-other-program");
+  expect_wrong_use("identify trace.csv --program other.nc --model linuxcnc",
+                   "the trace does not belong to its program");
+}
+
+TEST_F(TraceCommand, TellsReportsOfACoarseTraceWithTimesThatGoBack) {
+  run("simulate corner.nc --machine linuxcnc-mill --csv coarse.csv --step 0.02");
+  const std::string text = contents(folder_ / "coarse.csv");
+  const auto second = text.find('\n', text.find('\n') + 1) + 1;
+  write("back.csv", text + text.substr(second, text.find('\n', second) + 1 - second));
+  const Result result =
+      run("report corner.nc --machine linuxcnc-mill --trace back.csv --out r.html", no_display);
+  EXPECT_THAT(result.err, HasSubstr("one sample each 20 ms"));
+  EXPECT_THAT(result.err, HasSubstr("the time goes back"));
+  EXPECT_THAT(contents(folder_ / "r.html"), HasSubstr("One sample each 20 ms"));
+}
+
 TEST_F(TraceCommand, WhatCannotBeShownBesideTheRunIsRefused) {
   const std::string report = "report corner.nc --out r.html ";
   expect_wrong_use(report + "--trace none.csv", "trace 'none.csv'");

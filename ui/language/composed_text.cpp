@@ -53,6 +53,93 @@ constexpr std::array sentences{
     QT_TRANSLATE_NOOP("core", "Not evaluated: %1 helices with full turns."),
     QT_TRANSLATE_NOOP("core", "Not evaluated: 1 full circle outside the planes XY, ZX and YZ."),
     QT_TRANSLATE_NOOP("core", "Not evaluated: %1 full circles outside the planes XY, ZX and YZ."),
+    // A trace on its program (analysis/agreement/trace_remarks).
+    QT_TRANSLATE_NOOP("core",
+                      "the trace does not belong to this program: %1 % of its way runs along the path, and "
+                      "along %2 % of it"),
+    QT_TRANSLATE_NOOP("core",
+                      "open the program that was recorded, or give the zero point it ran with; times and "
+                      "feeds of the two tell nothing together"),
+    QT_TRANSLATE_NOOP("core", "the trace does not move"),
+    QT_TRANSLATE_NOOP("core", "record while the program runs, and check the columns of the positions"),
+    QT_TRANSLATE_NOOP("core", "the trace is in inches; it is used as 25.4 times what it says"),
+    QT_TRANSLATE_NOOP("core", "give its columns the unit, as --columns x=2:in, where that is right"),
+    QT_TRANSLATE_NOOP("core",
+                      "the trace is 25.4 times as large as the program; it is used as that part of it"),
+    QT_TRANSLATE_NOOP("core",
+                      "its positions are in mm, not in inches: say so, as --columns x=2:mm, where that is "
+                      "right"),
+    QT_TRANSLATE_NOOP("core", "axis %1 of the trace is mirrored; it is used with the other sign"),
+    QT_TRANSLATE_NOOP("core", "give its column a minus sign, as --columns x=2:-mm, where that is right"),
+    QT_TRANSLATE_NOOP("core", "axis %1 does not move in the trace, but by %2 mm in the program"),
+    QT_TRANSLATE_NOOP("core",
+                      "if it was not recorded, name the columns of the others alone, as --columns "
+                      "time=1,x=2: times and the motion of these axes can be compared then"),
+    QT_TRANSLATE_NOOP("core",
+                      "the trace does not have %1, which the program moves: feeds, corners and distances "
+                      "are those of %2 alone"),
+    QT_TRANSLATE_NOOP("core",
+                      "times and limits of the axes that are there can be told; record X, Y and Z for the "
+                      "others"),
+    QT_TRANSLATE_NOOP("core",
+                      "the trace is farther than %1 mm from the path of the program for %2 s in %3 "
+                      "stretches, the longest from %4 s on at %5"),
+    QT_TRANSLATE_NOOP("core",
+                      "the trace is farther than %1 mm from the path of the program for %2 s from %3 s on at "
+                      "%4"),
+    QT_TRANSLATE_NOOP("core",
+                      "they are marked and their feeds not compared; the control did there what the "
+                      "program does not say"),
+    QT_TRANSLATE_NOOP("core",
+                      "nothing was recorded for %1 s in %2 stretches, the longest from %3 s on at %4"),
+    QT_TRANSLATE_NOOP("core", "nothing was recorded for %1 s from %2 s on at %3"),
+    QT_TRANSLATE_NOOP("core", "the time of the whole is right; feeds, ramps and corners there are not known"),
+    QT_TRANSLATE_NOOP("core", "the trace covers %1 % of the path of the program, %2; only that is compared"),
+    QT_TRANSLATE_NOOP("core",
+                      "feeds, ramps and corners there can be compared and limits be told; the cycle time is "
+                      "not known"),
+    QT_TRANSLATE_NOOP("core",
+                      "the program lines of the trace are not those of this program; it is matched by "
+                      "position alone"),
+    QT_TRANSLATE_NOOP("core", "record the line of the file, not the block number N"),
+    QT_TRANSLATE_NOOP("core", "the trace holds %1 passes through the program; the first is compared"),
+    QT_TRANSLATE_NOOP("core",
+                      "the trace is nowhere within %1 mm of the path of the program; it is of another "
+                      "program, or its zero point is another"),
+    QT_TRANSLATE_NOOP("core",
+                      "the run does not follow the path of the program within the tolerance of the "
+                      "comparison"),
+    QT_TRANSLATE_NOOP("core", "trace and run have no part of the path in common"),
+    // Reading a trace (trace/trace_builder, trace/table_columns).
+    QT_TRANSLATE_NOOP("core", "the time goes back from %1 s to %2 s"),
+    QT_TRANSLATE_NOOP("core", "only the longest part between two such places is used"),
+    QT_TRANSLATE_NOOP("core", "the time goes back %1 times; the longest part with %2 of %3 samples is used"),
+    QT_TRANSLATE_NOOP("core", "record one run in one trace"),
+    QT_TRANSLATE_NOOP("core", "%1 missing positions are interpolated between their neighbours"),
+    QT_TRANSLATE_NOOP("core", "signals recorded at one rate need none"),
+    QT_TRANSLATE_NOOP("core", "%1 ms without a sample at %2 s"),
+    QT_TRANSLATE_NOOP("core", "what happened there is not known; ramps and corners there tell nothing"),
+    QT_TRANSLATE_NOOP("core", "%1 more stretches without samples, %2 s in all"),
+    QT_TRANSLATE_NOOP("core", "record less signals, or at a lower rate"),
+    QT_TRANSLATE_NOOP("core", "samples are %1 ms apart, give or take %2 ms"),
+    QT_TRANSLATE_NOOP("core", "times are used as they stand"),
+    QT_TRANSLATE_NOOP("core",
+                      "one sample each %1 ms: ramps and corners that last less than %2 ms cannot be told "
+                      "apart"),
+    QT_TRANSLATE_NOOP("core", "record at 1 to 4 ms; times and velocities of long moves are right as it is"),
+    QT_TRANSLATE_NOOP("core", "a row without numbers is skipped, the first is '%1'"),
+    QT_TRANSLATE_NOOP("core", "%1 rows without numbers are skipped, the first is '%2'"),
+    QT_TRANSLATE_NOOP("core", "remove what is no table, or check the columns"),
+    QT_TRANSLATE_NOOP("core", "%1 samples at the time of the one before are skipped"),
+    QT_TRANSLATE_NOOP("core", "record the time with more digits"),
+    QT_TRANSLATE_NOOP("core", "the table has no head: what its columns are is judged by their values"),
+    QT_TRANSLATE_NOOP("core", "say what they are: --columns time=1:s,x=2:mm,y=3:mm,z=4:mm"),
+    QT_TRANSLATE_NOOP("core", "the time has no unit and rises by %1 a sample: milliseconds are assumed"),
+    QT_TRANSLATE_NOOP("core", "say it: --columns time=%1:ms"),
+    QT_TRANSLATE_NOOP("core", "the trace has no times: one sample each millisecond is assumed"),
+    QT_TRANSLATE_NOOP("core", "say the rate in samples a second: --columns linuxcnc, or ...,rate=1000"),
+    QT_TRANSLATE_NOOP("core", "the XML ends early: %1"),
+    QT_TRANSLATE_NOOP("core", "the records before it are used"),
 };
 
 /// In these the places hold numbers and texts that have patterns, too.
@@ -94,6 +181,8 @@ constexpr std::array clauses{
     QT_TRANSLATE_NOOP("core", "error"),
     QT_TRANSLATE_NOOP("core", "warning"),
     QT_TRANSLATE_NOOP("core", "info"),
+    QT_TRANSLATE_NOOP("core", "line %1"),
+    QT_TRANSLATE_NOOP("core", "lines %1 to %2"),
     QT_TRANSLATE_NOOP("core", "also in line %1"),
     QT_TRANSLATE_NOOP("core", "also in lines %1 and %2"),
     QT_TRANSLATE_NOOP("core", "%1 more up to line %2"),
@@ -219,8 +308,9 @@ const std::vector<Pattern>& all_patterns() {
 
 std::optional<QString> known_text(const QString& text);
 
+/// Numbers, and axes, which are called the same.
 std::optional<QString> number(const QString& text) {
-  static const QRegularExpression digits(QStringLiteral("^-?\\d+(\\.\\d+)?$"));
+  static const QRegularExpression digits(QStringLiteral("^([XYZ]|-?\\d+(\\.\\d+)?)$"));
   return digits.match(text).hasMatch() ? std::optional(QString(text).replace('.', QLocale().decimalPoint()))
                                        : std::nullopt;
 }

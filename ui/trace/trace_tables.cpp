@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "ui/language/composed_text.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"
@@ -175,11 +176,12 @@ QString verdict_of(const ShownTrace& shown) {
   const QString time = agreement.time_error() < 0
                            ? TraceTables::tr("The simulation is %1 % faster than the control").arg(percent)
                            : TraceTables::tr("The simulation is %1 % slower than the control").arg(percent);
+  if (!shown.found.belongs()) {
+    return message_text(shown.found.remarks.front());
+  }
   constexpr double most_of_it = 0.5;
   if (shown.found.share < most_of_it) {
-    return TraceTables::tr(
-               "The trace fits %1 % of the path alone: it is a part, or of another program. %2 there "
-               "(%3 and %4).")
+    return TraceTables::tr("The trace covers %1 % of the path. %2 there (%3 and %4).")
         .arg(plain(100 * shown.found.share, 1), time, clock_text(agreement.simulated_time),
              clock_text(agreement.measured_time));
   }
@@ -188,12 +190,35 @@ QString verdict_of(const ShownTrace& shown) {
            amount_text(agreement.feed_rms, Dimension::feed));
 }
 
+std::vector<Diagnostic> messages_on(const Trace& trace, const TraceOnProgram& found) {
+  std::vector<Diagnostic> messages = found.remarks;
+  messages.insert(messages.end(), trace.notes.begin(), trace.notes.end());
+  std::ranges::stable_sort(messages, std::ranges::greater(), &Diagnostic::severity);
+  return messages;
+}
+
+QString message_text(const Diagnostic& message) {
+  const auto sentence = [](const std::string& text) {
+    QString said = composed_text(text);
+    if (!said.isEmpty()) {
+      said[0] = said[0].toUpper();
+      said += '.';
+    }
+    return said;
+  };
+  return (sentence(message.message) + ' ' + sentence(message.hint)).trimmed();
+}
+
 QStringList remarks_of(const ShownTrace& shown) {
   const QLocale locale;
   constexpr int digits = 3;
   QStringList remarks;
-  for (const std::string& remark : shown.found.remarks) {
-    remarks.append(QString::fromStdString(remark) + '.');
+  std::vector<Diagnostic> messages = messages_on(*shown.trace, shown.found);
+  if (!shown.found.belongs()) {
+    messages.erase(messages.begin());  // the verdict says it
+  }
+  for (const Diagnostic& message : messages) {
+    remarks.append(message_text(message));
   }
   const Vec3& offset = shown.found.pose.offset;
   constexpr double noticed = 1e-3;  // [mm]

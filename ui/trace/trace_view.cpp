@@ -66,6 +66,7 @@ TraceView::TraceView(Workbench& workbench, QWidget* parent)
   connect(&traces, &TraceList::list_changed, this, &TraceView::list_traces);
   connect(&traces, &TraceList::changed, this, &TraceView::list_traces);
   connect(&traces, &TraceList::progressed, this, &TraceView::show_progress);
+  connect(&traces, &TraceList::compared_first, this, &TraceView::tell_faults);
   connect(&workbench_, &Workbench::run_changed, this, &TraceView::refresh);
   connect(&workbench_, &Workbench::program_changed, this, &TraceView::refresh);
   connect(this, &TraceView::place_chosen, &workbench_, &Workbench::show_place);
@@ -287,6 +288,16 @@ QString TraceView::verdict() const {
     default:
       return traces.busy() ? tr("Reading the trace and laying it beside the run …")
                            : tr("The trace is read; it waits for the run to be simulated.");
+  }
+}
+
+void TraceView::tell_faults(std::size_t row) {
+  const TraceList& traces = workbench_.traces();
+  const auto shown = traces.result(row);
+  for (const Diagnostic& message : messages_on(*shown->trace, shown->found)) {
+    if (message.severity != Severity::info) {
+      emit noted(message.severity, tr("Trace %1: %2").arg(traces.items()[row].name, message_text(message)));
+    }
   }
 }
 

@@ -3,6 +3,7 @@
 #include <QList>
 #include <filesystem>
 
+#include "core/base/diagnostic.h"
 #include "ui/workbench/panel.h"
 #include "ui/workbench/workbench.h"
 
@@ -41,6 +42,8 @@ class TraceView : public Panel {
  signals:
   /// A place has been chosen: `time` of the current run there, which lies between `from` and `to` [s].
   void place_chosen(double time, double from, double to);
+  /// A trace has been compared, and this is wrong with it.
+  void noted(Severity severity, const QString& message);
 
  private:
   void make_actions();
@@ -54,6 +57,7 @@ class TraceView : public Panel {
   void show_result();
   void show_progress();
   void go_to(const QModelIndex& index);
+  void tell_faults(std::size_t row);
   void save();
   bool any() const { return !workbench_.traces().items().empty(); }
 

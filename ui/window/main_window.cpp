@@ -104,6 +104,7 @@ MainWindow::MainWindow(Workbench& workbench, RenderBackend backend, QWidget* par
   connect(session_, &WindowSession::failed, this, &MainWindow::show_failure);
   connect(machines_, &MachineOpening::failed, this, &MainWindow::show_failure);
   connect(machines_, &MachineOpening::noted, diagnostics_, &DiagnosticsView::add_message);
+  connect(traces_, &TraceView::noted, diagnostics_, &DiagnosticsView::add_message);
   connect(session_, &WindowSession::noticed, this,
           [this](const QString& message) { diagnostics_->add_message(Severity::info, message); });
   for (Panel* panel : panels_) {

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/trace/read_trace.h"
+#include "ui/language/composed_text.h"
 #include "ui/shared/paths.h"
 #include "ui/workbench/run_list.h"
 
@@ -219,7 +220,7 @@ void TraceList::work_on() {
             try {
               result.shown = lay_beside(result.trace, run, &control.progress);
             } catch (const InputError& error) {
-              result.failure = QString::fromUtf8(error.what());  // but it has been read
+              result.failure = composed_text(std::string(error.what()));  // but it has been read
             }
           }
           return result;
@@ -245,8 +246,14 @@ void TraceList::take(int id, const JobOutcome<Result>& outcome) {
   const std::size_t row = row_of(id);
   if (row < items_.size() && !outcome.cancelled()) {
     State& state = states_[id];
+    const bool was_compared = state.was_compared;
     state = outcome.result.value_or(State{nullptr, nullptr, false, outcome.failure});
+    state.was_compared = was_compared || state.shown != nullptr;
+    const bool first = !was_compared && state.was_compared;
     emit changed(row);
+    if (first) {
+      emit compared_first(row);
+    }
     if (!state.failure.isEmpty()) {
       emit failed(items_[row].name + QStringLiteral(": ") + state.failure);
     }

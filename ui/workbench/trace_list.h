@@ -91,6 +91,8 @@ class TraceList : public QObject {
   void progressed();
   /// `message` for the user: a trace could not be read or compared.
   void failed(const QString& message);
+  /// A trace has been compared for the first time since its file was read.
+  void compared_first(std::size_t row);
 
  private:
   /// What is known of a trace, by its id.
@@ -98,7 +100,8 @@ class TraceList : public QObject {
     std::shared_ptr<const Trace> trace;
     std::shared_ptr<const ShownTrace> shown;
     bool given_up = false;
-    QString failure;
+    QString failure = {};
+    bool was_compared = false;  ///< with this run or one before
   };
   using Result = State;
 

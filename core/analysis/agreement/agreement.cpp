@@ -12,8 +12,6 @@
 namespace feedscope {
 namespace {
 
-constexpr double usual_deviation = 0.2;  // [mm] beyond what the run leaves the path
-constexpr double moving = 2e-3;          // [mm]: so far from where it stood, a motion has begun
 constexpr std::size_t most_worst = 10;
 
 /// Places between the later beginning and the earlier end of the two, so that both are measured over the same
@@ -129,16 +127,6 @@ MotionRecord record_of(const Trajectory& trajectory, double step) {
   return record;
 }
 
-MotionRecord record_of(const Trace& trace) {
-  MotionRecord record;
-  record.time = trace.time;
-  record.place.reserve(trace.size());
-  for (std::size_t i = 0; i < trace.size(); ++i) {
-    record.place.push_back(trace.place_at(i));
-  }
-  return record;
-}
-
 double deviation_of(const Trajectory& trajectory, const ProgrammedCourse& course, double step) {
   const MotionRecord record = record_of(trajectory, step);
   const double widest = (course.bounds().max - course.bounds().min).norm() / 4 + usual_deviation;
@@ -155,74 +143,6 @@ double deviation_of(const Trajectory& trajectory, const ProgrammedCourse& course
     largest = std::isnan(matched.s[i]) ? largest : std::max(largest, matched.distance[i]);
   }
   return static_cast<double>(largest);
-}
-
-TraceOnProgram find_on_program(const Trace& trace, const ProgrammedCourse& course, double deviation,
-                               Progress* progress) {
-  TraceOnProgram found;
-  found.record = record_of(trace);
-  found.pose = find_pose(course, found.record);
-  found.noise = found.pose.scale * noise_of(found.record);
-  found.tolerance = usual_deviation + 2 * deviation + 6 * found.noise;
-  for (Vec3& place : found.record.place) {
-    place = found.pose.apply(place);
-  }
-  const MatchOptions options{found.tolerance, found.noise};
-  found.matched = match_record(course, found.record, options, 0, progress);
-  if (!found.matched.empty()) {
-    const Vec3 left = offset_left(course, found.record, found.matched, found.noise);
-    if (left.norm() > 0) {
-      found.pose.offset -= left;
-      for (Vec3& place : found.record.place) {
-        place -= left;
-      }
-      found.matched = match_record(course, found.record, options, 0, progress);
-    }
-  }
-  found.remarks = found.pose.remarks();
-  if (found.matched.empty()) {
-    return found;
-  }
-  found.law = TimeLaw(found.record.time, found.matched);
-  for (std::size_t i = found.matched.first; i < found.matched.end; ++i) {
-    if (!std::isnan(found.matched.s[i])) {
-      found.largest_distance =
-          std::max(found.largest_distance, static_cast<double>(found.matched.distance[i]));
-    }
-  }
-  if (!found.law.empty() && course.length() > 0) {
-    found.share = (found.law.last_s() - found.law.first_s()) / course.length();
-  }
-  constexpr double whole = 0.99;
-  MatchedRecord pass = found.matched;
-  while (!pass.empty()) {
-    const TimeLaw law(found.record.time, pass);
-    if (law.empty() || law.last_s() - law.first_s() < whole * course.length()) {
-      break;
-    }
-    const double margin = std::max(moving, 4 * found.noise);
-    found.pass_times.push_back(law.at(law.last_s() - margin) - law.at(law.first_s() + margin));
-    if (pass.arrival + 1 >= found.record.place.size()) {
-      break;
-    }
-    pass = match_record(course, found.record, options, pass.arrival, progress);
-  }
-  const auto seconds = [&](std::size_t samples) { return static_cast<double>(samples) * trace.period; };
-  if (found.matched.lost > 0) {
-    found.remarks.push_back(fmt::format(
-        "{:.4g} s of the trace are farther than {:.3g} mm from the path of the program; they are not "
-        "compared",
-        seconds(found.matched.lost), found.tolerance));
-  }
-  if (found.share < whole) {
-    found.remarks.push_back(fmt::format(
-        "the trace covers {:.1f} % of the path of the program; only that is compared", 100 * found.share));
-  }
-  if (found.pass_times.size() > 1) {
-    found.remarks.push_back(fmt::format(
-        "the trace holds {} passes through the program; the first is compared", found.pass_times.size()));
-  }
-  return found;
 }
 
 std::vector<double> cell_borders(const TimeLaw& law, double least_time, double least_length) {
@@ -277,13 +197,13 @@ Agreement agreement_of(const TraceOnProgram& trace, const ProgrammedCourse& cour
     throw InputError(
         "the run does not follow the path of the program within the tolerance of the comparison");
   }
-  const double margin = std::max(moving, 4 * trace.noise);
+  const double margin = std::max(begun_motion, 4 * trace.noise);
   const Compared part = compared_part(trace, simulated, margin);
   if (!(part.to > part.from)) {
     throw InputError("trace and run have no part of the path in common");
   }
   Agreement agreement;
-  agreement.whole = !trace.pass_times.empty();
+  agreement.whole = !trace.pass_times.empty() && trace.belongs();
   agreement.measured_time = trace.law.at(part.to) - trace.law.at(part.from);
   agreement.simulated_time = simulated.at(part.to) - simulated.at(part.from);
   if (agreement.whole) {
@@ -296,11 +216,14 @@ Agreement agreement_of(const TraceOnProgram& trace, const ProgrammedCourse& cour
       simulated.distance(std::min(part.from, part.to), std::max(part.from, part.to));
   std::vector<double> borders =
       cell_borders(trace.law, std::max(samples_a_cell * period, agreement.measured_time / cells_a_trace),
-                   std::max(moving, 20 * trace.noise));
+                   std::max(begun_motion, 20 * trace.noise));
   std::erase_if(borders, [&](double s) { return s < part.from || s > part.to; });
   double squares = 0;
   double length = 0;
   for (std::size_t i = 1; i < borders.size(); ++i) {
+    if (trace.loses(borders[i - 1], borders[i])) {
+      continue;
+    }
     const AgreementCell cell{borders[i - 1], borders[i] - borders[i - 1],
                              trace.law.at(borders[i]) - trace.law.at(borders[i - 1]),
                              simulated.at(borders[i]) - simulated.at(borders[i - 1])};
@@ -316,7 +239,7 @@ Agreement agreement_of(const TraceOnProgram& trace, const ProgrammedCourse& cour
   agreement.operations = operations_of(run, course, trace.law, simulated, part);
   constexpr double clear_of_noise = 20;
   agreement.corners = corners_of(*run.input.toolpath, course, trace.law, simulated, part.from, part.to,
-                                 std::max(moving, clear_of_noise * trace.noise));
+                                 std::max(begun_motion, clear_of_noise * trace.noise));
   agreement.simulated = simulated;
   agreement.margin = margin;
   return agreement;

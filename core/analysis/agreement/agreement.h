@@ -7,25 +7,10 @@
 
 #include "core/analysis/agreement/corner_agreement.h"
 #include "core/analysis/agreement/time_law.h"
-#include "core/analysis/agreement/trace_pose.h"
+#include "core/analysis/agreement/trace_on_program.h"
 #include "core/analysis/run.h"
-#include "core/trace/trace.h"
 
 namespace feedscope {
-
-/// A trace found on the path of its program.
-struct TraceOnProgram {
-  TracePose pose;
-  double tolerance = 0;              ///< that was allowed from the programmed path [mm]
-  double noise = 0;                  ///< of its places [mm]
-  MotionRecord record;               ///< in the coordinates of the program
-  MatchedRecord matched;             ///< of the first pass
-  TimeLaw law;                       ///< of the first pass
-  double largest_distance = 0;       ///< from the programmed path [mm]
-  std::vector<double> pass_times;    ///< of whole passes through the program [s]
-  std::vector<std::string> remarks;  ///< what is wrong with it, one sentence each
-  double share = 0;                  ///< of the programmed path that it covers
-};
 
 /// A stretch of the programmed path, run by a trace and by a simulation.
 struct AgreementCell {
@@ -58,14 +43,14 @@ struct OperationAgreement {
 
 /// How well a run says what a trace shows, over the part of the program that the trace covers.
 struct Agreement {
-  double measured_time = 0;       ///< from the first to the last motion [s]
-  double simulated_time = 0;      ///< of the same part [s]
-  bool whole = false;             ///< the trace covers the program: the times are cycle times
-  double feed_rms = 0;            ///< root mean square of the difference of the feeds over the path [mm/s]
-  double distance = 0;            ///< largest of the trace from the programmed path [mm]
-  double simulated_distance = 0;  ///< the same of the simulated run [mm]
-  std::vector<AgreementCell> cells;
-  std::vector<WorstPlace> worst;               ///< at most ten, the largest difference of time first
+  double measured_time = 0;          ///< from the first to the last motion [s]
+  double simulated_time = 0;         ///< of the same part [s]
+  bool whole = false;                ///< the trace covers the program: the times are cycle times
+  double feed_rms = 0;               ///< root mean square of the difference of the feeds over the path [mm/s]
+  double distance = 0;               ///< largest of the trace from the programmed path [mm]
+  double simulated_distance = 0;     ///< the same of the simulated run [mm]
+  std::vector<AgreementCell> cells;  ///< without stretches that the trace has lost
+  std::vector<WorstPlace> worst;     ///< at most ten, the largest difference of time first
   std::vector<OperationAgreement> operations;  ///< empty: the program has one alone
   std::vector<CornerAgreement> corners;        ///< those that both pass, in order of the program
   TimeLaw simulated;                           ///< of the run, on the programmed path as the trace's
@@ -78,13 +63,6 @@ struct Agreement {
 
 /// The motion of a run, sampled each `step` [s].
 MotionRecord record_of(const Trajectory& trajectory, double step);
-/// Positions of a trace as they are recorded.
-MotionRecord record_of(const Trace& trace);
-
-/// Finds a trace on the path of a run: unit, signs and offset of its axes, start and end, passes.
-/// `deviation`: how far a control may leave the path here [mm]. Throws Cancelled.
-TraceOnProgram find_on_program(const Trace& trace, const ProgrammedCourse& course, double deviation,
-                               Progress* progress = nullptr);
 
 /// The largest distance of a run from its programmed path, as the matching measures it [mm].
 double deviation_of(const Trajectory& trajectory, const ProgrammedCourse& course, double step);

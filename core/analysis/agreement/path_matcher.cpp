@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "core/analysis/agreement/line_guide.h"
+
 namespace feedscope {
 namespace {
 
@@ -14,7 +16,6 @@ constexpr double rounded_pause = 4e-3;   // [mm]: between the farthest places of
 constexpr double noise_of_a_pause = 10;  // times the noise: between the farthest places of a pause
 constexpr double noise_of_the_end = 3;   // times the noise: of the last place of the path
 constexpr double search_growth = 1.05;   // of the way between two searches where the path is lost
-constexpr double most_searched = 2e8;    // points in all while looking for the start
 
 struct Found {
   std::size_t part = 0;  ///< from point `part` to the next
@@ -24,10 +25,12 @@ struct Found {
 
 class Matcher {
  public:
-  Matcher(const ProgrammedCourse& course, const MotionRecord& record, const MatchOptions& options)
+  Matcher(const ProgrammedCourse& course, const MotionRecord& record, const MatchOptions& options,
+          const MatchHints& hints)
       : course_(course),
         record_(record),
         options_(options),
+        hints_(hints),
         equal_(std::max(rounded_pause, noise_of_a_pause * options.noise)),
         end_reach_(std::max(finest, noise_of_the_end * options.noise)) {}
 
@@ -55,7 +58,7 @@ class Matcher {
       if (moved_ < next_search) {
         continue;
       }
-      const Found found = nearest(here);
+      const Found found = nearest(here, allowed(i));
       matched_.distance[i] = static_cast<float>(found.distance);
       if (found.distance <= options_.tolerance) {
         if (found.part > part_ || found.share > share_) {
@@ -96,19 +99,40 @@ class Matcher {
     return {part, share, (place - a - share * along).norm()};
   }
 
-  /// The first of the nearest places ahead.
-  Found nearest(const Vec3& place) const {
-    const double limit = course_.seen_length(part_) +
-                         share_ * (course_.seen_length(part_ + 1) - course_.seen_length(part_)) +
+  /// By the program lines, with what the control may be off them [mm].
+  LineGuide::Range allowed(std::size_t sample) const {
+    if (hints_.guide == nullptr) {
+      return {};
+    }
+    const double slack = window_tolerances * options_.tolerance;
+    const LineGuide::Range range = hints_.guide->range(sample, s_of({part_, share_, 0}) - slack);
+    return {range.from - slack, range.to + slack};
+  }
+
+  /// The first of the nearest places ahead that are allowed.
+  Found nearest(const Vec3& place, const LineGuide::Range& range) const {
+    std::size_t begin = part_;
+    double begin_share = share_;
+    if (range.from > s_of({part_, share_, 0})) {
+      while (begin + 2 < course_.size() && course_.s(begin + 1) <= range.from) {
+        ++begin;
+      }
+      const double length = course_.s(begin + 1) - course_.s(begin);
+      begin_share = length > 0 ? std::clamp((range.from - course_.s(begin)) / length, 0.0, 1.0) : 0;
+    }
+    const double limit = course_.seen_length(begin) +
+                         begin_share * (course_.seen_length(begin + 1) - course_.seen_length(begin)) +
                          window_share * moved_ + window_tolerances * options_.tolerance;
     double least = std::numeric_limits<double>::infinity();
-    std::size_t end = part_;
-    for (; end + 1 < course_.size() && (end == part_ || course_.seen_length(end) <= limit); ++end) {
-      least = std::min(least, project(end, end == part_ ? share_ : 0, place).distance);
+    std::size_t end = begin;
+    for (; end + 1 < course_.size() &&
+           (end == begin || (course_.seen_length(end) <= limit && course_.s(end) <= range.to));
+         ++end) {
+      least = std::min(least, project(end, end == begin ? begin_share : 0, place).distance);
     }
     Found best;
-    for (std::size_t part = part_; part < end; ++part) {
-      const Found here = project(part, part == part_ ? share_ : 0, place);
+    for (std::size_t part = begin; part < end; ++part) {
+      const Found here = project(part, part == begin ? begin_share : 0, place);
       const bool near_enough = best.distance <= std::max(least, usual_) + equal_;
       if (near_enough && best.share < 1) {
         break;  // the nearest place is within its part: what is nearer behind is another pass
@@ -127,8 +151,9 @@ class Matcher {
       return std::nullopt;
     }
     const std::size_t count = record_.place.size();
-    for (std::size_t i = from; i < count; ++i) {
-      if ((course_.visible(record_.place[i]) - course_.point(0)).norm() <= options_.tolerance) {
+    for (std::size_t i = from; i < count && !hints_.anywhere; ++i) {
+      if ((course_.visible(record_.place[i]) - course_.point(0)).norm() <= options_.tolerance &&
+          allowed(i).from <= 0) {
         part_ = 0;
         share_ = 0;
         return i;
@@ -136,13 +161,17 @@ class Matcher {
     }
     double searched = 0;
     Vec3 last = Vec3::Constant(std::numeric_limits<double>::infinity());
-    for (std::size_t i = from; i < count && searched < most_searched; ++i) {
+    for (std::size_t i = from; i < count && searched < options_.most_searched; ++i) {
       const Vec3 here = course_.visible(record_.place[i]);
       if ((here - last).norm() < options_.tolerance) {
         continue;
       }
       last = here;
+      const LineGuide::Range range = allowed(i);
       for (std::size_t part = 0; part + 1 < course_.size(); ++part) {
+        if (course_.s(part + 1) < range.from || course_.s(part) > range.to) {
+          continue;
+        }
         const Found found = project(part, 0, here);
         if (found.distance <= options_.tolerance) {
           part_ = found.part;
@@ -158,6 +187,7 @@ class Matcher {
   const ProgrammedCourse& course_;
   const MotionRecord& record_;
   const MatchOptions& options_;
+  MatchHints hints_;
   /// Two places are equally near that differ by less [mm]. In a pause at a turning point the place found
   /// creeps ahead with the noise, as it never goes back: it must not take a later pass through there for
   /// nearer.
@@ -176,7 +206,13 @@ class Matcher {
 
 MatchedRecord match_record(const ProgrammedCourse& course, const MotionRecord& record,
                            const MatchOptions& options, std::size_t from, Progress* progress) {
-  return Matcher(course, record, options).match(from, progress);
+  return Matcher(course, record, options, {}).match(from, progress);
+}
+
+MatchedRecord match_record(const ProgrammedCourse& course, const MotionRecord& record,
+                           const MatchOptions& options, const MatchHints& hints, std::size_t from,
+                           Progress* progress) {
+  return Matcher(course, record, options, hints).match(from, progress);
 }
 
 double noise_of(const MotionRecord& record) {

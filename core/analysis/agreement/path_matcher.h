@@ -15,8 +15,9 @@ struct MotionRecord {
 };
 
 struct MatchOptions {
-  double tolerance = 0;  ///< farther from the path a place does not fit [mm]
-  double noise = 0;      ///< of the places [mm]
+  double tolerance = 0;        ///< farther from the path a place does not fit [mm]
+  double noise = 0;            ///< of the places [mm]
+  double most_searched = 2e8;  ///< points of the path in all while looking for the start
 };
 
 /// Where on a programmed path recorded places are.

@@ -12,16 +12,27 @@ constexpr double chord_error = 2e-3;  // [mm]
 
 ProgrammedCourse::ProgrammedCourse(const Toolpath& toolpath, const SeenAxes& seen) : seen_(seen) {
   starts_.reserve(toolpath.segments.size() + 1);
+  lines_.reserve(toolpath.segments.size());
   add(toolpath.start, 0);
+  const auto look_at = [&](const Vec3& place) {
+    constexpr double noticed = 1e-3;  // [mm]
+    for (std::size_t axis = 0; axis < moves_.size(); ++axis) {
+      const auto i = static_cast<int>(axis);
+      moves_[axis] = moves_[axis] || std::abs(place[i] - toolpath.start[i]) > noticed;
+    }
+  };
   for (std::size_t i = 0; i < toolpath.segments.size(); ++i) {
     const Segment& segment = toolpath.segments[i];
     starts_.push_back(length());
+    lines_.push_back(segment.line);
+    look_at(segment.end);
     if (segment.kind == SegmentKind::arc) {
       const Arc& arc = toolpath.arc_of(segment);
       const double step = 2 * std::sqrt(2 * chord_error * std::max(arc.radius, chord_error));
       const auto parts = static_cast<std::size_t>(std::ceil(std::max(1.0, segment.length / step)));
       for (std::size_t k = 1; k < parts; ++k) {
         const double from_start = segment.length * static_cast<double>(k) / static_cast<double>(parts);
+        look_at(arc.at(from_start).position);
         add(arc.at(from_start).position, segment.length / static_cast<double>(parts));
       }
       add(segment.end, segment.length / static_cast<double>(parts));

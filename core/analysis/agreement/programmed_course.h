@@ -24,10 +24,14 @@ class ProgrammedCourse {
   double length() const { return s_.empty() ? 0 : s_.back(); }         ///< [mm]
   const SeenAxes& seen() const { return seen_; }
   const Bounds& bounds() const { return bounds_; }
+  /// Whether the program moves an axis, seen or not.
+  bool moves(std::size_t axis) const { return moves_[axis]; }
   /// Without the axes that are not seen.
   Vec3 visible(const Vec3& place) const;
   /// Index into the toolpath of the segment at `s` [mm]; the earlier one at a border.
   std::uint32_t segment_at(double s) const;
+  /// Of the program, at `s` [mm]; the earlier one at a border; 0 without segments.
+  std::uint32_t line_at(double s) const { return lines_.empty() ? 0 : lines_[segment_at(s)]; }
   double start_of(std::uint32_t segment) const { return starts_[segment]; }  ///< [mm]
 
  private:
@@ -37,8 +41,10 @@ class ProgrammedCourse {
   std::vector<Vec3> points_;
   std::vector<double> s_;
   std::vector<double> seen_length_;
-  std::vector<double> starts_;  ///< of the segments, and the end [mm]
+  std::vector<double> starts_;        ///< of the segments, and the end [mm]
+  std::vector<std::uint32_t> lines_;  ///< of the segments
   Bounds bounds_;
+  SeenAxes moves_{};
 };
 
 }  // namespace feedscope

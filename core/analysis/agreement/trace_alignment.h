@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "core/analysis/agreement/agreement.h"
 
 namespace feedscope {
@@ -23,16 +21,9 @@ class TraceAlignment {
   double run_time(double s) const { return agreement_->simulated.at(s); }
 
  private:
-  /// [s]
-  struct Stretch {
-    double from = 0;
-    double to = 0;
-  };
-
   const TraceOnProgram* trace_ = nullptr;
   const Agreement* agreement_ = nullptr;
-  double shift_ = 0;           ///< of the trace's time against the run's [s]
-  std::vector<Stretch> lost_;  ///< of the trace
+  double shift_ = 0;  ///< of the trace's time against the run's [s]
 };
 
 }  // namespace feedscope

@@ -1,11 +1,10 @@
 #include "core/analysis/agreement/trace_pose.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace feedscope {
 namespace {
@@ -72,22 +71,6 @@ double mean_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
 
 bool TracePose::plain() const {
   return scale == 1 && mirror == Vec3::Ones();
-}
-
-std::vector<std::string> TracePose::remarks() const {
-  std::vector<std::string> found;
-  if (scale > 1) {
-    found.emplace_back("the trace is in inches; it is used as 25.4 times what it says");
-  } else if (scale < 1) {
-    found.emplace_back("the trace is 25.4 times as large as the program; it is used as that part of it");
-  }
-  for (int axis = 0; axis < 3; ++axis) {
-    if (mirror[axis] < 0) {
-      found.push_back(
-          fmt::format("axis {} of the trace is mirrored", coordinate_names[static_cast<std::size_t>(axis)]));
-    }
-  }
-  return found;
 }
 
 TracePose find_pose(const ProgrammedCourse& course, const MotionRecord& record) {

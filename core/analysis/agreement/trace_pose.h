@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "core/analysis/agreement/path_matcher.h"
 #include "core/analysis/agreement/programmed_course.h"
 
@@ -15,7 +12,6 @@ struct TracePose {
   Vec3 offset = Vec3::Zero();  ///< [mm]
   bool plain() const;          ///< nothing but an offset
   Vec3 apply(const Vec3& recorded) const { return scale * mirror.cwiseProduct(recorded) + offset; }
-  std::vector<std::string> remarks() const;  ///< what is not plain, one sentence each
 };
 
 /// Finds it from where a record and a path reach to and how they run: offsets where an axis is shifted, the

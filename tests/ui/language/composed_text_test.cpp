@@ -6,12 +6,14 @@
 #include <QRegularExpression>
 #include <vector>
 
+#include "core/analysis/agreement/trace_on_program.h"
 #include "core/analysis/control_dialect.h"
 #include "core/analysis/not_counted.h"
 #include "core/analysis/run.h"
 #include "core/analysis/unadvised_tolerance.h"
 #include "core/program/path_control.h"
 #include "core/program/program_unit.h"
+#include "core/trace/read_trace.h"
 #include "ui/language/language.h"
 
 namespace feedscope::ui {
@@ -40,6 +42,48 @@ class ComposedText : public testing::Test {
         << made.toStdString();
   }
 };
+
+/// Off the path, lost, a part, mirrored, in inches, with an axis missing; then of another program.
+TEST_F(ComposedText, SaysInFrenchWhatIsWrongWithATrace) {
+  Toolpath toolpath;
+  toolpath.segments.resize(2);
+  toolpath.segments[0] = {.end = Vec3(10, 0, 5), .length = 10, .line = 2};
+  toolpath.segments[1] = {.end = Vec3(10, 10, 5), .length = 10, .line = 3};
+  const ProgrammedCourse course(toolpath, {true, true, false});
+  Trace trace;
+  trace.place[0] = {0, 0};
+  trace.place[1] = {0, 0};
+  TraceOnProgram found;
+  found.fit = {0.9, 0.9, 10};
+  found.pose.scale = 25.4;
+  found.pose.mirror = Vec3(-1, 1, 1);
+  found.matched.s = {1, 12};
+  found.matched.distance = {0, 0};
+  found.matched.end = 2;
+  found.law = TimeLaw({0, 1}, found.matched);
+  found.lost = {{0.1, 0.5, 2, 12, true}, {0.5, 0.55, 12, 12, true}, {0.6, 0.7, 12, 12, false}};
+  found.pass_times = {1, 1};
+  std::vector<Diagnostic> messages = remarks_on(found, trace, course);
+  EXPECT_EQ(messages.size(), 7U);
+  found.fit = {0.1, 0.1, 10};
+  found.pose.scale = 1 / 25.4;
+  for (const Diagnostic& message : remarks_on(found, trace, course)) {
+    messages.push_back(message);
+  }
+  EXPECT_EQ(messages.size(), 7U + 6U);
+  const Trace read = parse_trace(
+      "1 0 0\n2 0 0\n3 1 0\n4 2 0\n2 2 0\n3 2 0\n7 2 0\n8 2 0\n9 2 0\n10 3 0\n11 4 0\n12 4 "
+      "0\n13 4 0\n14 4 0\n15 5 0\n25 5 0\n26 5 0\n",
+      "t.txt", parse_trace_columns("time=1:s,x=2,y=3"));
+  EXPECT_GE(read.notes.size(), 4U);
+  messages.insert(messages.end(), read.notes.begin(), read.notes.end());
+  for (const Diagnostic& message : messages) {
+    expect_french(message.message);
+    if (!message.hint.empty()) {
+      expect_french(message.hint);
+    }
+  }
+}
 
 TEST_F(ComposedText, SaysInFrenchWhatModelsGuarantee) {
   for (const ControlModel* model : all_models()) {
@@ -128,8 +172,8 @@ TEST_F(ComposedText, LeavesWhatItDoesNotKnow) {
   for (const char* text : {"", "Arc center and radius do not fit", "N10 to N20, part.nc", "essid, gassara"}) {
     EXPECT_EQ(composed_text(std::string(text)).toStdString(), text);
   }
-  EXPECT_EQ(composed_text(std::string("lines 5 to 9, 12 and 18 more")).toStdString(),
-            "lines 5 to 9, 12 and 18 more");
+  EXPECT_EQ(composed_text(std::string("places 5 to 9, 12 and 18 more")).toStdString(),
+            "places 5 to 9, 12 and 18 more");
   EXPECT_EQ(
       composed_text(std::string("3 lines of the program are refused by the control and not run (lines 1, "
                                 "5 to 9 and 18 more)."))

@@ -100,13 +100,39 @@ TEST_F(TraceViewTest, TheTraceIsOneMoreRowOfTheRuns) {
 
 TEST_F(TraceViewTest, APartOfTheProgramHasNoCycleTime) {
   model.show(run);
-  std::string text = test::trace_table(slow);
+  std::string text = test::trace_table(slow, 0);
   text.resize(text.rfind('\n', text.size() / 3) + 1);
   view.open(files.write("part.csv", text));
   ASSERT_TRUE(wait());
   EXPECT_EQ(run_cell(1, RunTable::cycle_time), "–");
   EXPECT_EQ(cell(view.figures(), 0, 0), "Time of the part compared");
-  EXPECT_THAT(view.verdict().toStdString(), HasSubstr("it is a part, or of another program"));
+  EXPECT_THAT(view.verdict().toStdString(), HasSubstr("The trace covers "));
+}
+
+TEST_F(TraceViewTest, SaysOnceThatATraceIsOfAnotherProgram) {
+  QSignalSpy noted(&view, &TraceView::noted);
+  model.show(run);
+  std::string text = "time [s],x [mm],y [mm],z [mm]\n";
+  const MotionRecord record = record_of(*run.trajectory, 0.02);
+  const std::size_t same = record.time.size() / 8;
+  for (std::size_t i = 0; i < record.time.size(); ++i) {  // begins as the program, then runs across it
+    const Vec3 off = record.place[i] - record.place[same];
+    const Vec3 place = i < same ? record.place[i]
+                                : record.place[same] + Vec3(off.y() - off.x() / 3, off.x() + off.y() / 4, 0);
+    text += fmt::format("{:.6f},{:.5f},{:.5f},{:.5f}\n", record.time[i], place.x(), place.y(), place.z());
+  }
+  view.open(files.write("other.csv", text));
+  ASSERT_TRUE(wait());
+  EXPECT_THAT(view.verdict().toStdString(), HasSubstr("The trace does not belong to this program: "));
+  ASSERT_GE(noted.size(), 2);
+  EXPECT_THAT(noted[0][1].toString().toStdString(),
+              testing::StartsWith("Trace other.csv: The trace does not belong to this program: "));
+  EXPECT_THAT(noted[0][1].toString().toStdString(), HasSubstr(". Open the program that was recorded"));
+  EXPECT_THAT(noted.back()[1].toString().toStdString(), HasSubstr("One sample each 20 ms"));
+  const auto said = noted.size();
+  model.show(slow);  // compared once more
+  ASSERT_TRUE(wait());
+  EXPECT_EQ(noted.size(), said);
 }
 
 TEST_F(TraceViewTest, AsksForTheColumnsOfATableThatDoesNotSayThem) {

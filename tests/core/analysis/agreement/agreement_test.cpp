@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -11,7 +12,9 @@
 namespace feedscope {
 namespace {
 
+using testing::AllOf;
 using testing::Contains;
+using testing::Field;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
@@ -51,6 +54,30 @@ void change(Trace& trace, std::size_t axis, double factor, double offset) {
   for (double& value : trace.place[axis]) {
     value = factor * value + offset;
   }
+}
+
+/// Of the remarks on a trace.
+auto has_remark(const std::string& code, const std::string& words) {
+  return Contains(AllOf(Field(&Diagnostic::code, code), Field(&Diagnostic::message, HasSubstr(words))));
+}
+
+/// Samples from `begin` to before `end`.
+Trace part_of(Trace trace, std::size_t begin, std::size_t end) {
+  const auto cut = [&](std::vector<double>& values) {
+    if (!values.empty()) {
+      values = std::vector<double>(values.begin() + static_cast<std::ptrdiff_t>(begin),
+                                   values.begin() + static_cast<std::ptrdiff_t>(end));
+    }
+  };
+  cut(trace.time);
+  if (!trace.line.empty()) {
+    trace.line = std::vector<std::uint32_t>(trace.line.begin() + static_cast<std::ptrdiff_t>(begin),
+                                            trace.line.begin() + static_cast<std::ptrdiff_t>(end));
+  }
+  for (auto& place : trace.place) {
+    cut(place);
+  }
+  return trace;
 }
 
 struct Compared {
@@ -106,7 +133,7 @@ TEST(Agreement, FindsOffsetsMirroredAxesAndInches) {
   Trace mirrored = trace_of(run, 1e-3);
   change(mirrored, 1, -1, 0);
   const Compared turned = compare(mirrored, run);
-  EXPECT_THAT(turned.found.remarks, Contains(HasSubstr("axis Y of the trace is mirrored")));
+  EXPECT_THAT(turned.found.remarks, has_remark("trace-mirrored", "axis Y of the trace is mirrored"));
   EXPECT_LT(turned.agreement.feed_rms, 0.5);
 
   Trace inches = trace_of(run, 1e-3);
@@ -114,7 +141,7 @@ TEST(Agreement, FindsOffsetsMirroredAxesAndInches) {
     change(inches, axis, 1 / 25.4, 0);
   }
   const Compared scaled = compare(inches, run);
-  EXPECT_THAT(scaled.found.remarks, Contains(HasSubstr("in inches")));
+  EXPECT_THAT(scaled.found.remarks, has_remark("trace-inches", "in inches"));
   EXPECT_LT(scaled.agreement.feed_rms, 0.5);
 }
 
@@ -127,17 +154,15 @@ TEST(Agreement, MarksWhatDoesNotFitAndComparesTheRest) {
   }
   const Compared lost = compare(trace, run);
   EXPECT_EQ(lost.found.matched.lost, 200U);
-  EXPECT_THAT(lost.found.remarks, Contains(HasSubstr("farther than")));
+  EXPECT_THAT(lost.found.remarks, has_remark("trace-off-path", "farther than"));
+  EXPECT_THAT(lost.found.remarks, has_remark("trace-off-path", "s on at line"));
   EXPECT_NEAR(lost.agreement.measured_time, run.trajectory->duration(), 3e-3);
 
-  Trace beginning = trace_of(run, 1e-3);
-  beginning.time.resize(half);
-  for (auto& place : beginning.place) {
-    place.resize(half);
-  }
+  const Trace beginning = part_of(trace_of(run, 1e-3), 0, half);
   const Compared part = compare(beginning, run);
   EXPECT_FALSE(part.agreement.whole);
-  EXPECT_THAT(part.found.remarks, Contains(HasSubstr("of the path of the program; only that is compared")));
+  EXPECT_THAT(part.found.remarks, has_remark("trace-part", "of the path of the program, lines 2 to "));
+  EXPECT_TRUE(part.found.belongs());
   EXPECT_NEAR(part.agreement.measured_time, part.agreement.simulated_time, 3e-3);
 }
 
@@ -183,8 +208,88 @@ TEST(Agreement, LearnsFromOneAxis) {
   Trace trace = trace_of(run, 1e-3);
   trace.place[1].clear();
   trace.place[2].clear();
-  const Agreement agreement = compare(trace, run).agreement;
+  const auto [found, agreement] = compare(trace, run);
   EXPECT_NEAR(agreement.measured_time, agreement.simulated_time, 5e-3);
+  EXPECT_THAT(found.remarks, has_remark("trace-axes", "the trace does not have Y, which the program moves"));
+}
+
+TEST(Agreement, SaysThatATraceIsOfAnotherProgramAndDoesNotMoveIt) {
+  const auto run = run_of(program_text);
+  // Begins at the same place, and comes back to it.
+  const auto other =
+      run_of("G21 G90 G17\nG1 X10 Y20 F6000\nX40 Y45\nG3 X0 Y30 I-20 J0\nX33 Y5\nX7 Y7\nX0 Y0\nM30\n");
+  const auto [found, agreement] = compare(trace_of(other, 1e-3), run);
+  EXPECT_FALSE(found.belongs());
+  EXPECT_FALSE(agreement.whole);
+  EXPECT_LT(found.fit.trace_share, 0.3);
+  EXPECT_THAT(found.remarks, has_remark("trace-other-program", "does not belong to this program"));
+  EXPECT_TRUE(found.pose.plain());
+  EXPECT_EQ(found.pose.offset, Vec3(Vec3::Zero()));
+}
+
+/// It reaches as far as the program does, so that its reach would give it an offset.
+TEST(Agreement, KeepsATraceOfAnotherProgramOfTheSameReachWhereItIs) {
+  const auto run = run_of(program_text);
+  const auto other = run_of(
+      "G21 G90 G17\nG0 X100 Y100\nG1 X160 Y140 F6000\nX160 Y100\nX100 Y140\nX100 "
+      "Y100\nX130 Y120\nM30\n");
+  Trace trace = trace_of(other, 1e-3);
+  std::size_t begin = 0;
+  while (trace.place[0][begin] < 100) {
+    ++begin;
+  }
+  trace = part_of(trace, begin, trace.size());
+  const ProgrammedCourse course(*run.input.toolpath, {true, true, true});
+  const TraceOnProgram found = find_on_program(trace, course, 0.02);
+  EXPECT_FALSE(found.belongs());
+  EXPECT_EQ(found.pose.offset, Vec3(Vec3::Zero()));
+}
+
+TEST(Agreement, FindsMirroredAxesAndInchesOfAPartOfTheProgram) {
+  const auto run = run_of(program_text);
+  const Trace whole = trace_of(run, 1e-3);
+  const Trace part = part_of(whole, whole.size() / 5, 4 * whole.size() / 5);
+  Trace mirrored = part;
+  change(mirrored, 1, -1, 0);
+  const Compared turned = compare(mirrored, run);
+  EXPECT_TRUE(turned.found.belongs());
+  EXPECT_THAT(turned.found.remarks, has_remark("trace-mirrored", "axis Y"));
+  EXPECT_LT(turned.agreement.feed_rms, 0.5);
+  Trace inches = part;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    change(inches, axis, 1 / 25.4, 0);
+  }
+  const Compared scaled = compare(inches, run);
+  EXPECT_THAT(scaled.found.remarks, has_remark("trace-inches", "in inches"));
+  EXPECT_LT(scaled.agreement.feed_rms, 0.5);
+}
+
+TEST(Agreement, SaysWhereNothingWasRecordedAndComparesNoFeedThere) {
+  const auto run = run_of(program_text);
+  Trace trace = trace_of(run, 1e-3);
+  const std::size_t at = trace.size() / 8;  // on the first line, at its feed
+  const Trace rest = part_of(trace, at + 150, trace.size());
+  trace = part_of(trace, 0, at);
+  trace.time.insert(trace.time.end(), rest.time.begin(), rest.time.end());
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    trace.place[axis].insert(trace.place[axis].end(), rest.place[axis].begin(), rest.place[axis].end());
+  }
+  const auto [found, agreement] = compare(trace, run);
+  ASSERT_EQ(found.lost.size(), 1U);
+  EXPECT_THAT(found.remarks, has_remark("trace-unknown", "at line 2"));
+  for (const AgreementCell& cell : agreement.cells) {
+    EXPECT_FALSE(found.loses(cell.s, cell.s + cell.length));
+  }
+  EXPECT_NEAR(agreement.measured_time, run.trajectory->duration(), 3e-3);
+}
+
+TEST(Agreement, SaysThatAnAxisDoesNotMoveInTheTrace) {
+  const auto run = run_of(program_text);
+  Trace trace = trace_of(run, 1e-3);
+  change(trace, 1, 0, 0);
+  const ProgrammedCourse course(*run.input.toolpath, {true, true, true});
+  const TraceOnProgram found = find_on_program(trace, course, 0.02);
+  EXPECT_THAT(found.remarks, has_remark("trace-axis-still", "axis Y does not move in the trace"));
 }
 
 TEST(Agreement, RefusesATraceOfAnotherProgram) {
@@ -196,6 +301,75 @@ TEST(Agreement, RefusesATraceOfAnotherProgram) {
   }
   trace.time.resize(trace.place[0].size());
   EXPECT_THROW(compare(trace, run), InputError);
+}
+
+/// Three rounds along the same path, lines 2 to 5, 6 to 9 and 10 to 13.
+class RepeatedRounds : public testing::Test {
+ protected:
+  RepeatedRounds()
+      : run_(run_of("G21 G90 G17 F3000\nG1 X40\nY20\nX0\nY0\nX40\nY20\nX0\nY0\nX40\nY20\nX0\nY0\nM30\n")),
+        course_(*run_.input.toolpath, {true, true, true}),
+        whole_(trace_of(run_, 1e-3)) {
+    const MatchedRecord matched = match_record(course_, record_of(whole_), {0.3, 0});
+    constexpr std::size_t ahead = 6;  // samples that the line is of a later instant
+    for (std::size_t i = 0; i < matched.s.size(); ++i) {
+      s_.push_back(matched.s[i]);
+      whole_.line.push_back(course_.line_at(matched.s[std::min(i + ahead, matched.s.size() - 1)]));
+    }
+  }
+  std::size_t sample_at(double s) const {
+    return static_cast<std::size_t>(std::ranges::lower_bound(s_, s) - s_.begin());
+  }
+  TraceOnProgram found(const Trace& trace) const { return find_on_program(trace, course_, 0.02); }
+
+  static constexpr double round = 120;  // [mm]
+  feedscope::Run run_;
+  ProgrammedCourse course_;
+  Trace whole_;
+  std::vector<double> s_;
+};
+
+TEST_F(RepeatedRounds, AreToldApartByTheProgramLinesOfTheTrace) {
+  Trace second = part_of(whole_, sample_at(round + 10), sample_at(2 * round - 10));
+  const TraceOnProgram by_line = found(second);
+  EXPECT_NEAR(by_line.law.first_s(), round + 10, 0.2);
+  EXPECT_NEAR(by_line.law.last_s(), 2 * round - 10, 0.2);
+  second.line.clear();
+  const TraceOnProgram by_place = found(second);
+  EXPECT_NEAR(by_place.law.first_s(), 10, 0.2);  // as good as any
+}
+
+TEST_F(RepeatedRounds, OfWhichOneIsLostAreToldApartByTheLines) {
+  const std::size_t from = sample_at(30);
+  const std::size_t to = sample_at(2 * round + 30);
+  Trace trace = part_of(whole_, 0, from);
+  const Trace rest = part_of(whole_, to, whole_.size());
+  trace.time.insert(trace.time.end(), rest.time.begin(), rest.time.end());
+  trace.line.insert(trace.line.end(), rest.line.begin(), rest.line.end());
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    trace.place[axis].insert(trace.place[axis].end(), rest.place[axis].begin(), rest.place[axis].end());
+  }
+  const TraceOnProgram by_line = found(trace);
+  EXPECT_NEAR(by_line.matched.s[from], 2 * round + 30, 0.5);
+  EXPECT_NEAR(by_line.law.last_s(), 3 * round, 1e-2);
+  EXPECT_NEAR(by_line.share, 1.0 / 3, 0.01);
+  trace.line.clear();
+  EXPECT_NEAR(found(trace).law.last_s(), round, 0.5);
+}
+
+TEST_F(RepeatedRounds, AreMatchedByPositionWhereTheLinesAreOfAnotherProgram) {
+  Trace trace = whole_;
+  for (std::uint32_t& line : trace.line) {
+    line = 10 * line + 1000;  // block numbers
+  }
+  const TraceOnProgram by_place = found(trace);
+  EXPECT_THAT(by_place.remarks, has_remark("trace-lines", "matched by position alone"));
+  EXPECT_NEAR(by_place.share, 1, 1e-3);
+  for (std::size_t i = 0; i < trace.size(); ++i) {
+    trace.line[i] = 13 - whole_.line[i] % 12;  // of lines that it has, in another order
+  }
+  EXPECT_NEAR(found(trace).share, 1, 1e-3);
+  EXPECT_NEAR(found(whole_).share, 1, 1e-3);
 }
 
 TEST(TraceAlignment, OfATraceWithItsOwnRunIsTheSameInstantPausesIncluded) {
