@@ -4124,6 +4124,38 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <source>nothing was recorded for %1 s from %2 s on at %3</source>
         <translation>rien n&apos;a été enregistré pendant %1 s à partir de %2 s, %3</translation>
     </message>
+    <message>
+        <source>This model holds no acceleration and jerk limits of the axes: largest values may be above what the machine allows.</source>
+        <translation>Ce modèle ne respecte aucune limite d&apos;accélération et de jerk des axes : les valeurs maximales peuvent dépasser ce que la machine permet.</translation>
+    </message>
+    <message>
+        <source>Velocity, acceleration and jerk of X, Y and Z are those of the tool&apos;s tip in the part; where rotary axes turn, the axes of the machine move otherwise.</source>
+        <translation>Vitesse, accélération et jerk de X, Y et Z sont ceux de la pointe de l&apos;outil dans la pièce ; là où des axes rotatifs tournent, les axes de la machine se déplacent autrement.</translation>
+    </message>
+    <message>
+        <source>Tool length</source>
+        <translation>Longueur d&apos;outil</translation>
+    </message>
+    <message>
+        <source>From the gauge point of the spindle to the tip of the tool; it says how X, Y and Z follow rotary axes. Without it the one of the machine&apos;s kinematics.</source>
+        <translation>Du point de référence de la broche à la pointe de l&apos;outil ; elle détermine comment X, Y et Z suivent les axes rotatifs. En son absence, celle de la cinématique de la machine.</translation>
+    </message>
+    <message>
+        <source>Orientation tolerance</source>
+        <translation>Tolérance d&apos;orientation</translation>
+    </message>
+    <message>
+        <source>How far rotary axes may leave their programmed angles where blocks meet along which they turn at different rates; without it 0.05 degrees.</source>
+        <translation>Écart admis des axes rotatifs à leurs angles programmés là où se joignent des blocs le long desquels ils tournent à des vitesses différentes ; en son absence, 0,05 degré.</translation>
+    </message>
+    <message>
+        <source>Angle of the part about %1</source>
+        <translation>Angle de la pièce autour de %1</translation>
+    </message>
+    <message>
+        <source>How the part is turned in the clamping, about X, then Y, then Z, against how the program was made for; rotary axes stand as if the program had been posted again.</source>
+        <translation>Rotation de la pièce dans son bridage, autour de X, puis de Y, puis de Z, par rapport à celle pour laquelle le programme a été fait ; les axes rotatifs prennent les angles que donnerait un nouveau post-traitement.</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ActionTable</name>
