@@ -159,19 +159,27 @@ void leave_hollow(ParameterSearch& search, const std::vector<bool>& free, int mo
   }
 }
 
-/// Values of what is not told stay those that were begun with, where that explains the traces no worse.
+/// Values of what is not told stay those that were begun with, where that explains the traces no worse; else
+/// they are what the traces show them to be at least.
 void take_back(ParameterSearch& search, std::vector<IdentifiedParameter>& parameters) {
   const double here = ParameterSearch::cost(search.evaluate(search.logarithms()));
   constexpr double no_worse = 1e-3;
   for (std::size_t p = 0; p < parameters.size(); ++p) {
-    if (parameters[p].told || !(parameters[p].start > 0)) {
+    IdentifiedParameter& one = parameters[p];
+    if (one.told) {
       continue;
     }
     Eigen::VectorXd at = search.logarithms();
-    at[static_cast<Eigen::Index>(p)] = std::log(parameters[p].start);
-    if (ParameterSearch::cost(search.evaluate(at)) <= here * (1 + no_worse)) {
+    const auto move_to = [&](double value) {
+      at[static_cast<Eigen::Index>(p)] = std::log(value);
       search.move_to(at);
-      parameters[p].value = parameters[p].start;
+      one.value = value;
+    };
+    at[static_cast<Eigen::Index>(p)] = std::log(one.start);
+    if (one.start > 0 && ParameterSearch::cost(search.evaluate(at)) <= here * (1 + no_worse)) {
+      move_to(one.start);
+    } else if (one.at_least) {
+      move_to(*one.at_least);
     }
   }
 }

@@ -1,5 +1,6 @@
 #include "core/identification/parameter_search.h"
 
+#include <fmt/format.h>
 #include <nlopt.h>
 
 #include <Eigen/Cholesky>
@@ -74,10 +75,19 @@ void ParameterSearch::move_to(const Eigen::VectorXd& at) {
   at_ = clamped(at);
 }
 
+namespace {
+
+/// To ten digits: 75 stays 75 through its logarithm.
+double without_dirt(double value) {
+  return std::stod(fmt::format("{:.10g}", value));
+}
+
+}  // namespace
+
 Setup ParameterSearch::setup_at(const Eigen::VectorXd& at) const {
   Setup setup = start_;
   for (std::size_t p = 0; p < parameters_.size(); ++p) {
-    set_fit_value(setup, parameters_[p], std::exp(at[static_cast<Eigen::Index>(p)]));
+    set_fit_value(setup, parameters_[p], without_dirt(std::exp(at[static_cast<Eigen::Index>(p)])));
   }
   return setup;
 }

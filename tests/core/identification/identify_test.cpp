@@ -95,6 +95,17 @@ TEST(Identify, SaysOfALimitThatIsNeverReachedWhatItIsAtLeast) {
   ASSERT_TRUE(velocity.at_least.has_value());
   EXPECT_LE(*velocity.at_least, 12.1);
   EXPECT_GT(*velocity.at_least, 8);
+  EXPECT_EQ(axis_limit(found.setup.machine, 'X', "velocity"), 15) << "what explains the trace as well stays";
+  EXPECT_EQ(found.setup.machine.provenance.at("X.velocity").source,
+            truth.machine.provenance.at("X.velocity").source);
+
+  const auto slow = setup_of("linuxcnc-mill", {"X.velocity=5", "max_linear_velocity_m_min=60"});
+  const Identification risen =
+      identify({one}, slow, fit_parameters_of(slow, {"X.velocity", "X.acceleration"}));
+  const IdentifiedParameter& reached = of(risen, "X.velocity");
+  ASSERT_TRUE(reached.at_least.has_value());
+  EXPECT_EQ(reached.value, *reached.at_least) << "what is too slow becomes what the trace shows at least";
+  EXPECT_NEAR(axis_limit(risen.setup.machine, 'X', "velocity"), *reached.at_least, 1e-6);
   expect_truth(found, "X.acceleration", 0.75);
 }
 
