@@ -11,6 +11,7 @@
 #include "core/analysis/explanation/explanation.h"
 #include "core/analysis/run.h"
 #include "core/base/units.h"
+#include "tests/support/folders.h"
 
 namespace feedscope {
 namespace {
@@ -61,6 +62,70 @@ TEST(RotaryCourse, GoesLinearlyAlongAFeedBlock) {
   const double middle = run.trajectory->duration() / 2;
   EXPECT_NEAR(at(run, middle).angle[2], 30 * deg, 1e-9);
   EXPECT_NEAR(at(run, middle).velocity[2], 30 * deg, 1e-9);
+}
+
+/// Steps of the angles' velocities against their accelerations: 0.75 of the limit beside a joint, and what a
+/// ramp adds.
+TEST(RotaryCourse, ChangesItsVelocityWithinTheLimitsWhereBlocksMeet) {
+  for (const double tolerance : {0.01, 0.05, 0.5}) {
+    const TurnedRun run = turned("TRAORI\nG1 F6000 X20 C60 A5\nX40 A5\nX60 C0 A20\nX80 C30\nX100\n", "essid",
+                                 {fmt::format("orientation_tolerance_deg={}", tolerance)});
+    ASSERT_GE(run.input.toolpath->turn_joints.size(), 3U);
+    const double step = 1e-4;
+    for (const char name : {'A', 'C'}) {
+      const RotaryAxis& axis = *run.setup.machine.kinematics.find(name);
+      const auto i = static_cast<std::size_t>(name - 'A');
+      double largest = 0;
+      for (double time = 0; time + step < run.trajectory->duration(); time += step) {
+        largest =
+            std::max(largest, std::abs(at(run, time + step).velocity[i] - at(run, time).velocity[i]) / step);
+      }
+      EXPECT_LE(largest, 1.75 * axis.acceleration) << name << " at " << tolerance;
+      EXPECT_GT(largest, 0.1 * axis.acceleration) << name << " at " << tolerance;
+    }
+  }
+}
+
+TEST(RotaryCourse, LeavesTheProgrammedAnglesByTheOrientationTolerance) {
+  const std::string text = "TRAORI\nG1 F6000 X20 C60\nX40\n";
+  const TurnedRun run = turned(text, "cam", {"orientation_tolerance_deg=0.2"});
+  double farthest = 0;
+  for (int i = 0; i <= 20000; ++i) {
+    const State state = run.trajectory->state(run.trajectory->duration() * i / 20000);
+    const double programmed = std::min(60.0, 3 * state.position.x()) * deg;
+    farthest = std::max(farthest, std::abs(run.sources.rotary->at(state).angle[2] - programmed));
+  }
+  EXPECT_NEAR(farthest, 0.2 * deg, 1e-3 * deg);
+}
+
+TEST(RotaryCourse, TakesTheLongerTheTighterTheOrientationTolerance) {
+  double before = 0;
+  for (const double tolerance : {0.5, 0.1, 0.02, 0.004}) {
+    const double time = turned("TRAORI\nG1 F12000 X20 C60\nX40\nX60 C0\nX80\n", "essid",
+                               {fmt::format("orientation_tolerance_deg={}", tolerance)})
+                            .trajectory->duration();
+    EXPECT_GT(time, before) << tolerance;
+    before = time;
+  }
+}
+
+/// A shipped program on the machine with a table that tilts.
+TurnedRun run_of(const char* file, const std::vector<std::string>& assignments = {}) {
+  SetupRequest request;
+  request.machine = "five-axis-table-ac";
+  request.assignments = assignments;
+  const feedscope::Setup setup = make_setup(request);
+  const std::string path = std::string(FEEDSCOPE_SOURCE_DIR "/resources/programs/") + file;
+  return simulate_run(load_program(path, nullptr, reading_on({}, setup.machine)), setup);
+}
+
+/// The program of lesson 17 that is posted at a tilt, and the other one in a part clamped at that tilt.
+TEST(RotaryCourse, OfAPartThatIsTurnedIsThatOfTheProgramPostedAtTheTilt) {
+  const double turned_part = run_of("lesson_singular.nc", {"part_angle_x_deg=-10"}).trajectory->duration();
+  const double posted = run_of("lesson_singular_tilted.nc").trajectory->duration();
+  const double plain = run_of("lesson_singular.nc").trajectory->duration();
+  EXPECT_NEAR(turned_part, posted, 0.02 * posted) << "but for the turn to the first place";
+  EXPECT_LT(turned_part, 0.8 * plain);
 }
 
 TEST(RotaryCourse, GivesTheToolItsDirectionInThePart) {
