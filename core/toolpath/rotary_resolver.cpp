@@ -149,11 +149,18 @@ class RotaryResolver {
              path_.segments[i + 1].kind != SegmentKind::dwell &&
              path_.segments[i].rapid == path_.segments[i + 1].rapid;
     };
+    struct Between {
+      const SegmentTurn* before;
+      const SegmentTurn* behind;
+    };
+    std::vector<TurnJoint>& joints = path_.turn_joints;
+    std::vector<Between> between;
     const auto join = [&](std::size_t i, const SegmentTurn* before, const SegmentTurn* behind) {
       if (go_on(i)) {
-        const TurnJoint joint = limiter_.joint(path_, i, before, behind);
-        if (std::isfinite(joint.limit.speed)) {
-          path_.turn_joints.push_back(joint);
+        const TurnJoint joint = limiter_.join(path_, i, before, behind);
+        if (joint.step != std::array<double, 3>{}) {
+          joints.push_back(joint);
+          between.push_back({before, behind});
         }
       }
     };
@@ -170,6 +177,13 @@ class RotaryResolver {
     }
     if (before != nullptr) {
       join(before->segment, before, nullptr);
+    }
+    const std::vector<TurnJoint> reaches = joints;
+    for (std::size_t k = 0; k < joints.size(); ++k) {
+      const bool follows = k > 0 && reaches[k - 1].segment + 1 == joints[k].segment;
+      const bool goes_on = k + 1 < joints.size() && joints[k].segment + 1 == reaches[k + 1].segment;
+      limiter_.set_limit(path_, between[k].before, between[k].behind, follows ? &reaches[k - 1] : nullptr,
+                         goes_on ? &reaches[k + 1] : nullptr, joints[k]);
     }
   }
 

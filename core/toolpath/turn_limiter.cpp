@@ -17,11 +17,7 @@ using Angles = std::array<double, 3>;
 constexpr double share = 0.75;  // as turning_share of limits/segment_limits.h
 constexpr std::size_t linear_count = coordinate_names.size();
 
-// Of a slope that goes from 0 to 1 as 3 t^2 - 2 t^3: largest first and second derivative, and how far its
-// integral is from that of a jump in the middle.
-constexpr double steepest = 1.5;
-constexpr double most_bent = 6;
-constexpr double farthest = 3.0 / 32;
+constexpr double farthest = 1.0 / 6;  // of step and reach, that the angle leaves the programmed one
 
 std::size_t linear_place(char name) {
   return static_cast<std::size_t>(name - 'X');
@@ -196,44 +192,69 @@ void TurnLimiter::set_limits(const Toolpath& path, SegmentTurn& turn) const {
   turn.tilt = tilt_at(course.angles(course.nearest_to_pole().value_or(length / 2)));
 }
 
-TurnJoint TurnLimiter::joint(const Toolpath& path, std::size_t segment, const SegmentTurn* before,
-                             const SegmentTurn* behind) const {
+TurnJoint TurnLimiter::join(const Toolpath& path, std::size_t segment, const SegmentTurn* before,
+                            const SegmentTurn* behind) const {
+  TurnJoint joint;
+  joint.segment = segment;
+  joint.tilt = tilt_at(before != nullptr ? before->to : behind->from);
+  const Angles from = slopes_of(path, chain_, before, true);
+  const Angles to = slopes_of(path, chain_, behind, false);
+  double largest = 0;
+  for (std::size_t i = 0; i < joint.step.size(); ++i) {
+    joint.step[i] = to[i] - from[i];
+    largest = std::max(largest, std::abs(joint.step[i]));
+  }
+  joint.half = std::min(path.segments[segment].length, path.segments[segment + 1].length);
+  if (largest > 0) {
+    joint.half = std::min(joint.half, tolerance_ / (farthest * largest));
+  }
+  return joint;
+}
+
+void TurnLimiter::set_limit(const Toolpath& path, const SegmentTurn* before, const SegmentTurn* behind,
+                            const TurnJoint* last, const TurnJoint* next, TurnJoint& joint) const {
   Meeting meeting;
   meeting.from = slopes_of(path, chain_, before, true);
   meeting.to = slopes_of(path, chain_, behind, false);
   meeting.angles = before != nullptr ? before->to : behind->from;
   meeting.at_tip = (before != nullptr && before->at_tip) || (behind != nullptr && behind->at_tip);
-  meeting.begin = point_at(path, segment, 1);
-  meeting.end = point_at(path, segment + 1, 0);
+  meeting.begin = point_at(path, joint.segment, 1);
+  meeting.end = point_at(path, joint.segment + 1, 0);
   meeting.speed_up = {speed_up(meeting.begin, before), speed_up(meeting.end, behind)};
 
-  TurnJoint joint;
-  joint.segment = segment;
-  joint.tilt = tilt_at(meeting.angles);
-  double largest = 0;
+  /// The third derivative of axis `i` on a segment of this length, whose other end is `other`.
+  const auto change = [&](const TurnJoint* other, std::size_t i, double length) {
+    const double here = joint.step[i] / joint.half;
+    const bool reaches = other != nullptr && std::min(joint.half, other->half) >= length / 2;
+    return reaches ? (here - other->step[i] / other->half) / length : here / joint.half;
+  };
+  Bend bend;
   for (std::size_t i = 0; i < joint.step.size(); ++i) {
-    joint.step[i] = meeting.to[i] - meeting.from[i];
-    largest = std::max(largest, std::abs(joint.step[i]));
-  }
-  if (largest == 0) {
-    return joint;
+    bend.second[i] = joint.step[i] / joint.half;
+    bend.before[i] = change(last, i, path.segments[joint.segment].length);
+    bend.behind[i] = -change(next, i, path.segments[joint.segment + 1].length);
   }
   constexpr int halvings = 6;
-  double half = std::min(path.segments[segment].length, path.segments[segment + 1].length) / 2;
-  half = std::min(half, tolerance_ / (2 * farthest * largest));
-  joint.limit.speed = 0;
-  for (int i = 0; i < halvings; ++i, half /= 2) {
-    const TurnLimit limit = rounded_limit(meeting, joint.step, half);
-    if (limit.speed > joint.limit.speed) {
-      joint.limit = limit;
-      joint.half = half;
+  TurnJoint best = joint;
+  best.limit.speed = 0;
+  for (int k = 0; k < halvings; ++k) {
+    const TurnLimit limit = rounded_limit(meeting, bend, joint);
+    if (limit.speed > best.limit.speed) {
+      best = joint;
+      best.limit = limit;
+    }
+    joint.half /= 2;
+    for (std::size_t i = 0; i < joint.step.size(); ++i) {
+      bend.second[i] = joint.step[i] / joint.half;
+      bend.before[i] = bend.second[i] / joint.half;
+      bend.behind[i] = -bend.before[i];
     }
   }
+  joint = best;
   if (const TurnLimit jump = jump_limit(meeting, joint.step); jump.speed > joint.limit.speed) {
     joint.limit = jump;
     joint.half = 0;
   }
-  return joint;
 }
 
 /// How the speed of the tip may grow along a segment [mm/s2].
@@ -248,26 +269,21 @@ double TurnLimiter::speed_up(const CurvePoint& at, const SegmentTurn* turn) cons
   return acceleration;
 }
 
-/// Where the slopes go over from one to the other within `half` on both sides.
-TurnLimit TurnLimiter::rounded_limit(const Meeting& meeting, const Angles& step, double half) const {
-  const double way = 2 * half;
+TurnLimit TurnLimiter::rounded_limit(const Meeting& meeting, const Bend& bend, const TurnJoint& joint) const {
   Angles middle{};
   for (std::size_t i = 0; i < middle.size(); ++i) {
     middle[i] = (meeting.from[i] + meeting.to[i]) / 2;
   }
   Courses courses = still();
   for (const RotaryAxis* axis : axes_) {
-    const double of_axis = std::abs(step[rotary_place(axis->name)]);
-    AxisCourse& course = courses[linear_count + rotary_place(axis->name)];
-    course.second = steepest * of_axis / way;
-    course.third = most_bent * of_axis / (way * way);
+    const std::size_t i = rotary_place(axis->name);
+    AxisCourse& course = courses[linear_count + i];
+    course.second = std::abs(bend.second[i]);
+    course.third = std::max(std::abs(bend.before[i]), std::abs(bend.behind[i]));
   }
   if (meeting.at_tip && knows_linear_) {
-    const double second = steepest / way;
-    const double third = most_bent / (way * way);
-    add_linear(meeting.begin, angles_at(meeting.angles, middle, second, 0, step), courses);
-    add_linear(meeting.begin, angles_at(meeting.angles, meeting.from, 0, third, step), courses);
-    add_linear(meeting.end, angles_at(meeting.angles, meeting.to, 0, -third, step), courses);
+    add_linear(meeting.begin, angles_at(meeting.angles, middle, bend.second, bend.before), courses);
+    add_linear(meeting.end, angles_at(meeting.angles, middle, bend.second, bend.behind), courses);
   }
   TurnLimit limit;
   for (std::size_t i = 0; i < courses.size(); ++i) {
@@ -282,7 +298,7 @@ TurnLimit TurnLimiter::rounded_limit(const Meeting& meeting, const Angles& step,
   }
   for (const RotaryAxis* axis : axes_) {
     const std::size_t i = rotary_place(axis->name);
-    const double speed = speed_for_velocity(meeting, i, step[i], half, axis->velocity);
+    const double speed = speed_for_velocity(meeting, i, joint.step[i], joint.half, axis->velocity);
     lower(limit, speed, TurnLimit::By::velocity, axis->velocity / speed, linear_count + i);
   }
   return limit;
@@ -315,7 +331,7 @@ TurnLimit TurnLimiter::jump_limit(const Meeting& meeting, const Angles& step) co
   }
   if (meeting.at_tip && knows_linear_) {
     const auto axes_with = [&](const Angles& slopes) {
-      return chain_.courses(tip_at(meeting.begin), angles_at(meeting.angles, slopes, 0, 0, {}), tool_length_);
+      return chain_.courses(tip_at(meeting.begin), angles_at(meeting.angles, slopes, {}, {}), tool_length_);
     };
     const std::vector<Series> before = axes_with(meeting.from);
     const std::vector<Series> behind = axes_with(meeting.to);
@@ -333,13 +349,13 @@ TurnLimit TurnLimiter::jump_limit(const Meeting& meeting, const Angles& step) co
   return jump;
 }
 
-/// The rotary axes in the order of the chain, with these slopes and `second` and `third` of their steps.
-std::vector<Series> TurnLimiter::angles_at(const Angles& angles, const Angles& slopes, double second,
-                                           double third, const Angles& step) const {
+/// The rotary axes in the order of the chain, with these derivatives.
+std::vector<Series> TurnLimiter::angles_at(const Angles& angles, const Angles& slopes, const Angles& second,
+                                           const Angles& third) const {
   std::vector<Series> series;
   for (const RotaryAxis* axis : axes_) {
     const std::size_t i = rotary_place(axis->name);
-    series.emplace_back(angles[i], slopes[i], second * step[i], third * step[i]);
+    series.emplace_back(angles[i], slopes[i], second[i], third[i]);
   }
   return series;
 }
@@ -362,10 +378,9 @@ JointTurn joint_turn(double step, double half, double away) {
   if (!(half > 0) || std::abs(away) >= half) {
     return {};
   }
-  const double way = 2 * half;
-  const double t = (half - std::abs(away)) / way;  // of the way from the nearer end, up to its middle
-  const double slope = t * t * (3 - 2 * t);
-  return {step * way * t * t * t * (1 - t / 2), std::signbit(away) ? step * slope : -step * slope};
+  const double t = 1 - std::abs(away) / half;  // of the way from the nearer end
+  const double slope = t * t / 2;
+  return {step * half * t * t * t / 6, std::signbit(away) ? step * slope : -step * slope};
 }
 
 }  // namespace feedscope

@@ -39,14 +39,21 @@ class TurnLimiter {
   /// centre point control. The share 1 - s and what is not used is for ramps.
   void set_limits(const Toolpath& path, SegmentTurn& turn) const;
 
-  /// Where segment `segment` of `path` meets the next one. The slope of every rotary axis goes over from
-  /// before to behind as 3 t^2 - 2 t^3 of the way, so that acceleration is continuous; the angles leave the
-  /// programmed ones by 3/32 of step and way at most, the orientation tolerance. The way is half of the
-  /// shorter segment on both sides at most, and shorter where that is faster: what the axis still turns
-  /// beside the place holds the tip that goes on. The velocities may jump by jump_share, if that is faster.
+  /// Step and reach of the joint where segment `segment` of `path` meets the next one, its limit not yet set.
   /// `before`, `behind`: turns along the two; null for none.
-  TurnJoint joint(const Toolpath& path, std::size_t segment, const SegmentTurn* before,
-                  const SegmentTurn* behind) const;
+  ///
+  /// The second derivative of the angle rises along the reach before the place from 0 to step/reach, and
+  /// falls behind it: over even blocks that is a cubic B-spline whose control points are the programmed
+  /// angles. The angle leaves them by step times reach / 6, the orientation tolerance at most; the reach is
+  /// the shorter of the two segments at most.
+  TurnJoint join(const Toolpath& path, std::size_t segment, const SegmentTurn* before,
+                 const SegmentTurn* behind) const;
+  /// Sets its limit, as set_limits(). `last`, `next`: the joints at the other ends of the two segments; null
+  /// for none. What they reach over half of a segment and more goes over into this one along it. A shorter
+  /// reach is taken where that is faster: what the axis still turns beside the place holds the tip that goes
+  /// on. The velocities may jump by jump_share, if that is faster.
+  void set_limit(const Toolpath& path, const SegmentTurn* before, const SegmentTurn* behind,
+                 const TurnJoint* last, const TurnJoint* next, TurnJoint& joint) const;
 
  private:
   /// Largest derivatives of an axis by the path, and its limits.
@@ -55,6 +62,13 @@ class TurnLimiter {
     double velocity = 0, acceleration = 0, jerk = 0;
 
     void add(const Series& course);
+  };
+  /// Derivatives of the angles of A, B and C at a joint: the second one, and the third ones before and behind
+  /// it.
+  struct Bend {
+    std::array<double, 3> second{};
+    std::array<double, 3> before{};
+    std::array<double, 3> behind{};
   };
   /// X, Y, Z, A, B, C, as cause_axes.
   using Courses = std::array<AxisCourse, 6>;
@@ -74,9 +88,10 @@ class TurnLimiter {
   std::array<Series, 3> tip_at(const CurvePoint& at) const;
   void add_linear(const CurvePoint& at, std::span<const Series> angles, Courses& courses) const;
   std::vector<Series> angles_at(const std::array<double, 3>& angles, const std::array<double, 3>& slopes,
-                                double second, double third, const std::array<double, 3>& step) const;
+                                const std::array<double, 3>& second,
+                                const std::array<double, 3>& third) const;
   double speed_up(const CurvePoint& at, const SegmentTurn* turn) const;
-  TurnLimit rounded_limit(const Meeting& meeting, const std::array<double, 3>& step, double half) const;
+  TurnLimit rounded_limit(const Meeting& meeting, const Bend& bend, const TurnJoint& joint) const;
   double speed_for_velocity(const Meeting& meeting, std::size_t i, double step, double half,
                             double velocity) const;
   TurnLimit jump_limit(const Meeting& meeting, const std::array<double, 3>& step) const;

@@ -44,21 +44,39 @@ TEST(TurnJoints, GoOverFromOneSlopeToTheOtherWithinTheOrientationTolerance) {
   const TurnJoint& joint = path->turn_joints[0];
   EXPECT_EQ(joint.segment, 0);
   EXPECT_NEAR(joint.step[2], -3 * deg, 1e-12);
-  // 3/32 of step and way, 3 degrees a millimetre: a way of 0.1/3 * 32/3 mm.
-  const double way = 0.1 / 3 * 32 / 3;
-  EXPECT_NEAR(2 * joint.half, way, 1e-12);
+  // A sixth of step and reach, 3 degrees a millimetre.
+  const double half = 6 * 0.1 / 3;
+  EXPECT_NEAR(joint.half, half, 1e-12);
   EXPECT_NEAR(std::abs(joint_turn(joint.step[2], joint.half, 0).angle), 0.1 * deg, 1e-12);
-  // v^2 1.5 step/way <= 0.75 A gives 7.9 mm/s, v^3 6 step/way^2 <= 0.75 J 4.3 mm/s.
-  EXPECT_NEAR(joint.limit.speed, std::cbrt(0.75 * 14400 * way * way / (6 * 3)), 1e-9);
+  // v^2 step/half <= 0.75 A gives 8.5 mm/s, v^3 step/half^2 <= 0.75 J 5.2 mm/s.
+  EXPECT_NEAR(joint.limit.speed, std::cbrt(0.75 * 14400 * half * half / 3), 1e-9);
   EXPECT_EQ(joint.limit.by, TurnLimit::By::jerk);
   EXPECT_EQ(joint.limit.axis, 5);
 }
 
-TEST(TurnJoints, TakeHalfOfTheShorterBlockAtMost) {
+TEST(TurnJoints, ReachOverTheShorterBlockAtMost) {
   const auto path = path_of("TRAORI\nG0 X0 Y0 Z0\nG1 F60000 X20 C0.02\nX20.5\nX60\n",
                             with({{"orientation_tolerance_deg", 1}}));
   ASSERT_EQ(path->turn_joints.size(), 1);
-  EXPECT_NEAR(path->turn_joints[0].half, 0.25, 1e-12);
+  EXPECT_NEAR(path->turn_joints[0].half, 0.5, 1e-12);
+}
+
+/// C turns by s^2/2 degrees over s mm, in blocks of 1 mm: its second derivative is 1 degree/mm2 everywhere,
+/// so that inside only the acceleration holds the tip, v^2 <= 0.75 A, however many blocks there are.
+TEST(TurnJoints, OfEvenBlocksRunAsTheCurveThatTheBlocksStandFor) {
+  std::string text = "TRAORI\nG0 X0 Y0 Z0\nG1 F60000\n";
+  for (int i = 1; i <= 20; ++i) {
+    text += fmt::format("X{} C{:.3f}\n", i, 0.5 * i * i);
+  }
+  const auto path = path_of(text, with({{"orientation_tolerance_deg", 0.5}}));
+  ASSERT_EQ(path->turn_joints.size(), 19);
+  for (std::size_t i = 1; i + 1 < path->turn_joints.size(); ++i) {
+    const TurnJoint& joint = path->turn_joints[i];
+    EXPECT_NEAR(joint.half, 1, 1e-9);
+    EXPECT_NEAR(joint.limit.speed, std::sqrt(0.75 * 1440), 1e-3) << i;
+    EXPECT_EQ(joint.limit.by, TurnLimit::By::acceleration) << i;
+  }
+  EXPECT_EQ(path->turn_joints.back().limit.by, TurnLimit::By::jerk) << "there it ends at once";
 }
 
 TEST(TurnJoints, LetTheVelocityJumpByAShareOfWhatAPeriodTakesUp) {
@@ -68,7 +86,7 @@ TEST(TurnJoints, LetTheVelocityJumpByAShareOfWhatAPeriodTakesUp) {
   const auto jumps = path_of(text, with({{"interpolation_period_s", 0.002}}));
   ASSERT_EQ(rounded->turn_joints.size(), 1);
   ASSERT_EQ(jumps->turn_joints.size(), 1);
-  EXPECT_NEAR(rounded->turn_joints[0].limit.speed, std::cbrt(0.75 * 14400 * 0.01 / (6 * 0.001)), 1e-6);
+  EXPECT_NEAR(rounded->turn_joints[0].limit.speed, std::cbrt(0.75 * 14400 * 0.01 / 0.001), 1e-6);
   EXPECT_NEAR(jumps->turn_joints[0].limit.speed, 0.2 * 1440 * 0.002 / 0.001, 1e-6);
   EXPECT_EQ(jumps->turn_joints[0].limit.by, TurnLimit::By::jump);
 }
@@ -87,12 +105,11 @@ TEST(TurnJoints, CountTheLinearAxesThatMakeUpForTheTurn) {
   const Settings placed = with({{"part_zero_x_mm", 400}, {"part_zero_y_mm", 0}, {"part_zero_z_mm", -300}});
   const auto path = path_of(stops_turning, placed, machine);
   ASSERT_EQ(path->turn_joints.size(), 1);
-  // 420 mm from the axis of C, that changes its slope by 3 degrees a millimetre over 2 half.
+  // 420 mm from the axis of C, that changes its slope by 3 degrees a millimetre.
   const TurnJoint& joint = path->turn_joints[0];
-  const double way = 2 * joint.half;
   EXPECT_LT(joint.limit.axis, 3);
   EXPECT_EQ(joint.limit.by, TurnLimit::By::jerk);
-  EXPECT_NEAR(joint.limit.speed, std::cbrt(0.75 * 50000 * way * way / (6 * 3 * deg * 420)),
+  EXPECT_NEAR(joint.limit.speed, std::cbrt(0.75 * 50000 * joint.half * joint.half / (3 * deg * 420)),
               0.05 * joint.limit.speed);
 }
 
@@ -109,7 +126,8 @@ TEST(JointTurns, AreTheIntegralOfTheirSlopes) {
     angle += slope(s) * h;
     const double programmed = std::max(0.0, s + h / 2) * step;
     ASSERT_NEAR(angle, programmed + joint_turn(step, half, s + h / 2).angle, 1e-6) << s;
-    ASSERT_NEAR(slope(s), step * std::pow((s + half) / (2 * half), 2) * (3 - (s + half) / half), 1e-12);
+    const double t = 1 - std::abs(s) / half;
+    ASSERT_NEAR(slope(s), s < 0 ? step * t * t / 2 : step * (1 - t * t / 2), 1e-12);
   }
   EXPECT_EQ(joint_turn(step, half, half).angle, 0);
   EXPECT_EQ(joint_turn(step, half, -2 * half).slope, 0);
