@@ -140,6 +140,11 @@ void LinuxCncCanon::line(std::size_t i) {
     send_line(toolpath_.start_of(i), segment.end, 0, true, block, block);
     return;
   }
+  if (toolpath_.segment_turn(i) != nullptr) {  // its naive cam joins no blocks in which rotary axes turn
+    flush();
+    send_line(toolpath_.start_of(i), segment.end, segment.feed, false, block, block);
+    return;
+  }
   if (chain_.empty()) {
     chain_start_ = toolpath_.start_of(i);
   }
@@ -188,8 +193,9 @@ void LinuxCncCanon::send_line(const Vec3& from, const Vec3& to, double feed, boo
   move.block = block;
   move.first = first;
   move.rapid = rapid;
-  const AxisBound velocity = along(to - from, move.course.length, settings_.velocity);
-  const AxisBound acceleration = along(to - from, move.course.length, settings_.acceleration);
+  AxisBound velocity = along(to - from, move.course.length, settings_.velocity);
+  AxisBound acceleration = along(to - from, move.course.length, settings_.acceleration);
+  lower_by_turn(block, move, velocity, acceleration);
   move.largest = velocity.value;
   move.acceleration = acceleration.value;
   move.acceleration_axis = acceleration.axis;
@@ -201,6 +207,23 @@ void LinuxCncCanon::send_line(const Vec3& from, const Vec3& to, double feed, boo
   move.end = mode_.end;
   move.waits_for_spindle = spindle_starts_ && !rapid;
   spindle_starts_ = spindle_starts_ && rapid;
+}
+
+/// The control takes the longest time that any axis needs for its part of the block, at its velocity and at
+/// its acceleration, linear or rotary.
+void LinuxCncCanon::lower_by_turn(std::uint32_t block, LinuxCncSegment& move, AxisBound& velocity,
+                                  AxisBound& acceleration) const {
+  const SegmentTurn* turn = toolpath_.segment_turn(block);
+  if (turn == nullptr) {
+    return;
+  }
+  move.turns = true;
+  if (turn->limit.speed < velocity.value) {
+    velocity = {turn->limit.speed, turn->limit.axis};
+  }
+  if (turn->acceleration < acceleration.value) {
+    acceleration = {turn->acceleration, turn->acceleration_axis};
+  }
 }
 
 void LinuxCncCanon::arc(std::size_t i) {
@@ -228,7 +251,8 @@ void LinuxCncCanon::arc(std::size_t i) {
   course.length = course.arc_length();
   constexpr double flat = 1e-9;
   const bool in_xy = std::abs(std::abs(course.normal.z()) - 1) < flat && std::abs(course.height) < flat;
-  if (in_xy && mode_.blends() && course.radius * (1 - std::cos(course.angle / 2)) < mode_.naive) {
+  if (in_xy && mode_.blends() && toolpath_.segment_turn(i) == nullptr &&
+      course.radius * (1 - std::cos(course.angle / 2)) < mode_.naive) {
     if (chain_.empty()) {
       chain_start_ = start;
     }
@@ -257,8 +281,11 @@ void LinuxCncCanon::arc(std::size_t i) {
   LinuxCncSegment& move = message.move;
   move.course = course;
   move.block = move.first = block;
-  move.largest = length / std::max(time(settings_.velocity), turn / in_plane);
-  move.acceleration = length / std::max(time(settings_.acceleration), turn / acceleration);
+  AxisBound largest{length / std::max(time(settings_.velocity), turn / in_plane), -1};
+  AxisBound along_arc{length / std::max(time(settings_.acceleration), turn / acceleration), -1};
+  lower_by_turn(block, move, largest, along_arc);
+  move.largest = largest.value;
+  move.acceleration = along_arc.value;
   move.requested = std::min(segment.feed > 0 ? segment.feed : move.largest, move.largest);
   const bool turns_fast = in_plane < speed && turn / in_plane >= time(settings_.velocity);
   move.speed_cause = segment.feed > 0 && segment.feed <= move.largest

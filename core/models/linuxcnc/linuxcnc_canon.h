@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/limits/axis_share.h"
 #include "core/models/linuxcnc/linuxcnc_segment.h"
 #include "core/models/linuxcnc/linuxcnc_words.h"
 #include "core/toolpath/toolpath.h"
@@ -55,6 +56,8 @@ class LinuxCncCanon {
   void collect(const Vec3& end, std::uint32_t block, double feed);
   bool linkable(const Vec3& end) const;
   void flush();
+  void lower_by_turn(std::uint32_t block, LinuxCncSegment& move, AxisBound& velocity,
+                     AxisBound& acceleration) const;
   void send_line(const Vec3& from, const Vec3& to, double feed, bool rapid, std::uint32_t first,
                  std::uint32_t block);
   void send(LinuxCncMessage::Kind kind, std::uint32_t block, double time = 0);

@@ -84,7 +84,10 @@ bool LinuxCncPlanner::join_tangentially(LinuxCncSegment& p, LinuxCncSegment& t) 
 /// The fastest of a parabolic blend, a tangential joint at the kink's speed and a blend arc.
 LinuxCncPlanner::Blended LinuxCncPlanner::join_by_blend(LinuxCncSegment& t) {
   LinuxCncSegment& p = queue_.back();
-  std::optional<LinuxCncBlend> blend = find_linuxcnc_blend(p, t, settings_);
+  std::optional<LinuxCncBlend> blend;
+  if (!p.turns && !t.turns) {
+    blend = find_linuxcnc_blend(p, t, settings_);
+  }
   const double parabolic = find_linuxcnc_overlap(p, t, settings_, false).net / 2;
   const double tangent = p.kink_speed;
   if (blend) {

@@ -64,6 +64,7 @@ struct LinuxCncSegment {
   double largest = 0;                        ///< v_m [mm/s]
   double acceleration = 0;                   ///< a [mm/s2]
   double final_speed = 0;                    ///< v_f [mm/s]
+  bool turns = false;                        ///< rotary axes do: no blend arc on it
   std::int8_t acceleration_axis = -1;        ///< that sets a; -1: several
   Cause speed_cause;                         ///< of the lower one of v_r and v_m
   Cause final_cause{CauseKind::exact_stop};  ///< of v_f

@@ -52,7 +52,7 @@ double time_with_cells(const Toolpath& path, const Machine& machine, const std::
   if (filtered) {
     FilteredPath(run, axes, FilteredPath::usual_error, builder).lay();
   }
-  AccelerationLaw law(path, axes, fineness, builder);
+  AccelerationLaw law(axes, fineness, builder);
   ProgressSteps steps(nullptr, 1);
   law.run(0, static_cast<std::uint32_t>(builder.path().size()), steps);
   return builder.finish().duration();
