@@ -151,5 +151,20 @@ TEST(RotaryAxesOfCam, WaitToo) {
               turning_time(*machine.kinematics.find('A'), units::from_deg(20)), 1e-12);
 }
 
+/// 180 degrees at 60 degrees/s, and as fast as X where C is fast enough.
+TEST(RotaryAxesOfLinuxCnc, TakeTheLongestTimeOfAnyAxis) {
+  Machine machine = five_axes();
+  const ControlModel& model = find_model("linuxcnc");
+  const auto time_at = [&](double velocity, const std::string& end) {
+    set_axis_value(machine, 'C', "velocity", velocity);
+    const auto path = turning_path("G0 X0 Y0 Z0\n" + end);
+    return model.simulate(path, machine, complete_settings(model, machine)).duration();
+  };
+  const double along_x = time_at(1000, "G0 X100\n");
+  EXPECT_NEAR(time_at(10, "G0 X100 C180\n"), 3, 0.1);
+  EXPECT_NEAR(time_at(10, "TRAORI\nG1 X100 C180 F20000\n"), 3, 0.1);
+  EXPECT_NEAR(time_at(1000, "G0 X100 C1\n"), along_x, 0.002);
+}
+
 }  // namespace
 }  // namespace feedscope
