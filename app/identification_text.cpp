@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
 #include "app/print.h"
 #include "core/base/units.h"
 
@@ -28,11 +32,37 @@ std::string traces_text(const Identification& found, const std::vector<std::stri
   table.add({"trace", "measured", "simulated", "difference", "feed rms mm/min"});
   for (std::size_t i = 0; i < found.agreements.size(); ++i) {
     const Agreement& agreement = found.agreements[i];
-    table.add({traces[i], time_text(agreement.measured_time), time_text(agreement.simulated_time),
-               fmt::format("{:+.2f} %", 100 * agreement.time_error()),
-               fmt::format("{:.1f}", units::to_mm_min(agreement.feed_rms))});
+    table.add(
+        {traces[i], time_text(agreement.measured_time), time_text(agreement.simulated_time),
+         fmt::format("{:+.2f} %", 100 * agreement.time_error()),
+         found.sections[i].empty() ? fmt::format("{:.1f}", units::to_mm_min(agreement.feed_rms)) : "-"});
   }
   return table.text("lrrrr");
+}
+
+/// The sections that a run misses most, of each table.
+std::string sections_text(const Identification& found) {
+  constexpr std::size_t most = 5;
+  std::string text;
+  for (const std::vector<SectionAgreement>& all : found.sections) {
+    if (all.empty()) {
+      continue;
+    }
+    std::vector<SectionAgreement> worst = all;
+    std::ranges::stable_sort(worst, std::ranges::greater(), [](const SectionAgreement& one) {
+      return std::abs(one.simulated_time - one.measured_time);
+    });
+    worst.resize(std::min(worst.size(), most));
+    TextTable table;
+    table.add({"sections missed most", "measured s", "simulated s", "difference s"});
+    for (const SectionAgreement& one : worst) {
+      table.add({one.section, fmt::format("{:.4f}", one.measured_time),
+                 fmt::format("{:.4f}", one.simulated_time),
+                 fmt::format("{:+.4f}", one.simulated_time - one.measured_time)});
+    }
+    text += table.text("lrrr");
+  }
+  return text;
 }
 
 }  // namespace
@@ -51,7 +81,7 @@ std::string identification_text(const std::vector<Identification>& models,
   }
   const Identification& best = models.front();
   text += fmt::format("model {}, {} simulations\n", best.setup.model->info().id, best.simulations);
-  text += parameters_text(best) + traces_text(best, traces);
+  text += parameters_text(best) + traces_text(best, traces) + sections_text(best);
   text +=
       best.explains
           ? ""

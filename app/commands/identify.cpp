@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <optional>
 
@@ -21,6 +22,9 @@
 #include "core/base/units.h"
 #include "core/export/identification.h"
 #include "core/identification/identification_program.h"
+#include "core/identification/section_case.h"
+#include "core/identification/trace_case.h"
+#include "core/machine/file_text.h"
 #include "core/trace/read_trace.h"
 #ifdef FEEDSCOPE_WITH_UI
 #include "ui/report/picture_file.h"
@@ -98,6 +102,21 @@ std::string usual_machine(const std::string& model) {
   return default_machine;
 }
 
+/// What a machine recorded: a trace, or times of sections.
+struct Recorded {
+  std::optional<Trace> trace;
+  std::vector<SectionTime> sections;
+};
+
+bool is_section_table(const std::string& file) {
+  constexpr std::size_t enough = 4096;
+  std::string head(enough, '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(in.gcount()));
+  return is_section_times(head);
+}
+
 class Work {
  public:
   Work(const IdentifyCommandOptions& options, Watch& watch) : options_(options), watch_(watch) {
@@ -110,9 +129,14 @@ class Work {
       sources_.push_back(std::make_shared<const SourceText>(SourceText::from_file(file)));
     }
     for (const std::string& file : options.traces) {
-      traces_.push_back(read_trace(file, columns, watch.stage("traces")));
+      if (is_section_table(file)) {
+        recorded_.push_back({{}, parse_section_times(file_text(file, "table of section times", 1), file)});
+      } else {
+        recorded_.push_back({read_trace(file, columns, watch.stage("traces")), {}});
+        notes_.push_back({file, recorded_.back().trace->notes});
+      }
     }
-    remarks_.resize(traces_.size());
+    remarks_.resize(recorded_.size());
     for (const auto& source : sources_) {
       programs_.push_back(load_program(source, watch.stage("programs"), reading));
     }
@@ -127,18 +151,26 @@ class Work {
     const Setup start = make_setup(request);
     const std::vector<FitParameter> parameters =
         options_.fit.empty() ? usual_fit_parameters(start) : fit_parameters_of(start, keys_of(options_.fit));
-    std::vector<FitCase> cases;
-    for (std::size_t i = 0; i < traces_.size(); ++i) {
-      cases.emplace_back(traces_[i], programs_[programs_.size() == 1 ? 0 : i], start,
-                         watch_.stage("matching"));
-      remarks_[i] = cases.back().found().remarks;
+    FitCases cases;
+    for (std::size_t i = 0; i < recorded_.size(); ++i) {
+      const LoadedProgram& program = programs_[programs_.size() == 1 ? 0 : i];
+      if (!recorded_[i].trace) {
+        cases.push_back(
+            std::make_shared<const SectionCase>(recorded_[i].sections, options_.traces[i], program));
+        continue;
+      }
+      const auto found =
+          std::make_shared<const TraceCase>(*recorded_[i].trace, program, start, watch_.stage("matching"));
+      remarks_[i] = found->found().remarks;
+      cases.push_back(found);
     }
     IdentifyOptions how;
     how.date = today();
     return identify(cases, start, parameters, how, watch_.stage("fitting"));
   }
 
-  const std::vector<Trace>& traces() const { return traces_; }
+  /// What is wrong with each trace that was read.
+  const std::vector<std::pair<std::string, std::vector<Diagnostic>>>& notes() const { return notes_; }
   const std::vector<LoadedProgram>& programs() const { return programs_; }
   /// What is wrong with each trace on its program; known after fit().
   const std::vector<std::vector<Diagnostic>>& remarks() const { return remarks_; }
@@ -147,7 +179,8 @@ class Work {
   const IdentifyCommandOptions& options_;
   Watch& watch_;
   std::vector<std::shared_ptr<const SourceText>> sources_;
-  std::vector<Trace> traces_;
+  std::vector<Recorded> recorded_;
+  std::vector<std::pair<std::string, std::vector<Diagnostic>>> notes_;
   std::vector<LoadedProgram> programs_;
   std::vector<std::vector<Diagnostic>> remarks_;
 };
@@ -221,7 +254,10 @@ int write_program(const IdentifyCommandOptions& options) {
     table.add(
         {fmt::format("{}", part.line), part.title, time_text(times.of(part.line, end).time), part.tells});
   }
-  fmt::print("{}", table.text("rlrl"));
+  fmt::print("{}{} sections, marked by comments{}\n", table.text("rlrl"), made.sections,
+             request.dialect == Dialect::fanuc       ? "; their times are in #101 and on, in ms"
+             : request.dialect == Dialect::sinumerik ? "; their times are in R1 and on, in s"
+                                                     : "");
   return exit_code::done;
 }
 
@@ -242,8 +278,8 @@ int identify_machine(const IdentifyCommandOptions& options) {
   {
     Watch watch;
     Work work(options, watch);
-    for (std::size_t i = 0; i < options.traces.size(); ++i) {
-      print_diagnostics(work.traces()[i].notes, options.traces[i]);
+    for (const auto& [file, notes] : work.notes()) {
+      print_diagnostics(notes, file);
     }
     for (const LoadedProgram& program : work.programs()) {
       print_diagnostics(*program.program);
@@ -281,7 +317,8 @@ Command add_identify_command(CLI::App& app) {
       "identify",
       "Find the limits and settings of a machine from traces of its control; without traces: "
       "write the program that tells them");
-  command->add_option("TRACE", options->traces, "Traces, as feedscope trace reads them");
+  command->add_option("TRACE", options->traces,
+                      "Traces, as feedscope trace reads them, or tables of section times (section,seconds)");
   command
       ->add_option("--program", options->programs,
                    "NC program of each trace, in their order; without traces and FILE: write the test "

@@ -32,6 +32,13 @@ Json model_json(const Identification& found, const std::vector<std::string>& tra
     Json one = agreement_json(found.agreements[i]);
     one["trace"] = i < traces.size() ? traces[i] : "";
     one["program"] = found.runs[i].input.program->source->name();
+    Json sections = Json::array();
+    for (const SectionAgreement& section : found.sections[i]) {
+      sections.push_back({{"section", section.section},
+                          {"measured_s", finite(section.measured_time)},
+                          {"simulated_s", finite(section.simulated_time)}});
+    }
+    one["sections"] = std::move(sections);
     by_trace.push_back(std::move(one));
   }
   return {{"id", found.setup.model->info().id},

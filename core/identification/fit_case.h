@@ -1,59 +1,48 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/analysis/agreement/agreement.h"
+#include "core/identification/trace_limits.h"
 
 namespace feedscope {
 
-/// A trace and the program that it is of, prepared for many simulations.
-///
-/// What is compared are the times over stretches of the programmed path, each ending where a sample of the
-/// trace lies: short ones, eight, and 64 together, and the whole; and the distance from the path in each,
-/// where it is clearly above the noise. Residuals are in units of what noise and sampling make of them.
+/// Time of a section of a program, as a control took it and as a run has it.
+struct SectionAgreement {
+  std::string section;        ///< as the table names it
+  double measured_time = 0;   ///< [s]
+  double simulated_time = 0;  ///< [s]
+};
+
+/// How well a run says what was recorded.
+struct FitResult {
+  Agreement agreement;                     ///< of section times only the times
+  double feed_error = 0;                   ///< root mean square, as a share of the mean feed
+  std::vector<SectionAgreement> sections;  ///< of section times
+};
+
+/// What a machine recorded of a program, prepared for many simulations. Residuals are in units of what noise,
+/// sampling and rounding make of them.
 class FitCase {
  public:
-  /// `start`: a setup of the model. Throws InputError if the trace is nowhere on the path.
-  FitCase(Trace trace, const LoadedProgram& program, const Setup& start, Progress* progress = nullptr);
+  virtual ~FitCase() = default;
 
-  std::size_t size() const { return scale_.size(); }  ///< residuals
+  virtual const std::string& name() const = 0;  ///< of the file
+  virtual const LoadedProgram& program() const = 0;
+  virtual std::size_t size() const = 0;  ///< residuals
   /// Simulated less measured, of a setup; a run that leaves the path altogether gets large ones.
-  std::vector<double> residuals(const Setup& setup) const;
+  virtual std::vector<double> residuals(const Setup& setup) const = 0;
   /// Number of the short stretch that a residual belongs to, of `stretches()`; blocks of them are left out to
-  /// see how much a value depends on a part of the trace.
-  std::size_t stretch_of(std::size_t residual) const { return stretch_[residual]; }
-  /// Whether it is the time of one short stretch.
-  bool is_short(std::size_t residual) const { return residual < short_; }
-  std::size_t stretches() const { return borders_.empty() ? 0 : borders_.size() - 1; }
-
-  const Trace& trace() const { return trace_; }
-  const LoadedProgram& program() const { return program_; }
-  const ProgrammedCourse& course() const { return *course_; }
-  const TraceOnProgram& found() const { return found_; }
-
- private:
-  struct Span {
-    std::size_t first = 0;  ///< borders
-    std::size_t last = 0;
-  };
-  void add_span(std::size_t first, std::size_t last);
-
-  Trace trace_;
-  LoadedProgram program_;
-  std::shared_ptr<const ProgrammedCourse> course_;
-  TraceOnProgram found_;
-  double step_ = 1e-3;           ///< of sampling a run [s]
-  std::vector<double> borders_;  ///< programmed path length [mm]
-  std::vector<double> times_;    ///< measured there [s]
-  std::vector<double> time_noise_;
-  std::vector<Span> spans_;  ///< without those that the trace has left the path in
-  std::size_t short_ = 0;    ///< of them, short ones, which come first
-  /// Where the trace is farthest from the path, by short stretches whose distance counts. A run is compared
-  /// at the same places: between its samples a trace has been farther away than it says.
-  std::vector<TimeLaw::Farthest> farthest_;
-  std::vector<double> scale_;  ///< one unit of each residual [s], [mm]
-  std::vector<std::size_t> stretch_;
+  /// see how much a value depends on a part of what was recorded.
+  virtual std::size_t stretch_of(std::size_t residual) const = 0;
+  virtual bool is_short(std::size_t residual) const = 0;  ///< the time of one short stretch
+  virtual std::size_t stretches() const = 0;
+  virtual AxisVector<AxisReach> reach() const = 0;  ///< what the axes reach, in mm; zeros: not known
+  virtual FitResult result(const Run& run) const = 0;
 };
+
+using FitCases = std::vector<std::shared_ptr<const FitCase>>;
 
 }  // namespace feedscope

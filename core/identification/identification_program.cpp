@@ -10,13 +10,15 @@
 #include "core/base/geometry.h"
 #include "core/base/translatable.h"
 #include "core/base/units.h"
+#include "core/identification/section_times.h"
 
 namespace feedscope {
 namespace {
 
 using Eigen::Vector2d;
 
-constexpr double pause = 0.25;  // [s]
+constexpr double pause = 0.25;               // [s]
+constexpr std::size_t first_variable = 100;  // of a Fanuc: the time of section 1 is in the one behind it
 constexpr std::array feed_shares{0.2, 0.5, 1.0};
 
 void check(const IdentificationProgramRequest& request) {
@@ -62,6 +64,9 @@ class MotionWriter {
     }
   }
   void end() {
+    if (dialect_ == Dialect::fanuc) {  // M30 may clear the variables
+      line("M0 (NOTE THE TIMES IN #101 AND ON)");
+    }
     line("M30");
     if (is_klartext()) {
       line("END PGM IDENTIFY MM");
@@ -114,14 +119,25 @@ class MotionWriter {
     }
     feed_ = 0;
   }
-  void start_time() {
+  /// Before and behind the control's own statements nothing is read ahead.
+  void start_time(std::size_t section) {
     if (dialect_ == Dialect::fanuc) {
+      line("G53");
       line("#3001=0");
+    } else if (dialect_ == Dialect::sinumerik) {
+      line("STOPRE");
+      line("$AC_TIMER[1]=0");
     }
+    comment(section_mark(section, true));
   }
-  void take_time(std::size_t part) {
+  void take_time(std::size_t section) {
+    comment(section_mark(section, false));
     if (dialect_ == Dialect::fanuc) {
-      line(fmt::format("#{}=#3001", 101 + part));
+      line("G53");
+      line(fmt::format("#{}=#3001", first_variable + section));
+    } else if (dialect_ == Dialect::sinumerik) {
+      line("STOPRE");
+      line(fmt::format("R{}=$AC_TIMER[1]", section));
     }
   }
   std::string text() const { return text_; }
@@ -191,11 +207,12 @@ class ProgramMaker {
   /// Between pauses, its time taken by the control.
   template <class Motions>
   void timed(const Motions& motions) {
+    ++made_.sections;
     writer_.wait();
-    writer_.start_time();
+    writer_.start_time(made_.sections);
     motions();
     writer_.wait();
-    writer_.take_time(made_.parts.size() - 1);
+    writer_.take_time(made_.sections);
   }
   static Vector2d along(double angle) { return {std::cos(angle), std::sin(angle)}; }
 

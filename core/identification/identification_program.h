@@ -25,13 +25,15 @@ struct IdentificationProgramPart {
 struct IdentificationProgram {
   std::string text;
   std::vector<IdentificationProgramPart> parts;
-  double height = 0;  ///< how far Z goes up from the zero point, where it begins; never below [mm]
+  std::size_t sections = 0;  ///< whose time can be taken, from 1 on, in the order of the program
+  double height = 0;         ///< how far Z goes up from the zero point, where it begins; never below [mm]
 };
 
 /// Single moves, ramps, corners of 10 to 170 degrees, circles and short blocks, at several feeds, about the
-/// zero point in the middle, Z only upwards from it. Pauses of a quarter of a second part the pieces. A Fanuc
-/// takes the time of each part itself (#3001, in ms, in #101 and on). Throws InputError naming value and
-/// bound, or a dialect that there is no such program for.
+/// zero point in the middle, Z only upwards from it. Pauses of a quarter of a second part the sections, which
+/// comments mark (section_mark()). A Fanuc takes the time of each itself (#3001, in ms, in #101 and on), a
+/// SINUMERIK too ($AC_TIMER[1], in s, in R1 and on). Throws InputError naming value and bound, or a dialect
+/// that there is no such program for.
 IdentificationProgram identification_program(const IdentificationProgramRequest& request);
 
 }  // namespace feedscope

@@ -23,16 +23,14 @@ constexpr const char* unexplained = QT_TRANSLATE_NOOP(
     "core", "The model does not explain the traces: a value of it would say nothing of the machine.");
 
 /// The setup with velocities, accelerations and jerks as far as the traces reach.
-Setup begun_with_reach(const std::vector<FitCase>& cases, Setup setup,
-                       const std::vector<FitParameter>& parameters) {
+Setup begun_with_reach(const FitCases& cases, Setup setup, const std::vector<FitParameter>& parameters) {
   AxisVector<AxisReach> most(setup.machine.axes.axes());
-  for (const FitCase& one : cases) {
-    const AxisVector<AxisReach> reach = reach_of(one.trace(), one.found().noise);
-    for (std::size_t axis = 0; axis < most.size(); ++axis) {
-      const double scale = one.found().pose.scale;
-      most[axis].velocity = std::max(most[axis].velocity, scale * reach[axis].velocity);
-      most[axis].acceleration = std::max(most[axis].acceleration, scale * reach[axis].acceleration);
-      most[axis].jerk = std::max(most[axis].jerk, scale * reach[axis].jerk);
+  for (const auto& one : cases) {
+    const AxisVector<AxisReach> reach = one->reach();
+    for (std::size_t axis = 0; axis < std::min(most.size(), reach.size()); ++axis) {
+      most[axis].velocity = std::max(most[axis].velocity, reach[axis].velocity);
+      most[axis].acceleration = std::max(most[axis].acceleration, reach[axis].acceleration);
+      most[axis].jerk = std::max(most[axis].jerk, reach[axis].jerk);
     }
   }
   for (const FitParameter& parameter : parameters) {
@@ -127,10 +125,10 @@ void release_ramps(ParameterSearch& search, const std::vector<bool>& free, std::
   }
 }
 
-std::string names_of(const std::vector<FitCase>& cases) {
+std::string names_of(const FitCases& cases) {
   std::string names;
-  for (const FitCase& one : cases) {
-    names += (names.empty() ? "" : ", ") + one.trace().name;
+  for (const auto& one : cases) {
+    names += (names.empty() ? "" : ", ") + one->name();
   }
   return names;
 }
@@ -216,7 +214,7 @@ void write_sources(Setup& setup, const std::vector<IdentifiedParameter>& paramet
 
 }  // namespace
 
-Identification identify(const std::vector<FitCase>& cases, const Setup& start,
+Identification identify(const FitCases& cases, const Setup& start,
                         const std::vector<FitParameter>& parameters, const IdentifyOptions& options,
                         Progress* progress) {
   if (cases.empty() || parameters.empty()) {
@@ -261,16 +259,15 @@ Identification identify(const std::vector<FitCase>& cases, const Setup& start,
   const Eigen::VectorXd residuals = search.evaluate(search.logarithms());
   found.residual = std::sqrt(residuals.squaredNorm() / static_cast<double>(residuals.size()));
   found.explains = true;
-  for (const FitCase& one : cases) {
-    Run run = simulate_run(one.program(), found.setup);
-    Agreement agreement = agreement_of(one.found(), one.course(), run);
-    const double length = one.found().law.last_s() - one.found().law.first_s();
-    const double mean_feed = length / std::max(agreement.measured_time, 1e-9);
-    found.feed_error = std::max(found.feed_error, agreement.feed_rms / mean_feed);
-    found.explains = found.explains && agreement.feed_rms <= most_feed_error * mean_feed &&
-                     std::abs(agreement.time_error()) <= most_time_error;
+  for (const auto& one : cases) {
+    Run run = simulate_run(one->program(), found.setup);
+    FitResult result = one->result(run);
+    found.feed_error = std::max(found.feed_error, result.feed_error);
+    found.explains = found.explains && result.feed_error <= most_feed_error &&
+                     std::abs(result.agreement.time_error()) <= most_time_error;
     found.runs.push_back(std::move(run));
-    found.agreements.push_back(std::move(agreement));
+    found.agreements.push_back(std::move(result.agreement));
+    found.sections.push_back(std::move(result.sections));
   }
   if (!found.explains) {
     for (IdentifiedParameter& one : found.parameters) {

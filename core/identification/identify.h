@@ -25,9 +25,11 @@ struct Identification {
   Setup setup;  ///< with the values that were found, their sources in the machine
   std::vector<IdentifiedParameter> parameters;
   std::vector<Run> runs;              ///< of the programs, one a trace
-  std::vector<Agreement> agreements;  ///< one a trace
-  double residual = 0;                ///< root mean square of the residuals, in units of noise and sampling
-  double feed_error = 0;              ///< largest feed_rms of a trace as a share of its mean feed
+  std::vector<Agreement> agreements;  ///< one a trace; of a table of section times their times alone
+  std::vector<std::vector<SectionAgreement>>
+      sections;           ///< by trace; empty for those that are no table of them
+  double residual = 0;    ///< root mean square of the residuals, in units of noise and sampling
+  double feed_error = 0;  ///< largest FitResult::feed_error
   bool explains = false;  ///< the model says what the traces show: within 5 % of the feed and 1 % of the time
   std::size_t simulations = 0;
 };
@@ -47,7 +49,7 @@ struct IdentifyOptions {
 /// leaving out each twelfth of the traces in turn say. A parameter whose uncertainty exceeds a fifth of it,
 /// or that can be half or double without showing, is not told. If the model does not explain the traces, none
 /// is. On several threads. Throws InputError, Cancelled.
-Identification identify(const std::vector<FitCase>& cases, const Setup& start,
+Identification identify(const FitCases& cases, const Setup& start,
                         const std::vector<FitParameter>& parameters, const IdentifyOptions& options = {},
                         Progress* progress = nullptr);
 

@@ -27,8 +27,8 @@ double weight_of(double residual) {
 
 }  // namespace
 
-ParameterSearch::ParameterSearch(const std::vector<FitCase>& cases, Setup start,
-                                 std::vector<FitParameter> parameters, Progress* progress)
+ParameterSearch::ParameterSearch(const FitCases& cases, Setup start, std::vector<FitParameter> parameters,
+                                 Progress* progress)
     : cases_(cases), start_(std::move(start)), parameters_(std::move(parameters)), progress_(progress) {
   at_.resize(static_cast<Eigen::Index>(parameters_.size()));
   for (std::size_t p = 0; p < parameters_.size(); ++p) {
@@ -36,13 +36,13 @@ ParameterSearch::ParameterSearch(const std::vector<FitCase>& cases, Setup start,
     at_[static_cast<Eigen::Index>(p)] =
         std::log(std::clamp(value, parameters_[p].least, parameters_[p].most));
   }
-  for (const FitCase& one : cases_) {
-    for (std::size_t i = 0; i < one.size(); ++i) {
-      short_.push_back(one.is_short(i));
-      blocks_.push_back(std::min(block_count - 1, one.stretch_of(i) * block_count / one.stretches()));
+  for (const auto& one : cases_) {
+    for (std::size_t i = 0; i < one->size(); ++i) {
+      short_.push_back(one->is_short(i));
+      blocks_.push_back(std::min(block_count - 1, one->stretch_of(i) * block_count / one->stretches()));
     }
-    count_ += one.size();
-    stretches_ += one.stretches();
+    count_ += one->size();
+    stretches_ += one->stretches();
   }
 }
 
@@ -98,11 +98,11 @@ std::vector<Eigen::VectorXd> ParameterSearch::evaluate_all(const std::vector<Eig
     const Setup setup = setup_at(clamped(places[i]));
     Eigen::VectorXd residuals(static_cast<Eigen::Index>(count_));
     Eigen::Index next = 0;
-    for (const FitCase& one : cases_) {
+    for (const auto& one : cases_) {
       if (progress_ != nullptr && progress_->cancelled()) {
         throw Cancelled();
       }
-      for (const double residual : one.residuals(setup)) {
+      for (const double residual : one->residuals(setup)) {
         residuals[next++] = residual;
       }
     }

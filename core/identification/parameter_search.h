@@ -11,7 +11,7 @@ namespace feedscope {
 /// Residuals of all cases as a function of the logarithms of some parameters.
 class ParameterSearch {
  public:
-  ParameterSearch(const std::vector<FitCase>& cases, Setup start, std::vector<FitParameter> parameters,
+  ParameterSearch(const FitCases& cases, Setup start, std::vector<FitParameter> parameters,
                   Progress* progress);
 
   std::size_t size() const { return parameters_.size(); }
@@ -50,7 +50,7 @@ class ParameterSearch {
   Eigen::VectorXd clamped(const Eigen::VectorXd& at) const;
   void report(std::size_t evaluations);
 
-  const std::vector<FitCase>& cases_;
+  const FitCases& cases_;
   Setup start_;
   std::vector<FitParameter> parameters_;
   Progress* progress_;

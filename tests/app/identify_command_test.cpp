@@ -1,4 +1,8 @@
+#include <fmt/format.h>
+
+#include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/app/command_line.h"
 
@@ -63,6 +67,37 @@ TEST_F(IdentifyCommand, WritesTheTestProgramAndWhatItsPartsTell) {
                    "--picture are of the test program");
   expect_wrong_use("identify --program --out test.h", "the test program needs --dialect");
   expect_wrong_use("identify --program moves.nc --model linuxcnc", "identify needs traces");
+}
+
+/// Taken from the motion that a machine with other accelerations would have had, row by row.
+TEST_F(IdentifyCommand, TakesTimesOfSectionsInsteadOfATrace) {
+  std::map<int, int> rows;
+  std::istringstream motion(contents(folder_ / "trace.csv"));
+  std::string row;
+  for (std::getline(motion, row); std::getline(motion, row);) {
+    const auto line = row.find(',', row.find(',') + 1) + 1;
+    ++rows[std::stoi(row.substr(line))];
+  }
+  std::string table = "lines,ms\n";
+  for (const auto& [line, count] : rows) {
+    table += fmt::format("{}-{},{}\n", line, line, count);
+  }
+  write("times.csv", table);
+  const Result result =
+      run("identify times.csv --program moves.nc --model linuxcnc --fit X.acceleration,Y.acceleration --out "
+          "mine.toml "
+          "--json mine.json");
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("sections missed most"));
+  const json report = json::parse(contents(folder_ / "mine.json"));
+  EXPECT_NEAR(report["parameters"]["X.acceleration"]["value"].get<double>(), 1.3, 0.026);
+  EXPECT_NEAR(report["parameters"]["Y.acceleration"]["value"].get<double>(), 0.6, 0.012);
+  EXPECT_EQ(report["models"][0]["traces"][0]["sections"].size(), rows.size());
+  EXPECT_THAT(contents(folder_ / "mine.toml"), HasSubstr("identified from times.csv"));
+  write("few.csv", "section,seconds\n1,2\n");
+  expect_wrong_use("identify few.csv --program moves.nc --model linuxcnc", "at least 4 can tell something");
+  write("other.csv", "section,seconds\n1,2\n2,2\n3,2\n4,2\n");
+  expect_wrong_use("identify other.csv --program moves.nc --model linuxcnc", "moves.nc has no section '1'");
 }
 
 TEST_F(IdentifyCommand, SaysWhatIsMissingOrWrong) {

@@ -3,9 +3,14 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <memory>
 #include <random>
 
+#include "core/analysis/line_times.h"
 #include "core/base/error.h"
+#include "core/identification/identification_program.h"
+#include "core/identification/section_case.h"
+#include "core/identification/trace_case.h"
 
 namespace feedscope {
 namespace {
@@ -70,7 +75,7 @@ TEST(Identify, FindsLimitsOfAJerkLimitedControlFromANoisyTrace) {
   const auto truth = setup_of("spinner-mvc850", {"X.acceleration=1.7", "Y.acceleration=1.2", "X.jerk=24",
                                                  "Y.jerk=30", "program_tolerance=off"});
   const auto start = setup_of("spinner-mvc850", {"program_tolerance=off"});
-  const FitCase one(trace_of(truth, 4e-3, 2e-4, 3), program(), start);
+  const auto one = std::make_shared<const TraceCase>(trace_of(truth, 4e-3, 2e-4, 3), program(), start);
   const Identification found =
       identify({one}, start,
                fit_parameters_of(start, {"X.acceleration", "Y.acceleration", "X.jerk", "Y.jerk", "Z.jerk"}));
@@ -87,7 +92,7 @@ TEST(Identify, FindsLimitsOfAJerkLimitedControlFromANoisyTrace) {
 
 TEST(Identify, SaysOfALimitThatIsNeverReachedWhatItIsAtLeast) {
   const auto truth = setup_of("linuxcnc-mill", {"X.velocity=15", "max_linear_velocity_m_min=60"});
-  const FitCase one(trace_of(truth, 1e-3, 1e-4, 5), program(), truth);
+  const auto one = std::make_shared<const TraceCase>(trace_of(truth, 1e-3, 1e-4, 5), program(), truth);
   const Identification found =
       identify({one}, truth, fit_parameters_of(truth, {"X.velocity", "X.acceleration"}));
   const IdentifiedParameter& velocity = of(found, "X.velocity");
@@ -112,7 +117,7 @@ TEST(Identify, SaysOfALimitThatIsNeverReachedWhatItIsAtLeast) {
 TEST(Identify, ReportsAModelThatDoesNotExplainATrace) {
   const auto truth = setup_of("linuxcnc-mill", {});
   const auto start = setup_of("dmg-mori-evo40", {});
-  const FitCase one(trace_of(truth, 1e-3, 1e-4, 6), program(), start);
+  const auto one = std::make_shared<const TraceCase>(trace_of(truth, 1e-3, 1e-4, 6), program(), start);
   const Identification found = identify({one}, start, fit_parameters_of(start, {"X.jerk"}));
   EXPECT_FALSE(found.explains);
   EXPECT_FALSE(found.parameters[0].told);
@@ -121,11 +126,122 @@ TEST(Identify, ReportsAModelThatDoesNotExplainATrace) {
 
 TEST(Identify, CanBeCancelled) {
   const auto setup = setup_of("linuxcnc-mill", {});
-  const FitCase one(trace_of(setup, 1e-3, 1e-4, 6), program(), setup);
+  const auto one = std::make_shared<const TraceCase>(trace_of(setup, 1e-3, 1e-4, 6), program(), setup);
   Progress progress;
   progress.cancel();
   EXPECT_THROW(identify({one}, setup, fit_parameters_of(setup, {"X.acceleration"}), {}, &progress),
                Cancelled);
+}
+
+/// Section times of the test program as a control would have taken them: in ms, to its period.
+class SectionTimes : public testing::Test {
+ protected:
+  SectionTimes() {
+    const IdentificationProgram made = identification_program({Dialect::fanuc, 200, 250});
+    ReadOptions reading;
+    reading.dialect = Dialect::fanuc;
+    program_ =
+        load_program(std::make_shared<const SourceText>(SourceText("test.nc", made.text)), nullptr, reading);
+    sections_ = made.sections;
+  }
+
+  std::string table_of(const feedscope::Setup& setup, double period, unsigned seed) const {
+    const feedscope::Run run = simulate_run(program_, setup);
+    const LineTimes times(*run.trajectory);
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> phase(0, period);
+    std::string text = "section,ms\n";
+    for (std::size_t section = 1; section <= sections_; ++section) {
+      const SectionLines lines =
+          lines_of({std::to_string(section), 1, 1, 1}, *program_.program->source, "table");
+      const double begin = phase(random);
+      const double time = times.of(lines.first, lines.last).time;
+      const double counted = period * (std::floor((begin + time) / period));
+      text += std::to_string(section) + "," + std::to_string(std::lround(1e3 * counted)) + "\n";
+    }
+    return text;
+  }
+
+  Identification found(const feedscope::Setup& truth, const feedscope::Setup& start,
+                       const std::vector<std::string>& keys, double period = 1e-3, unsigned seed = 1) const {
+    const auto one = std::make_shared<const SectionCase>(
+        parse_section_times(table_of(truth, period, seed), "times.csv"), "times.csv", program_);
+    return identify({one}, start, fit_parameters_of(start, keys));
+  }
+
+  LoadedProgram program_;
+  std::size_t sections_ = 0;
+};
+
+TEST_F(SectionTimes, TellTheLimitsOfAMachineWithoutATrace) {
+  const auto truth =
+      setup_of("linuxcnc-mill", {"X.acceleration=1.7", "Y.acceleration=1.2", "Z.acceleration=0.5",
+                                 "X.velocity=11", "max_linear_velocity_m_min=60", "blend_tolerance_mm=0.05"});
+  const auto start = setup_of("linuxcnc-mill", {"max_linear_velocity_m_min=60", "blend_tolerance_mm=0.02"});
+  const Identification one =
+      found(truth, start,
+            {"X.acceleration", "Y.acceleration", "Z.acceleration", "X.velocity", "blend_tolerance_mm"});
+  EXPECT_TRUE(one.explains);
+  expect_truth(one, "X.acceleration", 1.7);
+  expect_truth(one, "Y.acceleration", 1.2);
+  expect_truth(one, "Z.acceleration", 0.5);
+  expect_truth(one, "X.velocity", 11);
+  expect_truth(one, "blend_tolerance_mm", 0.05);
+  EXPECT_THAT(one.setup.machine.provenance.at("X.acceleration").source,
+              HasSubstr("identified from times.csv"));
+  ASSERT_EQ(one.sections.size(), 1U);
+  EXPECT_EQ(one.sections[0].size(), sections_);
+  EXPECT_NEAR(one.agreements[0].simulated_time, one.agreements[0].measured_time, 0.1);
+}
+
+/// Never a confident wrong one: what is told is within 2 % or its stated uncertainty.
+TEST_F(SectionTimes, OfACoarseClockAreToldWithinTheirUncertaintyOrNot) {
+  const auto truth = setup_of("linuxcnc-mill", {"X.acceleration=1.7", "Y.acceleration=1.2"});
+  const auto start = setup_of("linuxcnc-mill", {});
+  for (unsigned seed = 1; seed <= 2; ++seed) {
+    const Identification one =
+        found(truth, start, {"X.acceleration", "Y.acceleration", "Z.jerk"}, 0.008, seed);
+    for (const auto& [key, value] : {std::pair("X.acceleration", 1.7), std::pair("Y.acceleration", 1.2)}) {
+      if (of(one, key).told) {
+        expect_truth(one, key, value);
+        EXPECT_GT(of(one, key).uncertainty, 0);
+      }
+    }
+    EXPECT_FALSE(of(one, "Z.jerk").told);
+  }
+}
+
+TEST(SectionTable, NamesRowAndFaultOfWhatItCannotRead) {
+  const auto refusal = [](const std::string& text) {
+    try {
+      parse_section_times(text, "t.csv");
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("read");
+  };
+  EXPECT_TRUE(is_section_times("# by hand\nsection;seconds\n1;2,5\n"));
+  EXPECT_TRUE(is_section_times("Lines,Time [ms]\n"));
+  EXPECT_FALSE(is_section_times("time,x,y\n0,1,2\n"));
+  const auto german =
+      parse_section_times("section;seconds\r\n1;2,5\r\n\r\n2;0,75\r\n3;1\r\n40-55;1,25\r\n", "t.csv");
+  ASSERT_EQ(german.size(), 4U);
+  EXPECT_DOUBLE_EQ(german[1].seconds, 0.75);
+  EXPECT_NEAR(german[1].resolution, 0.25, 1e-12);
+  EXPECT_NEAR(parse_section_times("section,ms\n1,1232\n2,848\n3,16\n4,24\n", "t.csv")[0].resolution, 0.008,
+              1e-12);
+  EXPECT_EQ(german[3].section, "40-55");
+  EXPECT_THAT(refusal("a,b\n1,2\n"), HasSubstr("t.csv:1: this is no table of section times"));
+  EXPECT_THAT(refusal("section,seconds\n1,2\n2,-1\n"),
+              HasSubstr("t.csv:3: '2,-1' is no section with its time"));
+  EXPECT_THAT(refusal("section,seconds\n1,2\n"), HasSubstr("1 section times; at least 4"));
+  const SourceText text("p.nc", "G0 X0\n(Section 3 begins)\nG1 X9 F100\n(section 3 ends)\nM30\n");
+  EXPECT_EQ(lines_of({"3", 1, 1, 2}, text, "t.csv").first, 2U);
+  EXPECT_EQ(lines_of({"3", 1, 1, 2}, text, "t.csv").last, 4U);
+  EXPECT_EQ(lines_of({"1-3", 1, 1, 2}, text, "t.csv").last, 3U);
+  for (const std::string section : {"4", "3-9", "x", "3-1"}) {
+    EXPECT_THROW(lines_of({section, 1, 1, 2}, text, "t.csv"), InputError) << section;
+  }
 }
 
 TEST(FitParameters, AreNumbersOfMachineAndModelByKey) {

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "core/identification/identify.h"
+#include "core/identification/trace_case.h"
 #include "core/trace/read_trace.h"
 #include "tests/support/folders.h"
 
@@ -40,9 +41,10 @@ TEST(LinuxCncIdentification, FindsTheMachineOfItsTraces) {
   request.machine = "linuxcnc-mill";
   const auto start = make_setup(request);
   const TraceColumns columns = parse_trace_columns("linuxcnc");
-  std::vector<FitCase> cases;
+  FitCases cases;
   for (const std::string name : {"tapie_bore", "lesson_approach"}) {
-    cases.emplace_back(read_trace(traces() / (name + ".txt.gz"), columns), without_tolerance(name), start);
+    cases.push_back(std::make_shared<const TraceCase>(read_trace(traces() / (name + ".txt.gz"), columns),
+                                                      without_tolerance(name), start));
   }
   const Identification found =
       identify(cases, start,
@@ -65,7 +67,7 @@ TEST(LinuxCncIdentification, FindsTheMachineOfItsTraces) {
   // Programs that were not used.
   for (const std::string name : {"msaddek_pocket", "essid_spline", "lesson_zigzag_6000"}) {
     const LoadedProgram program = load_program(traces() / (name + ".ngc"));
-    const FitCase other(read_trace(traces() / (name + ".txt.gz"), columns), program, found.setup);
+    const TraceCase other(read_trace(traces() / (name + ".txt.gz"), columns), program, found.setup);
     const Agreement agreement =
         agreement_of(other.found(), other.course(), simulate_run(program, found.setup));
     EXPECT_LT(std::abs(agreement.time_error()), 0.005) << name;

@@ -1,4 +1,4 @@
-#include "core/identification/fit_case.h"
+#include "core/identification/trace_case.h"
 
 #include <fmt/format.h>
 
@@ -24,7 +24,7 @@ constexpr double hopeless = 1e4;         // residual where there is nothing to c
 
 }  // namespace
 
-FitCase::FitCase(Trace trace, const LoadedProgram& program, const Setup& start, Progress* progress)
+TraceCase::TraceCase(Trace trace, const LoadedProgram& program, const Setup& start, Progress* progress)
     : trace_(std::move(trace)), program_(program) {
   const Trajectory run = start.model->simulate(program.toolpath, start.machine, start.settings, progress);
   const auto as_read = start.model->read(program.toolpath, start.settings).path;
@@ -80,13 +80,13 @@ FitCase::FitCase(Trace trace, const LoadedProgram& program, const Setup& start, 
   }
 }
 
-void FitCase::add_span(std::size_t first, std::size_t last) {
+void TraceCase::add_span(std::size_t first, std::size_t last) {
   spans_.push_back({first, last});
   scale_.push_back(std::hypot(time_noise_[first], time_noise_[last]));
   stretch_.push_back((first + last) / 2);
 }
 
-std::vector<double> FitCase::residuals(const Setup& setup) const {
+std::vector<double> TraceCase::residuals(const Setup& setup) const {
   const Trajectory run = setup.model->simulate(program_.toolpath, setup.machine, setup.settings);
   const MotionRecord record = record_of(run, step_);
   const TimeLaw law(record.time, match_record(*course_, record, {found_.tolerance, found_.noise}));
@@ -109,6 +109,26 @@ std::vector<double> FitCase::residuals(const Setup& setup) const {
     ++i;
   }
   return off;
+}
+
+AxisVector<AxisReach> TraceCase::reach() const {
+  AxisVector<AxisReach> reach = reach_of(trace_, found_.noise);
+  const double scale = found_.pose.scale;
+  for (std::size_t axis = 0; axis < reach.size(); ++axis) {
+    reach[axis].velocity *= scale;
+    reach[axis].acceleration *= scale;
+    reach[axis].jerk *= scale;
+  }
+  return reach;
+}
+
+FitResult TraceCase::result(const Run& run) const {
+  FitResult result;
+  result.agreement = agreement_of(found_, *course_, run);
+  const double length = found_.law.last_s() - found_.law.first_s();
+  const double mean_feed = length / std::max(result.agreement.measured_time, 1e-9);
+  result.feed_error = result.agreement.feed_rms / mean_feed;
+  return result;
 }
 
 }  // namespace feedscope
