@@ -158,7 +158,8 @@ void leave_hollow(ParameterSearch& search, const std::vector<bool>& free, int mo
 }
 
 /// Values of what is not told stay those that were begun with, where that explains the traces no worse; else
-/// they are what the traces show them to be at least.
+/// those that were found. What the traces show a limit to be at least is no value of it: there they are worse
+/// for certain, and programs that go faster than these would be too slow.
 void take_back(ParameterSearch& search, std::vector<IdentifiedParameter>& parameters) {
   const double here = ParameterSearch::cost(search.evaluate(search.logarithms()));
   constexpr double no_worse = 1e-3;
@@ -168,16 +169,10 @@ void take_back(ParameterSearch& search, std::vector<IdentifiedParameter>& parame
       continue;
     }
     Eigen::VectorXd at = search.logarithms();
-    const auto move_to = [&](double value) {
-      at[static_cast<Eigen::Index>(p)] = std::log(value);
-      search.move_to(at);
-      one.value = value;
-    };
     at[static_cast<Eigen::Index>(p)] = std::log(one.start);
     if (one.start > 0 && ParameterSearch::cost(search.evaluate(at)) <= here * (1 + no_worse)) {
-      move_to(one.start);
-    } else if (one.at_least) {
-      move_to(*one.at_least);
+      search.move_to(at);
+      one.value = one.start;
     }
   }
 }
@@ -205,9 +200,12 @@ void write_sources(Setup& setup, const std::vector<IdentifiedParameter>& paramet
     } else if (one.value != one.start) {
       setup.machine.provenance.insert_or_assign(
           key,
-          Provenance{fmt::format("not told by {}: {}", from,
-                                 one.at_least ? "at least this" : "this explains them as well as others"),
-                     true});
+          Provenance{
+              one.at_least
+                  ? fmt::format("not told by {}: at least {:.4g} {}, this explains them as well as others",
+                                from, *one.at_least, one.parameter.unit)
+                  : fmt::format("not told by {}: this explains them as well as others", from),
+              true});
     }
   }
 }
