@@ -66,6 +66,12 @@ std::string rotary_text(const Run& run) {
                              units::to_turns_min(axis->velocity))});
     }
   }
+  for (std::size_t i = 0; run.summary.machine_velocity && i < coordinate_names.size(); ++i) {
+    const char name = coordinate_names[i];
+    table.add({fmt::format("velocity of {} of the machine, with rotary axes", name),
+               fmt::format("{:.4g} of {:.4g} m/min", units::to_m_min((*run.summary.machine_velocity)[i]),
+                           axis_limit(run.setup.machine, name, "velocity"))});
+  }
   return table.text("ll");
 }
 

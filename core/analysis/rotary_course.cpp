@@ -95,7 +95,26 @@ Vec3 RotaryCourse::tool_direction(const State& state) const {
   for (const std::size_t axis : chain_.rotary()) {
     places[axis] = sample.angle[rotary_names.find(chain_.axes()[axis].name)];
   }
-  return path().part_turn.transpose() * chain_.pose(places, 0).direction;
+  return path().part.turn.transpose() * chain_.pose(places, 0).direction;
+}
+
+std::array<double, 3> RotaryCourse::linear_velocity(const State& state, const RotarySample& sample) const {
+  CurvePoint tip;
+  tip.position = state.position;
+  tip.d1 = state.velocity;
+  tip.d2 = tip.d3 = Vec3::Zero();
+  std::vector<Series> angles;
+  for (const std::size_t k : chain_.rotary()) {
+    const std::size_t i = rotary_names.find(chain_.axes()[k].name);
+    angles.emplace_back(sample.angle[i], sample.velocity[i], 0, 0);
+  }
+  const std::vector<Series> all =
+      chain_.courses(tip_on_machine(path().part, tip), angles, path().part.tool_length);
+  std::array<double, 3> velocity{};
+  for (const std::size_t k : chain_.linear()) {
+    velocity[static_cast<std::size_t>(chain_.axes()[k].name - 'X')] = all[k].d1();
+  }
+  return velocity;
 }
 
 RotaryCourse::Way RotaryCourse::way_of(const State& state) const {

@@ -31,6 +31,12 @@ class RotaryCourse {
   /// Of the tool in the coordinates of the part, from the tip to the spindle, unit; `state` as at().
   Vec3 tool_direction(const State& state) const;
 
+  /// The tip is followed by X, Y and Z of the machine in a way that is known.
+  bool knows_linear() const { return path().part.known; }
+  /// Velocities of X, Y and Z of the machine, which hold the tip on its path while rotary axes turn; only if
+  /// knows_linear() [mm/s]. `sample`: at() of the state.
+  std::array<double, 3> linear_velocity(const State& state, const RotarySample& sample) const;
+
  private:
   /// A turn from the first segment in which it shows on.
   struct Event {

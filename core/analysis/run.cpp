@@ -210,6 +210,7 @@ void add_summary(Run& run, Progress* progress) {
   }
   if (run.sources.rotary) {
     run.summary.rotary_velocity = largest_velocities(run.sources.rotary);
+    run.summary.machine_velocity = largest_linear_velocities(run.sources.rotary);
   }
   run.simulate_time += watch.seconds();
 }

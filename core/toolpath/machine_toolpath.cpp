@@ -119,6 +119,7 @@ class Resolver {
   Toolpath& changed() {
     if (!copy_) {
       copy_ = std::make_shared<Toolpath>(*path_);
+      copy_->programmed = path_->programmed ? path_->programmed : path_;
     }
     return *copy_;
   }
@@ -150,6 +151,9 @@ class Resolver {
 
 std::shared_ptr<const Toolpath> on_machine(std::shared_ptr<const Toolpath> path, const Machine& machine,
                                            const Settings& settings) {
+  if (path->programmed) {
+    path = path->programmed;
+  }
   path = with_rotary_moves(std::move(path), machine, settings);
   return path->pauses.empty() ? path : Resolver(path, settings).run();
 }

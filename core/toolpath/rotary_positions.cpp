@@ -24,16 +24,24 @@ bool says_directions(const std::vector<RotaryMove>& moves) {
 
 }  // namespace
 
-Eigen::Matrix3d part_turn(const Settings& settings) {
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+PartOnMachine part_on_machine(const Machine& machine, const Settings& settings) {
+  PartOnMachine part;
+  part.known = true;
   for (int axis = 0; axis < 3; ++axis) {
-    const std::string key = fmt::format("part_angle_{}_deg", "xyz"[axis]);
-    if (settings.has(key)) {
+    const char name = "xyz"[axis];
+    if (const std::string key = fmt::format("part_angle_{}_deg", name); settings.has(key)) {
       const double angle = units::from_deg(settings.number(key));
-      turn = Eigen::AngleAxisd(angle, Vec3::Unit(axis)).toRotationMatrix() * turn;
+      part.turn = Eigen::AngleAxisd(angle, Vec3::Unit(axis)).toRotationMatrix() * part.turn;
     }
+    const std::string key = fmt::format("part_zero_{}_mm", name);
+    part.known = part.known && settings.has(key);
+    part.zero[axis] = settings.has(key) ? settings.number(key) : 0;
   }
-  return turn;
+  const std::string length = "tool_length_mm";
+  part.known = part.known && (settings.has(length) || machine.kinematics.tool_length.has_value());
+  part.tool_length =
+      settings.has(length) ? settings.number(length) : machine.kinematics.tool_length.value_or(0);
+  return part;
 }
 
 RotaryPositions::RotaryPositions(const Machine& machine, const KinematicChain& chain,
@@ -42,11 +50,11 @@ RotaryPositions::RotaryPositions(const Machine& machine, const KinematicChain& c
   for (const std::size_t axis : chain.rotary()) {
     axes_.push_back(machine.kinematics.find(chain.axes()[axis].name));
   }
-  if (path.part_turn.isIdentity()) {
+  if (path.part.turn.isIdentity()) {
     return;
   }
   if (!says_directions(moves)) {
-    path.part_turn.setIdentity();
+    path.part.turn.setIdentity();
     fault(moves.front().line, Severity::warning, "rotary-position",
           "the part stays as programmed: the program sends the rotary axes of one machine to angles",
           "part_angle_x_deg, _y_deg and _z_deg turn the part under programs with tool vectors, tilted planes "
@@ -56,17 +64,17 @@ RotaryPositions::RotaryPositions(const Machine& machine, const KinematicChain& c
   }
   RotaryMove first;
   first.line = moves.front().line;
-  at_ = angles_for(first, path.part_turn * direction_at(at_));
+  at_ = angles_for(first, path.part.turn * direction_at(at_));
 }
 
 void RotaryPositions::follow(const RotaryMove& move) {
   if (move.direction) {
-    at_ = angles_for(move, path_.part_turn * *move.direction);
-    posted_ = path_.part_turn.isIdentity() ? at_ : nearest(*move.direction, posted_);
+    at_ = angles_for(move, path_.part.turn * *move.direction);
+    posted_ = path_.part.turn.isIdentity() ? at_ : nearest(*move.direction, posted_);
     return;
   }
   posted_ = asked_by(move);
-  at_ = path_.part_turn.isIdentity() ? posted_ : angles_for(move, path_.part_turn * direction_at(posted_));
+  at_ = path_.part.turn.isIdentity() ? posted_ : angles_for(move, path_.part.turn * direction_at(posted_));
 }
 
 std::array<double, 3> RotaryPositions::asked_by(const RotaryMove& move) {
@@ -74,7 +82,7 @@ std::array<double, 3> RotaryPositions::asked_by(const RotaryMove& move) {
   for (const RotaryAxis* axis : axes_) {
     const std::size_t place = rotary_place(axis->name);
     to[place] = move.to[place].value_or(to[place]);
-    if (path_.part_turn.isIdentity() && (to[place] < axis->minimum.value_or(to[place]) - reached ||
+    if (path_.part.turn.isIdentity() && (to[place] < axis->minimum.value_or(to[place]) - reached ||
                                          to[place] > axis->maximum.value_or(to[place]) + reached)) {
       fault(move.line, Severity::error, "rotary-travel",
             fmt::format("axis {} goes to {:g} degrees, beyond its travel from {:g} to {:g}", axis->name,
@@ -95,13 +103,13 @@ std::array<double, 3> RotaryPositions::angles_for(const RotaryMove& move, const 
   }
   std::vector<RotaryPlaces> found = chain_.turn_to(direction, from);
   if (found.empty()) {
-    const Vec3 asked = path_.part_turn.transpose() * direction;
+    const Vec3 asked = path_.part.turn.transpose() * direction;
     fault(move.line, Severity::error, "rotary-direction",
           fmt::format("no position of the rotary axes of machine '{}' gives the tool the direction {:.4g}, "
                       "{:.4g}, {:.4g} of {}{}",
                       machine_.id, asked.x(), asked.y(), asked.z(),
                       move.with_feed || move.with_rapid ? "the tool vector" : "the tilted plane",
-                      path_.part_turn.isIdentity() ? "" : " in the part as it is turned"),
+                      path_.part.turn.isIdentity() ? "" : " in the part as it is turned"),
           "the rotary axes stay; tilt less, or choose another machine");
     return to;
   }

@@ -10,15 +10,16 @@
 
 namespace feedscope {
 
-/// How the part's frame is turned on the machine against how the program was made for: by part_angle_x_deg
-/// about X, then by _y_ about Y, then by _z_ about Z. What of them is not given is zero.
-Eigen::Matrix3d part_turn(const Settings& settings);
+/// By the settings: turned against how the program was made for by part_angle_x_deg about X, then by _y_
+/// about Y, then by _z_ about Z, what of them is not given by zero; part_zero_x_mm ..., tool_length_mm or
+/// that of the machine.
+PartOnMachine part_on_machine(const Machine& machine, const Settings& settings);
 
 /// Where the moves of a program send the rotary axes of a machine, one after the other. All stand at zero
 /// before the first. A direction takes the angles that KinematicChain::turn_to() gives, those with the sign
 /// that is asked for, else the nearest; tool vectors beside feed motions the nearer of two positions.
 ///
-/// Where the part is turned on the machine (Toolpath::part_turn), the axes give the tool the directions in
+/// Where the part is turned on the machine (Toolpath::part), the axes give the tool the directions in
 /// the part that it would have without, as if the program had been posted again.
 ///
 /// What cannot be is in Toolpath::machine_faults: a direction out of reach (the axes stay), a place beyond

@@ -21,20 +21,24 @@ namespace {
 constexpr double same_angle = 1e-9;  // [rad]
 
 /// The path with the part as the settings have it on the machine.
-Toolpath turned(Toolpath path, const Settings& settings) {
-  path.part_turn = part_turn(settings);
+Toolpath placed(const std::shared_ptr<const Toolpath>& programmed, const Machine& machine,
+                const Settings& settings) {
+  Toolpath path = *programmed;
+  path.part = part_on_machine(machine, settings);
+  path.programmed = programmed;
   return path;
 }
 
 class RotaryResolver {
  public:
-  RotaryResolver(const Toolpath& path, const Machine& machine, const Settings& settings)
-      : from_(path),
+  RotaryResolver(const std::shared_ptr<const Toolpath>& path, const Machine& machine,
+                 const Settings& settings)
+      : from_(*path),
         machine_(machine),
         chain_(chain_of(machine.kinematics)),
-        path_(turned(path, settings)),
-        positions_(machine, chain_, path.rotary_moves, path_, notes_),
-        limiter_(machine, chain_, settings, path_.part_turn),
+        path_(placed(path, machine, settings)),
+        positions_(machine, chain_, from_.rotary_moves, path_, notes_),
+        limiter_(machine, chain_, settings, path_.part),
         axes_(limiter_.axes()) {}
 
   std::shared_ptr<const Toolpath> run() {
@@ -265,7 +269,7 @@ std::shared_ptr<const Toolpath> with_rotary_moves(std::shared_ptr<const Toolpath
   if (machine.kinematics.empty() || path->rotary_moves.empty()) {
     return path;
   }
-  return RotaryResolver(*path, machine, settings).run();
+  return RotaryResolver(path, machine, settings).run();
 }
 
 }  // namespace feedscope

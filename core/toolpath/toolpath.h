@@ -80,7 +80,15 @@ struct SegmentTurn {
   bool great_circle = false;
 };
 
-/// Where two feed segments meet along which rotary axes have different slopes: each goes over from one to the
+/// Where the part is on a machine with rotary axes all at zero, and how long the tool is.
+struct PartOnMachine {
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  ///< of the part's frame
+  Vec3 zero = Vec3::Zero();                            ///< of the coordinates shown [mm]
+  double tool_length = 0;                              ///< [mm]
+  bool known = false;  ///< zero and length: so it is known how X, Y and Z follow rotary axes
+};
+
+/// Where two segments meet along which rotary axes have different slopes: each goes over from one to the
 /// other along the path from `half` before to `half` behind the place (joint_turn()).
 struct TurnJoint {
   std::size_t segment = 0;       ///< that ends there
@@ -123,13 +131,15 @@ struct Toolpath {
   std::vector<std::string> cutting_axes;                  ///< as Program::cutting_axes
   /// As Program::rotary_moves with segments for motions; none once a machine has made pauses of them.
   std::vector<RotaryMove> rotary_moves;
-  std::vector<SegmentTurn> segment_turns;                   ///< in which rotary axes turn, by segment
-  std::vector<TurnJoint> turn_joints;                       ///< by segment
-  Eigen::Matrix3d part_turn = Eigen::Matrix3d::Identity();  ///< of the part's frame on the machine
-  std::vector<RotaryTurn> rotary_turns;                     ///< what they came to on the machine
-  std::vector<SingularPlace> singular_places;               ///< in the order of the path
-  std::vector<Diagnostic> machine_faults;                   ///< what the machine cannot do
-  std::vector<ZeroPoint> zero_points;                       ///< of Program::work_offsets
+  std::vector<SegmentTurn> segment_turns;  ///< in which rotary axes turn, by segment
+  std::vector<TurnJoint> turn_joints;      ///< by segment
+  PartOnMachine part;                      ///< rotary_turns and segment_turns are worked out with it
+  /// The path of the program that on_machine() made this one of; null: this is it.
+  std::shared_ptr<const Toolpath> programmed;
+  std::vector<RotaryTurn> rotary_turns;        ///< what they came to on the machine
+  std::vector<SingularPlace> singular_places;  ///< in the order of the path
+  std::vector<Diagnostic> machine_faults;      ///< what the machine cannot do
+  std::vector<ZeroPoint> zero_points;          ///< of Program::work_offsets
   /// The text, where it is words of G code, which some controls read in ways of their own; null: none.
   std::shared_ptr<const SourceText> source;
   bool read_by_control = false;  ///< `source` has been read in a control's own way

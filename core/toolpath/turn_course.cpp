@@ -18,6 +18,18 @@ Vec3 direction_at(const KinematicChain& chain, const std::array<double, 3>& angl
 
 }  // namespace
 
+std::array<Series, 3> tip_on_machine(const PartOnMachine& part, const CurvePoint& at) {
+  const Vec3 position = part.turn * at.position + part.zero;
+  const Vec3 d1 = part.turn * at.d1;
+  const Vec3 d2 = part.turn * at.d2;
+  const Vec3 d3 = part.turn * at.d3;
+  std::array<Series, 3> tip;
+  for (int j = 0; j < 3; ++j) {
+    tip[static_cast<std::size_t>(j)] = {position[j], d1[j], d2[j], d3[j]};
+  }
+  return tip;
+}
+
 TurnCourse::TurnCourse(const KinematicChain& chain, const SegmentTurn& turn, double length)
     : chain_(chain), length_(length) {
   for (const std::size_t k : chain.rotary()) {

@@ -15,6 +15,10 @@ inline std::size_t rotary_place(char name) {
   return rotary_names.find(name);
 }
 
+/// The tip at a place of the path, with its derivatives by it, in the coordinates that the part has on the
+/// machine.
+std::array<Series, 3> tip_on_machine(const PartOnMachine& part, const CurvePoint& at);
+
 /// How rotary axes go along a segment: linearly by its length, or so that the tool's direction goes along a
 /// great circle at an even rate, by the nearer of the two ways to hold it.
 class TurnCourse {

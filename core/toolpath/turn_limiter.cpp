@@ -80,23 +80,10 @@ bool is_rotary_setting(std::string_view key) {
 }
 
 TurnLimiter::TurnLimiter(const Machine& machine, const KinematicChain& chain, const Settings& settings,
-                         const Eigen::Matrix3d& part_turn)
-    : machine_(machine),
-      chain_(chain),
-      part_turn_(part_turn),
-      tool_length_(machine.kinematics.tool_length.value_or(0)),
-      knows_linear_(machine.kinematics.tool_length.has_value()) {
-  if (settings.has("tool_length_mm")) {
-    tool_length_ = settings.number("tool_length_mm");
-    knows_linear_ = true;
-  }
+                         const PartOnMachine& part)
+    : machine_(machine), chain_(chain), part_(part) {
   for (const std::size_t axis : chain.rotary()) {
     axes_.push_back(machine.kinematics.find(chain.axes()[axis].name));
-  }
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::string key = fmt::format("part_zero_{}_mm", "xyz"[axis]);
-    knows_linear_ = knows_linear_ && settings.has(key);
-    part_zero_[axis] = settings.has(key) ? settings.number(key) : 0;
   }
   const std::string tolerance = "orientation_tolerance_deg";
   tolerance_ =
@@ -125,20 +112,8 @@ TurnLimiter::Courses TurnLimiter::still() const {
   return courses;
 }
 
-std::array<Series, 3> TurnLimiter::tip_at(const CurvePoint& at) const {
-  const Vec3 position = part_turn_ * at.position + part_zero_;
-  const Vec3 d1 = part_turn_ * at.d1;
-  const Vec3 d2 = part_turn_ * at.d2;
-  const Vec3 d3 = part_turn_ * at.d3;
-  std::array<Series, 3> tip;
-  for (int j = 0; j < 3; ++j) {
-    tip[static_cast<std::size_t>(j)] = {position[j], d1[j], d2[j], d3[j]};
-  }
-  return tip;
-}
-
 void TurnLimiter::add_linear(const CurvePoint& at, std::span<const Series> angles, Courses& courses) const {
-  const std::vector<Series> all = chain_.courses(tip_at(at), angles, tool_length_);
+  const std::vector<Series> all = chain_.courses(tip_on_machine(part_, at), angles, part_.tool_length);
   for (const std::size_t k : chain_.linear()) {
     courses[linear_place(chain_.axes()[k].name)].add(all[k]);
   }
@@ -153,7 +128,7 @@ void TurnLimiter::set_limits(const Toolpath& path, SegmentTurn& turn) const {
     for (std::size_t k = 0; k < axes_.size(); ++k) {
       courses[linear_count + rotary_place(axes_[k]->name)].add(angles[k]);
     }
-    if (turn.at_tip && knows_linear_) {
+    if (turn.at_tip && part_.known) {
       add_linear(point_at(path, turn.segment, along), angles, courses);
     }
   }
@@ -281,7 +256,7 @@ TurnLimit TurnLimiter::rounded_limit(const Meeting& meeting, const Bend& bend, c
     course.second = std::abs(bend.second[i]);
     course.third = std::max(std::abs(bend.before[i]), std::abs(bend.behind[i]));
   }
-  if (meeting.at_tip && knows_linear_) {
+  if (meeting.at_tip && part_.known) {
     add_linear(meeting.begin, angles_at(meeting.angles, middle, bend.second, bend.before), courses);
     add_linear(meeting.end, angles_at(meeting.angles, middle, bend.second, bend.behind), courses);
   }
@@ -329,9 +304,10 @@ TurnLimit TurnLimiter::jump_limit(const Meeting& meeting, const Angles& step) co
   for (const RotaryAxis* axis : axes_) {
     courses[linear_count + rotary_place(axis->name)].first = std::abs(step[rotary_place(axis->name)]);
   }
-  if (meeting.at_tip && knows_linear_) {
+  if (meeting.at_tip && part_.known) {
     const auto axes_with = [&](const Angles& slopes) {
-      return chain_.courses(tip_at(meeting.begin), angles_at(meeting.angles, slopes, {}, {}), tool_length_);
+      return chain_.courses(tip_on_machine(part_, meeting.begin), angles_at(meeting.angles, slopes, {}, {}),
+                            part_.tool_length);
     };
     const std::vector<Series> before = axes_with(meeting.from);
     const std::vector<Series> behind = axes_with(meeting.to);

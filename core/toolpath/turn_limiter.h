@@ -24,15 +24,15 @@ inline constexpr double jump_share = 0.2;
 /// every axis along it (KinematicChain::courses(); core/models/README.md, "Rotary axes").
 class TurnLimiter {
  public:
-  /// `chain`: of the machine; both outlive it. Of the settings it reads tool_length_mm,
-  /// part_zero_x_mm ..., orientation_tolerance_deg and interpolation_period_s. `part_turn`: as Toolpath's.
+  /// `chain`: of the machine; both outlive it. Of the settings it reads orientation_tolerance_deg and
+  /// interpolation_period_s.
   TurnLimiter(const Machine& machine, const KinematicChain& chain, const Settings& settings,
-              const Eigen::Matrix3d& part_turn);
+              const PartOnMachine& part);
 
   /// The rotary axes in the order of the chain.
   const std::vector<const RotaryAxis*>& axes() const { return axes_; }
   /// Tool length and part zero are known, so that it is known how X, Y and Z follow the rotary axes.
-  bool knows_linear() const { return knows_linear_; }
+  bool knows_linear() const { return part_.known; }
 
   /// Sets limits and tilt of a turn along its segment of `path`: v q1 <= V, v^2 q2 <= s A, v^3 q3 <= s J
   /// with the derivatives q1, q2, q3 by the path, for the rotary axes, and for the linear ones under tool
@@ -85,7 +85,6 @@ class TurnLimiter {
   };
 
   Courses still() const;
-  std::array<Series, 3> tip_at(const CurvePoint& at) const;
   void add_linear(const CurvePoint& at, std::span<const Series> angles, Courses& courses) const;
   std::vector<Series> angles_at(const std::array<double, 3>& angles, const std::array<double, 3>& slopes,
                                 const std::array<double, 3>& second,
@@ -100,10 +99,7 @@ class TurnLimiter {
   const Machine& machine_;
   const KinematicChain& chain_;
   std::vector<const RotaryAxis*> axes_;
-  Eigen::Matrix3d part_turn_;
-  double tool_length_ = 0;         ///< [mm]
-  Vec3 part_zero_ = Vec3::Zero();  ///< [mm]
-  bool knows_linear_ = false;
+  PartOnMachine part_;
   double tolerance_ = 0;  ///< of the orientation [rad]
   double period_ = 0;     ///< [s]
 };

@@ -143,7 +143,7 @@ TEST_F(LessonsCommand, SaysWhatIsWrong) {
   expect_wrong_use("lessons 4 --out nowhere/x.html", "nowhere/x.html");
   expect_wrong_use("lessons 4 --out x.docx", "--out 'x.docx' does not state the format");
   expect_wrong_use("lessons 4 --out x", "--out 'x' does not state the format");
-  expect_wrong_use("lessons 0", "unknown lesson '0': no id and no file; numbers 1 to 17, or ids: ");
+  expect_wrong_use("lessons 0", "unknown lesson '0': no id and no file; numbers 1 to 18, or ids: ");
   write_lesson("\"x\"");
   expect_wrong_use("lessons mine.toml", "mine.toml:19:13: 'less_than' in claim 1 of question 1 is 'x'");
   write_lesson("0.9");

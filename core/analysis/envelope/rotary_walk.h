@@ -57,6 +57,10 @@ class RotaryWalk {
   void add(Band& band, double time);
   /// At an instant of the part [s].
   RotarySample sample(double time);
+  /// The part runs along a block in which rotary axes turn under tool centre point control.
+  bool follows_tip() const;
+  /// As RotaryCourse::linear_velocity() at an instant of the part [s].
+  std::array<double, 3> linear_velocity(double time);
   void next();
 
  private:
@@ -70,5 +74,10 @@ class RotaryWalk {
 /// The largest velocities of A, B and C in a run, magnitudes [rad/s]; not a number of one that the machine
 /// does not have.
 std::array<double, 3> largest_velocities(const std::shared_ptr<const RotaryCourse>& course);
+
+/// The largest velocities of X, Y and Z of the machine along blocks in which rotary axes turn under tool
+/// centre point control, magnitudes [mm/s]; none where it is not known how they follow.
+std::optional<std::array<double, 3>> largest_linear_velocities(
+    const std::shared_ptr<const RotaryCourse>& course);
 
 }  // namespace feedscope

@@ -349,7 +349,8 @@ std::string as_options(const Remedy& remedy) {
 
 LoadedProgram with_feed(const LoadedProgram& program, double factor) {
   LoadedProgram changed = program;
-  auto toolpath = std::make_shared<Toolpath>(*program.toolpath);
+  const std::shared_ptr<const Toolpath>& programmed = program.toolpath->programmed;
+  auto toolpath = std::make_shared<Toolpath>(programmed ? *programmed : *program.toolpath);
   for (Segment& segment : toolpath->segments) {
     segment.feed *= factor;
   }

@@ -64,12 +64,12 @@ TEST(TurnedParts, RunAsTheProgramThatIsTurnedInstead) {
   settings.set("part_angle_y_deg", -5.0);
   settings.set("part_angle_z_deg", 30.0);
   const auto turned = path_on_table(swing(Eigen::Matrix3d::Identity()), angles);
-  const auto other = path_on_table(swing(part_turn(settings)), {});
-  EXPECT_LT(
-      (part_turn(settings) * Vec3::UnitX() - Eigen::AngleAxisd(30 * deg, Vec3::UnitZ()) *
-                                                 (Eigen::AngleAxisd(-5 * deg, Vec3::UnitY()) * Vec3::UnitX()))
-          .norm(),
-      1e-12)
+  const Eigen::Matrix3d turn = part_on_machine(table_machine(), settings).turn;
+  const auto other = path_on_table(swing(turn), {});
+  EXPECT_LT((turn * Vec3::UnitX() - Eigen::AngleAxisd(30 * deg, Vec3::UnitZ()) *
+                                        (Eigen::AngleAxisd(-5 * deg, Vec3::UnitY()) * Vec3::UnitX()))
+                .norm(),
+            1e-12)
       << "about X, then Y, then Z";
   ASSERT_EQ(turned->segment_turns.size(), other->segment_turns.size());
   ASSERT_GT(turned->segment_turns.size(), 30);
@@ -97,14 +97,14 @@ TEST(TurnedParts, LeaveTheToolItsDirectionUnderTheWordsOfAxesToo) {
   ASSERT_EQ(plain->segment_turns.size(), 2U);
   ASSERT_EQ(turned->segment_turns.size(), 2U);
   for (std::size_t i = 0; i < 2; ++i) {
-    const Vec3 asked = turned->part_turn * tool(plain->segment_turns[i].to);
+    const Vec3 asked = turned->part.turn * tool(plain->segment_turns[i].to);
     EXPECT_LT((tool(turned->segment_turns[i].to) - asked).norm(), 1e-9);
   }
 }
 
 TEST(TurnedParts, StayWhereTheProgramOnlySendsAxesToAngles) {
   const auto path = path_on_table("G0 X0 Y0 Z0 A20\nG1 F5000 X10\n", {15, 0, 0});
-  EXPECT_TRUE(path->part_turn.isIdentity());
+  EXPECT_TRUE(path->part.turn.isIdentity());
   ASSERT_EQ(path->rotary_turns.size(), 1U);
   EXPECT_NEAR(path->rotary_turns[0].to[0], 20 * deg, 1e-12);
   ASSERT_EQ(path->machine_faults.size(), 1U);
