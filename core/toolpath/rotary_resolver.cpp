@@ -154,12 +154,12 @@ class RotaryResolver {
              path_.segments[i].rapid == path_.segments[i + 1].rapid;
     };
     struct Between {
-      const SegmentTurn* before;
-      const SegmentTurn* behind;
+      SegmentTurn* before;
+      SegmentTurn* behind;
     };
     std::vector<TurnJoint>& joints = path_.turn_joints;
     std::vector<Between> between;
-    const auto join = [&](std::size_t i, const SegmentTurn* before, const SegmentTurn* behind) {
+    const auto join = [&](std::size_t i, SegmentTurn* before, SegmentTurn* behind) {
       if (go_on(i)) {
         const TurnJoint joint = limiter_.join(path_, i, before, behind);
         if (joint.step != std::array<double, 3>{}) {
@@ -168,8 +168,8 @@ class RotaryResolver {
         }
       }
     };
-    const SegmentTurn* before = nullptr;
-    for (const SegmentTurn& turn : path_.segment_turns) {
+    SegmentTurn* before = nullptr;
+    for (SegmentTurn& turn : path_.segment_turns) {
       const bool meets = before != nullptr && before->segment + 1 == turn.segment;
       if (before != nullptr && !meets) {
         join(before->segment, before, nullptr);
@@ -188,6 +188,14 @@ class RotaryResolver {
       const bool goes_on = k + 1 < joints.size() && joints[k].segment + 1 == reaches[k + 1].segment;
       limiter_.set_limit(path_, between[k].before, between[k].behind, follows ? &reaches[k - 1] : nullptr,
                          goes_on ? &reaches[k + 1] : nullptr, joints[k]);
+    }
+    for (std::size_t k = 0; k < joints.size(); ++k) {
+      if (between[k].before != nullptr) {
+        limiter_.hold_beside(path_, joints[k], true, *between[k].before);
+      }
+      if (between[k].behind != nullptr) {
+        limiter_.hold_beside(path_, joints[k], false, *between[k].behind);
+      }
     }
   }
 

@@ -196,6 +196,9 @@ void TurnLimiter::set_limit(const Toolpath& path, const SegmentTurn* before, con
   meeting.begin = point_at(path, joint.segment, 1);
   meeting.end = point_at(path, joint.segment + 1, 0);
   meeting.speed_up = {speed_up(meeting.begin, before), speed_up(meeting.end, behind)};
+  const double first = path.segments[joint.segment].length;
+  const double second = path.segments[joint.segment + 1].length;
+  meeting.held_from = {before != nullptr ? first / 2 : HUGE_VAL, behind != nullptr ? second / 2 : HUGE_VAL};
 
   /// The third derivative of axis `i` on a segment of this length, whose other end is `other`.
   const auto change = [&](const TurnJoint* other, std::size_t i, double length) {
@@ -229,6 +232,21 @@ void TurnLimiter::set_limit(const Toolpath& path, const SegmentTurn* before, con
   if (const TurnLimit jump = jump_limit(meeting, joint.step); jump.speed > joint.limit.speed) {
     joint.limit = jump;
     joint.half = 0;
+  }
+}
+
+void TurnLimiter::hold_beside(const Toolpath& path, const TurnJoint& joint, bool at_end,
+                              SegmentTurn& turn) const {
+  if (joint.half < path.segments[turn.segment].length / 2) {
+    return;
+  }
+  const Angles own = slopes_of(path, chain_, &turn, at_end);
+  for (const RotaryAxis* axis : axes_) {
+    const std::size_t i = rotary_place(axis->name);
+    const double slope = std::abs(own[i] + (at_end ? joint.step[i] : -joint.step[i]) / 2);
+    if (slope > std::abs(own[i])) {
+      lower(turn.limit, axis->velocity / slope, TurnLimit::By::velocity, slope, linear_count + i);
+    }
   }
 }
 
@@ -286,6 +304,10 @@ double TurnLimiter::speed_for_velocity(const Meeting& meeting, std::size_t i, do
   constexpr int places = 8;
   const bool behind = std::abs(meeting.to[i]) < std::abs(meeting.from[i]);
   const double flat = behind ? meeting.to[i] : meeting.from[i];
+  if (half >= meeting.held_from[behind ? 1 : 0]) {
+    const double slope = std::abs(meeting.from[i] + meeting.to[i]) / 2;
+    return slope > 0 ? velocity / slope : HUGE_VAL;
+  }
   const double speed_up = meeting.speed_up[behind ? 1 : 0];
   double least = HUGE_VAL;  // square of the speed
   for (int k = 0; k <= places; ++k) {

@@ -54,6 +54,9 @@ class TurnLimiter {
   /// on. The velocities may jump by jump_share, if that is faster.
   void set_limit(const Toolpath& path, const SegmentTurn* before, const SegmentTurn* behind,
                  const TurnJoint* last, const TurnJoint* next, TurnJoint& joint) const;
+  /// Lowers the limit of a turn by the velocity that its axes still have where a joint at its end or start
+  /// (`at_end`) reaches over half of it and more: there the axis turns more than on the rest.
+  void hold_beside(const Toolpath& path, const TurnJoint& joint, bool at_end, SegmentTurn& turn) const;
 
  private:
   /// Largest derivatives of an axis by the path, and its limits.
@@ -81,6 +84,8 @@ class TurnLimiter {
     CurvePoint begin;                  ///< as the end of the first segment
     CurvePoint end;                    ///< as the start of the second one
     std::array<double, 2> speed_up{};  ///< along both [mm/s2]
+    /// Half of the segments along which an axis turns, infinite without: from there on hold_beside() counts.
+    std::array<double, 2> held_from{};  // [mm]
     bool at_tip = false;
   };
 
