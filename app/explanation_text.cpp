@@ -12,6 +12,7 @@
 #include "core/base/clock_text.h"
 #include "core/base/units.h"
 #include "core/machine/contour_tolerance.h"
+#include "core/toolpath/turn_limiter.h"
 
 namespace feedscope {
 namespace {
@@ -200,7 +201,8 @@ std::string change_text(const Remedy& remedy, const Setup& setup) {
   }
   const auto now = [&](const std::string& key) -> SettingValue {
     const bool of_axis = key.size() > 2 && key[1] == '.';
-    return of_axis ? SettingValue(axis_limit(setup.machine, key[0], key.substr(2)))
+    return of_axis                            ? SettingValue(axis_limit(setup.machine, key[0], key.substr(2)))
+           : key == orientation_tolerance_key ? SettingValue(orientation_tolerance_deg(setup.settings))
            : key == contour_tolerance_key && remedy.before ? SettingValue(*remedy.before)
                                                            : setup.settings.value(key);
   };

@@ -76,7 +76,12 @@ void lower(TurnLimit& limit, double speed, TurnLimit::By by, double slope, std::
 }  // namespace
 
 bool is_rotary_setting(std::string_view key) {
-  return key == "tool_length_mm" || key == "orientation_tolerance_deg" || key.starts_with("part_angle_");
+  return key == "tool_length_mm" || key == orientation_tolerance_key || key.starts_with("part_angle_");
+}
+
+double orientation_tolerance_deg(const Settings& settings) {
+  return settings.has(orientation_tolerance_key) ? settings.number(orientation_tolerance_key)
+                                                 : usual_orientation_tolerance_deg;
 }
 
 TurnLimiter::TurnLimiter(const Machine& machine, const KinematicChain& chain, const Settings& settings,
@@ -85,9 +90,7 @@ TurnLimiter::TurnLimiter(const Machine& machine, const KinematicChain& chain, co
   for (const std::size_t axis : chain.rotary()) {
     axes_.push_back(machine.kinematics.find(chain.axes()[axis].name));
   }
-  const std::string tolerance = "orientation_tolerance_deg";
-  tolerance_ =
-      units::from_deg(settings.has(tolerance) ? settings.number(tolerance) : usual_orientation_tolerance_deg);
+  tolerance_ = units::from_deg(orientation_tolerance_deg(settings));
   const std::string period = "interpolation_period_s";
   period_ = settings.has(period) ? settings.number(period) : 0;
 }

@@ -15,6 +15,10 @@ namespace feedscope {
 /// part_angle_x_deg ...
 bool is_rotary_setting(std::string_view key);
 
+inline constexpr const char* orientation_tolerance_key = "orientation_tolerance_deg";
+/// The one in force [deg].
+double orientation_tolerance_deg(const Settings& settings);
+
 /// Of what an axis takes up within an interpolation period, that its velocity may jump where blocks meet: the
 /// usual overload factor of 1.2 of a Sinumerik (MD32310) allows (1.2 - 1) A t_cy (SINUMERIK 840D/828D, Basic
 /// Functions, B1).

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/machine/contour_tolerance.h"
+#include "core/toolpath/turn_limiter.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/significant.h"
@@ -50,8 +51,10 @@ QString one(const Change& change, std::optional<double> before, const Setup& set
       return QCoreApplication::translate("WhyText", "%1: %2")
           .arg(title, core_text(std::get<std::string>(value)));
     }
-    const double now =
-        axis ? axis_limit(setup.machine, key[0], name) : before.value_or(setup.settings.number(key));
+    const double now = axis                               ? axis_limit(setup.machine, key[0], name)
+                       : before                           ? *before
+                       : key == orientation_tolerance_key ? orientation_tolerance_deg(setup.settings)
+                                                          : setup.settings.number(key);
     const KeyUnit unit = key_unit(spec.unit);
     return QCoreApplication::translate("WhyText", "%1 %2 → %3 %4")
         .arg(axis

@@ -9,6 +9,7 @@
 
 #include "core/analysis/tolerance_in_force.h"
 #include "core/machine/contour_tolerance.h"
+#include "core/toolpath/turn_limiter.h"
 
 namespace feedscope {
 namespace {
@@ -244,9 +245,7 @@ void add_for(Candidates& candidates, Cause cause, const Setup& setup) {
   }
   if (is_rotary(cause) &&
       (cause.kind == CauseKind::axis_acceleration || cause.kind == CauseKind::axis_jerk)) {
-    const std::string key = "orientation_tolerance_deg";
-    const double now = candidates.has(key) ? setup.settings.number(key) : usual_orientation_tolerance_deg;
-    candidates.set(key, 2 * now);
+    candidates.set(orientation_tolerance_key, 2 * orientation_tolerance_deg(setup.settings));
   }
   switch (cause.kind) {
     case CauseKind::axis_velocity:
