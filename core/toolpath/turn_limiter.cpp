@@ -17,6 +17,9 @@ using Angles = std::array<double, 3>;
 constexpr double share = 0.75;  // as turning_share of limits/segment_limits.h
 constexpr std::size_t linear_count = coordinate_names.size();
 
+/// Share of a block over which a joint reaches that shapes its whole course; not a half, which a reach of
+/// half an even block is but for rounding.
+constexpr double dense = 0.45;
 constexpr double farthest = 1.0 / 6;  // of step and reach, that the angle leaves the programmed one
 
 std::size_t linear_place(char name) {
@@ -201,12 +204,13 @@ void TurnLimiter::set_limit(const Toolpath& path, const SegmentTurn* before, con
   meeting.speed_up = {speed_up(meeting.begin, before), speed_up(meeting.end, behind)};
   const double first = path.segments[joint.segment].length;
   const double second = path.segments[joint.segment + 1].length;
-  meeting.held_from = {before != nullptr ? first / 2 : HUGE_VAL, behind != nullptr ? second / 2 : HUGE_VAL};
+  meeting.held_from = {before != nullptr ? dense * first : HUGE_VAL,
+                       behind != nullptr ? dense * second : HUGE_VAL};
 
   /// The third derivative of axis `i` on a segment of this length, whose other end is `other`.
   const auto change = [&](const TurnJoint* other, std::size_t i, double length) {
     const double here = joint.step[i] / joint.half;
-    const bool reaches = other != nullptr && std::min(joint.half, other->half) >= length / 2;
+    const bool reaches = other != nullptr && std::min(joint.half, other->half) >= dense * length;
     return reaches ? (here - other->step[i] / other->half) / length : here / joint.half;
   };
   Bend bend;
@@ -240,7 +244,7 @@ void TurnLimiter::set_limit(const Toolpath& path, const SegmentTurn* before, con
 
 void TurnLimiter::hold_beside(const Toolpath& path, const TurnJoint& joint, bool at_end,
                               SegmentTurn& turn) const {
-  if (joint.half < path.segments[turn.segment].length / 2) {
+  if (joint.half < dense * path.segments[turn.segment].length) {
     return;
   }
   const Angles own = slopes_of(path, chain_, &turn, at_end);
