@@ -26,6 +26,7 @@ std::vector<Item> items_of(const std::vector<Item>& items, std::size_t first, st
 /// Segments [first, last) of `whole` as a path of their own.
 Toolpath part_of(const Toolpath& whole, std::size_t first, std::size_t last) {
   Toolpath part = whole;
+  part.programmed = nullptr;  // it is not that of the whole program
   part.start = whole.start_of(first);
   part.segments.assign(whole.segments.begin() + static_cast<std::ptrdiff_t>(first),
                        whole.segments.begin() + static_cast<std::ptrdiff_t>(last));
