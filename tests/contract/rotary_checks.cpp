@@ -35,7 +35,7 @@ Result check_slope(const Motion& motion, const RotaryCourse& course, const Part&
     const double way = behind.angle[i] - before.angle[i];
     const double larger = std::max(std::abs(before.velocity[i]), std::abs(behind.velocity[i]));
     const double change = std::abs(behind.velocity[i] - before.velocity[i]);
-    const double rounding = 1e-9 * (1 + std::abs(middle.angle[i]));
+    const double rounding = 1e-8 * (1 + std::abs(middle.angle[i]));
     if (std::abs(way - middle.velocity[i] * time) > (0.05 * larger + change) * time + rounding) {
       return Finding{"rotary-derivative",
                      fmt::format("axis {} turns by {} rad in {} s at {} rad/s in line {}", axis.name, way,
@@ -74,7 +74,8 @@ Result check_rotary(const Motion& motion, const Guarantees& promised, const Mach
                                                         axis.name, sample.velocity[i], axis.velocity,
                                                         path.segments[part.segment].line, state.time)};
         }
-        const bool curves = part.place == Place::curve || was_curve;
+        // Joined blocks leave the programmed ones, as curves do.
+        const bool curves = part.place == Place::curve || was_curve || promised.follows_compaction;
         if (&part != &motion.parts().front() && k == 0 && !curves &&
             std::abs(sample.angle[i] - last.angle[i]) > rounding) {
           return Finding{"rotary-jump", fmt::format("axis {} jumps by {} rad in line {} at {} s", axis.name,
