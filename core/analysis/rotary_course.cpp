@@ -90,12 +90,7 @@ RotarySample RotaryCourse::at(const State& state) const {
 }
 
 Vec3 RotaryCourse::tool_direction(const State& state) const {
-  const RotarySample sample = at(state);
-  std::vector<double> places(chain_.size(), 0);
-  for (const std::size_t axis : chain_.rotary()) {
-    places[axis] = sample.angle[rotary_names.find(chain_.axes()[axis].name)];
-  }
-  return path().part.turn.transpose() * chain_.pose(places, 0).direction;
+  return path().part.turn.transpose() * feedscope::tool_direction(chain_, at(state).angle);
 }
 
 std::array<double, 3> RotaryCourse::linear_velocity(const State& state, const RotarySample& sample) const {

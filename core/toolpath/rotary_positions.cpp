@@ -64,7 +64,7 @@ RotaryPositions::RotaryPositions(const Machine& machine, const KinematicChain& c
   }
   RotaryMove first;
   first.line = moves.front().line;
-  at_ = angles_for(first, path.part.turn * direction_at(at_));
+  at_ = angles_for(first, path.part.turn * tool_direction(chain_, at_));
 }
 
 void RotaryPositions::follow(const RotaryMove& move) {
@@ -74,7 +74,8 @@ void RotaryPositions::follow(const RotaryMove& move) {
     return;
   }
   posted_ = asked_by(move);
-  at_ = path_.part.turn.isIdentity() ? posted_ : angles_for(move, path_.part.turn * direction_at(posted_));
+  at_ = path_.part.turn.isIdentity() ? posted_
+                                     : angles_for(move, path_.part.turn * tool_direction(chain_, posted_));
 }
 
 std::array<double, 3> RotaryPositions::asked_by(const RotaryMove& move) {
@@ -145,14 +146,6 @@ std::array<double, 3> RotaryPositions::nearest(const Vec3& direction, std::array
     from[rotary_place(axes_[k]->name)] = found.front().angles[k];
   }
   return from;
-}
-
-Vec3 RotaryPositions::direction_at(const std::array<double, 3>& angles) const {
-  std::vector<double> places(chain_.size(), 0);
-  for (std::size_t k = 0; k < axes_.size(); ++k) {
-    places[chain_.rotary()[k]] = angles[rotary_place(axes_[k]->name)];
-  }
-  return chain_.pose(places, 0).direction;
 }
 
 void RotaryPositions::fault(std::uint32_t line, Severity severity, MessageCode code, std::string message,

@@ -38,7 +38,6 @@ class RotaryPositions {
   std::array<double, 3> asked_by(const RotaryMove& move);
   std::array<double, 3> angles_for(const RotaryMove& move, const Vec3& direction);
   std::array<double, 3> nearest(const Vec3& direction, std::array<double, 3> from) const;
-  Vec3 direction_at(const std::array<double, 3>& angles) const;
   void fault(std::uint32_t line, Severity severity, MessageCode code, std::string message, std::string hint);
 
   const Machine& machine_;

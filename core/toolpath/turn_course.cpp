@@ -8,15 +8,15 @@ namespace {
 
 constexpr double same_direction = 1e-9;  // [rad]
 
-Vec3 direction_at(const KinematicChain& chain, const std::array<double, 3>& angles) {
+}  // namespace
+
+Vec3 tool_direction(const KinematicChain& chain, const std::array<double, 3>& angles) {
   std::vector<double> places(chain.size(), 0);
   for (const std::size_t k : chain.rotary()) {
     places[k] = angles[rotary_place(chain.axes()[k].name)];
   }
   return chain.pose(places, 0).direction;
 }
-
-}  // namespace
 
 std::array<Series, 3> tip_on_machine(const PartOnMachine& part, const CurvePoint& at) {
   const Vec3 position = part.turn * at.position + part.zero;
@@ -39,8 +39,8 @@ TurnCourse::TurnCourse(const KinematicChain& chain, const SegmentTurn& turn, dou
   if (!turn.great_circle) {
     return;
   }
-  start_ = direction_at(chain, turn.from);
-  const Vec3 end = direction_at(chain, turn.to);
+  start_ = tool_direction(chain, turn.from);
+  const Vec3 end = tool_direction(chain, turn.to);
   const Vec3 across = end - start_.dot(end) * start_;
   swing_ = std::atan2(across.norm(), start_.dot(end));
   if (across.norm() < same_direction) {  // it stays, or goes round by an unknown way

@@ -15,6 +15,8 @@ inline std::size_t rotary_place(char name) {
   return rotary_names.find(name);
 }
 
+/// Of the tool in the coordinates of the machine with the rotary axes at `angles`, by rotary_names, unit.
+Vec3 tool_direction(const KinematicChain& chain, const std::array<double, 3>& angles);
 /// The tip at a place of the path, with its derivatives by it, in the coordinates that the part has on the
 /// machine.
 std::array<Series, 3> tip_on_machine(const PartOnMachine& part, const CurvePoint& at);

@@ -370,12 +370,8 @@ double TurnLimiter::tilt_at(const Angles& angles) const {
   if (axes_.size() != 2) {
     return -1;
   }
-  std::vector<double> places(chain_.size(), 0);
-  for (const std::size_t k : chain_.rotary()) {
-    places[k] = angles[rotary_place(chain_.axes()[k].name)];
-  }
   const double along =
-      std::abs(chain_.pose(places, 0).direction.dot(chain_.axes()[chain_.rotary()[0]].direction));
+      std::abs(tool_direction(chain_, angles).dot(chain_.axes()[chain_.rotary()[0]].direction));
   return std::acos(std::min(1.0, along));
 }
 
