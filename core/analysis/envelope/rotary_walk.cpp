@@ -82,14 +82,15 @@ std::optional<std::array<double, 3>> largest_linear_velocities(
   if (!course->knows_linear()) {
     return std::nullopt;
   }
-  std::array<double, 3> largest{};
+  std::optional<std::array<double, 3>> largest;
   const RotaryWalk::Source source(course);
   for (RotaryWalk walk(source, 0); !walk.done(); walk.next()) {
     const RotaryLooks looks = walk.looks();
     for (int i = 0; i < looks.count() && walk.follows_tip(); ++i) {
       const std::array<double, 3> velocity = walk.linear_velocity(looks.at(i));
-      for (std::size_t axis = 0; axis < largest.size(); ++axis) {
-        largest[axis] = std::max(largest[axis], std::abs(velocity[axis]));
+      largest = largest.value_or(std::array<double, 3>{});
+      for (std::size_t axis = 0; axis < largest->size(); ++axis) {
+        (*largest)[axis] = std::max((*largest)[axis], std::abs(velocity[axis]));
       }
     }
   }
