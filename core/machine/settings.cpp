@@ -167,6 +167,7 @@ std::vector<SettingSpec> make_machine_settings() {
                         "How far rotary axes may leave their programmed angles where blocks meet along which "
                         "they turn at different rates; without it 0.05 degrees."));
   orientation.minimum_allowed = false;
+  orientation.fallback = usual_orientation_tolerance_deg;
   orientation.maximum = 10;
   specs.push_back(std::move(orientation));
   for (const char axis : {'X', 'Y', 'Z'}) {

@@ -35,7 +35,7 @@ INSTANTIATE_TEST_SUITE_P(Functions, SinumerikCoordinateValue,
                          testing::Values(Case{"-1.5 Y2", -1.5, Reading::modal},
                                          Case{"2*(1+2)", 6, Reading::modal},
                                          Case{"IC(1+1)", 2, Reading::incremental},
-                                         Case{"ACN(90)", 90, Reading::absolute},
+                                         Case{"ACN(90)", 90, Reading::negative},
                                          Case{"DIC(4)", 4, Reading::incremental, Across::diameter},
                                          Case{"RAC(4)", 4, Reading::absolute, Across::radius}));
 
