@@ -42,8 +42,8 @@ struct Summary {
   /// Largest velocities of A, B and C, magnitudes [rad/s], of a run in which rotary axes turn; not a number
   /// of one that the machine does not have.
   std::optional<std::array<double, 3>> rotary_velocity;
-  /// Of X, Y and Z of the machine where rotary axes turn under tool centre point control [mm/s]; none where it
-  /// is not known how they follow. The peaks above are those of the tip.
+  /// Of X, Y and Z of the machine where rotary axes turn under tool centre point control [mm/s]; none where
+  /// it is not known how they follow. The peaks above are those of the tip.
   std::optional<std::array<double, 3>> machine_velocity;
 };
 

@@ -29,7 +29,7 @@ struct RotaryMove {
   bool at_tip = false;      ///< X, Y and Z of this motion are those of the tool's tip in the part
   /// Along it the tool's direction goes along a great circle at an even rate, else the axes go linearly.
   bool great_circle = false;
-  double per_degree = 0;    ///< of a feed motion: part of the way along which F holds that a degree is [mm]
+  double per_degree = 0;  ///< of a feed motion: part of the way along which F holds that a degree is [mm]
 };
 
 }  // namespace feedscope

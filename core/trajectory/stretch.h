@@ -80,7 +80,8 @@ void follow_acceleration_mode(Stretch& stretch, const BlendedPath& path, const P
                               double interpolation_period);
 
 /// Sets stretch.ceiling: the lower ceiling of the two elements at each junction; where programmed segments
-/// meet in a tangent junction without a blend, crossing_speed(); turn_ceiling(); the look-ahead horizon; 0 at both ends.
+/// meet in a tangent junction without a blend, crossing_speed(); turn_ceiling(); the look-ahead horizon; 0 at
+/// both ends.
 void set_junction_ceilings(Stretch& stretch, const BlendedPath& path, const Vec3& axis_jerk,
                            double interpolation_period, std::uint32_t lookahead_blocks);
 
