@@ -3,6 +3,7 @@
 
 #include <QComboBox>
 #include <QDir>
+#include <QFileDialog>
 #include <QKeyEvent>
 #include <QMenu>
 #include <QSettings>
@@ -128,6 +129,9 @@ class WindowFuzz : public testing::Test {
       popup->close();
     }
     if (QWidget* dialog = QApplication::activeModalWidget()) {
+      if (auto* files = qobject_cast<QFileDialog*>(dialog)) {
+        files->setDirectory(folder.path());  // not beside a sample that was opened from the start page
+      }
       if (!dialog->isVisible() || any(3) > 0) {
         dialog->close();
       } else {
