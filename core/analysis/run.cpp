@@ -165,15 +165,20 @@ Run simulate_motion(const LoadedProgram& input, Setup setup, Progress* progress)
   ControlReading reading = run.setup.model->read(input.toolpath, run.setup.settings);
   const bool turns = !run.setup.machine.kinematics.empty() && !reading.path->rotary_moves.empty();
   LoadedProgram loaded = input;
-  if (turns) {  // its pauses shift the segments
+  if (turns && !run.setup.load.empty()) {  // its pauses shift the segments
     loaded.toolpath = on_machine(reading.path, run.setup.machine, run.setup.settings);
   }
   std::optional<LoadModel> load = load_model(loaded, run.setup.load);
   run.trajectory = std::make_shared<const Trajectory>(
       run.setup.model->simulate(reading.path, run.setup.machine, run.setup.settings, progress));
-  run.input.toolpath = on_machine(std::move(reading.path), run.setup.machine, run.setup.settings);
+  const Guarantees promised = run.setup.model->guarantees(run.setup.settings);
+  const std::shared_ptr<const Toolpath>& ran = run.trajectory->path().programmed();
+  const bool same_points = promised.lays_curves || !promised.smooths;
+  run.input.toolpath = turns && same_points && ran && ran->programmed
+                           ? ran  // worked out once: every turn costs its kinematics
+                           : on_machine(std::move(reading.path), run.setup.machine, run.setup.settings);
   run.input.lines_not_run = std::move(reading.refused);
-  run.sources.limits_jerk = run.setup.model->guarantees(run.setup.settings).limits_jerk;
+  run.sources.limits_jerk = promised.limits_jerk;
   if (has_drives(run.setup.machine)) {
     run.sources.actual = std::make_shared<const ActualPath>(run.trajectory, run.setup.machine, progress);
   }

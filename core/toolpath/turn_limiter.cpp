@@ -228,6 +228,9 @@ void TurnLimiter::set_limit(const Toolpath& path, const SegmentTurn* before, con
       best = joint;
       best.limit = limit;
     }
+    if (limit.by != TurnLimit::By::velocity) {
+      break;  // a shorter reach bends the course more
+    }
     joint.half /= 2;
     for (std::size_t i = 0; i < joint.step.size(); ++i) {
       bend.second[i] = joint.step[i] / joint.half;
