@@ -130,8 +130,10 @@ std::vector<std::string> run_notes(const LoadedProgram& program, const Setup& se
   if (std::string refused = refused_note(refused_lines(program, setup)); !refused.empty()) {
     notes.push_back(std::move(refused));
   }
+  // That of a run is worked out for its setup already.
   const std::shared_ptr<const Toolpath> path =
-      with_rotary_moves(program.toolpath, setup.machine, setup.settings);
+      program.toolpath->programmed ? program.toolpath
+                                   : with_rotary_moves(program.toolpath, setup.machine, setup.settings);
   if (std::string faults = machine_fault_note(path->machine_faults); !faults.empty()) {
     notes.push_back(std::move(faults));
   }

@@ -33,7 +33,7 @@ struct IdentificationProgram {
 /// zero point in the middle, Z only upwards from it. Pauses of a quarter of a second part the sections, which
 /// comments mark (section_mark()). A Fanuc takes the time of each itself (#3001, in ms, in #101 and on), a
 /// SINUMERIK too ($AC_TIMER[1], in s, in R1 and on). Throws InputError naming value and bound, or a dialect
-/// that there is no such program for.
+/// for which there is no test program.
 IdentificationProgram identification_program(const IdentificationProgramRequest& request);
 
 }  // namespace feedscope

@@ -158,8 +158,8 @@ void leave_hollow(ParameterSearch& search, const std::vector<bool>& free, int mo
 }
 
 /// Values of what is not told stay those that were begun with, where that explains the traces no worse; else
-/// those that were found. What the traces show a limit to be at least is no value of it: there they are worse
-/// for certain, and programs that go faster than these would be too slow.
+/// those that were found. A bound ("at least") is not taken as the value: it explains the traces worse for
+/// certain, and faster programs would come out too slow.
 void take_back(ParameterSearch& search, std::vector<IdentifiedParameter>& parameters) {
   const double here = ParameterSearch::cost(search.evaluate(search.logarithms()));
   constexpr double no_worse = 1e-3;

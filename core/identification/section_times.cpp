@@ -101,7 +101,7 @@ void find_resolution(std::vector<SectionTime>& times) {
   }
 }
 
-/// The line that a mark stands in, 0: none.
+/// The line with a mark; 0 if there is none.
 std::uint32_t line_with(const SourceText& program, const std::string& mark) {
   const std::string wanted = in_lower(mark);
   for (std::uint32_t line = 1; line <= program.line_count(); ++line) {
@@ -136,9 +136,10 @@ std::vector<SectionTime> parse_section_times(std::string_view text, const std::s
     if (!columns) {
       columns = columns_of(line);
       if (!columns) {
-        throw InputError(fmt::format(
-            "{}:{}: this is no table of section times; its first row must be titles, as section,seconds",
-            name, row));
+        throw InputError(
+            fmt::format("{}:{}: not a table of section times; the first row must have the titles, such as "
+                        "section,seconds",
+                        name, row));
       }
       continue;
     }
@@ -151,10 +152,10 @@ std::vector<SectionTime> parse_section_times(std::string_view text, const std::s
     const std::optional<double> value = field_number(number, decimal);
     constexpr double longest = 1e6;
     if (section.empty() || !value || !(*value > 0) || !(*value * columns->unit < longest)) {
-      throw InputError(
-          fmt::format("{}:{}: '{}' is no section with its time; a row is as 12,1.234, with a time above 0 "
-                      "and below {:g} s",
-                      name, row, line, longest));
+      throw InputError(fmt::format(
+          "{}:{}: '{}' is not a section and its time; a row is like 12,1.234, with a time above 0 "
+          "and below {:g} s",
+          name, row, line, longest));
     }
     times.push_back(
         {std::string(section), *value * columns->unit, columns->unit * last_digit(number, decimal), row});

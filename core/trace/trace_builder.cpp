@@ -251,7 +251,7 @@ Trace TraceBuilder::finish() {
          fmt::format("{} without numbers {} skipped, the first is '{}'",
                      skipped_ == 1 ? "a row" : fmt::format("{} rows", skipped_), skipped_ == 1 ? "is" : "are",
                      skipped_text_),
-         "remove what is no table, or check the columns");
+         "remove rows that are not data, or check the columns");
   }
   if (repeated_ > 0) {
     note(Severity::warning, first_repeated_, "trace-time-repeated",

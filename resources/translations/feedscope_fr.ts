@@ -4057,7 +4057,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>%1 lignes sans nombres sont ignorées, la première est «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
-        <source>remove what is no table, or check the columns</source>
+        <source>remove rows that are not data, or check the columns</source>
         <translation>retirer ce qui n&apos;est pas un tableau, ou vérifier les colonnes</translation>
     </message>
     <message>

@@ -129,7 +129,7 @@ constexpr std::array sentences{
     QT_TRANSLATE_NOOP("core", "record at 1 to 4 ms; times and velocities of long moves are right as it is"),
     QT_TRANSLATE_NOOP("core", "a row without numbers is skipped, the first is '%1'"),
     QT_TRANSLATE_NOOP("core", "%1 rows without numbers are skipped, the first is '%2'"),
-    QT_TRANSLATE_NOOP("core", "remove what is no table, or check the columns"),
+    QT_TRANSLATE_NOOP("core", "remove rows that are not data, or check the columns"),
     QT_TRANSLATE_NOOP("core", "%1 samples at the time of the one before are skipped"),
     QT_TRANSLATE_NOOP("core", "record the time with more digits"),
     QT_TRANSLATE_NOOP("core", "the table has no head: what its columns are is judged by their values"),

@@ -53,9 +53,9 @@ struct TraceOnProgram {
 /// Positions of a trace as they are recorded.
 MotionRecord record_of(const Trace& trace);
 
-/// Finds a trace on the path of a run: unit, signs and offset of its axes, start and end, passes. What only a
-/// small part of the trace would fit is no place for it: it stays in its own coordinates then.
-/// `deviation`: how far a control may leave the path here [mm]. Throws Cancelled.
+/// Finds a trace on the path of a run: unit, signs and offset of its axes, start and end, passes. Where only
+/// a small part of the trace would fit, it is not moved: it stays in its own coordinates. `deviation`: how
+/// far a control may leave the path here [mm]. Throws Cancelled.
 TraceOnProgram find_on_program(const Trace& trace, const ProgrammedCourse& course, double deviation,
                                Progress* progress = nullptr);
 

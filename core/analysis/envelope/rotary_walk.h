@@ -76,8 +76,8 @@ class RotaryWalk {
 std::array<double, 3> largest_velocities(const std::shared_ptr<const RotaryCourse>& course);
 
 /// The largest velocities of X, Y and Z of the machine along blocks in which rotary axes turn under tool
-/// centre point control, magnitudes [mm/s]; none where there is no such block, or it is not known how they
-/// follow.
+/// centre point control, magnitudes [mm/s]; none without such a block, or where tool length or part zero are
+/// unknown.
 std::optional<std::array<double, 3>> largest_linear_velocities(
     const std::shared_ptr<const RotaryCourse>& course);
 

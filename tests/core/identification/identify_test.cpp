@@ -234,9 +234,9 @@ TEST(SectionTable, NamesRowAndFaultOfWhatItCannotRead) {
   EXPECT_NEAR(parse_section_times("section,ms\n1,1232\n2,848\n3,16\n4,24\n", "t.csv")[0].resolution, 0.008,
               1e-12);
   EXPECT_EQ(german[3].section, "40-55");
-  EXPECT_THAT(refusal("a,b\n1,2\n"), HasSubstr("t.csv:1: this is no table of section times"));
+  EXPECT_THAT(refusal("a,b\n1,2\n"), HasSubstr("t.csv:1: not a table of section times"));
   EXPECT_THAT(refusal("section,seconds\n1,2\n2,-1\n"),
-              HasSubstr("t.csv:3: '2,-1' is no section with its time"));
+              HasSubstr("t.csv:3: '2,-1' is not a section and its time"));
   EXPECT_THAT(refusal("section,seconds\n1,2\n"), HasSubstr("1 section times; at least 4"));
   const SourceText text("p.nc", "G0 X0\n(Section 3 begins)\nG1 X9 F100\n(section 3 ends)\nM30\n");
   EXPECT_EQ(lines_of({"3", 1, 1, 2}, text, "t.csv").first, 2U);

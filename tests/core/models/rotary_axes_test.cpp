@@ -130,6 +130,9 @@ TEST_P(RotaryAxes, TheWayToASingularPositionIsNotSlowedByTheLimitsThere) {
     const Trajectory trajectory = model.simulate(path, machine, complete_settings(model, machine));
     const double bound = optimal.simulate(path, machine, complete_settings(optimal, machine)).duration();
     EXPECT_LE(trajectory.duration(), before) << "a faster axis, " << velocity << " rev/min";
+    if (velocity == 50) {  // up to there its velocity holds the tip, further on its jerk
+      EXPECT_LT(trajectory.duration(), 0.99 * before);
+    }
     EXPECT_LE(trajectory.duration(), 1.6 * bound) << velocity;
     before = trajectory.duration();
   }
