@@ -65,6 +65,10 @@ void Statements::run_system_variable(Scanner& scanner) {
   if (parts_.frame_variables.run_system_variable(scanner, name)) {
     return;
   }
+  if (is_timer(name)) {
+    parts_.values.skip(scanner);
+    return;
+  }
   const bool frame = name.find("FR") != std::string::npos || name == "TC_DP15";
   report(frame ? Severity::error : Severity::info, "system-variable", kind_of(name), column, [&] {
     return Text{fmt::format("assignment to {} is not supported", feedscope::in_quotes("$" + name)),

@@ -186,6 +186,9 @@ double Values::system_variable(Scanner& scanner) {
       return path_.position()[letters::to_upper(axis[0]) - 'X'];
     }
   }
+  if (is_timer(name)) {
+    return 0;
+  }
   warn_("system-variable", kind_of(name), column,
         {fmt::format("{} is a control-internal value", feedscope::in_quotes("$" + std::string(name))),
          "0 is used; the control may run another path"});

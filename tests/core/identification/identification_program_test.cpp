@@ -20,8 +20,7 @@ TEST_P(IdentificationPrograms, AreReadWithoutMessagesAndKeepToTheirRoom) {
   const LoadedProgram read =
       load_program(std::make_shared<const SourceText>(SourceText("test.nc", made.text)), nullptr, options);
   for (const Diagnostic& diagnostic : read.program->diagnostics) {
-    const bool timer = GetParam() == Dialect::sinumerik && diagnostic.code == "system-variable";
-    EXPECT_TRUE(timer || diagnostic.severity == Severity::info) << format(diagnostic, "test.nc");
+    EXPECT_EQ(diagnostic.code, "chord-error") << format(diagnostic, "test.nc");
   }
   const Bounds& bounds = read.toolpath->bounds;
   EXPECT_GE(bounds.min.x(), -80);
