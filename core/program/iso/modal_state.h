@@ -27,6 +27,7 @@ struct ModalState {
   Plane plane = Plane::xy;
   bool inch = false;
   bool tool_centre_point = false;  ///< G43.4, G43.5: X, Y and Z are those of the tip
+  bool tip_kinematics = false;     ///< the same by M428 of LinuxCNC
   bool tool_vectors = false;       ///< G43.5: I, J and K of lines are the tool's direction
   bool incremental = false;        ///< G91
   bool absolute_centers = false;   ///< G90.1

@@ -231,9 +231,31 @@ void ModalWords::apply_m(const Word& word) {
     case 198:
       words_.flow = is_linuxcnc() ? words_.flow : &word;
       break;
+    case 428:
+    case 429:
+    case 430:
+      if (is_linuxcnc() && machining_.other_axes.turns()) {
+        switch_kinematics(static_cast<int>(word.value), word.column);
+      }
+      break;
     default:
       break;
   }
+}
+
+/// As LinuxCNC's configurations of five-axis machines remap them: M428 asks for the machine's own kinematics,
+/// in which X, Y and Z are the tip, M429 and M430 for others.
+void ModalWords::switch_kinematics(int number, std::uint32_t column) {
+  modal_.tip_kinematics = number == 428;
+  report(Severity::info, "rotary-feed", 4, column, [&] {
+    return Text{
+        modal_.tip_kinematics
+            ? "M428 is read as in LinuxCNC's own five-axis configurations: X, Y and Z are the tool's tip"
+            : fmt::format("M{} is read as in LinuxCNC's own five-axis configurations: X, Y and Z are "
+                          "those of the machine",
+                          number),
+        "a configuration may remap it otherwise"};
+  });
 }
 
 /// F in mm a minute. LinuxCNC sets the feed before it changes the unit.

@@ -34,6 +34,7 @@ class ModalWords : private Part {
 
  private:
   double length_of_feed(const Word& word) const;
+  void switch_kinematics(int number, std::uint32_t column);
   void apply(const GCode& code, const Word& word);
   void check_group(const GCode& code, const Word& word);
   void add_function(int code, std::uint32_t column);

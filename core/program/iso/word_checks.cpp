@@ -64,7 +64,7 @@ void WordChecks::check_other_axes() {
 AxisBlock WordChecks::beside_motion(bool alone, bool rapid) const {
   AxisBlock block = turning_alone(path(), modal_.to_mm(1), rapid);
   block.alone = alone;
-  block.at_tip = modal_.tool_centre_point;
+  block.at_tip = modal_.tool_centre_point || modal_.tip_kinematics;
   block.per_degree = is_linuxcnc() || path().feed_mode() == FeedMode::inverse_time ? 0 : modal_.to_mm(1);
   return block;
 }
