@@ -25,6 +25,8 @@ constexpr std::array kinds{
     Kind{&NotCounted::stops, "stop", "program stop (M0, M1)", "program stops (M0, M1)", ""},
     Kind{&NotCounted::machine_moves, "machine_move", "move to or from a machine position",
          "moves to or from machine positions", "home_x_mm tool_change_x_mm part_zero_x_mm"},
+    Kind{&NotCounted::plane_turns, "plane_turn", "turn of rotary axes for a tilted plane",
+         "turns of rotary axes for tilted planes", ""},
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string_view>
@@ -12,6 +13,8 @@
 namespace feedscope {
 
 namespace {
+
+constexpr double same_tilt = 1e-9;  // [rad]
 
 std::optional<double> given(const Settings& settings, std::string_view key) {
   return settings.has(key) ? std::optional(settings.number(key)) : std::nullopt;
@@ -161,6 +164,14 @@ std::shared_ptr<const Toolpath> on_machine(std::shared_ptr<const Toolpath> path,
 NotCounted not_counted(const Toolpath& path) {
   NotCounted count;
   count.other_axes = path.other_axes;
+  Vec3 direction = Vec3::UnitZ();
+  for (const RotaryMove& move : path.rotary_moves) {  // none where a machine has made pauses of them
+    const bool to_zero = std::ranges::all_of(move.to, [](const auto& angle) { return angle == 0.0; });
+    const Vec3 next = to_zero ? Vec3(Vec3::UnitZ()) : move.direction.value_or(direction);
+    const bool beside = move.with_feed || move.with_rapid;
+    count.plane_turns += !beside && (next - direction).norm() > same_tilt ? 1 : 0;
+    direction = next;
+  }
   for (const Segment& segment : path.segments) {
     if (segment.kind != SegmentKind::dwell || path.pause_of(segment).timed) {
       continue;

@@ -23,8 +23,9 @@ std::shared_ptr<const Toolpath> on_machine(std::shared_ptr<const Toolpath> path,
 struct NotCounted {
   std::size_t tool_changes = 0;
   std::size_t spindle_starts = 0;
-  std::size_t stops = 0;                     ///< M0, M1
-  std::size_t machine_moves = 0;             ///< blocks to, at or from machine positions
+  std::size_t stops = 0;          ///< M0, M1
+  std::size_t machine_moves = 0;  ///< blocks to, at or from machine positions
+  std::size_t plane_turns = 0;    ///< of rotary axes for tilted planes, on a machine without rotary axes
   std::vector<std::string> other_axes = {};  ///< rotary and secondary ones that move
   bool operator==(const NotCounted&) const = default;
 };

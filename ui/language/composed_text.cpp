@@ -153,6 +153,8 @@ constexpr std::array clauses{
     QT_TRANSLATE_NOOP("core", "%1 program stops (M0, M1)"),
     QT_TRANSLATE_NOOP("core", "%1 move to or from a machine position"),
     QT_TRANSLATE_NOOP("core", "%1 moves to or from machine positions"),
+    QT_TRANSLATE_NOOP("core", "%1 turn of rotary axes for a tilted plane"),
+    QT_TRANSLATE_NOOP("core", "%1 turns of rotary axes for tilted planes"),
     // Path control (program/path_control); names of units.
     QT_TRANSLATE_NOOP("core", "exact stops"),
     QT_TRANSLATE_NOOP("core", "exact stops (%1)"),

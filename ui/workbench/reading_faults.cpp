@@ -43,6 +43,8 @@ QString not_counted_text(const NotCounted& counts) {
   add(counts.stops, Faults::tr("1 program stop"), Faults::tr("%1 program stops"));
   add(counts.machine_moves, Faults::tr("1 move to or from a machine position"),
       Faults::tr("%1 moves to or from machine positions"));
+  add(counts.plane_turns, Faults::tr("1 turn of rotary axes for a tilted plane"),
+      Faults::tr("%1 turns of rotary axes for tilted planes"));
   if (!counts.other_axes.empty()) {
     QStringList axes;
     for (const std::string& axis : counts.other_axes) {
