@@ -146,10 +146,40 @@ MotionLimits segment_limits(const Toolpath& toolpath, std::size_t i, const AxisV
   } else {
     limits = arc_limits(arc_of(toolpath, i), limits.speed, axes);
   }
-  if (const SegmentTurn* turn = toolpath.segment_turn(i)) {
-    limits.acceleration = lower_of(limits.acceleration, {turn->acceleration, turn->acceleration_axis});
-    limits.jerk = lower_of(limits.jerk, {turn->jerk, turn->jerk_axis});
+  return with_turns(limits, toolpath, i, i);
+}
+
+MotionLimits with_turns(MotionLimits limits, const Toolpath& toolpath, std::size_t first, std::size_t last) {
+  for (std::size_t i = first; i <= last && !toolpath.segment_turns.empty(); ++i) {
+    if (const SegmentTurn* turn = toolpath.segment_turn(i)) {
+      limits.acceleration = lower_of(limits.acceleration, {turn->acceleration, turn->acceleration_axis});
+      limits.jerk = lower_of(limits.jerk, {turn->jerk, turn->jerk_axis});
+    }
   }
+  return limits;
+}
+
+MotionLimits with_turns_in_corner(MotionLimits limits, const Toolpath& toolpath, std::size_t i,
+                                  double transition, double length) {
+  if (toolpath.segment_turns.empty() || !(length > 0)) {
+    return limits;
+  }
+  const double faster = std::max(1.0, 2 * transition / length);  // than along the way that is replaced
+  const MotionLimits unturned = limits;
+  limits = with_turns(limits, toolpath, i, i + 1);
+  if (limits.acceleration.value < unturned.acceleration.value) {
+    limits.acceleration.value /= faster;
+  }
+  if (limits.jerk.value < unturned.jerk.value) {
+    limits.jerk.value /= faster;
+  }
+  for (const SegmentTurn* turn : {toolpath.segment_turn(i), toolpath.segment_turn(i + 1)}) {
+    if (turn != nullptr) {
+      limits.speed.lower(turn->limit.speed / faster, cause_of(turn->limit));
+    }
+  }
+  const SpeedBound joint = turn_ceiling(toolpath, i);
+  limits.speed.lower(joint.value / faster, joint.cause);
   return limits;
 }
 

@@ -77,6 +77,14 @@ SpeedBound programmed_speed_of_span(const BlendedPath& path, std::size_t element
 /// J_j of running round at constant speed.
 MotionLimits segment_limits(const Toolpath& toolpath, std::size_t i, const AxisVectors& axes);
 
+/// `limits` whose ramps the rotary axes allow that turn along the segments from `first` to `last`, of a curve
+/// that stands for parts of them (Toolpath::segment_turns).
+MotionLimits with_turns(MotionLimits limits, const Toolpath& toolpath, std::size_t first, std::size_t last);
+/// The same of a curve of `length` in the corner behind segment `i`, which it leaves by `transition` before
+/// its end [mm]: the axes turn there as along the way that the curve replaces, which is longer.
+MotionLimits with_turns_in_corner(MotionLimits limits, const Toolpath& toolpath, std::size_t i,
+                                  double transition, double length);
+
 /// The same for an arc that need not stand in the program, run at `programmed` at most.
 MotionLimits arc_limits(const Arc& arc, const SpeedBound& programmed, const AxisVectors& axes);
 

@@ -81,6 +81,9 @@ struct Guarantees {
   bool stops_at_arc_corners = false;   ///< that touch an arc
   bool stops_at_reversals = true;
   bool stops_at_rapids = true;  ///< before and after every one
+  /// Ramps along blocks in which rotary axes turn stay within their acceleration and jerk, but for the share
+  /// of a place where blocks meet.
+  bool holds_rotary_ramps = false;
 };
 
 /// All three limits of every axis kept in whole.

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/roots.h"
 #include "core/base/units.h"
+#include "core/machine/contour_tolerance.h"
 #include "core/toolpath/turn_course.h"
 
 namespace feedscope {
@@ -20,6 +22,8 @@ constexpr std::size_t linear_count = coordinate_names.size();
 /// Share of a block over which a joint reaches that shapes its whole course; not a half, which a reach of
 /// half an even block is but for rounding.
 constexpr double dense = 0.45;
+/// Of an orientation tolerance of 0 in the program.
+constexpr double tightest = 1e-4 * units::pi / 180;  // [rad]
 constexpr double farthest = 1.0 / 6;  // of step and reach, that the angle leaves the programmed one
 
 std::size_t linear_place(char name) {
@@ -94,6 +98,7 @@ TurnLimiter::TurnLimiter(const Machine& machine, const KinematicChain& chain, co
     axes_.push_back(machine.kinematics.find(chain.axes()[axis].name));
   }
   tolerance_ = units::from_deg(orientation_tolerance_deg(settings));
+  follows_program_ = follows_program_tolerance(settings);
   const std::string period = "interpolation_period_s";
   period_ = settings.has(period) ? settings.number(period) : 0;
 }
@@ -187,9 +192,17 @@ TurnJoint TurnLimiter::join(const Toolpath& path, std::size_t segment, const Seg
   }
   joint.half = std::min(path.segments[segment].length, path.segments[segment + 1].length);
   if (largest > 0) {
-    joint.half = std::min(joint.half, tolerance_ / (farthest * largest));
+    joint.half = std::min(joint.half, tolerance_at(path, segment) / (farthest * largest));
   }
   return joint;
+}
+
+double TurnLimiter::tolerance_at(const Toolpath& path, std::size_t segment) const {
+  const auto of = [&](std::size_t i) {
+    const std::optional<double>& own = path.path_control_of(i).orientation_tolerance;
+    return own && follows_program_ ? std::max(*own, tightest) : tolerance_;
+  };
+  return std::min(of(segment), of(segment + 1));
 }
 
 void TurnLimiter::set_limit(const Toolpath& path, const SegmentTurn* before, const SegmentTurn* behind,
@@ -202,10 +215,16 @@ void TurnLimiter::set_limit(const Toolpath& path, const SegmentTurn* before, con
   meeting.begin = point_at(path, joint.segment, 1);
   meeting.end = point_at(path, joint.segment + 1, 0);
   meeting.speed_up = {speed_up(meeting.begin, before), speed_up(meeting.end, behind)};
+  meeting.ramp_up = {ramp_up(meeting.begin, before), ramp_up(meeting.end, behind)};
   const double first = path.segments[joint.segment].length;
   const double second = path.segments[joint.segment + 1].length;
   meeting.held_from = {before != nullptr ? dense * first : HUGE_VAL,
                        behind != nullptr ? dense * second : HUGE_VAL};
+
+  for (const RotaryAxis* axis : axes_) {
+    const double step = joint.step[rotary_place(axis->name)];
+    joint.half = reach_for_bend(meeting, step, joint.half, axis->acceleration);
+  }
 
   /// The third derivative of axis `i` on a segment of this length, whose other end is `other`.
   const auto change = [&](const TurnJoint* other, std::size_t i, double length) {
@@ -272,6 +291,18 @@ double TurnLimiter::speed_up(const CurvePoint& at, const SegmentTurn* turn) cons
   return acceleration;
 }
 
+/// How its acceleration may grow [mm/s3].
+double TurnLimiter::ramp_up(const CurvePoint& at, const SegmentTurn* turn) const {
+  double jerk = turn != nullptr ? turn->jerk : HUGE_VAL;
+  for (int j = 0; j < 3; ++j) {
+    const AxisLimits* axis = machine_.axes.find("XYZ"[j]);
+    if (axis != nullptr && at.d1[j] != 0) {
+      jerk = std::min(jerk, axis->jerk / std::abs(at.d1[j]));
+    }
+  }
+  return jerk;
+}
+
 TurnLimit TurnLimiter::rounded_limit(const Meeting& meeting, const Bend& bend, const TurnJoint& joint) const {
   Angles middle{};
   for (std::size_t i = 0; i < middle.size(); ++i) {
@@ -307,6 +338,43 @@ TurnLimit TurnLimiter::rounded_limit(const Meeting& meeting, const Bend& bend, c
   return limit;
 }
 
+/// The reach of a joint, `half` at most, within which the acceleration of a rotary axis stays within its
+/// limit from the speed that the place itself allows on, while the tip speeds up on either side and the axis
+/// still changes its slope: the shorter it is, the less the tip gains.
+double TurnLimiter::reach_for_bend(const Meeting& meeting, double step, double half,
+                                   double acceleration) const {
+  constexpr int places = 4;
+  constexpr int halvings = 12;
+  const double slope = std::abs(step);
+  if (!(slope > 0)) {
+    return half;
+  }
+  const auto holds = [&](double reach) {
+    const double speed = std::sqrt(share * acceleration * reach / slope);
+    for (std::size_t side = 0; side < 2; ++side) {
+      for (int k = 1; reach < meeting.held_from[side] && k < places; ++k) {
+        const double part = static_cast<double>(k) / places;
+        const double away = part * reach;
+        const double time = std::min(away / speed, std::cbrt(6 * away / meeting.ramp_up[side]));
+        const double by_jerk = speed + meeting.ramp_up[side] * time * time / 2;
+        const double there = std::min(by_jerk, std::sqrt(speed * speed + 2 * meeting.speed_up[side] * away));
+        if (there * there * slope / reach * (1 - part) > acceleration) {
+          return false;
+        }
+      }
+    }
+    return true;
+  };
+  if (holds(half)) {
+    return half;
+  }
+  double reach = half / 2;
+  for (int k = 0; k < 2 * halvings && !holds(reach); ++k) {
+    reach /= 2;
+  }
+  return halve({reach, 2 * reach}, halvings, holds).low;
+}
+
 /// The speed from which the velocity of a rotary axis stays within its limit while the tip goes on faster on
 /// the side where the axis turns less, still steeper beside the joint than on the rest of the block.
 double TurnLimiter::speed_for_velocity(const Meeting& meeting, std::size_t i, double step, double half,
@@ -322,7 +390,7 @@ double TurnLimiter::speed_for_velocity(const Meeting& meeting, std::size_t i, do
   double least = HUGE_VAL;  // square of the speed
   for (int k = 0; k <= places; ++k) {
     const double away = half * k / places;
-    const double slope = std::abs(flat + joint_turn(step, half, behind ? away : -away).slope);
+    const double slope = std::abs(flat + joint_turn(step, half, behind ? away : -away).d1());
     if (slope > 0) {
       least = std::min(least, std::pow(velocity / slope, 2) - 2 * speed_up * away);
     }
@@ -378,13 +446,13 @@ double TurnLimiter::tilt_at(const Angles& angles) const {
   return std::acos(std::min(1.0, along));
 }
 
-JointTurn joint_turn(double step, double half, double away) {
+Series joint_turn(double step, double half, double away) {
   if (!(half > 0) || std::abs(away) >= half) {
     return {};
   }
   const double t = 1 - std::abs(away) / half;  // of the way from the nearer end
-  const double slope = t * t / 2;
-  return {step * half * t * t * t / 6, std::signbit(away) ? step * slope : -step * slope};
+  const double side = std::signbit(away) ? step : -step;
+  return {step * half * t * t * t / 6, side * t * t / 2, step * t / half, side / (half * half)};
 }
 
 }  // namespace feedscope

@@ -28,8 +28,8 @@ inline constexpr double jump_share = 0.2;
 /// every axis along it (KinematicChain::courses(); core/models/README.md, "Rotary axes").
 class TurnLimiter {
  public:
-  /// `chain`: of the machine; both outlive it. Of the settings it reads orientation_tolerance_deg and
-  /// interpolation_period_s.
+  /// `chain`: of the machine; both outlive it. Of the settings it reads orientation_tolerance_deg,
+  /// program_tolerance (whether those of the program go before) and interpolation_period_s.
   TurnLimiter(const Machine& machine, const KinematicChain& chain, const Settings& settings,
               const PartOnMachine& part);
 
@@ -88,6 +88,7 @@ class TurnLimiter {
     CurvePoint begin;                  ///< as the end of the first segment
     CurvePoint end;                    ///< as the start of the second one
     std::array<double, 2> speed_up{};  ///< along both [mm/s2]
+    std::array<double, 2> ramp_up{};   ///< how fast it begins, along both [mm/s3]
     /// Half of the segments along which an axis turns, infinite without: from there on hold_beside() counts.
     std::array<double, 2> held_from{};  // [mm]
     bool at_tip = false;
@@ -99,27 +100,27 @@ class TurnLimiter {
                                 const std::array<double, 3>& second,
                                 const std::array<double, 3>& third) const;
   double speed_up(const CurvePoint& at, const SegmentTurn* turn) const;
+  double ramp_up(const CurvePoint& at, const SegmentTurn* turn) const;
   TurnLimit rounded_limit(const Meeting& meeting, const Bend& bend, const TurnJoint& joint) const;
+  double reach_for_bend(const Meeting& meeting, double step, double half, double acceleration) const;
   double speed_for_velocity(const Meeting& meeting, std::size_t i, double step, double half,
                             double velocity) const;
   TurnLimit jump_limit(const Meeting& meeting, const std::array<double, 3>& step) const;
   double tilt_at(const std::array<double, 3>& angles) const;
+  /// Of the orientation where segment `segment` meets the next one: the tighter of the two [rad].
+  double tolerance_at(const Toolpath& path, std::size_t segment) const;
 
   const Machine& machine_;
   const KinematicChain& chain_;
   std::vector<const RotaryAxis*> axes_;
   PartOnMachine part_;
-  double tolerance_ = 0;  ///< of the orientation [rad]
-  double period_ = 0;     ///< [s]
+  double tolerance_ = 0;         ///< of the orientation where the program gives none [rad]
+  bool follows_program_ = true;  ///< it may give one: OTOL, CYCLE832, TA of cycle 32 and of M128
+  double period_ = 0;            ///< [s]
 };
 
-/// How far a rotary axis is from its programmed angle beside a joint, and how much steeper its course is than
-/// there.
-struct JointTurn {
-  double angle = 0;  ///< [rad]
-  double slope = 0;  ///< [rad/mm]
-};
-/// Of the axis with this step, `away` from the joint along the path, negative (-0.0 too) before it [mm].
-JointTurn joint_turn(double step, double half, double away);
+/// How far the rotary axis with this step is from its programmed angle beside a joint [rad], with the
+/// derivatives of that by the path; `away` from the joint along the path, negative (-0.0 too) before it [mm].
+Series joint_turn(double step, double half, double away);
 
 }  // namespace feedscope

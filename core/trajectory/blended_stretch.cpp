@@ -111,6 +111,7 @@ void add_smooth_curve(const SmoothCurve& curve, const Toolpath& toolpath, const 
     if (limit_span) {
       limit_span(extremes, span.length(), limits);
     }
+    limits = with_turns(limits, toolpath, block, end);
     stretch.add_span({span.length(), limits}, builder.add_curve(block, curve.knots[k + 1]), block);
   }
 }
@@ -127,7 +128,9 @@ void lay_blended_stretch(const Toolpath& toolpath, const StretchRange& range, co
         stretch.add({length, segment_limits(toolpath, block, axes)}, index, block);
       },
       [&](std::uint32_t index, std::uint32_t block, const CornerPiece& piece) {
-        stretch.add({piece.length, piece.limits}, index, block, true);
+        const MotionLimits limits =
+            with_turns_in_corner(piece.limits, toolpath, block, piece.transition, piece.length);
+        stretch.add({piece.length, limits}, index, block, true);
       },
       [&](const SmoothCurve& curve) { add_smooth_curve(curve, toolpath, axes, builder, stretch); });
 }

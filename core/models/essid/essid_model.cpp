@@ -67,6 +67,7 @@ Guarantees EssidModel::guarantees(const Settings& settings) const {
   constexpr double sampled = 1.01;  // the law on a blend is checked once a sample
   using Of = KeptLimit::Of;
   Guarantees promised;
+  promised.holds_rotary_ramps = !strict;
   promised.covered = Covered::lines;
   promised.feed = strict ? 1 : sampled;
   promised.lines = all_kept();

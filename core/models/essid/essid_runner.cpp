@@ -91,7 +91,26 @@ CornerPiece EssidRunner::blend_corner(const CornerPlace& place) {
     speed.lower(steady.value, steady.cause);
   }
   piece.limits = blend_motion_limits(shape, speed, place.feed.value, blend_limits_);
+  if (!toolpath_.segment_turns.empty() && corner.turn > level_turn) {
+    hold_turns_by_parameter(shape, place.segment, piece);
+  }
   return piece;
+}
+
+/// A level blend may be run at constant du/dt, where the speed changes by itself: within the acceleration
+/// that rotary axes allow.
+void EssidRunner::hold_turns_by_parameter(const BlendShape& shape, std::size_t segment,
+                                          CornerPiece& piece) const {
+  constexpr int places = 16;
+  const double sigma = shape.at(0).sigma;
+  double change = 0;  // of the speed, by the square of that at the entry [1/mm]
+  for (int i = 0; i <= places; ++i) {
+    change = std::max(change, std::abs(shape.at(static_cast<double>(i) / places).dsigma) / (sigma * sigma));
+  }
+  const AxisBound free{HUGE_VAL, -1};
+  const AxisBound held =
+      with_turns_in_corner({{}, free, free}, toolpath_, segment, piece.transition, piece.length).acceleration;
+  piece.limits.speed.lower(std::sqrt(held.value / change), {CauseKind::axis_acceleration, held.axis});
 }
 
 EssidRunner::Blend EssidRunner::blend_of(std::size_t element) const {
@@ -149,7 +168,10 @@ std::optional<std::size_t> EssidRunner::move_over_blend(const std::vector<PlanNo
     return std::nullopt;
   }
   const Blend blend = blend_of(e);
-  if (blend.turn > sharp_turn) {
+  const std::size_t segment = builder_.path().segment(stretch_.element(e));
+  const bool turns =
+      toolpath_.segment_turn(segment) != nullptr || toolpath_.segment_turn(segment + 1) != nullptr;
+  if (blend.turn > sharp_turn || turns) {  // the law knows nothing of rotary axes
     return std::nullopt;
   }
   std::size_t target = n + 1;

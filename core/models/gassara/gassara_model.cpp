@@ -119,6 +119,7 @@ const ModelInfo& GassaraModel::info() const {
 
 Guarantees GassaraModel::guarantees(const Settings& settings) const {
   Guarantees promised;
+  promised.holds_rotary_ramps = true;
   promised.covered = Covered::lines;
   promised.lines = promised.blends = all_kept();
   promised.blends.of_blend_jerk = true;

@@ -140,6 +140,7 @@ void MsaddekRunner::add_connection(std::size_t segment, const ConnectingArc& con
   MotionLimits limits = arc_limits(arc, feed, axes_);
   limits.speed.lower(length / settings_.period, {CauseKind::interpolation_period});
   lower_by_curvature(limits.speed, arc.curvature());
+  limits = with_turns_in_corner(limits, path, segment, connection.transition, length);
   stretch_.add({length, limits}, index, static_cast<std::uint32_t>(segment));
 }
 

@@ -30,6 +30,7 @@ const ModelInfo& TapieModel::info() const {
 
 Guarantees TapieModel::guarantees(const Settings&) const {
   Guarantees promised;
+  promised.holds_rotary_ramps = true;
   promised.covered = Covered::arcs;
   promised.lines = all_kept();
   promised.follows_brisk = true;
