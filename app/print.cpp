@@ -38,41 +38,60 @@ std::string blend_limit(const Machine& machine, char axis) {
   return on_blends == axis_limit(machine, axis, "jerk") ? "" : fmt::format("; {:.4g} on blends", on_blends);
 }
 
+void add_linear_peaks(TextTable& table, const Machine& machine, char axis, const AxisPeaks& peak) {
+  table.add({fmt::format("axis {}", axis),
+             peak_and_limit(units::to_m_min(peak.velocity), axis_limit(machine, axis, "velocity")),
+             peak_and_limit(units::to_m(peak.acceleration), axis_limit(machine, axis, "acceleration")),
+             peak_and_limit(units::to_m(peak.jerk), axis_limit(machine, axis, "jerk")) +
+                 (std::isnan(peak.jerk) ? std::string() : blend_limit(machine, axis))});
+}
+
 std::string axis_table(const Run& run) {
   TextTable table;
-  table.add({"", "velocity [m/min]", "acceleration [m/s2]", "jerk [m/s3]"});
+  table.add(
+      {run.summary.rotary ? "of the tip" : "", "velocity [m/min]", "acceleration [m/s2]", "jerk [m/s3]"});
   for (std::size_t i = 0; i < run.summary.axes.size(); ++i) {
-    const char axis = run.summary.axes.name(i);
-    const AxisPeaks& peak = run.summary.axes[i];
-    table.add(
-        {fmt::format("axis {}", axis),
-         peak_and_limit(units::to_m_min(peak.velocity), axis_limit(run.setup.machine, axis, "velocity")),
-         peak_and_limit(units::to_m(peak.acceleration), axis_limit(run.setup.machine, axis, "acceleration")),
-         peak_and_limit(units::to_m(peak.jerk), axis_limit(run.setup.machine, axis, "jerk")) +
-             (std::isnan(peak.jerk) ? std::string() : blend_limit(run.setup.machine, axis))});
+    add_linear_peaks(table, run.setup.machine, run.summary.axes.name(i), run.summary.axes[i]);
   }
   return table.text("lrrr");
 }
 
 /// The rotary axes of a run in which one turns; empty for every other one.
 std::string rotary_text(const Run& run) {
-  TextTable table;
-  for (std::size_t i = 0; run.summary.rotary_velocity && i < rotary_names.size(); ++i) {
-    const double velocity = (*run.summary.rotary_velocity)[i];
-    const RotaryAxis* axis = run.setup.machine.kinematics.find(rotary_names[i]);
-    if (axis != nullptr && !std::isnan(velocity)) {
-      table.add({fmt::format("velocity of axis {}", axis->name),
-                 fmt::format("{:.4g} of {:.4g} rev/min", units::to_turns_min(velocity),
-                             units::to_turns_min(axis->velocity))});
+  if (!run.summary.rotary) {
+    return "";
+  }
+  const RotaryFigures& figures = *run.summary.rotary;
+  std::string text;
+  if (figures.linear) {
+    TextTable table;
+    table.add({"of the machine, where rotary axes turn", "[m/min]", "[m/s2]", "[m/s3]"});
+    for (std::size_t i = 0; i < coordinate_names.size(); ++i) {
+      add_linear_peaks(table, run.setup.machine, coordinate_names[i], (*figures.linear)[i]);
     }
+    text += table.text("lrrr");
   }
-  for (std::size_t i = 0; run.summary.machine_velocity && i < coordinate_names.size(); ++i) {
-    const char name = coordinate_names[i];
-    table.add({fmt::format("velocity of {} of the machine, with rotary axes", name),
-               fmt::format("{:.4g} of {:.4g} m/min", units::to_m_min((*run.summary.machine_velocity)[i]),
-                           axis_limit(run.setup.machine, name, "velocity"))});
+  TextTable table;
+  table.add({"", "velocity [rev/min]", "acceleration [rev/s2]", "jerk [rev/s3]"});
+  for (const RotaryAxis& axis : run.setup.machine.kinematics.rotary) {
+    const AxisPeaks& peak = figures.rotary[rotary_names.find(axis.name)];
+    table.add({fmt::format("axis {}", axis.name),
+               peak_and_limit(units::to_turns_min(peak.velocity), units::to_turns_min(axis.velocity)),
+               peak_and_limit(units::to_turns(peak.acceleration), units::to_turns(axis.acceleration)),
+               peak_and_limit(units::to_turns(peak.jerk), units::to_turns(axis.jerk))});
   }
-  return table.text("ll");
+  text += table.text("lrrr");
+  const bool jumps = std::ranges::any_of(run.setup.machine.kinematics.rotary, [&](const RotaryAxis& axis) {
+    return figures.rotary[rotary_names.find(axis.name)].jerk > 1.01 * axis.jerk;
+  });
+  if (jumps && run.setup.model->guarantees(run.setup.settings).holds_rotary_ramps) {
+    text += "  jerks above the limit are of places where blocks meet, each within an interpolation period\n";
+  }
+  if (const OrientationError& error = figures.orientation; error.line > 0) {
+    text += fmt::format("  the tool leans from its programmed direction by {:.3g} deg at most (line {})\n",
+                        units::to_deg(error.angle), error.line);
+  }
+  return text;
 }
 
 /// What the drives make of it; empty where all axes follow exactly.

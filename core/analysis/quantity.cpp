@@ -55,14 +55,14 @@ double of_load(const Instant& i) {
   return i.load != nullptr && i.load->has_load() ? (i.load->*at_feed).*number : unknown;
 }
 
-template <int axis>
-double rotary_position(const Instant& i) {
-  return i.rotary != nullptr ? i.rotary->angle[axis] : unknown;
+template <std::size_t axis, double AxisState::*value>
+double of_rotary(const Instant& i) {
+  return i.rotary != nullptr ? i.rotary->rotary[axis].*value : unknown;
 }
 
-template <int axis>
-double rotary_velocity(const Instant& i) {
-  return i.rotary != nullptr ? i.rotary->velocity[axis] : unknown;
+template <std::size_t axis, double AxisState::*value>
+double of_linear(const Instant& i) {
+  return i.rotary != nullptr ? i.rotary->linear[axis].*value : unknown;
 }
 
 constexpr auto predicted = &LoadSample::predicted;
@@ -185,17 +185,68 @@ constexpr std::array<QuantityInfo, quantity_count> quantities{{
      QT_TRANSLATE_NOOP("core", "Cutting power at the programmed feed"), Dimension::power, -1, Chart::none, "",
      false, false, of_load<programmed, &CuttingLoad::power>, cut},
     {Id::position_a, "a", "a_deg", QT_TRANSLATE_NOOP("core", "Position of %1"), angle, 3,
-     Chart::rotary_position, "", false, true, rotary_position<0>, rotary},
+     Chart::rotary_position, "", false, true, of_rotary<0, &AxisState::position>, rotary},
     {Id::position_b, "b", "b_deg", QT_TRANSLATE_NOOP("core", "Position of %1"), angle, 4,
-     Chart::rotary_position, "", false, true, rotary_position<1>, rotary},
+     Chart::rotary_position, "", false, true, of_rotary<1, &AxisState::position>, rotary},
     {Id::position_c, "c", "c_deg", QT_TRANSLATE_NOOP("core", "Position of %1"), angle, 5,
-     Chart::rotary_position, "", false, true, rotary_position<2>, rotary},
+     Chart::rotary_position, "", false, true, of_rotary<2, &AxisState::position>, rotary},
     {Id::velocity_a, "va", "va_rev_min", QT_TRANSLATE_NOOP("core", "Velocity of %1"), turning, 3,
-     Chart::rotary_velocity, "", false, true, rotary_velocity<0>, rotary},
+     Chart::rotary_velocity, "", false, true, of_rotary<0, &AxisState::velocity>, rotary},
     {Id::velocity_b, "vb", "vb_rev_min", QT_TRANSLATE_NOOP("core", "Velocity of %1"), turning, 4,
-     Chart::rotary_velocity, "", false, true, rotary_velocity<1>, rotary},
+     Chart::rotary_velocity, "", false, true, of_rotary<1, &AxisState::velocity>, rotary},
     {Id::velocity_c, "vc", "vc_rev_min", QT_TRANSLATE_NOOP("core", "Velocity of %1"), turning, 5,
-     Chart::rotary_velocity, "", false, true, rotary_velocity<2>, rotary},
+     Chart::rotary_velocity, "", false, true, of_rotary<2, &AxisState::velocity>, rotary},
+    {Id::acceleration_a, "aa", "aa_rev_s2", QT_TRANSLATE_NOOP("core", "Acceleration of %1"),
+     turning_acceleration, 3, Chart::rotary_acceleration, "", false, true,
+     of_rotary<0, &AxisState::acceleration>, rotary},
+    {Id::acceleration_b, "ab", "ab_rev_s2", QT_TRANSLATE_NOOP("core", "Acceleration of %1"),
+     turning_acceleration, 4, Chart::rotary_acceleration, "", false, true,
+     of_rotary<1, &AxisState::acceleration>, rotary},
+    {Id::acceleration_c, "ac", "ac_rev_s2", QT_TRANSLATE_NOOP("core", "Acceleration of %1"),
+     turning_acceleration, 5, Chart::rotary_acceleration, "", false, true,
+     of_rotary<2, &AxisState::acceleration>, rotary},
+    {Id::jerk_a, "ja", "ja_rev_s3", QT_TRANSLATE_NOOP("core", "Jerk of %1"), turning_jerk, 3,
+     Chart::rotary_jerk, "", false, true, of_rotary<0, &AxisState::jerk>, rotary},
+    {Id::jerk_b, "jb", "jb_rev_s3", QT_TRANSLATE_NOOP("core", "Jerk of %1"), turning_jerk, 4,
+     Chart::rotary_jerk, "", false, true, of_rotary<1, &AxisState::jerk>, rotary},
+    {Id::jerk_c, "jc", "jc_rev_s3", QT_TRANSLATE_NOOP("core", "Jerk of %1"), turning_jerk, 5,
+     Chart::rotary_jerk, "", false, true, of_rotary<2, &AxisState::jerk>, rotary},
+    {Id::machine_velocity_x, "machine_vx", "machine_vx_mm_min",
+     QT_TRANSLATE_NOOP("core", "Velocity of %1 of the machine"), feed, 0, Chart::feed,
+     QT_TRANSLATE_NOOP("core", "%1 of the machine"), false, true, of_linear<0, &AxisState::velocity>, rotary},
+    {Id::machine_velocity_y, "machine_vy", "machine_vy_mm_min",
+     QT_TRANSLATE_NOOP("core", "Velocity of %1 of the machine"), feed, 1, Chart::feed,
+     QT_TRANSLATE_NOOP("core", "%1 of the machine"), false, true, of_linear<1, &AxisState::velocity>, rotary},
+    {Id::machine_velocity_z, "machine_vz", "machine_vz_mm_min",
+     QT_TRANSLATE_NOOP("core", "Velocity of %1 of the machine"), feed, 2, Chart::feed,
+     QT_TRANSLATE_NOOP("core", "%1 of the machine"), false, true, of_linear<2, &AxisState::velocity>, rotary},
+    {Id::machine_acceleration_x, "machine_ax", "machine_ax_m_s2",
+     QT_TRANSLATE_NOOP("core", "Acceleration of %1 of the machine"), acceleration, 0, Chart::acceleration,
+     QT_TRANSLATE_NOOP("core", "%1 of the machine"), false, true, of_linear<0, &AxisState::acceleration>,
+     rotary},
+    {Id::machine_acceleration_y, "machine_ay", "machine_ay_m_s2",
+     QT_TRANSLATE_NOOP("core", "Acceleration of %1 of the machine"), acceleration, 1, Chart::acceleration,
+     QT_TRANSLATE_NOOP("core", "%1 of the machine"), false, true, of_linear<1, &AxisState::acceleration>,
+     rotary},
+    {Id::machine_acceleration_z, "machine_az", "machine_az_m_s2",
+     QT_TRANSLATE_NOOP("core", "Acceleration of %1 of the machine"), acceleration, 2, Chart::acceleration,
+     QT_TRANSLATE_NOOP("core", "%1 of the machine"), false, true, of_linear<2, &AxisState::acceleration>,
+     rotary},
+    {Id::machine_jerk_x, "machine_jx", "machine_jx_m_s3",
+     QT_TRANSLATE_NOOP("core", "Jerk of %1 of the machine"), jerk, 0, Chart::jerk,
+     QT_TRANSLATE_NOOP("core", "%1 of the machine"), false, true, of_linear<0, &AxisState::jerk>, rotary},
+    {Id::machine_jerk_y, "machine_jy", "machine_jy_m_s3",
+     QT_TRANSLATE_NOOP("core", "Jerk of %1 of the machine"), jerk, 1, Chart::jerk,
+     QT_TRANSLATE_NOOP("core", "%1 of the machine"), false, true, of_linear<1, &AxisState::jerk>, rotary},
+    {Id::machine_jerk_z, "machine_jz", "machine_jz_m_s3",
+     QT_TRANSLATE_NOOP("core", "Jerk of %1 of the machine"), jerk, 2, Chart::jerk,
+     QT_TRANSLATE_NOOP("core", "%1 of the machine"), false, true, of_linear<2, &AxisState::jerk>, rotary},
+    {Id::machine_x, "machine_x", "machine_x_mm", QT_TRANSLATE_NOOP("core", "Position of %1 of the machine"),
+     length, 0, Chart::none, "", false, true, of_linear<0, &AxisState::position>, rotary},
+    {Id::machine_y, "machine_y", "machine_y_mm", QT_TRANSLATE_NOOP("core", "Position of %1 of the machine"),
+     length, 1, Chart::none, "", false, true, of_linear<1, &AxisState::position>, rotary},
+    {Id::machine_z, "machine_z", "machine_z_mm", QT_TRANSLATE_NOOP("core", "Position of %1 of the machine"),
+     length, 2, Chart::none, "", false, true, of_linear<2, &AxisState::position>, rotary},
 }};
 
 constexpr bool is_in(QuantityId id, const ChartedRange& range) {

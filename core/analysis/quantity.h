@@ -77,15 +77,33 @@ enum class QuantityId : std::uint8_t {
   velocity_a,
   velocity_b,
   velocity_c,
+  acceleration_a,
+  acceleration_b,
+  acceleration_c,
+  jerk_a,
+  jerk_b,
+  jerk_c,
+  machine_velocity_x,  ///< from here on of the machine's linear axes, where rotary ones turn about the tip
+  machine_velocity_y,
+  machine_velocity_z,
+  machine_acceleration_x,
+  machine_acceleration_y,
+  machine_acceleration_z,
+  machine_jerk_x,
+  machine_jerk_y,
+  machine_jerk_z,
+  machine_x,
+  machine_y,
+  machine_z,
 };
-inline constexpr std::size_t quantity_count = static_cast<std::size_t>(QuantityId::velocity_c) + 1;
+inline constexpr std::size_t quantity_count = static_cast<std::size_t>(QuantityId::machine_z) + 1;
 
 /// What a quantity is of.
 enum class QuantitySource : std::uint8_t {
   motion,  ///< that the control sets
   drives,  ///< what the axes make of it; not a number where a machine has no drives
   load,    ///< what the tool bears; not a number where it cuts nothing that an operation describes
-  rotary,  ///< rotary axes; not a number of one that the machine does not have
+  rotary,  ///< rotary axes, and X, Y, Z with them; not a number of one that the machine does not have
 };
 
 /// Where a quantity is drawn over time.
@@ -98,7 +116,9 @@ enum class QuantityChart : std::uint8_t {
   force,
   chip,
   rotary_position,
-  rotary_velocity
+  rotary_velocity,
+  rotary_acceleration,
+  rotary_jerk
 };
 
 /// Quantities that are drawn over time: one behind the other for each source.
@@ -111,7 +131,7 @@ inline constexpr ChartedRange charted_of_motion{QuantityId::feed, 14, 0};
 inline constexpr ChartedRange charted_of_drives{QuantityId::following_error_x, 5, charted_of_motion.count};
 inline constexpr ChartedRange charted_of_load{QuantityId::mean_force, 5,
                                               charted_of_drives.index + charted_of_drives.count};
-inline constexpr ChartedRange charted_of_rotary{QuantityId::position_a, 6,
+inline constexpr ChartedRange charted_of_rotary{QuantityId::position_a, 21,
                                                 charted_of_load.index + charted_of_load.count};
 inline constexpr std::size_t charted_count = charted_of_rotary.index + charted_of_rotary.count;
 /// Place of a quantity that is drawn among all that are.

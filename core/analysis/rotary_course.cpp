@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include "core/analysis/turn_law.h"
 #include "core/base/units.h"
 #include "core/toolpath/turn_course.h"
 #include "core/toolpath/turn_limiter.h"
@@ -12,8 +12,27 @@
 namespace feedscope {
 namespace {
 
-std::size_t place_of(const RotaryAxis& axis) {
-  return rotary_names.find(axis.name);
+AxisState motion_of(const Series& course) {
+  return {course.value(), course.d1(), course.d2(), course.d3()};
+}
+
+/// Share of a line at the foot of the tip's place on it.
+Series share_of_line(const Vec3& start, const Vec3& end, const State& state) {
+  const Vec3 way = (end - start) / (end - start).squaredNorm();
+  return Series((state.position - start).dot(way), state.velocity.dot(way), state.acceleration.dot(way),
+                state.jerk.dot(way));
+}
+
+/// A share of `begin` that grows evenly with the path, by `slope` [1/mm].
+Series even_share(double begin, double slope, const State& state) {
+  return Series(begin, slope * state.speed, slope * state.tangential_acceleration,
+                slope * state.tangential_jerk);
+}
+
+/// Within 0 and 1, where the course itself may be beside it by rounding.
+Series within_segment(Series share) {
+  share += Series(std::clamp(share.value(), 0.0, 1.0) - share.value());
+  return share;
 }
 
 /// How far a turn about the arc's axis has gone, of an arc that may turn several times; `near`: a share that
@@ -56,11 +75,16 @@ RotaryCourse::RotaryCourse(std::shared_ptr<const Trajectory> trajectory, const M
   set_starts();
 }
 
-/// When the segment of each turn, or the next one that the control runs, begins.
+/// When the segment of each turn, or the next one that the control runs, begins; and where the tip stops.
 void RotaryCourse::set_starts() {
+  constexpr double standstill = 1e-9;  // [mm/s], and [mm] from the start of the element
   auto event = events_.begin();
   for (const Piece& piece : trajectory_->pieces()) {
     const std::uint32_t segment = trajectory_->path().segment(piece.element);
+    if (segment > 0 && piece.law != Law::filtered && piece.v < standstill && piece.q < standstill &&
+        !trajectory_->path().in_corner(piece.element)) {
+      stops_.push_back(segment - 1);
+    }
     for (; event != events_.end() && event->segment <= segment; ++event) {
       event->start = piece.time;
     }
@@ -74,42 +98,45 @@ bool RotaryCourse::has(char axis) const {
 RotarySample RotaryCourse::at(const State& state) const {
   const Way way = trajectory_->pieces().empty() ? Way() : way_of(state);
   const auto after = std::ranges::upper_bound(events_, way.segment, {}, &Event::segment);
-  RotarySample sample;
+  Angles angles{};
   if (after != events_.begin()) {
     const Event& event = *std::prev(after);
-    sample = event.along ? along(path().segment_turns[event.index], way, state.speed)
+    angles = event.along ? along(path().segment_turns[event.index], way)
                          : turning(path().rotary_turns[event.index], state.time - event.start);
   }
-  add_joints(way, state.speed, sample);
+  add_joints(way, angles);
+  RotarySample sample;
   for (std::size_t i = 0; i < rotary_names.size(); ++i) {
-    if (!has(rotary_names[i])) {
-      sample.angle[i] = sample.velocity[i] = std::numeric_limits<double>::quiet_NaN();
-    }
+    sample.rotary[i] = has(rotary_names[i]) ? motion_of(angles[i]) : AxisState::unknown();
+  }
+  const SegmentTurn* turn = knows_linear() ? path().segment_turn(way.segment) : nullptr;
+  if (turn != nullptr && turn->at_tip) {
+    sample.linear = linear_axes(state, angles);
   }
   return sample;
 }
 
 Vec3 RotaryCourse::tool_direction(const State& state) const {
-  return path().part.turn.transpose() * feedscope::tool_direction(chain_, at(state).angle);
+  return path().part.turn.transpose() * feedscope::tool_direction(chain_, at(state).angles());
 }
 
-std::array<double, 3> RotaryCourse::linear_velocity(const State& state, const RotarySample& sample) const {
+std::array<AxisState, 3> RotaryCourse::linear_axes(const State& state, const Angles& angles) const {
   CurvePoint tip;
   tip.position = state.position;
   tip.d1 = state.velocity;
-  tip.d2 = tip.d3 = Vec3::Zero();
-  std::vector<Series> angles;
+  tip.d2 = state.acceleration;
+  tip.d3 = state.jerk;
+  std::vector<Series> turned;
   for (const std::size_t k : chain_.rotary()) {
-    const std::size_t i = rotary_names.find(chain_.axes()[k].name);
-    angles.emplace_back(sample.angle[i], sample.velocity[i], 0, 0);
+    turned.push_back(angles[rotary_place(chain_.axes()[k].name)]);
   }
   const std::vector<Series> all =
-      chain_.courses(tip_on_machine(path().part, tip), angles, path().part.tool_length);
-  std::array<double, 3> velocity{};
+      chain_.courses(tip_on_machine(path().part, tip), turned, path().part.tool_length);
+  std::array<AxisState, 3> linear;
   for (const std::size_t k : chain_.linear()) {
-    velocity[static_cast<std::size_t>(chain_.axes()[k].name - 'X')] = all[k].d1();
+    linear[static_cast<std::size_t>(chain_.axes()[k].name - 'X')] = motion_of(all[k]);
   }
-  return velocity;
+  return linear;
 }
 
 RotaryCourse::Way RotaryCourse::way_of(const State& state) const {
@@ -123,57 +150,53 @@ RotaryCourse::Way RotaryCourse::way_of(const State& state) const {
   if (blended.is_executed() && line && length > 0) {
     return executed_way(state, done);
   }
-  if (blended.is_executed() && segment.kind == SegmentKind::arc) {
-    const double share = share_of_arc(path().arc_of(segment), state.position, 0.5);
-    return {i, std::clamp(share, 0.0, 1.0), 1 / segment.length};
+  if (segment.kind == SegmentKind::arc &&
+      (blended.is_executed() || blended.kind(state.element) == ElementKind::arc)) {
+    const double near = blended.is_executed() ? 0.5 : done;
+    const double share = share_of_arc(path().arc_of(segment), state.position, near);
+    return {i, within_segment(even_share(share, 1 / segment.length, state)), true};
   }
   switch (blended.kind(state.element)) {
     case ElementKind::dwell:
-      return {i, 0, 0};
+      return {i, 0, false};
     case ElementKind::blend:
     case ElementKind::connecting_arc: {
       const double transition = blended.corner_transition(blended.index(state.element));
       const bool behind = done >= 0.5 && i + 1 < path().segments.size();
       const std::uint32_t on = behind ? i + 1 : i;
       const double whole = path().segments[on].length;
+      if (!(whole > 0 && length > 0)) {
+        return {on, 1, false};
+      }
       const double from_corner = transition * std::abs(2 * done - 1);
       const double way = behind ? from_corner : whole - from_corner;
-      return whole > 0 && length > 0
-                 ? Way{on, std::clamp(way / whole, 0.0, 1.0), 2 * transition / length / whole}
-                 : Way{on, 1, 0};
+      return {on, within_segment(even_share(way / whole, 2 * transition / length / whole, state)), true};
     }
     case ElementKind::line:
-    case ElementKind::curve: {
-      if (!line) {
-        break;
-      }
-      return on_lines(i, state.position);
-    }
-    case ElementKind::arc:
-      if (segment.kind == SegmentKind::arc) {
-        const double share = share_of_arc(path().arc_of(segment), state.position, done);
-        return {i, std::clamp(share, 0.0, 1.0), 1 / segment.length};
+    case ElementKind::curve:
+      if (line) {
+        return on_lines(i, state);
       }
       break;
+    case ElementKind::arc:
     case ElementKind::filtered:
     case ElementKind::fitted:
       break;
   }
-  return {i, done, length > 0 ? 1 / length : 0};
+  return length > 0 ? Way{i, even_share(done, 1 / length, state), true} : Way{i, done, false};
 }
 
 /// The nearest place on line `i`, or where that is its end, on one of the lines behind it, over which a
 /// smooth curve goes on.
-RotaryCourse::Way RotaryCourse::on_lines(std::uint32_t i, const Vec3& position) const {
+RotaryCourse::Way RotaryCourse::on_lines(std::uint32_t i, const State& state) const {
   for (;; ++i) {
     const Segment& segment = path().segments[i];
-    const Vec3& start = path().start_of(i);
-    const double share = (position - start).dot(segment.end - start) / (segment.length * segment.length);
+    const Series share = share_of_line(path().start_of(i), segment.end, state);
     const std::size_t next = i + std::size_t{1};
     const bool goes_on = next < path().segments.size() && path().segments[next].kind == SegmentKind::line &&
-                         (position - segment.end).dot(path().segments[next].end - segment.end) > 0;
-    if (share < 1 || !goes_on) {
-      return {i, std::clamp(share, 0.0, 1.0), 1 / segment.length};
+                         (state.position - segment.end).dot(path().segments[next].end - segment.end) > 0;
+    if (share.value() < 1 || !goes_on) {
+      return {i, within_segment(share), true};
     }
   }
 }
@@ -183,96 +206,75 @@ RotaryCourse::Way RotaryCourse::on_lines(std::uint32_t i, const Vec3& position) 
 RotaryCourse::Way RotaryCourse::executed_way(const State& state, double done) const {
   const BlendedPath& blended = trajectory_->path();
   const std::uint32_t i = blended.segment(state.element);
-  const auto share_on = [&](std::uint32_t on, const Vec3& place) {
-    const Vec3 way = path().segments[on].end - path().start_of(on);
-    return std::clamp((place - path().start_of(on)).dot(way) / way.squaredNorm(), 0.0, 1.0);
-  };
   const RoundedCorner* corner = rounded_corner(blended, state.element);
   if (corner == nullptr) {
-    return {i, share_on(i, state.position), 1 / path().segments[i].length};
+    return {i, within_segment(share_of_line(path().start_of(i), path().segments[i].end, state)), true};
   }
   const std::uint32_t before = corner->block;
   const std::uint32_t behind = before + 1;
   if (behind >= path().segments.size() || path().segments[before].kind != SegmentKind::line ||
       path().segments[behind].kind != SegmentKind::line) {
-    return {i, done, 1 / path().segments[i].length};
+    return {i, even_share(done, 1 / path().segments[i].length, state), true};
   }
+  const auto share_on = [&](std::uint32_t on, const Vec3& place) {
+    State there;
+    there.position = place;
+    return within_segment(share_of_line(path().start_of(on), path().segments[on].end, there)).value();
+  };
   const double begin = blended.s(corner->first);
   const double length = blended.s(corner->last + std::size_t{1}) - begin;
   const double half = 2 * (state.path_length - begin) / length;  // 1 in the middle
   const double left = share_on(before, blended.element(corner->first).start);
   const double met = share_on(behind, blended.element(corner->last).end);
-  return half < 1 ? Way{before, left + (1 - left) * half, 2 * (1 - left) / length}
-                  : Way{behind, met * (half - 1), 2 * met / length};
+  return half < 1 ? Way{before, even_share(left + (1 - left) * half, 2 * (1 - left) / length, state), true}
+                  : Way{behind, even_share(met * (half - 1), 2 * met / length, state), true};
 }
 
-RotarySample RotaryCourse::along(const SegmentTurn& turn, const Way& way, double speed) const {
-  RotarySample sample;
-  sample.angle = turn.to;
+RotaryCourse::Angles RotaryCourse::along(const SegmentTurn& turn, const Way& way) const {
+  Angles angles;
+  std::ranges::copy(turn.to, angles.begin());
   if (way.segment != turn.segment) {
-    return sample;
+    return angles;
   }
   const double length = path().segments[turn.segment].length;
-  const std::vector<Series> angles = TurnCourse(chain_, turn, length).at(way.share * length);
-  for (std::size_t k = 0; k < angles.size(); ++k) {
-    const std::size_t i = rotary_names.find(chain_.axes()[chain_.rotary()[k]].name);
-    sample.angle[i] = angles[k].value();
-    sample.velocity[i] = angles[k].d1() * length * way.slope * speed;
+  const Series s = way.share * length;
+  const std::vector<Series> by_path = TurnCourse(chain_, turn, length).at(s.value());
+  for (std::size_t k = 0; k < by_path.size(); ++k) {
+    angles[rotary_place(chain_.axes()[chain_.rotary()[k]].name)] = chained(by_path[k], s);
   }
-  return sample;
+  return angles;
+}
+
+const TurnJoint* RotaryCourse::joint_behind(std::size_t segment) const {
+  return std::ranges::binary_search(stops_, segment) ? nullptr : path().turn_joint(segment);
 }
 
 /// What the joints at both ends of the segment change.
-void RotaryCourse::add_joints(const Way& way, double speed, RotarySample& sample) const {
-  if (path().turn_joints.empty() || !(way.slope > 0)) {
+void RotaryCourse::add_joints(const Way& way, Angles& angles) const {
+  if (path().turn_joints.empty() || !way.along) {
     return;
   }
   const double length = path().segments[way.segment].length;
-  const auto add = [&](const TurnJoint* joint, double away) {
-    for (std::size_t i = 0; joint != nullptr && i < rotary_names.size(); ++i) {
-      const JointTurn turn = joint_turn(joint->step[i], joint->half, away);
-      sample.angle[i] += turn.angle;
-      sample.velocity[i] += turn.slope * length * way.slope * speed;
+  const auto add = [&](const TurnJoint* joint, const Series& away) {
+    for (std::size_t i = 0; joint != nullptr && i < angles.size(); ++i) {
+      if (joint->step[i] != 0) {
+        angles[i] += chained(joint_turn(joint->step[i], joint->half, away.value()), away);
+      }
     }
   };
-  add(path().turn_joint(way.segment), -(1 - way.share) * length);
+  add(joint_behind(way.segment), -((1 - way.share) * length));
   if (way.segment > 0) {
-    add(path().turn_joint(way.segment - std::size_t{1}), way.share * length);
+    add(joint_behind(way.segment - std::size_t{1}), way.share * length);
   }
 }
 
-RotarySample RotaryCourse::turning(const RotaryTurn& turn, double time) const {
-  RotarySample sample;
-  sample.angle = turn.to;
-  double way = 0;
+RotaryCourse::Angles RotaryCourse::turning(const RotaryTurn& turn, double time) const {
+  Angles angles;
+  std::ranges::copy(turn.to, angles.begin());
   for (const RotaryAxis& axis : axes_) {
-    way = std::hypot(way, turn.to[place_of(axis)] - turn.from[place_of(axis)]);
+    angles[rotary_place(axis.name)] = TurnLaw(turn, axes_, axis).at(time);
   }
-  double velocity = turn.feed;
-  double acceleration = HUGE_VAL;
-  double jerk = HUGE_VAL;
-  for (const RotaryAxis& axis : axes_) {
-    const double share = way > 0 ? std::abs(turn.to[place_of(axis)] - turn.from[place_of(axis)]) / way : 0;
-    if (share > 0) {
-      velocity = std::min(velocity, axis.velocity / share);
-      acceleration = std::min(acceleration, axis.acceleration / share);
-      jerk = std::min(jerk, axis.jerk / share);
-    }
-  }
-  for (const RotaryAxis& axis : axes_) {
-    const std::size_t i = place_of(axis);
-    const double angle = turn.to[i] - turn.from[i];
-    if (angle == 0) {
-      continue;
-    }
-    const RestToRestPlace place =
-        turn.feed > 0 ? rest_to_rest_at(time, way, velocity, acceleration, jerk)
-                      : rest_to_rest_at(time, std::abs(angle), axis.velocity, axis.acceleration, axis.jerk);
-    const double share = turn.feed > 0 ? angle / way : std::copysign(1, angle);
-    sample.angle[i] = turn.from[i] + share * place.way;
-    sample.velocity[i] = share * place.velocity;
-  }
-  return sample;
+  return angles;
 }
 
 std::shared_ptr<const RotaryCourse> rotary_course_of(std::shared_ptr<const Trajectory> trajectory,

@@ -6,6 +6,7 @@
 
 #include "core/analysis/rotary_sample.h"
 #include "core/kinematics/kinematic_chain.h"
+#include "core/kinematics/series.h"
 #include "core/machine/machine.h"
 #include "core/trajectory/trajectory.h"
 
@@ -14,10 +15,10 @@ namespace feedscope {
 /// How the rotary axes of a machine turn in a run: what Toolpath::rotary_turns and Toolpath::segment_turns
 /// say, on the time of the trajectory.
 ///
-/// A turn on its own goes from rest to rest at the limits of its axes (rest_to_rest_at()); axes that turn at
-/// a feed arrive together, others each when it can. Beside other motions the angles are
-/// those of TurnCourse by the programmed way, rounded where blocks meet (Toolpath::turn_joints); on the curve
-/// in a corner each half of the curve is the way that it replaces.
+/// A turn on its own goes by a TurnLaw. Beside other motions the angles are those of TurnCourse by the
+/// programmed way, rounded where blocks meet (Toolpath::turn_joints); on the curve in a corner each half of
+/// the curve is the way that it replaces, so that velocities step a little at the ends and the middle of such
+/// a curve.
 class RotaryCourse {
  public:
   /// All of them stand at zero before the first turn.
@@ -31,11 +32,13 @@ class RotaryCourse {
   /// Of the tool in the coordinates of the part, from the tip to the spindle, unit; `state` as at().
   Vec3 tool_direction(const State& state) const;
 
-  /// The tip is followed by X, Y and Z of the machine in a way that is known.
+  const std::vector<RotaryAxis>& axes() const { return axes_; }
+  const KinematicChain& chain() const { return chain_; }
+  /// That rounds the turns where segment `segment` meets the next one; null for none, and where the tip
+  /// stops: there every slope is passed at rest.
+  const TurnJoint* joint_behind(std::size_t segment) const;
+  /// It is known how X, Y and Z of the machine follow the tip where rotary axes turn.
   bool knows_linear() const { return path().part.known; }
-  /// Velocities of X, Y and Z of the machine, which hold the tip on its path while rotary axes turn; only if
-  /// knows_linear() [mm/s]. `sample`: at() of the state.
-  std::array<double, 3> linear_velocity(const State& state, const RotarySample& sample) const;
 
  private:
   /// A turn from the first segment in which it shows on.
@@ -45,26 +48,30 @@ class RotaryCourse {
     std::size_t index = 0;  ///< into Toolpath::rotary_turns or segment_turns
     bool along = false;     ///< of segment_turns
   };
-  /// Share of the programmed segment `segment` that is behind, and how it grows by the path length.
+  /// How far the programmed segment `segment` is done.
   struct Way {
     std::uint32_t segment = 0;
-    double share = 0;  ///< 0 to 1
-    double slope = 0;  ///< [1/mm]
+    Series share;        ///< 0 to 1, with its derivatives by time
+    bool along = false;  ///< the path goes along it: its length is not 0
   };
 
   const Toolpath& path() const { return *trajectory_->path().programmed(); }
   Way way_of(const State& state) const;
-  Way on_lines(std::uint32_t i, const Vec3& position) const;
+  Way on_lines(std::uint32_t i, const State& state) const;
   Way executed_way(const State& state, double done) const;
-  RotarySample along(const SegmentTurn& turn, const Way& way, double speed) const;
-  void add_joints(const Way& way, double speed, RotarySample& sample) const;
-  RotarySample turning(const RotaryTurn& turn, double time) const;
+  /// Angles of A, B and C with their derivatives by time.
+  using Angles = std::array<Series, 3>;
+  Angles along(const SegmentTurn& turn, const Way& way) const;
+  void add_joints(const Way& way, Angles& angles) const;
+  Angles turning(const RotaryTurn& turn, double time) const;
+  std::array<AxisState, 3> linear_axes(const State& state, const Angles& angles) const;
   void set_starts();
 
   std::shared_ptr<const Trajectory> trajectory_;
   std::vector<RotaryAxis> axes_;
   KinematicChain chain_;
-  std::vector<Event> events_;  ///< by segment
+  std::vector<Event> events_;       ///< by segment
+  std::vector<std::size_t> stops_;  ///< segments at whose end the tip stops, in order
 };
 
 /// Null where the machine has no rotary axes or the run turns none.

@@ -214,8 +214,7 @@ void add_summary(Run& run, Progress* progress) {
     run.summary.load = load_figures(*run.sources.load, progress);
   }
   if (run.sources.rotary) {
-    run.summary.rotary_velocity = largest_velocities(run.sources.rotary);
-    run.summary.machine_velocity = largest_linear_velocities(run.sources.rotary);
+    run.summary.rotary = rotary_figures(run.sources.rotary, run.sources.limits_jerk);
   }
   run.simulate_time += watch.seconds();
 }

@@ -100,6 +100,32 @@ const char* tip_note(const Toolpath& path) {
                    "the part; where rotary axes turn, the axes of the machine move otherwise.");
 }
 
+const char* rotary_ramp_note(const Toolpath& path, const Setup& setup) {
+  return path.segment_turns.empty() || setup.model->guarantees(setup.settings).holds_rotary_ramps
+             ? nullptr
+             : QT_TRANSLATE_NOOP(
+                   "core",
+                   "Ramps of this model are not held by the acceleration and jerk of rotary axes: their "
+                   "largest values may be above what the machine allows.");
+}
+
+const char* missing_axes_note(const Toolpath& path, const Machine& machine) {
+  return path.rotary_moves.empty() || !machine.kinematics.empty()
+             ? nullptr
+             : QT_TRANSLATE_NOOP(
+                   "core",
+                   "The program turns rotary axes, which this machine does not have: the time of their "
+                   "turns is missing, and they hold no feed. Choose a machine that has them, such as "
+                   "five-axis-table-ac.");
+}
+
+std::vector<const char*> figure_notes(const Toolpath& path, const Setup& setup) {
+  std::vector<const char*> notes{missing_axes_note(path, setup.machine), tip_note(path),
+                                 rotary_ramp_note(path, setup), limits_note(setup), jump_note(setup)};
+  std::erase(notes, nullptr);
+  return notes;
+}
+
 std::string machine_fault_note(const std::vector<Diagnostic>& faults) {
   const auto errors = std::ranges::count(faults, Severity::error, &Diagnostic::severity);
   if (errors < std::ssize(faults)) {  // what is to be known of them, without places beyond reach first
@@ -137,10 +163,8 @@ std::vector<std::string> run_notes(const LoadedProgram& program, const Setup& se
   if (std::string faults = machine_fault_note(path->machine_faults); !faults.empty()) {
     notes.push_back(std::move(faults));
   }
-  for (const char* const note : {tip_note(*path), limits_note(setup), jump_note(setup)}) {
-    if (note != nullptr) {
-      notes.emplace_back(note);
-    }
+  for (const char* const note : figure_notes(*path, setup)) {
+    notes.emplace_back(note);
   }
   if (const auto unadvised =
           unadvised_tolerance(program.chord_error, tolerance_in_force(program.feed_controls, setup))) {

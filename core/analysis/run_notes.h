@@ -33,6 +33,14 @@ const char* limits_note(const Setup& setup);
 /// null; translatable.
 const char* tip_note(const Toolpath& path);
 
+/// Of a model whose ramps rotary axes do not hold, where some turn along feed motions; else null;
+/// translatable.
+const char* rotary_ramp_note(const Toolpath& path, const Setup& setup);
+/// Of a program that turns rotary axes, on a machine that has none; else null; translatable.
+const char* missing_axes_note(const Toolpath& path, const Machine& machine);
+/// Those of these notes that there are, in a fixed order; `path`: as the machine runs it.
+std::vector<const char*> figure_notes(const Toolpath& path, const Setup& setup);
+
 /// What of the program the machine cannot do, in one sentence; empty if nothing.
 std::string machine_fault_note(const std::vector<Diagnostic>& faults);
 

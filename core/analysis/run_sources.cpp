@@ -17,8 +17,11 @@ bool RunSources::has(QuantitySource source) const {
 }
 
 bool RunSources::has(const QuantityInfo& quantity) const {
-  return has(quantity.source) && (quantity.source != QuantitySource::rotary ||
-                                  rotary->has(cause_axes[static_cast<std::size_t>(quantity.axis)].name));
+  if (!has(quantity.source) || quantity.source != QuantitySource::rotary) {
+    return has(quantity.source);
+  }
+  const AxisInfo& axis = cause_axes[static_cast<std::size_t>(quantity.axis)];
+  return axis.kind == AxisKind::rotary ? rotary->has(axis.name) : rotary->knows_linear();
 }
 
 InstantSampler::InstantSampler(const RunSources& sources, double from) {

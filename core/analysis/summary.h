@@ -1,24 +1,19 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <vector>
 
 #include "core/analysis/actual_figures.h"
+#include "core/analysis/axis_peaks.h"
 #include "core/analysis/contour/contour_errors.h"
 #include "core/analysis/load/load_figures.h"
+#include "core/analysis/rotary_figures.h"
 #include "core/machine/axis_vector.h"
 #include "core/toolpath/machine_toolpath.h"
 #include "core/toolpath/toolpath.h"
 #include "core/trajectory/trajectory.h"
 
 namespace feedscope {
-
-struct AxisPeaks {
-  double velocity = 0;      ///< largest absolute value [mm/s]
-  double acceleration = 0;  ///< [mm/s2]
-  double jerk = 0;          ///< [mm/s3]; NaN where the acceleration jumps: Guarantees::limits_jerk
-};
 
 /// Figures of a run.
 struct Summary {
@@ -39,12 +34,8 @@ struct Summary {
   NotCounted not_counted;               ///< what takes time on the machine and none here
   std::optional<ActualFigures> actual;  ///< of a machine with drives
   std::optional<LoadFigures> load;      ///< of a run with a load file
-  /// Largest velocities of A, B and C, magnitudes [rad/s], of a run in which rotary axes turn; not a number
-  /// of one that the machine does not have.
-  std::optional<std::array<double, 3>> rotary_velocity;
-  /// Of X, Y and Z of the machine where rotary axes turn under tool centre point control [mm/s]; none where
-  /// it is not known how they follow. The peaks above are those of the tip.
-  std::optional<std::array<double, 3>> machine_velocity;
+  /// Of a run in which rotary axes turn; the peaks above are then those of the tip.
+  std::optional<RotaryFigures> rotary;
 };
 
 /// `toolpath`: that the trajectory runs; `rapid_speed` per axis [mm/s].

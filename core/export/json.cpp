@@ -151,11 +151,24 @@ Json peaks(const Summary& summary) {
     axes[std::string(1, summary.axes.name(i))] = axis_figures(axis.velocity, axis.acceleration, axis.jerk);
   }
   Json json{{"feed_mm_min", finite(units::to_mm_min(summary.peak_feed))}, {"axes", axes}};
-  for (std::size_t i = 0; summary.rotary_velocity && i < rotary_names.size(); ++i) {
-    if (const double velocity = (*summary.rotary_velocity)[i]; !std::isnan(velocity)) {
+  for (std::size_t i = 0; summary.rotary && i < rotary_names.size(); ++i) {
+    const AxisPeaks& axis = summary.rotary->rotary[i];
+    if (!std::isnan(axis.velocity)) {
       json["rotary_axes"][std::string(1, rotary_names[i])] = {
-          {"velocity_rev_min", units::to_turns_min(velocity)}};
+          {"velocity_rev_min", finite(units::to_turns_min(axis.velocity))},
+          {"acceleration_rev_s2", finite(units::to_turns(axis.acceleration))},
+          {"jerk_rev_s3", finite(units::to_turns(axis.jerk))}};
     }
+  }
+  for (std::size_t i = 0; summary.rotary && summary.rotary->linear && i < coordinate_names.size(); ++i) {
+    const AxisPeaks& axis = (*summary.rotary->linear)[i];
+    json["machine_axes"][std::string(1, coordinate_names[i])] =
+        axis_figures(axis.velocity, axis.acceleration, axis.jerk);
+  }
+  if (summary.rotary) {
+    const OrientationError& error = summary.rotary->orientation;
+    json["orientation_error"] = {{"deg", finite(units::to_deg(error.angle))},
+                                 {"line", error.line > 0 ? Json(error.line) : Json()}};
   }
   return json;
 }

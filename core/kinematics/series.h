@@ -73,6 +73,11 @@ class Series {
     }
     return r;
   }
+  /// f(x), with the derivatives of `f` by x and those of x by the parameter that the result has.
+  friend Series chained(const Series& f, const Series& x) {
+    return Series(f.value(), f.d1() * x.d1(), f.d2() * x.d1() * x.d1() + f.d1() * x.d2(),
+                  f.d3() * x.d1() * x.d1() * x.d1() + 3 * f.d2() * x.d1() * x.d2() + f.d1() * x.d3());
+  }
   friend Series sin(const Series& a) { return of_angle(a, std::sin(a.value()), std::cos(a.value())); }
   friend Series cos(const Series& a) { return of_angle(a, std::cos(a.value()), -std::sin(a.value())); }
   /// Not at y = x = 0.

@@ -187,12 +187,13 @@ struct RestToRest {
   RestToRestPlace on_ramp(double time, double jerk) const {
     const double t1 = std::min(time, jerk_phase);
     const double a = jerk * t1;
-    RestToRestPlace at{jerk * t1 * t1 * t1 / 6, a * t1 / 2};
+    RestToRestPlace at{jerk * t1 * t1 * t1 / 6, a * t1 / 2, a, time < jerk_phase ? jerk : 0};
     const double t2 = std::clamp(time - jerk_phase, 0.0, ramp - 2 * jerk_phase);
-    at = {at.way + t2 * (at.velocity + t2 * a / 2), at.velocity + t2 * a};
+    at.way += t2 * (at.velocity + t2 * a / 2);
+    at.velocity += t2 * a;
     const double t3 = std::clamp(time - (ramp - jerk_phase), 0.0, jerk_phase);
     return {at.way + t3 * (at.velocity + t3 * (a / 2 - t3 * jerk / 6)),
-            at.velocity + t3 * (a - t3 * jerk / 2)};
+            at.velocity + t3 * (a - t3 * jerk / 2), a - t3 * jerk, t3 > 0 ? -jerk : at.jerk};
   }
 };
 
@@ -204,15 +205,22 @@ double rest_to_rest_time(double way, double velocity, double acceleration, doubl
 
 RestToRestPlace rest_to_rest_at(double time, double way, double velocity, double acceleration, double jerk) {
   const RestToRest law(way, velocity, acceleration, jerk);
-  const double t = std::clamp(time, 0.0, law.duration);
-  if (t <= law.ramp) {
-    return law.on_ramp(t, jerk);
+  if (!(time > 0) || time >= law.duration) {  // at rest
+    return {time > 0 ? way : 0, 0, 0, 0};
   }
-  if (t < law.duration - law.ramp) {
-    return {law.reached * (t - law.ramp / 2), law.reached};
+  if (time <= law.ramp) {
+    return law.on_ramp(time, jerk);
   }
-  const RestToRestPlace mirrored = law.on_ramp(law.duration - t, jerk);
-  return {way - mirrored.way, mirrored.velocity};
+  if (time < law.duration - law.ramp) {
+    return {law.reached * (time - law.ramp / 2), law.reached, 0, 0};
+  }
+  const RestToRestPlace mirrored = law.on_ramp(law.duration - time, jerk);
+  return {way - mirrored.way, mirrored.velocity, -mirrored.acceleration, mirrored.jerk};
+}
+
+RestToRestPlace rest_to_rest_peaks(double way, double velocity, double acceleration, double jerk) {
+  const RestToRest law(way, velocity, acceleration, jerk);
+  return {way, law.reached, jerk * law.jerk_phase, jerk};
 }
 
 double turning_time(const RotaryAxis& axis, double angle, double feed) {

@@ -62,9 +62,14 @@ double rest_to_rest_time(double way, double velocity, double acceleration, doubl
 struct RestToRestPlace {
   double way = 0;       ///< from its start
   double velocity = 0;  ///< along the way, >= 0
+  double acceleration = 0;
+  double jerk = 0;
 };
-/// Of the motion that takes rest_to_rest_time(), `time` from its start, clamped to it [s]; `way` > 0.
+/// Of the motion that takes rest_to_rest_time(), `time` from its start, at rest before and behind it [s];
+/// `way` > 0.
 RestToRestPlace rest_to_rest_at(double time, double way, double velocity, double acceleration, double jerk);
+/// The largest velocity, acceleration and jerk of that motion, and its way.
+RestToRestPlace rest_to_rest_peaks(double way, double velocity, double acceleration, double jerk);
 /// Time of a turn by `angle` [rad] from rest to rest: jerk-limited, at most at `feed` [rad/s], 0: as fast as
 /// the axis may (core/models/README.md) [s].
 double turning_time(const RotaryAxis& axis, double angle, double feed = 0);

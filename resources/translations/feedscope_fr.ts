@@ -285,6 +285,14 @@
         <source>Not in the cycle time: %1</source>
         <translation>Hors temps de cycle&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>1 turn of rotary axes for a tilted plane</source>
+        <translation>1 rotation d&apos;axes rotatifs pour un plan incliné</translation>
+    </message>
+    <message>
+        <source>%1 turns of rotary axes for tilted planes</source>
+        <translation>%1 rotations d&apos;axes rotatifs pour des plans inclinés</translation>
+    </message>
 </context>
 <context>
     <name>FilmFrames</name>
@@ -330,6 +338,14 @@
     <message>
         <source>Velocity of rotary axes</source>
         <translation>Vitesse des axes rotatifs</translation>
+    </message>
+    <message>
+        <source>Acceleration of rotary axes</source>
+        <translation>Accélération des axes rotatifs</translation>
+    </message>
+    <message>
+        <source>Jerk of rotary axes</source>
+        <translation>Jerk des axes rotatifs</translation>
     </message>
 </context>
 <context>
@@ -1358,6 +1374,18 @@
     <message>
         <source>What the control recorded, beside %1; the feeds of both stand in the charts along the path.</source>
         <translation>Ce que la commande a enregistré, à côté de %1&#xa0;; les avances des deux sont dans les graphiques le long de la trajectoire.</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Axe</translation>
+    </message>
+    <message>
+        <source>Largest lean</source>
+        <translation>Écart d&apos;orientation max.</translation>
+    </message>
+    <message>
+        <source>Rotary axes, and X, Y and Z of the machine that hold the tip on its path while they turn, with the share of the limit; above are those of the tip. The lean is that of the tool from its programmed direction.</source>
+        <translation>Axes rotatifs, et X, Y et Z de la machine qui tiennent la pointe sur sa trajectoire pendant leur rotation, avec la part de la limite ; ci-dessus ceux de la pointe. L&apos;écart d&apos;orientation est l&apos;angle entre l&apos;outil et sa direction programmée.</translation>
     </message>
 </context>
 <context>
@@ -4155,6 +4183,42 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>How the part is turned in the clamping, about X, then Y, then Z, against how the program was made for; rotary axes stand as if the program had been posted again.</source>
         <translation>Rotation de la pièce dans son bridage, autour de X, puis de Y, puis de Z, par rapport à celle pour laquelle le programme a été fait ; les axes rotatifs prennent les angles que donnerait un nouveau post-traitement.</translation>
+    </message>
+    <message>
+        <source>Velocity of %1 of the machine</source>
+        <translation>Vitesse de %1 de la machine</translation>
+    </message>
+    <message>
+        <source>%1 of the machine</source>
+        <translation>%1 de la machine</translation>
+    </message>
+    <message>
+        <source>Acceleration of %1 of the machine</source>
+        <translation>Accélération de %1 de la machine</translation>
+    </message>
+    <message>
+        <source>Jerk of %1 of the machine</source>
+        <translation>Jerk de %1 de la machine</translation>
+    </message>
+    <message>
+        <source>Position of %1 of the machine</source>
+        <translation>Position de %1 de la machine</translation>
+    </message>
+    <message>
+        <source>The program turns rotary axes, which this machine does not have: the time of their turns is missing, and they hold no feed. Choose a machine that has them, such as five-axis-table-ac.</source>
+        <translation>Le programme fait tourner des axes rotatifs que cette machine n&apos;a pas : le temps de leurs rotations manque et ils ne limitent pas l&apos;avance. Choisissez une machine qui en a, comme five-axis-table-ac.</translation>
+    </message>
+    <message>
+        <source>%1 turn of rotary axes for a tilted plane</source>
+        <translation>%1 rotation d&apos;axes rotatifs pour un plan incliné</translation>
+    </message>
+    <message>
+        <source>%1 turns of rotary axes for tilted planes</source>
+        <translation>%1 rotations d&apos;axes rotatifs pour des plans inclinés</translation>
+    </message>
+    <message>
+        <source>Ramps of this model are not held by the acceleration and jerk of rotary axes: their largest values may be above what the machine allows.</source>
+        <translation>Les rampes de ce modèle ne sont pas limitées par l&apos;accélération et le jerk des axes rotatifs : leurs valeurs maximales peuvent dépasser ce que la machine permet.</translation>
     </message>
 </context>
 <context>

@@ -126,7 +126,7 @@ void ChartCommands::make_display_actions() {
     chart_actions_[i] = charts->addAction(spec.title);
     chart_actions_[i]->setToolTip(tr("Show or hide the chart, where the run has its values"));
     chart_actions_[i]->setCheckable(true);
-    chart_actions_[i]->setChecked(true);
+    chart_actions_[i]->setChecked(!spec.on_demand);
     connect(chart_actions_[i], &QAction::triggered, this, [this, i](bool on) { panel_.show_chart(i, on); });
     for (std::size_t k = 0; k < spec.curves.size(); ++k) {
       QAction* action = curves->addAction(tr("%1, %2").arg(spec.title, spec.curves[k].name));

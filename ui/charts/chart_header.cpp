@@ -36,6 +36,8 @@ ChartHeader::ChartHeader(ChartSpec spec, QWidget* parent)
       available_(spec_.curves.size(), true) {
   std::transform(spec_.curves.begin(), spec_.curves.end(), shown_.begin(),
                  [](const CurveSpec& curve) { return !curve.on_demand; });
+  std::transform(spec_.curves.begin(), spec_.curves.end(), available_.begin(),
+                 [&](const CurveSpec& curve) { return info_of(curve.quantity).source == spec_.source; });
   QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   policy.setHeightForWidth(true);
   setSizePolicy(policy);

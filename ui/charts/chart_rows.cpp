@@ -71,8 +71,9 @@ void ChartRows::add_to(ChartsState& state) const {
         (curves[k].on_demand ? state.shown : state.hidden).append(curves[k].key);
       }
     }
-    if (hidden[i]) {
-      state.hidden_charts.append(charts[i]->spec().key);
+    const ChartSpec& spec = charts[i]->spec();
+    if (hidden[i] != spec.on_demand) {
+      (spec.on_demand ? state.shown_charts : state.hidden_charts).append(spec.key);
     }
   }
   state.values = chosen_values();
@@ -121,8 +122,12 @@ void ChartRows::set_limits(const AxisVector<AxisLimits>& limits) const {
 }
 
 void ChartRows::set_rotary_limits(const MachineKinematics& kinematics) const {
-  KinematicChart& chart = *charts[rotary_velocity_chart];
-  chart.set_limits(rotary_limit_lines(chart.spec(), kinematics));
+  const auto set = [&](std::size_t i, double RotaryAxis::*kind) {
+    charts[i]->set_limits(rotary_limit_lines(charts[i]->spec(), kinematics, kind));
+  };
+  set(rotary_velocity_chart, &RotaryAxis::velocity);
+  set(rotary_acceleration_chart, &RotaryAxis::acceleration);
+  set(rotary_jerk_chart, &RotaryAxis::jerk);
 }
 
 void ChartRows::set_sources(const RunSources& sources) const {
@@ -130,7 +135,8 @@ void ChartRows::set_sources(const RunSources& sources) const {
     std::vector<bool> available;
     for (const CurveSpec& curve : charts[i]->spec().curves) {
       const QuantityInfo& quantity = info_of(curve.quantity);
-      available.push_back(!sources.has(quantity.source) || sources.has(quantity));
+      const bool of_chart = quantity.source == charts[i]->spec().source;
+      available.push_back((of_chart && !sources.has(quantity.source)) || sources.has(quantity));
     }
     headers[i]->set_available(std::move(available));
   }

@@ -21,7 +21,7 @@ struct ChartRows {
 
   std::array<ChartHeader*, chart_count> headers{};
   std::array<KinematicChart*, chart_count> charts{};
-  std::array<bool, chart_count> hidden{};  ///< by the user
+  std::array<bool, chart_count> hidden{};  ///< by the user, or until the user asks for them
   LostTimeChart* lost = nullptr;           ///< below the first chart
   FeedShares* shares = nullptr;            ///< beside the first chart
 
@@ -50,7 +50,7 @@ struct ChartRows {
   void draw(QPainter& painter, const QWidget& content) const;
   /// Of velocity, acceleration and jerk.
   void set_limits(const AxisVector<AxisLimits>& limits) const;
-  /// Of the velocity of rotary axes.
+  /// Of velocity, acceleration and jerk of rotary axes.
   void set_rotary_limits(const MachineKinematics& kinematics) const;
   /// Lists the curves of what a run has.
   void set_sources(const RunSources& sources) const;

@@ -14,6 +14,7 @@ namespace {
 constexpr double path_width = 1.8;
 constexpr double axis_width = 1.1;
 constexpr std::array axis_roles{CurveRole::x, CurveRole::y, CurveRole::z};
+constexpr std::array machine_roles{CurveRole::machine_x, CurveRole::machine_y, CurveRole::machine_z};
 
 struct KinematicCharts {
   Q_DECLARE_TR_FUNCTIONS(KinematicCharts)
@@ -30,9 +31,15 @@ QString key_of(const QuantityInfo& quantity) {
   return key.remove(unit);
 }
 
+/// Of X, Y or Z of the machine, beside that of the tip.
+bool is_of_machine(const QuantityInfo& quantity) {
+  return quantity.id >= QuantityId::machine_velocity_x && quantity.id <= QuantityId::machine_z;
+}
+
 CurveRole role_of(const QuantityInfo& quantity) {
   if (quantity.axis >= 0) {  // A, B and C as the axes that they turn about
-    return axis_roles[static_cast<std::size_t>(quantity.axis) % axis_roles.size()];
+    const auto axis = static_cast<std::size_t>(quantity.axis) % axis_roles.size();
+    return is_of_machine(quantity) ? machine_roles[axis] : axis_roles[axis];
   }
   switch (quantity.id) {
     case QuantityId::programmed_feed:
@@ -50,11 +57,14 @@ CurveRole role_of(const QuantityInfo& quantity) {
 
 CurveSpec curve_of(const QuantityInfo& quantity) {
   const bool of_axis = quantity.axis >= 0;
-  const QString name = of_axis ? QString(QChar(cause_axes[static_cast<std::size_t>(quantity.axis)].name))
-                               : text_of(quantity.curve);
+  QString name = text_of(quantity.curve);
+  if (of_axis) {
+    const QChar axis(cause_axes[static_cast<std::size_t>(quantity.axis)].name);
+    name = quantity.curve.empty() ? QString(axis) : name.arg(axis);
+  }
   CurveSpec curve{quantity.id, key_of(quantity), name, role_of(quantity), of_axis ? axis_width : path_width};
   curve.may_be_cut = quantity.id == QuantityId::programmed_feed || quantity.id == QuantityId::tangential_jerk;
-  curve.on_demand = quantity.id == QuantityId::acceleration_across;
+  curve.on_demand = quantity.id == QuantityId::acceleration_across || is_of_machine(quantity);
   return curve;
 }
 
@@ -67,7 +77,9 @@ ChartSpec chart_of(QuantityChart chart, const char* key, const QString& title) {
     for (const QuantityInfo& quantity : all_quantities()) {
       if (quantity.chart == chart && (quantity.axis >= 0) == of_axis) {
         const ShownUnit& unit = shown(quantity.dimension);
-        spec.source = quantity.source;
+        if (spec.curves.empty()) {
+          spec.source = quantity.source;
+        }
         spec.unit = QString::fromStdString(std::string(unit.text));
         spec.factor = unit.factor;
         spec.decimals = unit.decimals;
@@ -76,6 +88,15 @@ ChartSpec chart_of(QuantityChart chart, const char* key, const QString& title) {
     }
   }
   return spec;
+}
+
+}  // namespace
+
+namespace {
+
+QColor half_way(const QColor& a, const QColor& b) {
+  return QColor::fromRgbF((a.redF() + b.redF()) / 2, (a.greenF() + b.greenF()) / 2,
+                          (a.blueF() + b.blueF()) / 2);
 }
 
 }  // namespace
@@ -92,21 +113,35 @@ QColor curve_colour(CurveRole role, const ThemeColours& colours) {
     case CurveRole::y:
     case CurveRole::z:
       return colours.axes[static_cast<std::size_t>(role) - static_cast<std::size_t>(CurveRole::x)];
+    case CurveRole::machine_x:
+    case CurveRole::machine_y:
+    case CurveRole::machine_z:
+      return half_way(
+          colours.axes[static_cast<std::size_t>(role) - static_cast<std::size_t>(CurveRole::machine_x)],
+          colours.text);
   }
   return colours.path;
 }
 
 std::array<ChartSpec, chart_count> kinematic_chart_specs() {
-  return {chart_of(QuantityChart::feed, "feed", KinematicCharts::tr("Feed")),
-          chart_of(QuantityChart::acceleration, "acceleration", KinematicCharts::tr("Acceleration")),
-          chart_of(QuantityChart::jerk, "jerk", KinematicCharts::tr("Jerk")),
-          chart_of(QuantityChart::following_error, "following_error", KinematicCharts::tr("Following error")),
-          chart_of(QuantityChart::force, "cutting_force", KinematicCharts::tr("Cutting force")),
-          chart_of(QuantityChart::chip, "chip_thickness", KinematicCharts::tr("Chip thickness")),
-          chart_of(QuantityChart::rotary_position, "rotary_position",
-                   KinematicCharts::tr("Position of rotary axes")),
-          chart_of(QuantityChart::rotary_velocity, "rotary_velocity",
-                   KinematicCharts::tr("Velocity of rotary axes"))};
+  std::array<ChartSpec, chart_count> specs{
+      chart_of(QuantityChart::feed, "feed", KinematicCharts::tr("Feed")),
+      chart_of(QuantityChart::acceleration, "acceleration", KinematicCharts::tr("Acceleration")),
+      chart_of(QuantityChart::jerk, "jerk", KinematicCharts::tr("Jerk")),
+      chart_of(QuantityChart::following_error, "following_error", KinematicCharts::tr("Following error")),
+      chart_of(QuantityChart::force, "cutting_force", KinematicCharts::tr("Cutting force")),
+      chart_of(QuantityChart::chip, "chip_thickness", KinematicCharts::tr("Chip thickness")),
+      chart_of(QuantityChart::rotary_position, "rotary_position",
+               KinematicCharts::tr("Position of rotary axes")),
+      chart_of(QuantityChart::rotary_velocity, "rotary_velocity",
+               KinematicCharts::tr("Velocity of rotary axes")),
+      chart_of(QuantityChart::rotary_acceleration, "rotary_acceleration",
+               KinematicCharts::tr("Acceleration of rotary axes")),
+      chart_of(QuantityChart::rotary_jerk, "rotary_jerk", KinematicCharts::tr("Jerk of rotary axes"))};
+  for (const std::size_t chart : {rotary_acceleration_chart, rotary_jerk_chart}) {
+    specs[chart].on_demand = true;  // six charts are enough at first
+  }
+  return specs;
 }
 
 }  // namespace feedscope::ui

@@ -13,7 +13,7 @@
 namespace feedscope::ui {
 
 /// What a curve shows, which gives it its colour in every theme.
-enum class CurveRole : std::uint8_t { path, programmed, across, x, y, z };
+enum class CurveRole : std::uint8_t { path, programmed, across, x, y, z, machine_x, machine_y, machine_z };
 QColor curve_colour(CurveRole role, const ThemeColours& colours);
 
 struct CurveSpec {
@@ -34,20 +34,23 @@ struct ChartSpec {
   int decimals = 0;                                ///< of values shown as numbers
   QuantitySource source = QuantitySource::motion;  ///< a run without it has no such chart
   QString key = {};                                ///< stable, for files: "feed", "following_error"
+  bool on_demand = false;                          ///< hidden until the user asks for it
 
   double convert(double value) const { return value * factor; }
 };
 
-inline constexpr std::size_t chart_count = 8;
+inline constexpr std::size_t chart_count = 10;
 /// Places of charts among them.
 inline constexpr std::size_t acceleration_chart = 1;
 inline constexpr std::size_t jerk_chart = 2;
 inline constexpr std::size_t force_chart = 4;
 inline constexpr std::size_t chip_chart = 5;
 inline constexpr std::size_t rotary_velocity_chart = 7;
+inline constexpr std::size_t rotary_acceleration_chart = 8;
+inline constexpr std::size_t rotary_jerk_chart = 9;
 
-/// Feed, acceleration, jerk, following error, cutting force, chip thickness, positions and velocities of
-/// rotary axes of a run: a curve for each charted quantity.
+/// Feed, acceleration, jerk, following error, cutting force, chip thickness, positions, velocities,
+/// accelerations and jerks of rotary axes of a run: a curve for each charted quantity.
 std::array<ChartSpec, chart_count> kinematic_chart_specs();
 
 }  // namespace feedscope::ui

@@ -52,6 +52,7 @@ ChartsPanel::ChartsPanel(Cursor& cursor, ViewRange& range, QWidget* parent)
   for (std::size_t i = 0; i < specs.size(); ++i) {
     layout_->addLayout(add_header(i, specs[i]));
     rows_.charts[i] = new KinematicChart(specs[i], range_, this);
+    rows_.hidden[i] = specs[i].on_demand;
     connect_chart(*rows_.charts[i]);
     layout_->addWidget(rows_.charts[i], ChartRows::stretch);
     if (i == 0) {
@@ -469,7 +470,7 @@ void ChartsPanel::set_state(const ChartsState& state) {
       }
     }
     set_overlay_curve(i, other);
-    rows_.hidden[i] = state.hidden_charts.contains(rows_.charts[i]->spec().key);
+    rows_.hidden[i] = !is_shown(rows_.charts[i]->spec(), state);
     commands_->set_chart_shown(i, !rows_.hidden[i]);
   }
   show_charts_of_run();

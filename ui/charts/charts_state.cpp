@@ -46,6 +46,10 @@ bool is_shown(const CurveSpec& curve, const ChartsState& state) {
   return curve.on_demand ? state.shown.contains(curve.key) : !state.hidden.contains(curve.key);
 }
 
+bool is_shown(const ChartSpec& chart, const ChartsState& state) {
+  return chart.on_demand ? state.shown_charts.contains(chart.key) : !state.hidden_charts.contains(chart.key);
+}
+
 QJsonObject to_json(const ChartsState& state) {
   QJsonArray values;
   for (const auto& interval : state.values) {
@@ -64,6 +68,9 @@ QJsonObject to_json(const ChartsState& state) {
   }
   if (!state.hidden_charts.isEmpty()) {
     json["hidden_charts"] = QJsonArray::fromStringList(state.hidden_charts);
+  }
+  if (!state.shown_charts.isEmpty()) {
+    json["shown_charts"] = QJsonArray::fromStringList(state.shown_charts);
   }
   return json;
 }
@@ -84,6 +91,8 @@ void read_json(const QJsonObject& json, ChartsState& state) {
   read_keys(json["shown"], state.shown);
   state.hidden_charts.clear();
   read_keys(json["hidden_charts"], state.hidden_charts);
+  state.shown_charts.clear();
+  read_keys(json["shown_charts"], state.shown_charts);
   read_keys(json["other_runs"], state.other_runs);
   state.causes = json["causes"].toBool(state.causes);
   if (json["second_cursor_s"].isDouble()) {

@@ -20,6 +20,7 @@ struct ChartsState {
   QStringList hidden = {};         ///< curves, in the order of the charts
   QStringList shown = {};          ///< curves that are hidden until the user asks for them
   QStringList hidden_charts = {};  ///< by ChartSpec::key
+  QStringList shown_charts = {};   ///< of those that are hidden until the user asks for them
   QStringList other_runs = {};     ///< curves that the charts show of other runs, at most one a chart
   bool causes = true;              ///< the strip of limiting causes is shown
   std::optional<double> second_cursor = {};  ///< [s]
@@ -31,6 +32,7 @@ struct ChartsState {
 ChartsState for_any_run(ChartsState state);
 
 bool is_shown(const CurveSpec& curve, const ChartsState& state);
+bool is_shown(const ChartSpec& chart, const ChartsState& state);
 
 QJsonObject to_json(const ChartsState& state);
 /// What is missing or wrong stays as it is in `state`.

@@ -44,10 +44,11 @@ std::vector<LimitLine> limit_lines(const ChartSpec& spec, const AxisVector<AxisL
   return labelled(std::move(lines));
 }
 
-std::vector<LimitLine> rotary_limit_lines(const ChartSpec& spec, const MachineKinematics& kinematics) {
+std::vector<LimitLine> rotary_limit_lines(const ChartSpec& spec, const MachineKinematics& kinematics,
+                                          double RotaryAxis::*kind) {
   std::vector<LimitLine> lines;
   for (const RotaryAxis& axis : kinematics.rotary) {
-    add_line(lines, spec.convert(axis.velocity), axis.name, *cause_axes.find(axis.name));
+    add_line(lines, spec.convert(axis.*kind), axis.name, *cause_axes.find(axis.name));
   }
   return labelled(std::move(lines));
 }

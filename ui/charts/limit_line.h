@@ -28,8 +28,9 @@ struct LimitLine {
 std::vector<LimitLine> limit_lines(const ChartSpec& spec, const AxisVector<AxisLimits>& limits,
                                    double AxisLimits::*kind);
 
-/// Those of the velocities of rotary axes.
-std::vector<LimitLine> rotary_limit_lines(const ChartSpec& spec, const MachineKinematics& kinematics);
+/// The same of rotary axes.
+std::vector<LimitLine> rotary_limit_lines(const ChartSpec& spec, const MachineKinematics& kinematics,
+                                          double RotaryAxis::*kind);
 
 /// Those of the operations in a chart of their quantities, each value once.
 std::vector<LimitLine> bound_lines(const ChartSpec& spec, const RunLoad& load);

@@ -28,6 +28,10 @@ struct ReportRun {
   std::shared_ptr<const ContourReport> contour = nullptr;  ///< until with_contour_reports()
 };
 
+inline const Summary& summary_of(const ReportRun& run) {
+  return run.shown->run.summary;
+}
+
 /// What a control recorded of the program.
 struct ReportTrace {
   std::shared_ptr<const ShownTrace> shown;  ///< beside the current run

@@ -46,6 +46,10 @@ QString significant(double value, Dimension dimension, int digits) {
   return significant(in_shown_unit(value, dimension), digits);
 }
 
+QString percent(double share, int decimals) {
+  return std::isfinite(share) ? fixed(100 * share, decimals) : QStringLiteral("–");
+}
+
 QString error_number(double millimetres) {
   return significant(millimetres, Dimension::error, millimetres < 0.1 ? 3 : 4);
 }

@@ -22,16 +22,8 @@ namespace {
 
 constexpr double min_named_share = 0.0005;  // of a cycle time; below, 0.0 % would stand there
 
-const Summary& summary_of(const ReportRun& run) {
-  return run.shown->run.summary;
-}
-
 double against_programmed(const Summary& summary) {
   return summary.programmed_time > 0 ? summary.cycle_time / summary.programmed_time : 1;
-}
-
-QString percent(double share, int decimals) {
-  return std::isfinite(share) ? fixed(100 * share, decimals) : QStringLiteral("–");
 }
 
 QString difference_to_first(const Summary& summary, const Summary& first) {
@@ -106,22 +98,6 @@ QString fastest_sentence(const ReportInput& input) {
       .arg(clock_text(time(fastest)), error(fastest), percent(1 - time(fastest) / time(slowest), 1),
            html_text(slowest.name), clock_text(time(slowest)), error(slowest));
 }
-
-using Peak = double AxisPeaks::*;
-using Limit = double AxisLimits::*;
-
-struct AxisQuantity {
-  const char* name;
-  Peak peak;
-  Limit limit;
-  Dimension dimension;
-};
-constexpr AxisQuantity quantities[] = {
-    {QT_TRANSLATE_NOOP("ReportWords", "Velocity"), &AxisPeaks::velocity, &AxisLimits::velocity,
-     Dimension::velocity},
-    {QT_TRANSLATE_NOOP("ReportWords", "Acceleration"), &AxisPeaks::acceleration, &AxisLimits::acceleration,
-     Dimension::acceleration},
-    {QT_TRANSLATE_NOOP("ReportWords", "Jerk"), &AxisPeaks::jerk, &AxisLimits::jerk, Dimension::jerk}};
 
 QString swatch(CauseKind kind) {
   const Rgb rgb = cause_colour(kind);
@@ -244,45 +220,6 @@ QString comparison_block(const ReportInput& input) {
          fixed(against_programmed(summary), 3), difference_to_first(summary, summary_of(input.runs.front())),
          fixed(summary.mean_feed, Dimension::feed), fixed(summary.peak_feed, Dimension::feed),
          error_number(summary.max_contour_error), QString::number(run.shown->run.trajectory->blend_count())});
-  }
-  return table.html();
-}
-
-QString peaks_block(const ReportInput& input) {
-  HtmlTable table("lrrrrrrrrr", {28, 8, 8, 8, 8, 8, 8, 8, 8, 8});
-  std::vector<std::pair<QString, int>> groups{{ReportWords::tr("Run"), 1}};
-  QStringList axes{QString()};
-  for (const AxisQuantity& quantity : quantities) {
-    groups.emplace_back(with_unit_of(ReportWords::tr(quantity.name), quantity.dimension),
-                        static_cast<int>(known_axes.size()));
-    for (const AxisInfo& axis : known_axes) {
-      axes << QString(QChar(axis.name));
-    }
-  }
-  table.add_group_head(groups);
-  table.add_head(axes);
-  for (const ReportRun& run : input.runs) {
-    QStringList cells{
-        run_label(run) +
-        QStringLiteral("<br/><span class=\"muted\">%1</span>").arg(ReportWords::tr("of the limit"))};
-    for (const AxisQuantity& quantity : quantities) {
-      for (const AxisInfo& axis : known_axes) {
-        const AxisPeaks* const peaks = summary_of(run).axes.find(axis.name);
-        if (peaks == nullptr) {
-          cells.append(QString());
-          continue;
-        }
-        const double peak = peaks->*quantity.peak;
-        if (std::isnan(peak)) {
-          cells.append(ReportWords::tr("jumps"));
-          continue;
-        }
-        const double limit = run.shown->run.setup.machine.axes.find(axis.name)->*quantity.limit;
-        cells.append(QStringLiteral("%1<br/><span class=\"muted\">%2 %</span>")
-                         .arg(significant(peak, quantity.dimension, 3), percent(peak / limit, 0)));
-      }
-    }
-    table.add(cells);
   }
   return table.html();
 }

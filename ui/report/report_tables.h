@@ -30,7 +30,8 @@ QString models_block(const ReportInput& input);
 QString summary_block(const ReportInput& input);
 /// Cycle time, feeds and contour error of each run.
 QString comparison_block(const ReportInput& input);
-/// Largest velocity, acceleration and jerk of each axis against its limits.
+/// Largest velocity, acceleration and jerk of each axis against its limits; where rotary axes turn, of them
+/// too, and of X, Y and Z of the machine beside those of the tip.
 QString peaks_block(const ReportInput& input);
 /// Time by limiting cause.
 QString causes_block(const ReportInput& input);

@@ -55,11 +55,8 @@ QStringList run_note_texts(const Run& run) {
   for (const std::string& sentence : ignored_path_control(run.input, run.setup)) {
     sentences.append(core_text(sentence));
   }
-  for (const char* const note :
-       {tip_note(*run.input.toolpath), limits_note(run.setup), jump_note(run.setup)}) {
-    if (note != nullptr) {
-      sentences.append(core_text(note));
-    }
+  for (const char* const note : figure_notes(*run.input.toolpath, run.setup)) {
+    sentences.append(core_text(note));
   }
   if (const std::vector<Diagnostic>& refused = run.input.lines_not_run; !refused.empty()) {
     sentences.append(RunNotes::tr("Lines that the control refuses are not run: %1.")

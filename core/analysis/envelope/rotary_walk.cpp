@@ -1,8 +1,5 @@
 #include "core/analysis/envelope/rotary_walk.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace feedscope {
 
 int RotaryLooks::first_after(double time) const {
@@ -45,56 +42,6 @@ RotarySample RotaryWalk::sample(double time) {
 void RotaryWalk::next() {
   walk_.next();
   motion_.reset();
-}
-
-bool RotaryWalk::follows_tip() const {
-  const BlendedPath& path = course_.trajectory().path();
-  const SegmentTurn* turn = path.programmed()->segment_turn(path.segment(walk_.part().element));
-  return turn != nullptr && turn->at_tip;
-}
-
-std::array<double, 3> RotaryWalk::linear_velocity(double time) {
-  const State state = motion().state(time - begin());
-  return course_.linear_velocity(state, course_.at(state));
-}
-
-std::array<double, 3> largest_velocities(const std::shared_ptr<const RotaryCourse>& course) {
-  std::array<double, 3> largest{};
-  const RotaryWalk::Source source(course);
-  for (RotaryWalk walk(source, 0); !walk.done(); walk.next()) {
-    const RotaryLooks looks = walk.looks();
-    for (int i = 0; i < looks.count(); ++i) {
-      const RotarySample sample = walk.sample(looks.at(i));
-      for (std::size_t axis = 0; axis < largest.size(); ++axis) {
-        largest[axis] = std::max(largest[axis], std::abs(sample.velocity[axis]));
-      }
-    }
-  }
-  for (std::size_t axis = 0; axis < largest.size(); ++axis) {
-    largest[axis] =
-        course->has(rotary_names[axis]) ? largest[axis] : std::numeric_limits<double>::quiet_NaN();
-  }
-  return largest;
-}
-
-std::optional<std::array<double, 3>> largest_linear_velocities(
-    const std::shared_ptr<const RotaryCourse>& course) {
-  if (!course->knows_linear()) {
-    return std::nullopt;
-  }
-  std::optional<std::array<double, 3>> largest;
-  const RotaryWalk::Source source(course);
-  for (RotaryWalk walk(source, 0); !walk.done(); walk.next()) {
-    const RotaryLooks looks = walk.looks();
-    for (int i = 0; i < looks.count() && walk.follows_tip(); ++i) {
-      const std::array<double, 3> velocity = walk.linear_velocity(looks.at(i));
-      largest = largest.value_or(std::array<double, 3>{});
-      for (std::size_t axis = 0; axis < largest->size(); ++axis) {
-        (*largest)[axis] = std::max((*largest)[axis], std::abs(velocity[axis]));
-      }
-    }
-  }
-  return largest;
 }
 
 }  // namespace feedscope

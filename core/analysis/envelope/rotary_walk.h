@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -57,10 +56,6 @@ class RotaryWalk {
   void add(Band& band, double time);
   /// At an instant of the part [s].
   RotarySample sample(double time);
-  /// The part runs along a block in which rotary axes turn under tool centre point control.
-  bool follows_tip() const;
-  /// As RotaryCourse::linear_velocity() at an instant of the part [s].
-  std::array<double, 3> linear_velocity(double time);
   void next();
 
  private:
@@ -70,15 +65,5 @@ class RotaryWalk {
   PartWalk walk_;
   std::optional<PartMotion> motion_;  ///< of the part under way
 };
-
-/// The largest velocities of A, B and C in a run, magnitudes [rad/s]; not a number of one that the machine
-/// does not have.
-std::array<double, 3> largest_velocities(const std::shared_ptr<const RotaryCourse>& course);
-
-/// The largest velocities of X, Y and Z of the machine along blocks in which rotary axes turn under tool
-/// centre point control, magnitudes [mm/s]; none without such a block, or where tool length or part zero are
-/// unknown.
-std::optional<std::array<double, 3>> largest_linear_velocities(
-    const std::shared_ptr<const RotaryCourse>& course);
 
 }  // namespace feedscope

@@ -49,20 +49,20 @@ TEST(RotaryCourse, IndexesFromRestToRest) {
   const RotaryAxis& c = *run.setup.machine.kinematics.find('C');
   const double end = turning_time(c, 90 * deg);
   ASSERT_NEAR(run.trajectory->duration(), end, 1e-9);
-  EXPECT_NEAR(at(run, end / 2).angle[2], 45 * deg, 1e-9);
-  EXPECT_NEAR(at(run, end).angle[2], 90 * deg, 1e-9);
-  EXPECT_NEAR(at(run, 0.01).angle[2], c.jerk * 1e-6 / 6, 1e-12);
-  EXPECT_NEAR(at(run, end / 2).velocity[2], run.summary.rotary_velocity->at(2), 1e-9);
-  EXPECT_TRUE(std::isnan(at(run, 0).angle[1]));  // the machine has no B
-  EXPECT_EQ(at(run, end / 2).angle[0], 0);
+  EXPECT_NEAR(at(run, end / 2).rotary[2].position, 45 * deg, 1e-9);
+  EXPECT_NEAR(at(run, end).rotary[2].position, 90 * deg, 1e-9);
+  EXPECT_NEAR(at(run, 0.01).rotary[2].position, c.jerk * 1e-6 / 6, 1e-12);
+  EXPECT_NEAR(at(run, end / 2).rotary[2].velocity, run.summary.rotary->rotary[2].velocity, 1e-9);
+  EXPECT_TRUE(std::isnan(at(run, 0).rotary[1].position));  // the machine has no B
+  EXPECT_EQ(at(run, end / 2).rotary[0].position, 0);
 }
 
 /// 60 degrees along 20 mm at 10 mm/s: 30 degrees a second in the middle.
 TEST(RotaryCourse, GoesLinearlyAlongAFeedBlock) {
   const TurnedRun run = turned("G1 X20 C60 F600\n", "cam");
   const double middle = run.trajectory->duration() / 2;
-  EXPECT_NEAR(at(run, middle).angle[2], 30 * deg, 1e-9);
-  EXPECT_NEAR(at(run, middle).velocity[2], 30 * deg, 1e-9);
+  EXPECT_NEAR(at(run, middle).rotary[2].position, 30 * deg, 1e-9);
+  EXPECT_NEAR(at(run, middle).rotary[2].velocity, 30 * deg, 1e-9);
 }
 
 /// Steps of the angles' velocities against their accelerations: 0.75 of the limit beside a joint, and what a
@@ -78,8 +78,9 @@ TEST(RotaryCourse, ChangesItsVelocityWithinTheLimitsWhereBlocksMeet) {
       const auto i = static_cast<std::size_t>(name - 'A');
       double largest = 0;
       for (double time = 0; time + step < run.trajectory->duration(); time += step) {
-        largest =
-            std::max(largest, std::abs(at(run, time + step).velocity[i] - at(run, time).velocity[i]) / step);
+        largest = std::max(
+            largest,
+            std::abs(at(run, time + step).rotary[i].velocity - at(run, time).rotary[i].velocity) / step);
       }
       EXPECT_LE(largest, 1.75 * axis.acceleration) << name << " at " << tolerance;
       EXPECT_GT(largest, 0.1 * axis.acceleration) << name << " at " << tolerance;
@@ -94,7 +95,7 @@ TEST(RotaryCourse, LeavesTheProgrammedAnglesByTheOrientationTolerance) {
   for (int i = 0; i <= 20000; ++i) {
     const State state = run.trajectory->state(run.trajectory->duration() * i / 20000);
     const double programmed = std::min(60.0, 3 * state.position.x()) * deg;
-    farthest = std::max(farthest, std::abs(run.sources.rotary->at(state).angle[2] - programmed));
+    farthest = std::max(farthest, std::abs(run.sources.rotary->at(state).rotary[2].position - programmed));
   }
   EXPECT_NEAR(farthest, 0.2 * deg, 1e-3 * deg);
 }
@@ -121,14 +122,14 @@ TEST(MachineAxes, HaveTheVelocityThatHoldsTheTipOnItsPath) {
   }
   const TurnedRun run = turned(
       text, "essid", {"tool_length_mm=150", "part_zero_x_mm=30", "part_zero_y_mm=0", "part_zero_z_mm=-320"});
-  ASSERT_TRUE(run.summary.machine_velocity);
+  ASSERT_TRUE(run.summary.rotary->linear);
   const KinematicChain chain = chain_of(run.setup.machine.kinematics);
   const auto places = [&](double time) {
     const State state = run.trajectory->state(time);
     const RotarySample sample = run.sources.rotary->at(state);
     std::vector<double> angles;
     for (const std::size_t k : chain.rotary()) {
-      angles.push_back(sample.angle[rotary_names.find(chain.axes()[k].name)]);
+      angles.push_back(sample.rotary[rotary_names.find(chain.axes()[k].name)].position);
     }
     return chain.places(state.position + Vec3(30, 0, -320), angles, 150);
   };
@@ -140,19 +141,99 @@ TEST(MachineAxes, HaveTheVelocityThatHoldsTheTipOnItsPath) {
     if (turn == nullptr || !turn->at_tip) {
       continue;
     }
-    const auto velocity = run.sources.rotary->linear_velocity(state, run.sources.rotary->at(state));
+    const std::array<AxisState, 3> linear = run.sources.rotary->at(state).linear;
     const double h = 1e-5;
     const std::vector<double> before = places(time - h);
     const std::vector<double> behind = places(time + h);
     for (const std::size_t k : chain.linear()) {
       const auto axis = static_cast<std::size_t>(chain.axes()[k].name - 'X');
-      ASSERT_NEAR(velocity[axis], (behind[k] - before[k]) / (2 * h), 0.5) << time << ' ' << axis;
-      largest = std::max(largest, std::abs(velocity[axis]));
+      ASSERT_NEAR(linear[axis].position, (before[k] + behind[k]) / 2, 1e-3) << time << ' ' << axis;
+      ASSERT_NEAR(linear[axis].velocity, (behind[k] - before[k]) / (2 * h), 0.5) << time << ' ' << axis;
+      largest = std::max(largest, std::abs(linear[axis].velocity));
     }
   }
   EXPECT_GT(largest, 1);
-  EXPECT_LE(largest, 1.001 * std::max({(*run.summary.machine_velocity)[0], (*run.summary.machine_velocity)[1],
-                                       (*run.summary.machine_velocity)[2]}));
+  const std::array<AxisPeaks, 3>& peaks = *run.summary.rotary->linear;
+  EXPECT_LE(largest, 1.001 * std::max({peaks[0].velocity, peaks[1].velocity, peaks[2].velocity}));
+}
+
+/// Every derivative of an axis against the difference of the one below, where no block ends within it. On
+/// lines, arcs and joints, at changing speed.
+TEST(MachineAxes, HaveTheDerivativesOfTheirPlaces) {
+  const TurnedRun run =
+      turned("TRAORI\nG1 F6000 X20 C60 A5\nX40 A5\nG3 X60 Y20 I0 J20 C0 A20\nG1 Y60 C30\nX100\n", "essid",
+             {"tool_length_mm=150", "part_zero_x_mm=30", "part_zero_y_mm=0", "part_zero_z_mm=-320"});
+  const double h = 1e-6;
+  int compared = 0;
+  const auto compare = [&](const AxisState& before, const AxisState& now, const AxisState& behind,
+                           double time) {
+    const auto near = [&](double value, double low, double high, double change, const char* what) {
+      if (std::abs(change) < 1e-3 * (1 + std::abs(value))) {  // no step within
+        ++compared;
+        ASSERT_NEAR(value, (high - low) / (2 * h), 2e-3 * (1 + std::abs(value))) << what << " at " << time;
+      }
+    };
+    near(now.velocity, before.position, behind.position, behind.velocity - before.velocity, "velocity");
+    near(now.acceleration, before.velocity, behind.velocity, behind.acceleration - before.acceleration,
+         "acceleration");
+    near(now.jerk, before.acceleration, behind.acceleration, behind.jerk - before.jerk, "jerk");
+  };
+  for (double time = 1e-3; time < run.trajectory->duration() - 1e-3; time += 1.37e-3) {
+    const RotarySample before = at(run, time - h);
+    const RotarySample middle = at(run, time);
+    const RotarySample behind = at(run, time + h);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (axis != 1) {  // the machine has no B
+        compare(before.rotary[axis], middle.rotary[axis], behind.rotary[axis], time);
+      }
+      compare(before.linear[axis], middle.linear[axis], behind.linear[axis], time);
+    }
+  }
+  EXPECT_GT(compared, 1000);
+}
+
+/// On the step of the slope of an axis at right angles to the tool, the lean is the rounding of its angle; on
+/// that of C, the share by which the tool leans from the axis.
+TEST(OrientationErrors, AreWhatTheRoundingOfAnglesTurnsTheTool) {
+  const auto lean = [](const char* text) {
+    return turned(text, "cam", {"orientation_tolerance_deg=0.2"}).summary.rotary->orientation;
+  };
+  const OrientationError of_a = lean("TRAORI\nG1 F6000 X20 A10\nX40\n");
+  EXPECT_NEAR(of_a.angle, 0.2 * deg, 1e-6);
+  EXPECT_EQ(of_a.line, 2U);
+  EXPECT_NEAR(lean("TRAORI\nG0 A-30\nG1 F6000 X20 C60\nX40\n").angle, 0.1 * deg, 1e-5);
+  EXPECT_EQ(lean("TRAORI\nG1 F6000 X20 C60\nX40\n").line, 0U) << "the tool lies along C";
+  EXPECT_EQ(lean("G0 C60\nG1 X10 F1000\n").angle, 0);
+}
+
+/// OTOL and CYCLE832 of the program go before the setting, unless it says that they do not.
+TEST(OrientationTolerances, OfTheProgramGoBeforeTheSetting) {
+  const auto lean = [](const std::string& text, const char* program = "on") {
+    return turned(text, "essid",
+                  {"orientation_tolerance_deg=0.2", fmt::format("program_tolerance={}", program)})
+               .summary.rotary->orientation.angle /
+           deg;
+  };
+  const std::string path = "TRAORI\nG1 F6000 X20 A10\nX40\n";
+  EXPECT_NEAR(lean(path), 0.2, 1e-5);
+  EXPECT_NEAR(lean("OTOL=0.5\n" + path), 0.5, 1e-5);
+  EXPECT_NEAR(lean("OTOL=0.5\n" + path, "off"), 0.2, 1e-5);
+  EXPECT_NEAR(lean("OTOL=0.5\nOTOL=-1\n" + path), 0.2, 1e-5);
+  EXPECT_NEAR(lean("CYCLE832(0.01,11,0.8)\n" + path), 0.8, 1e-5);
+  EXPECT_LT(lean("OTOL=0\n" + path), 1.001e-4) << "as tight as can be, and no stop";
+  EXPECT_NEAR(lean("OTOL=0.5\nTRAORI\nG1 F6000 X20 A10\nOTOL=0.1\nX40\n"), 0.1, 1e-5) << "the tighter one";
+}
+
+/// The closed form of a turn from rest to rest: its largest values are not those of instants beside them.
+TEST(RotaryPeaks, OfAnIndexingTurnAreThoseOfItsLaw) {
+  const TurnedRun run = turned("G0 C90\n");
+  const RotaryAxis& c = *run.setup.machine.kinematics.find('C');
+  const RestToRestPlace law = rest_to_rest_peaks(90 * deg, c.velocity, c.acceleration, c.jerk);
+  const AxisPeaks& peaks = run.summary.rotary->rotary[2];
+  EXPECT_NEAR(peaks.velocity, law.velocity, 1e-9);
+  EXPECT_NEAR(peaks.acceleration, law.acceleration, 1e-9);
+  EXPECT_NEAR(peaks.jerk, c.jerk, 1e-9);
+  EXPECT_FALSE(run.summary.rotary->linear);
 }
 
 /// Trials begin with the program, not with what another machine has made of it.
@@ -172,13 +253,33 @@ TEST(RotaryTrials, WorkOutTheTurnsAnew) {
 }
 
 /// A shipped program on the machine with a table that tilts.
-TurnedRun run_of(const char* file, const std::vector<std::string>& assignments = {}) {
+TurnedRun run_of(const char* file, const std::vector<std::string>& assignments = {},
+                 const char* model = "essid") {
   SetupRequest request;
   request.machine = "five-axis-table-ac";
+  request.model = model;
   request.assignments = assignments;
   const feedscope::Setup setup = make_setup(request);
   const std::string path = std::string(FEEDSCOPE_SOURCE_DIR "/resources/programs/") + file;
   return simulate_run(load_program(path, nullptr, reading_on({}, setup.machine)), setup);
+}
+
+/// Of the ramps on lines and on blends, whose axes hold the tip where the tool nears the vertical axis.
+TEST(RotaryPeaks, OfTheBladeAreWithinTheLimitsButForTheShareOfJoints) {
+  for (const char* model : {"essid", "gassara", "msaddek", "tapie"}) {
+    const TurnedRun run =
+        run_of("sinumerik_blade.mpf",
+               {"tool_length_mm=150", "part_zero_x_mm=0", "part_zero_y_mm=0", "part_zero_z_mm=-300"}, model);
+    for (const RotaryAxis& axis : run.setup.machine.kinematics.rotary) {
+      const AxisPeaks& peaks = run.summary.rotary->rotary[rotary_names.find(axis.name)];
+      EXPECT_LE(peaks.velocity, 1.001 * axis.velocity) << model << ' ' << axis.name;
+      EXPECT_LE(peaks.acceleration, 1.8 * axis.acceleration) << model << ' ' << axis.name;
+    }
+    for (std::size_t i = 0; i < known_axes.size(); ++i) {
+      const AxisLimits& limits = *run.setup.machine.axes.find(known_axes[i].name);
+      EXPECT_LE((*run.summary.rotary->linear)[i].acceleration, 1.8 * limits.acceleration) << model;
+    }
+  }
 }
 
 /// The program of lesson 17 that is posted at a tilt, and the other one in a part clamped at that tilt.
@@ -241,15 +342,15 @@ TEST_P(RotaryCourses, AreContinuousOnRandomPrograms) {
       const RotarySample to = at(run, (i + 1) * h);
       const RotarySample middle = at(run, (i + 0.5) * h);
       for (const std::size_t axis : {std::size_t{0}, std::size_t{2}}) {
-        const double largest = (*run.summary.rotary_velocity)[axis];
-        ASSERT_LE(std::abs(to.angle[axis] - from.angle[axis]), 1.02 * largest * h + 1e-6)
+        const double largest = run.summary.rotary->rotary[axis].velocity;
+        ASSERT_LE(std::abs(to.rotary[axis].position - from.rotary[axis].position), 1.02 * largest * h + 1e-6)
             << GetParam() << " seed " << seed << " at " << i * h << " s";
         const RotarySample near = at(run, (i + 0.5) * h + 1e-6);
-        const double slope = (near.angle[axis] - middle.angle[axis]) / 1e-6;
-        fastest = std::max(fastest, std::abs(middle.velocity[axis]));
-        if (std::abs(near.velocity[axis] - middle.velocity[axis]) <
+        const double slope = (near.rotary[axis].position - middle.rotary[axis].position) / 1e-6;
+        fastest = std::max(fastest, std::abs(middle.rotary[axis].velocity));
+        if (std::abs(near.rotary[axis].velocity - middle.rotary[axis].velocity) <
             0.01 * largest) {  // no block ends between
-          ASSERT_NEAR(slope, middle.velocity[axis], 0.02 * largest)
+          ASSERT_NEAR(slope, middle.rotary[axis].velocity, 0.02 * largest)
               << GetParam() << " seed " << seed << " at " << i * h << " s";
         }
       }
@@ -274,8 +375,8 @@ TEST(RotaryColumn, EnvelopeHoldsWhatEveryInstantHas) {
     for (int k = 0; k <= 50; ++k) {
       const RotarySample sample = at(run, times[i] + (times[i + 1] - times[i]) * k / 50);
       const Extent& position = bands[i][QuantityId::position_c];
-      EXPECT_GE(sample.angle[2], double{position.min} - 0.02);
-      EXPECT_LE(sample.angle[2], double{position.max} + 0.02);
+      EXPECT_GE(sample.rotary[2].position, double{position.min} - 0.02);
+      EXPECT_LE(sample.rotary[2].position, double{position.max} + 0.02);
     }
     EXPECT_TRUE(bands[i][QuantityId::velocity_b].empty());
   }

@@ -196,8 +196,9 @@ TEST(Csv, HasTheRotaryAxesOfTheMachineLast) {
   const std::string text = out.str();
   const std::string plain(csv_header);
   EXPECT_EQ(text.substr(0, text.find('\n')),
-            plain.substr(0, plain.size() - 1) + ",a_deg,c_deg,va_rev_min,vc_rev_min");
-  EXPECT_THAT(text, ::testing::EndsWith(",30,-90,0,0\n"));
+            plain.substr(0, plain.size() - 1) +
+                ",a_deg,c_deg,va_rev_min,vc_rev_min,aa_rev_s2,ac_rev_s2,ja_rev_s3,jc_rev_s3");
+  EXPECT_THAT(text, ::testing::EndsWith(",30,-90,0,0,0,0,0,0\n"));
 }
 
 /// Steady at 10 mm/s over 100/s and two teeth; nothing where no operation applies.

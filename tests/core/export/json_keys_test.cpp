@@ -44,7 +44,7 @@ const KeyTable& documented() {
 /// Objects whose keys are names of axes, settings or causes.
 bool holds_names(const std::string& path) {
   for (const char* name :
-       {"axes", "rotary_axes", "settings", "swept", "time_by_cause_s", "ramp_down_by_slower_place_s",
+       {"axes", "rotary_axes", "machine_axes", "settings", "swept", "time_by_cause_s", "ramp_down_by_slower_place_s",
         "limiting_share", "max_following_error_um", "time_without_load_s", "predicted", "programmed"}) {
     if (path == name || path.ends_with("." + std::string(name))) {
       return true;
@@ -88,8 +88,10 @@ class Files {
         "all.mpf",
         "N1 G17 G90 G54 CYCLE832(0.02,1,1)\nT=\"MILL\"\nM6\nG0 X0 Y0 Z5\nG41 G1 X10 Y0 F3000\nG1 Z0\n"
         "N7 X40\nN8 G2 X50 Y10 I0 J10\nG1 Y40\nG4 F0.5\nG40 X0 Y60\nfoo\n"));
-    auto corners = load_program(std::make_shared<const SourceText>(
-        "corners.nc", "G21\nT1 M6\nN1 G1 X20 F3000\nN2 Y20\nN3 X40\nN4 G2 X60 Y40 I20 J0\nN5 G0 A20\nM30\n"));
+    auto corners = load_program(
+        std::make_shared<const SourceText>("corners.nc",
+                                           "G21\nT1 M6\nN1 G1 X20 F3000\nN2 Y20\nN3 X40\nN4 G2 X60 Y40 I20 "
+                                           "J0\nN5 G0 A20\nG43.4 H1\nN6 G1 X70 A30\nM30\n"));
     Program called = *program.program;
     called.diagnostics.back().file = "called.spf";
     program.program = std::make_shared<const Program>(std::move(called));
@@ -105,7 +107,11 @@ class Files {
       add('s', simulation_json(each->input, figures_of(*each), &contour));
       add('e', explanation_json(each->input, figures_of(*each), time_report(*each, OperationSplit::tool)));
     }
-    const Setup with_rotary_axes = make_setup({"five-axis-table-ac", "gassara", 0.05, {}});
+    const std::vector<std::string> place{"tool_length_mm=100", "part_zero_x_mm=0", "part_zero_y_mm=0",
+                                         "part_zero_z_mm=-300"};
+    const Setup with_rotary_axes = make_setup({"five-axis-table-ac", "gassara", 0.05, place});
+    std::vector<std::string> all_of_both = drive_of_x;
+    all_of_both.insert(all_of_both.end(), place.begin(), place.end());
     add('s', simulation_json(corners, figures_of(simulate_run(corners, with_rotary_axes)), nullptr));
     for (const LoadedProgram* each : {&program, &corners}) {
       add('k', check_json(*each));
@@ -118,7 +124,7 @@ class Files {
       const std::string comparison = comparison_json(*each, compare_runs(*each, setups));
       add('c', comparison);
       const StudyRequest request{
-          {"spinner-mvc850", "five-axis-table-ac"}, {"gassara"},          {},  drive_of_x,
+          {"spinner-mvc850", "five-axis-table-ac"}, {"gassara"},          {},  all_of_both,
           {parse_sweep("tolerance=0 0.001 0.1")},   OperationSplit::tool, 0.05};
       const std::string study = study_json(*each, run_study(*each, request));
       add('t', study);

@@ -172,6 +172,9 @@ TEST(RestToRest, KeepsItsLimitsAndIsSmoothOnRandomWays) {
     constexpr int steps = 2000;
     const double h = end / steps;
     double before = 0;
+    const RestToRestPlace most = rest_to_rest_peaks(way, v, a, j);
+    EXPECT_NEAR(most.velocity, rest_to_rest_at(end / 2, way, v, a, j).velocity, 1e-9 * v);
+    EXPECT_LE(most.acceleration, a * (1 + 1e-12));
     for (int k = 1; k < steps; ++k) {
       const auto at = [&](double time) { return rest_to_rest_at(time, way, v, a, j); };
       const RestToRestPlace place = at(k * h);
@@ -179,6 +182,10 @@ TEST(RestToRest, KeepsItsLimitsAndIsSmoothOnRandomWays) {
       ASSERT_NEAR(place.velocity, slope, 1e-4 * way / end) << way << ' ' << v << ' ' << a << ' ' << j;
       ASSERT_LE(place.velocity, v * (1 + 1e-12));
       ASSERT_LE(std::abs(place.velocity - before) / h, a * (1 + 1e-6));
+      const double bend = (at((k + 0.01) * h).velocity - at((k - 0.01) * h).velocity) / (0.02 * h);
+      ASSERT_NEAR(place.acceleration, bend, 0.02 * j * h) << way << ' ' << v << ' ' << a << ' ' << j;
+      ASSERT_LE(std::abs(place.acceleration), most.acceleration * (1 + 1e-12));
+      ASSERT_TRUE(place.jerk == 0 || std::abs(place.jerk) == j);
       before = place.velocity;
     }
     EXPECT_NEAR(rest_to_rest_at(end, way, v, a, j).way, way, 1e-12 * way);

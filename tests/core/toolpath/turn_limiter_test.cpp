@@ -47,7 +47,7 @@ TEST(TurnJoints, GoOverFromOneSlopeToTheOtherWithinTheOrientationTolerance) {
   // A sixth of step and reach, 3 degrees a millimetre.
   const double half = 6 * 0.1 / 3;
   EXPECT_NEAR(joint.half, half, 1e-12);
-  EXPECT_NEAR(std::abs(joint_turn(joint.step[2], joint.half, 0).angle), 0.1 * deg, 1e-12);
+  EXPECT_NEAR(std::abs(joint_turn(joint.step[2], joint.half, 0).value()), 0.1 * deg, 1e-12);
   // v^2 step/half <= 0.75 A gives 8.5 mm/s, v^3 step/half^2 <= 0.75 J 5.2 mm/s.
   EXPECT_NEAR(joint.limit.speed, std::cbrt(0.75 * 14400 * half * half / 3), 1e-9);
   EXPECT_EQ(joint.limit.by, TurnLimit::By::jerk);
@@ -117,7 +117,7 @@ TEST(TurnJoints, CountTheLinearAxesThatMakeUpForTheTurn) {
 TEST(JointTurns, AreTheIntegralOfTheirSlopes) {
   const double step = 0.7;
   const double half = 1.3;
-  const auto slope = [&](double s) { return (s < 0 ? 0 : step) + joint_turn(step, half, s).slope; };
+  const auto slope = [&](double s) { return (s < 0 ? 0 : step) + joint_turn(step, half, s).d1(); };
   const int steps = 20000;
   double angle = 0;
   for (int i = 0; i < steps; ++i) {
@@ -125,12 +125,12 @@ TEST(JointTurns, AreTheIntegralOfTheirSlopes) {
     const double s = -half + (i + 0.5) * h;
     angle += slope(s) * h;
     const double programmed = std::max(0.0, s + h / 2) * step;
-    ASSERT_NEAR(angle, programmed + joint_turn(step, half, s + h / 2).angle, 1e-6) << s;
+    ASSERT_NEAR(angle, programmed + joint_turn(step, half, s + h / 2).value(), 1e-6) << s;
     const double t = 1 - std::abs(s) / half;
     ASSERT_NEAR(slope(s), s < 0 ? step * t * t / 2 : step * (1 - t * t / 2), 1e-12);
   }
-  EXPECT_EQ(joint_turn(step, half, half).angle, 0);
-  EXPECT_EQ(joint_turn(step, half, -2 * half).slope, 0);
+  EXPECT_EQ(joint_turn(step, half, half).value(), 0);
+  EXPECT_EQ(joint_turn(step, half, -2 * half).d1(), 0);
 }
 
 }  // namespace

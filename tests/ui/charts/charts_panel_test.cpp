@@ -197,7 +197,11 @@ TEST_F(ChartsPanelTest, NarrowChartsShowTheirWholeLegends) {
         continue;  // without drives
       }
       for (std::size_t curve = 0; curve < panel.chart(chart).spec().curves.size(); ++curve) {
-        EXPECT_TRUE(header.rect().contains(header.item(curve))) << width << ' ' << chart << ' ' << curve;
+        const bool listed = info_of(panel.chart(chart).spec().curves[curve].quantity).source ==
+                            QuantitySource::motion;  // the others are of machines with rotary axes
+        EXPECT_EQ(header.item(curve).isEmpty(), !listed) << width << ' ' << chart << ' ' << curve;
+        EXPECT_TRUE(!listed || header.rect().contains(header.item(curve)))
+            << width << ' ' << chart << ' ' << curve;
       }
     }
   }

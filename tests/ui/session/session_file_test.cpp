@@ -91,6 +91,7 @@ TEST_F(SessionFile, OfEveryVersionIsReadWhole) {
   expected.traces.clear();
   expected.lessons = {};
   expected.charts.hidden_charts.clear();
+  expected.charts.shown_charts.clear();
   expected.scene.stretch = {};
   expected.presentation = false;
   for (int version = 1; version <= session_version; ++version) {

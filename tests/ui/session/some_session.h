@@ -36,6 +36,7 @@ inline Session some_session(const std::filesystem::path& program) {
   session.charts.abscissa = Abscissa::path_length;
   session.charts.time = Interval{0.1, 0.4};
   session.charts.hidden_charts = {"jerk"};
+  session.charts.shown_charts = {"rotary_jerk"};
   Engagement operation;
   operation.tool = "7";
   operation.lines = {{1, 20}};

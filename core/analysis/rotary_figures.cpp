@@ -1,0 +1,122 @@
+#include "core/analysis/rotary_figures.h"
+
+#include <cmath>
+#include <limits>
+
+#include "core/analysis/envelope/rotary_walk.h"
+#include "core/analysis/turn_law.h"
+#include "core/toolpath/turn_course.h"
+#include "core/toolpath/turn_limiter.h"
+
+namespace feedscope {
+namespace {
+
+constexpr double no_axis = std::numeric_limits<double>::quiet_NaN();
+
+void add_all(const std::array<AxisState, 3>& axes, std::array<AxisPeaks, 3>& peaks) {
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    peaks[i].add(axes[i].velocity, axes[i].acceleration, axes[i].jerk);
+  }
+}
+
+/// Where joints turn the tool aside, and half way between them, where two joints may reach.
+class OrientationSearch {
+ public:
+  explicit OrientationSearch(const RotaryCourse& course)
+      : course_(course), path_(*course.trajectory().path().programmed()) {}
+
+  OrientationError largest() {
+    for (const TurnJoint& joint : path_.turn_joints) {
+      look(joint.segment, 1);
+      look(joint.segment, 0.5);
+      look(joint.segment + 1, 0.5);
+    }
+    return worst_;
+  }
+
+ private:
+  void look(std::size_t segment, double share) {
+    const SegmentTurn* turn = path_.segment_turn(segment);
+    if (segment >= path_.segments.size() || !(path_.segments[segment].length > 0)) {
+      return;
+    }
+    const double length = path_.segments[segment].length;
+    const TurnJoint* behind = course_.joint_behind(segment);
+    const TurnJoint* before = segment > 0 ? course_.joint_behind(segment - 1) : nullptr;
+    std::array<double, 3> aside{};
+    double sum = 0;
+    for (std::size_t i = 0; i < aside.size(); ++i) {
+      aside[i] =
+          (behind != nullptr ? joint_turn(behind->step[i], behind->half, -((1 - share) * length)).value()
+                             : 0) +
+          (before != nullptr ? joint_turn(before->step[i], before->half, share * length).value() : 0);
+      sum += std::abs(aside[i]);
+    }
+    if (sum <= worst_.angle) {  // the tool leans by less
+      return;
+    }
+    std::array<double, 3> angles{};
+    if (turn != nullptr) {
+      angles = TurnCourse(course_.chain(), *turn, length).angles(share * length);
+    } else if (before != nullptr || behind != nullptr) {
+      const SegmentTurn* beside =
+          before != nullptr ? path_.segment_turn(segment - 1) : path_.segment_turn(segment + 1);
+      if (beside == nullptr) {
+        return;
+      }
+      angles = before != nullptr ? beside->to : beside->from;
+    }
+    const Vec3 programmed = tool_direction(course_.chain(), angles);
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+      angles[i] += aside[i];
+    }
+    const Vec3 rounded = tool_direction(course_.chain(), angles);
+    const double angle = std::atan2(programmed.cross(rounded).norm(), programmed.dot(rounded));
+    if (angle > worst_.angle) {
+      worst_ = {angle, path_.segments[segment].line};
+    }
+  }
+
+  const RotaryCourse& course_;
+  const Toolpath& path_;
+  OrientationError worst_;
+};
+
+}  // namespace
+
+RotaryFigures rotary_figures(const std::shared_ptr<const RotaryCourse>& course, bool limits_jerk) {
+  RotaryFigures figures;
+  const RotaryWalk::Source source(course);
+  for (RotaryWalk walk(source, 0); !walk.done(); walk.next()) {
+    const RotaryLooks looks = walk.looks();
+    for (int i = 0; i < looks.count(); ++i) {
+      const RotarySample sample = walk.sample(looks.at(i));
+      add_all(sample.rotary, figures.rotary);
+      if (!std::isnan(sample.linear.front().velocity)) {
+        figures.linear = figures.linear.value_or(std::array<AxisPeaks, 3>{});
+        add_all(sample.linear, *figures.linear);
+      }
+    }
+  }
+  for (const RotaryTurn& turn : course->trajectory().path().programmed()->rotary_turns) {
+    for (const RotaryAxis& axis : course->axes()) {
+      const RestToRestPlace most = TurnLaw(turn, course->axes(), axis).largest();
+      figures.rotary[rotary_place(axis.name)].add(most.velocity, most.acceleration, most.jerk);
+    }
+  }
+  for (std::size_t i = 0; i < figures.rotary.size(); ++i) {
+    AxisPeaks& peaks = figures.rotary[i];
+    if (!course->has(rotary_names[i])) {
+      peaks = {no_axis, no_axis, no_axis};
+    } else if (!limits_jerk) {
+      peaks.jerk = no_axis;
+    }
+    if (!limits_jerk && figures.linear) {
+      (*figures.linear)[i].jerk = no_axis;
+    }
+  }
+  figures.orientation = OrientationSearch(*course).largest();
+  return figures;
+}
+
+}  // namespace feedscope
