@@ -80,7 +80,8 @@ QString rotary_peaks_block(const ReportInput& input) {
                        .arg(ReportWords::tr("Rotary axes, and X, Y and Z of the machine that hold the tip on "
                                             "its path while they turn, with the share of the limit; above "
                                             "are those of the tip. The lean is that of the tool from its "
-                                            "programmed direction.")) +
+                                            "programmed direction; a jerk above the limit is that of a place "
+                                            "where blocks meet, within an interpolation period.")) +
                    table.html()
              : QString();
 }
