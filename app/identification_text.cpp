@@ -21,7 +21,8 @@ std::string parameters_text(const Identification& found) {
                  one.parameter.unit, fmt::format("{:.4g}", one.start), ""});
     } else {
       table.add({one.parameter.key, "-", "", one.parameter.unit, fmt::format("{:.4g}", one.start),
-                 one.at_least ? fmt::format("at least {:.4g}. {}", *one.at_least, one.reason) : one.reason});
+                 (one.at_least ? fmt::format("at least {:.4g}. ", *one.at_least) : "") + one.reason +
+                     (one.told_by.empty() ? "" : fmt::format(" Test program: {}", one.told_by))});
     }
   }
   return table.text("lrrlrl");

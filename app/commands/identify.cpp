@@ -2,9 +2,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <chrono>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 #include <optional>
 
@@ -22,9 +19,7 @@
 #include "core/base/units.h"
 #include "core/export/identification.h"
 #include "core/identification/identification_program.h"
-#include "core/identification/section_case.h"
-#include "core/identification/trace_case.h"
-#include "core/machine/file_text.h"
+#include "core/identification/recordings.h"
 #include "core/trace/read_trace.h"
 #ifdef FEEDSCOPE_WITH_UI
 #include "ui/report/picture_file.h"
@@ -48,14 +43,6 @@ struct IdentifyCommandOptions {
   std::optional<double> size;      ///< of the test program [mm]
   std::optional<double> feed_max;  ///< of the test program [mm/min]
 };
-
-/// "2026-11-25".
-std::string today() {
-  const std::chrono::year_month_day date(
-      std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now()));
-  return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(date.year()), static_cast<unsigned>(date.month()),
-                     static_cast<unsigned>(date.day()));
-}
 
 std::vector<std::string> keys_of(const std::vector<std::string>& lists) {
   std::vector<std::string> keys;
@@ -90,33 +77,7 @@ void check(const IdentifyCommandOptions& options) {
   }
 }
 
-/// A machine that is typical for the control that a model is of, of three axes as the programs are.
-std::string usual_machine(const std::string& model) {
-  const MachineLibrary library = shipped_machines();
-  for (const std::string& id : library.ids()) {
-    const Machine machine = library.load(id);
-    if (machine.model == model && machine.kinematics.empty()) {
-      return id;
-    }
-  }
-  return default_machine;
-}
-
-/// What a machine recorded: a trace, or times of sections.
-struct Recorded {
-  std::optional<Trace> trace;
-  std::vector<SectionTime> sections;
-};
-
-bool is_section_table(const std::string& file) {
-  constexpr std::size_t enough = 4096;
-  std::string head(enough, '\0');
-  std::ifstream in(file, std::ios::binary);
-  in.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(in.gcount()));
-  return is_section_times(head);
-}
-
+/// The recordings and their programs as the command line names them.
 class Work {
  public:
   Work(const IdentifyCommandOptions& options, Watch& watch) : options_(options), watch_(watch) {
@@ -126,72 +87,50 @@ class Work {
       reading.dialect = dialect_of_id(options.dialect);
     }
     for (const std::string& file : options.programs) {
-      sources_.push_back(std::make_shared<const SourceText>(SourceText::from_file(file)));
+      programs_.push_back(load_program(std::make_shared<const SourceText>(SourceText::from_file(file)),
+                                       watch.stage("programs"), reading));
     }
-    for (const std::string& file : options.traces) {
-      if (is_section_table(file)) {
-        recorded_.push_back({{}, parse_section_times(file_text(file, "table of section times", 1), file)});
+    for (std::size_t i = 0; i < options.traces.size(); ++i) {
+      const std::string& file = options.traces[i];
+      const LoadedProgram& program = programs_[programs_.size() == 1 ? 0 : i];
+      if (is_section_times_file(file)) {
+        recordings_.add(read_section_times(file), file, program);
       } else {
-        recorded_.push_back({read_trace(file, columns, watch.stage("traces")), {}});
-        notes_.push_back({file, recorded_.back().trace->notes});
+        const auto trace = std::make_shared<const Trace>(read_trace(file, columns, watch.stage("traces")));
+        notes_.push_back({file, trace->notes});
+        recordings_.add(trace, program);
       }
-    }
-    remarks_.resize(recorded_.size());
-    for (const auto& source : sources_) {
-      programs_.push_back(load_program(source, watch.stage("programs"), reading));
     }
   }
 
   Identification fit(const std::string& model) {
     SetupRequest request;
-    request.machine = options_.machine.empty() ? usual_machine(model) : options_.machine;
+    request.machine = options_.machine.empty() ? usual_machine_of(model) : options_.machine;
     request.model = model;
     request.assignments = options_.set;
     request.dialect = programs_.front().program->dialect;
     const Setup start = make_setup(request);
-    const std::vector<FitParameter> parameters =
-        options_.fit.empty() ? usual_fit_parameters(start) : fit_parameters_of(start, keys_of(options_.fit));
-    FitCases cases;
-    for (std::size_t i = 0; i < recorded_.size(); ++i) {
-      const LoadedProgram& program = programs_[programs_.size() == 1 ? 0 : i];
-      if (!recorded_[i].trace) {
-        cases.push_back(
-            std::make_shared<const SectionCase>(recorded_[i].sections, options_.traces[i], program));
-        continue;
-      }
-      const auto found =
-          std::make_shared<const TraceCase>(*recorded_[i].trace, program, start, watch_.stage("matching"));
-      remarks_[i] = found->found().remarks;
-      cases.push_back(found);
-    }
     IdentifyOptions how;
-    how.date = today();
-    return identify(cases, start, parameters, how, watch_.stage("fitting"));
+    how.date = date_of_today();
+    return recordings_.fit(
+        start,
+        options_.fit.empty() ? usual_fit_parameters(start) : fit_parameters_of(start, keys_of(options_.fit)),
+        how, [this](const char* title) { return watch_.stage(title); });
   }
 
   /// What is wrong with each trace that was read.
   const std::vector<std::pair<std::string, std::vector<Diagnostic>>>& notes() const { return notes_; }
   const std::vector<LoadedProgram>& programs() const { return programs_; }
   /// What is wrong with each trace on its program; known after fit().
-  const std::vector<std::vector<Diagnostic>>& remarks() const { return remarks_; }
+  const std::vector<std::vector<Diagnostic>>& remarks() const { return recordings_.remarks(); }
 
  private:
   const IdentifyCommandOptions& options_;
   Watch& watch_;
-  std::vector<std::shared_ptr<const SourceText>> sources_;
-  std::vector<Recorded> recorded_;
   std::vector<std::pair<std::string, std::vector<Diagnostic>>> notes_;
   std::vector<LoadedProgram> programs_;
-  std::vector<std::vector<Diagnostic>> remarks_;
+  Recordings recordings_;
 };
-
-Machine named_after(Machine machine, const std::string& out) {
-  if (out != "-") {
-    machine.id = std::filesystem::path(out).stem().string();
-  }
-  machine.name = machine.id;
-  return machine;
-}
 
 /// The program for the machine, when no trace is given.
 int write_program(const IdentifyCommandOptions& options) {
@@ -292,9 +231,9 @@ int identify_machine(const IdentifyCommandOptions& options) {
       print_diagnostics(work.remarks()[i], options.traces[i]);
     }
   }
-  std::ranges::stable_sort(found, {}, &Identification::residual);
+  sort_by_explanation(found);
   if (out != nullptr) {
-    *out << write_machine(named_after(found.front().setup.machine, options.out));
+    *out << write_machine(identified_machine(found.front(), options.out));
   }
   if (json != nullptr) {
     *json << identification_json(found, options.traces);

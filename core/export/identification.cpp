@@ -13,7 +13,7 @@ Json parameters_json(const Identification& found) {
         {"value", finite(one.value)}, {"uncertainty", one.told ? finite(one.uncertainty) : Json(nullptr)},
         {"told", one.told},           {"unit", one.parameter.unit},
         {"start", finite(one.start)}, {"at_least", one.at_least ? finite(*one.at_least) : Json(nullptr)},
-        {"reason", one.reason}};
+        {"reason", one.reason},       {"told_by", one.told_by}};
   }
   return parameters;
 }

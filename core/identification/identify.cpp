@@ -3,14 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/translatable.h"
 #include "core/base/units.h"
 #include "core/identification/parameter_judgement.h"
 #include "core/identification/parameter_search.h"
+#include "core/identification/telling_parts.h"
 #include "core/identification/trace_limits.h"
 
 namespace feedscope {
@@ -18,6 +21,20 @@ namespace {
 
 constexpr double most_feed_error = 0.05;
 constexpr double most_time_error = 0.01;
+
+/// Where the stages begin that people are told of.
+constexpr double alone_from = 0.02;
+constexpr double together_from = 0.4;
+constexpr double refined_from = 0.7;
+constexpr double doubted_from = 0.85;
+constexpr double judged_from = 0.95;
+constexpr std::array stage_titles{
+    std::pair(judged_from, QT_TRANSLATE_NOOP("core", "uncertainties")),
+    std::pair(doubted_from, QT_TRANSLATE_NOOP("core", "whether another number can stand for it")),
+    std::pair(refined_from, QT_TRANSLATE_NOOP("core", "all numbers, refined")),
+    std::pair(together_from, QT_TRANSLATE_NOOP("core", "all numbers together")),
+    std::pair(alone_from, QT_TRANSLATE_NOOP("core", "each number alone")),
+    std::pair(0.0, QT_TRANSLATE_NOOP("core", "what the axes reach"))};
 
 constexpr const char* unexplained = QT_TRANSLATE_NOOP(
     "core", "The model does not explain the traces: a value of it would say nothing of the machine.");
@@ -66,7 +83,7 @@ std::vector<double> release_speeds(ParameterSearch& search, std::vector<bool> fr
   }
   std::vector<double> without(search.size(), std::numeric_limits<double>::infinity());
   const std::size_t pairs = speeds.size() * speeds.size();
-  search.stage(0.85, 0.93, pairs * (25 + static_cast<std::size_t>(steps) * (2 * search.size() + 5)));
+  search.stage(doubted_from, 0.93, pairs * (25 + static_cast<std::size_t>(steps) * (2 * search.size() + 5)));
   for (const std::size_t p : speeds) {
     for (const std::size_t q : speeds) {
       if (p == q) {
@@ -103,7 +120,7 @@ void release_ramps(ParameterSearch& search, const std::vector<bool>& free, std::
   constexpr double out_of_the_way = 1.5;
   constexpr double better = 0.999;
   constexpr int steps = 3;
-  search.stage(0.93, 0.95, search.size() * steps * (2 * search.size() + 5));
+  search.stage(0.93, judged_from, search.size() * steps * (2 * search.size() + 5));
   for (std::size_t p = 0; p < search.size(); ++p) {
     const std::string& key = search.parameters()[p].key;
     if (!key.ends_with(".acceleration") && !key.ends_with(".jerk")) {
@@ -141,7 +158,7 @@ void leave_hollow(ParameterSearch& search, const std::vector<bool>& free, int mo
   constexpr double ratio = 1.06;
   constexpr double fine_reach = 1.05;
   constexpr int most_rounds = 4;
-  search.stage(0.8, 0.85, search.size() * 25);
+  search.stage(0.8, doubted_from, search.size() * 25);
   double least = ParameterSearch::cost(search.evaluate(search.logarithms()));
   for (int round = 0; round < most_rounds; ++round) {
     search.scan(reach, ratio);
@@ -173,6 +190,23 @@ void take_back(ParameterSearch& search, std::vector<IdentifiedParameter>& parame
     if (one.start > 0 && ParameterSearch::cost(search.evaluate(at)) <= here * (1 + no_worse)) {
       search.move_to(at);
       one.value = one.start;
+    }
+  }
+}
+
+/// Where the machine has other limits than those of the traces, another program shows more.
+void say_what_tells(const Setup& setup, std::vector<IdentifiedParameter>& parameters) {
+  std::vector<FitParameter> untold;
+  for (const IdentifiedParameter& one : parameters) {
+    if (!one.told) {
+      untold.push_back(one.parameter);
+    }
+  }
+  const std::vector<std::string> parts = telling_parts(setup, untold);
+  auto part = parts.begin();
+  for (IdentifiedParameter& one : parameters) {
+    if (!one.told) {
+      one.told_by = *part++;
     }
   }
 }
@@ -231,15 +265,15 @@ Identification identify(const FitCases& cases, const Setup& start,
     search.move_to(ParameterSearch::cost(both[0]) <= ParameterSearch::cost(both[1]) ? as_it_is : reached);
   }
   const std::size_t count = parameters.size();
-  search.stage(0.02, 0.4, count * (7 + 9 + 9));
+  search.stage(alone_from, together_from, count * (7 + 9 + 9));
   search.scan(8, 2);
   search.scan(2, 1.19);
   search.scan(1.2, 1.047);
   const std::vector<bool> free = influences(search);
-  search.stage(0.4, 0.7, options.most_searched);
+  search.stage(together_from, refined_from, options.most_searched);
   search.search_together(free, 1.5, options.most_searched);
   constexpr int most_steps = 10;
-  search.stage(0.7, 0.8, 2 * static_cast<std::size_t>(most_steps) * (2 * count + 5) + count * 18);
+  search.stage(refined_from, 0.8, 2 * static_cast<std::size_t>(most_steps) * (2 * count + 5) + count * 18);
   for (const double reach : {1.05, 1.01}) {  // out of the kinks that limits make, into the bottom
     search.refine(free, most_steps);
     search.scan(reach, std::sqrt(std::sqrt(reach)));
@@ -249,7 +283,7 @@ Identification identify(const FitCases& cases, const Setup& start,
   std::vector<double> without = release_speeds(search, free);
   release_ramps(search, free, without);
   search.refine(influences(search), most_steps);
-  search.stage(0.95, 1, 6 * count);
+  search.stage(judged_from, 1, 6 * count);
   Identification found;
   found.parameters = judge_parameters(search, begun, without);
   take_back(search, found.parameters);
@@ -267,7 +301,9 @@ Identification identify(const FitCases& cases, const Setup& start,
     found.agreements.push_back(std::move(result.agreement));
     found.sections.push_back(std::move(result.sections));
   }
-  if (!found.explains) {
+  if (found.explains) {
+    say_what_tells(found.setup, found.parameters);
+  } else {
     for (IdentifiedParameter& one : found.parameters) {
       one.told = false;
       one.uncertainty = 0;
@@ -279,6 +315,11 @@ Identification identify(const FitCases& cases, const Setup& start,
                 names_of(cases) + (options.date.empty() ? "" : ", " + options.date));
   found.simulations = search.simulations();
   return found;
+}
+
+std::string identification_stage(double fraction) {
+  return std::ranges::find_if(stage_titles, [&](const auto& stage) { return fraction >= stage.first; })
+      ->second;
 }
 
 }  // namespace feedscope

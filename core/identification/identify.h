@@ -18,6 +18,7 @@ struct IdentifiedParameter {
   bool told = false;       ///< the traces say it
   std::string reason;      ///< why it is not told
   std::optional<double> at_least;  ///< not told, but smaller ones would show
+  std::string told_by;             ///< not told: the part of the test program that tells it; "" if none does
 };
 
 /// A model fitted to traces.
@@ -52,5 +53,8 @@ struct IdentifyOptions {
 Identification identify(const FitCases& cases, const Setup& start,
                         const std::vector<FitParameter>& parameters, const IdentifyOptions& options = {},
                         Progress* progress = nullptr);
+
+/// What identify() does where its progress stands, for people: "each number alone".
+std::string identification_stage(double fraction);
 
 }  // namespace feedscope

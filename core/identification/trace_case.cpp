@@ -24,24 +24,25 @@ constexpr double hopeless = 1e4;         // residual where there is nothing to c
 
 }  // namespace
 
-TraceCase::TraceCase(Trace trace, const LoadedProgram& program, const Setup& start, Progress* progress)
+TraceCase::TraceCase(std::shared_ptr<const Trace> trace, const LoadedProgram& program, const Setup& start,
+                     Progress* progress)
     : trace_(std::move(trace)), program_(program) {
   const Trajectory run = start.model->simulate(program.toolpath, start.machine, start.settings, progress);
   const auto as_read = start.model->read(program.toolpath, start.settings).path;
-  course_ = std::make_shared<const ProgrammedCourse>(*as_read,
-                                                     SeenAxes{trace_.has(0), trace_.has(1), trace_.has(2)});
+  course_ = std::make_shared<const ProgrammedCourse>(
+      *as_read, SeenAxes{trace_->has(0), trace_->has(1), trace_->has(2)});
   found_ =
-      find_on_program(trace_, *course_, freedom / 2 + deviation_of(run, *course_, coarsest_step), progress);
+      find_on_program(*trace_, *course_, freedom / 2 + deviation_of(run, *course_, coarsest_step), progress);
   if (found_.law.empty() || !found_.belongs()) {
     throw InputError(fmt::format(
         "{}: the trace does not belong to its program: {:.1f} % of its way runs along the path within {:.3g} "
         "mm, "
         "and along {:.1f} % of it; give the program that was recorded, with the zero point it ran with",
-        trace_.name, 100 * found_.fit.trace_share, found_.tolerance, 100 * found_.fit.path_share));
+        trace_->name, 100 * found_.fit.trace_share, found_.tolerance, 100 * found_.fit.path_share));
   }
-  step_ = std::clamp(trace_.period / 4, finest_step, coarsest_step);
+  step_ = std::clamp(trace_->period / 4, finest_step, coarsest_step);
   const double duration = found_.law.times().back() - found_.law.times().front();
-  borders_ = cell_borders(found_.law, std::max(samples_a_stretch * trace_.period, duration / most_stretches),
+  borders_ = cell_borders(found_.law, std::max(samples_a_stretch * trace_->period, duration / most_stretches),
                           std::max(least_length, 20 * found_.noise));
   const double margin = std::max(least_length, 6 * found_.noise);
   std::erase_if(borders_, [&](double s) {
@@ -49,7 +50,7 @@ TraceCase::TraceCase(Trace trace, const LoadedProgram& program, const Setup& sta
   });
   constexpr std::size_t least_borders = 10;
   if (borders_.size() < least_borders) {
-    throw InputError(trace_.name + ": the trace holds too little of its program to find anything from it");
+    throw InputError(trace_->name + ": the trace holds too little of its program to find anything from it");
   }
   for (std::size_t i = 0; i < borders_.size(); ++i) {
     times_.push_back(found_.law.at(borders_[i]));
@@ -58,7 +59,7 @@ TraceCase::TraceCase(Trace trace, const LoadedProgram& program, const Setup& sta
     const double speed = (borders_[after] - borders_[before]) /
                          std::max(1e-9, found_.law.at(borders_[after]) - found_.law.at(borders_[before]));
     time_noise_.push_back(
-        std::hypot(sampling_share * trace_.period + trace_.jitter, found_.noise / std::max(speed, 1e-3)));
+        std::hypot(sampling_share * trace_->period + trace_->jitter, found_.noise / std::max(speed, 1e-3)));
   }
   constexpr std::size_t several = 8;
   constexpr std::size_t many = 64;
@@ -112,7 +113,7 @@ std::vector<double> TraceCase::residuals(const Setup& setup) const {
 }
 
 AxisVector<AxisReach> TraceCase::reach() const {
-  AxisVector<AxisReach> reach = reach_of(trace_, found_.noise);
+  AxisVector<AxisReach> reach = reach_of(*trace_, found_.noise);
   const double scale = found_.pose.scale;
   for (std::size_t axis = 0; axis < reach.size(); ++axis) {
     reach[axis].velocity *= scale;

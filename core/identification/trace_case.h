@@ -15,9 +15,10 @@ namespace feedscope {
 class TraceCase : public FitCase {
  public:
   /// `start`: a setup of the model. Throws InputError if the trace is nowhere on the path.
-  TraceCase(Trace trace, const LoadedProgram& program, const Setup& start, Progress* progress = nullptr);
+  TraceCase(std::shared_ptr<const Trace> trace, const LoadedProgram& program, const Setup& start,
+            Progress* progress = nullptr);
 
-  const std::string& name() const override { return trace_.name; }
+  const std::string& name() const override { return trace_->name; }
   const LoadedProgram& program() const override { return program_; }
   std::size_t size() const override { return scale_.size(); }
   std::vector<double> residuals(const Setup& setup) const override;
@@ -37,7 +38,7 @@ class TraceCase : public FitCase {
   };
   void add_span(std::size_t first, std::size_t last);
 
-  Trace trace_;
+  std::shared_ptr<const Trace> trace_;
   LoadedProgram program_;
   std::shared_ptr<const ProgrammedCourse> course_;
   TraceOnProgram found_;

@@ -37,7 +37,7 @@ LoadedProgram program() {
 }
 
 /// What a control would have recorded: rounded to 1 um, noisy, shifted.
-Trace trace_of(const Setup& setup, double period, double noise, unsigned seed) {
+std::shared_ptr<const Trace> trace_of(const Setup& setup, double period, double noise, unsigned seed) {
   const Run run = simulate_run(program(), setup);
   const MotionRecord record = record_of(*run.trajectory, period);
   std::mt19937 random(seed);
@@ -52,7 +52,7 @@ Trace trace_of(const Setup& setup, double period, double noise, unsigned seed) {
           std::round(1e3 * (record.place[i][axis] + error(random))) / 1e3 + 0.25 * axis);
     }
   }
-  return trace;
+  return std::make_shared<const Trace>(std::move(trace));
 }
 
 const IdentifiedParameter& of(const Identification& found, const std::string& key) {

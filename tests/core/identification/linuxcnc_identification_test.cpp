@@ -32,6 +32,11 @@ LoadedProgram without_tolerance(const std::string& name) {
   return load_program(std::make_shared<const SourceText>(SourceText(name + ".ngc", program)));
 }
 
+std::shared_ptr<const Trace> trace_of(const std::string& name) {
+  return std::make_shared<const Trace>(
+      read_trace(traces() / (name + ".txt.gz"), parse_trace_columns("linuxcnc")));
+}
+
 /// The machine that the traces were recorded on, from one that is far from it.
 TEST(LinuxCncIdentification, FindsTheMachineOfItsTraces) {
   if (!fs::exists(traces() / "msaddek_pocket.txt.gz")) {
@@ -40,11 +45,9 @@ TEST(LinuxCncIdentification, FindsTheMachineOfItsTraces) {
   SetupRequest request;
   request.machine = "linuxcnc-mill";
   const auto start = make_setup(request);
-  const TraceColumns columns = parse_trace_columns("linuxcnc");
   FitCases cases;
   for (const std::string name : {"tapie_bore", "lesson_approach"}) {
-    cases.push_back(std::make_shared<const TraceCase>(read_trace(traces() / (name + ".txt.gz"), columns),
-                                                      without_tolerance(name), start));
+    cases.push_back(std::make_shared<const TraceCase>(trace_of(name), without_tolerance(name), start));
   }
   const Identification found =
       identify(cases, start,
@@ -67,7 +70,7 @@ TEST(LinuxCncIdentification, FindsTheMachineOfItsTraces) {
   // Programs that were not used.
   for (const std::string name : {"msaddek_pocket", "essid_spline", "lesson_zigzag_6000"}) {
     const LoadedProgram program = load_program(traces() / (name + ".ngc"));
-    const TraceCase other(read_trace(traces() / (name + ".txt.gz"), columns), program, found.setup);
+    const TraceCase other(trace_of(name), program, found.setup);
     const Agreement agreement =
         agreement_of(other.found(), other.course(), simulate_run(program, found.setup));
     EXPECT_LT(std::abs(agreement.time_error()), 0.005) << name;

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/identification/identify.h"
+#include "core/identification/section_times.h"
+
+namespace feedscope {
+
+/// What a machine recorded, each with the program that ran: traces and tables of section times, to be
+/// explained by one control model after the other.
+class Recordings {
+ public:
+  /// What the next stage of the work is reported to, by its title for people: "matching", "fitting"; null for
+  /// nobody.
+  using Stage = std::function<Progress*(const char* title)>;
+
+  void add(std::shared_ptr<const Trace> trace, const LoadedProgram& program);
+  void add(std::vector<SectionTime> times, const std::string& name, const LoadedProgram& program);
+  std::size_t size() const { return items_.size(); }
+
+  /// The `parameters` of `start` with which its model explains all of them best. Throws InputError for a
+  /// recording that is not of its program or holds too little of it, and what identify() throws.
+  Identification fit(const Setup& start, const std::vector<FitParameter>& parameters,
+                     const IdentifyOptions& options = {}, const Stage& stage = {});
+  /// What is wrong with each of them on its program: known after fit(), of tables nothing.
+  const std::vector<std::vector<Diagnostic>>& remarks() const { return remarks_; }
+
+ private:
+  struct Item {
+    std::shared_ptr<const Trace> trace;  ///< null: section times
+    std::vector<SectionTime> times;
+    std::string name;  ///< of the table
+    LoadedProgram program;
+  };
+
+  std::vector<Item> items_;
+  std::vector<std::vector<Diagnostic>> remarks_;
+};
+
+/// Whether a file is a table of section times; false for one that cannot be read.
+bool is_section_times_file(const std::filesystem::path& file);
+/// Reads one. Throws InputError, as parse_section_times().
+std::vector<SectionTime> read_section_times(const std::filesystem::path& file);
+
+/// A shipped machine of three axes whose control a model is of; default_machine if there is none.
+std::string usual_machine_of(const std::string& model);
+
+/// The model that explains the recordings best first.
+void sort_by_explanation(std::vector<Identification>& models);
+
+/// What was found as a machine, with the source of every number, named after the file that it goes to; "-"
+/// for none.
+Machine identified_machine(const Identification& found, const std::filesystem::path& file);
+
+/// "2026-11-25", for IdentifyOptions::date.
+std::string date_of_today();
+
+}  // namespace feedscope

@@ -1,0 +1,148 @@
+#include "core/identification/recordings.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "core/analysis/line_times.h"
+#include "core/base/error.h"
+
+namespace feedscope {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+LoadedProgram moves() {
+  return load_program(std::make_shared<const SourceText>(SourceText(
+      "moves.nc", "G21 G90\nG1 X30 F6000\nG4 P0.1\nX0\nG4 P0.1\nY30\nG4 P0.1\nX20 Y0\nG4 P0.1\nX0\nM30\n")));
+}
+
+Setup mill(const std::vector<std::string>& settings, const std::string& model = "linuxcnc") {
+  SetupRequest request;
+  request.machine = "linuxcnc-mill";
+  request.model = model;
+  request.assignments = settings;
+  return make_setup(request);
+}
+
+std::shared_ptr<const Trace> trace_of(const Run& run, bool mirrored = false) {
+  const MotionRecord record = record_of(*run.trajectory, 1e-3);
+  Trace trace;
+  trace.name = "scope.csv";
+  trace.period = 1e-3;
+  trace.time = record.time;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const Vec3& place : record.place) {
+      trace.place[static_cast<std::size_t>(axis)].push_back(mirrored && axis == 0 ? -place[axis]
+                                                                                  : place[axis]);
+    }
+  }
+  return std::make_shared<const Trace>(std::move(trace));
+}
+
+const std::vector<std::string> truth{"X.acceleration=1.3", "Y.acceleration=0.6"};
+
+/// Both kinds explain one machine, each with its own program.
+TEST(Recordings, OfTracesAndSectionTimesAreExplainedTogether) {
+  const LoadedProgram program = moves();
+  const auto run = simulate_run(program, mill(truth));
+  const LineTimes times(*run.trajectory);
+  std::vector<SectionTime> sections;
+  for (std::uint32_t line = 2; line <= 10; line += 2) {
+    sections.push_back({fmt::format("{}-{}", line, line), times.of(line, line).time, 1e-4, line});
+  }
+  Recordings recordings;
+  recordings.add(trace_of(run), program);
+  recordings.add(sections, "times.csv", program);
+  ASSERT_EQ(recordings.size(), 2U);
+  std::vector<std::string> stages;
+  Progress progress;
+  const auto start = mill({});
+  const Identification found = recordings.fit(
+      start, fit_parameters_of(start, {"X.acceleration", "Y.acceleration"}), {}, [&](const char* title) {
+        stages.emplace_back(title);
+        return &progress;
+      });
+  EXPECT_THAT(stages, ElementsAre("matching", "fitting"));
+  EXPECT_TRUE(found.explains);
+  EXPECT_NEAR(found.parameters[0].value, 1.3, 0.013);
+  EXPECT_NEAR(found.parameters[1].value, 0.6, 0.006);
+  ASSERT_EQ(found.agreements.size(), 2U);
+  EXPECT_TRUE(found.sections[0].empty());
+  EXPECT_EQ(found.sections[1].size(), sections.size());
+  EXPECT_THAT(found.setup.machine.provenance.at("X.acceleration").source,
+              HasSubstr("identified from scope.csv, times.csv"));
+}
+
+TEST(Recordings, SayWhatIsWrongWithATraceOnItsProgram) {
+  const LoadedProgram program = moves();
+  Recordings recordings;
+  recordings.add(trace_of(simulate_run(program, mill(truth)), true), program);
+  const auto start = mill({});
+  recordings.fit(start, fit_parameters_of(start, {"X.acceleration"}));
+  ASSERT_EQ(recordings.remarks().size(), 1U);
+  ASSERT_FALSE(recordings.remarks()[0].empty());
+  EXPECT_THAT(recordings.remarks()[0][0].message, HasSubstr("axis X of the trace is mirrored"));
+}
+
+TEST(Recordings, OfAnotherProgramAreRefused) {
+  const auto run = simulate_run(moves(), mill({}));
+  Recordings recordings;
+  recordings.add(trace_of(run), load_program(std::make_shared<const SourceText>(SourceText(
+                                    "other.nc", "G21 G90\nG1 X100 Y300 F6000\nZ40\nX-70\nM30\n"))));
+  const auto start = mill({});
+  try {
+    recordings.fit(start, fit_parameters_of(start, {"X.acceleration"}));
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("scope.csv: the trace does not belong to its program"));
+  }
+}
+
+TEST(Recordings, TheModelThatExplainsBestComesFirst) {
+  std::vector<Identification> models(3);
+  models[0].residual = 3;
+  models[1].residual = 1;
+  models[2].residual = 2;
+  sort_by_explanation(models);
+  EXPECT_EQ(models[0].residual, 1);
+  EXPECT_EQ(models[2].residual, 3);
+}
+
+TEST(Recordings, AMachineIsNamedAfterItsFile) {
+  Identification found;
+  found.setup = mill({});
+  EXPECT_EQ(identified_machine(found, "/some/where/my-mill.toml").id, "my-mill");
+  EXPECT_EQ(identified_machine(found, "/some/where/my-mill.toml").name, "my-mill");
+  EXPECT_EQ(identified_machine(found, "-").id, "linuxcnc-mill");
+}
+
+TEST(Recordings, BeginWithAMachineOfTheModelsControl) {
+  EXPECT_EQ(usual_machine_of("linuxcnc"), "linuxcnc-mill");
+  EXPECT_EQ(usual_machine_of("ward"), "dmg-mori-evo40");
+  EXPECT_EQ(usual_machine_of("cam"), default_machine) << "of no control";
+}
+
+TEST(Recordings, TablesAreKnownByTheirHead) {
+  const auto file = std::filesystem::temp_directory_path() / "feedscope-section-times.csv";
+  std::ofstream(file) << "section,ms\n1,100\n2,200\n3,300\n4,404\n";
+  EXPECT_TRUE(is_section_times_file(file));
+  EXPECT_EQ(read_section_times(file).size(), 4U);
+  std::ofstream(file) << "time,x,y\n0,1,2\n";
+  EXPECT_FALSE(is_section_times_file(file));
+  std::filesystem::remove(file);
+  EXPECT_FALSE(is_section_times_file(file));
+  EXPECT_THROW(read_section_times(file), InputError);
+}
+
+TEST(IdentificationStage, SaysInOrderWhatIsDone) {
+  EXPECT_EQ(identification_stage(0), "what the axes reach");
+  EXPECT_EQ(identification_stage(0.1), "each number alone");
+  EXPECT_EQ(identification_stage(0.5), "all numbers together");
+  EXPECT_EQ(identification_stage(1), "uncertainties");
+}
+
+}  // namespace
+}  // namespace feedscope
