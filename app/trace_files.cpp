@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/trace/read_trace.h"
 #include "ui/shared/paths.h"
-#include "ui/trace/trace_tables.h"
+#include "ui/workbench/trace_messages.h"
 
 namespace feedscope {
 

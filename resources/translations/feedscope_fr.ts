@@ -306,6 +306,53 @@
     </message>
 </context>
 <context>
+    <name>IdentificationTexts</name>
+    <message>
+        <source>at least %1</source>
+        <translation>au moins %1</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <translation>non révélé</translation>
+    </message>
+    <message>
+        <source>The true value is within ± %1 of the value with 95 % probability, if the control is of this model.</source>
+        <translation>La vraie valeur est à ± %1 de la valeur trouvée avec une probabilité de 95&#xa0;%, si la commande suit ce modèle.</translation>
+    </message>
+    <message>
+        <source>No part of the test program tells it: the model does not use it.</source>
+        <translation>Aucune partie du programme d&apos;essai ne le révèle&#xa0;: le modèle ne s&apos;en sert pas.</translation>
+    </message>
+    <message>
+        <source>A recording of the test program tells it: part %1.</source>
+        <translation>Un enregistrement du programme d&apos;essai le révèle&#xa0;: partie %1.</translation>
+    </message>
+    <message>
+        <source>The model %1 explains what was recorded.</source>
+        <translation>Le modèle %1 explique ce qui a été enregistré.</translation>
+    </message>
+    <message>
+        <source>The model %1 does not explain what was recorded: it misses more than 5 % of the feed or 1 % of the time, so its numbers would say nothing of your machine. Tick other models in step 2.</source>
+        <translation>Le modèle %1 n&apos;explique pas ce qui a été enregistré&#xa0;: il manque plus de 5&#xa0;% de l&apos;avance ou 1&#xa0;% du temps, ses nombres ne diraient donc rien de votre machine. Cocher d&apos;autres modèles à l&apos;étape 2.</translation>
+    </message>
+    <message>
+        <source>%1: %2 recorded, %3 simulated (%4 %)</source>
+        <translation>%1&#xa0;: %2 enregistrés, %3 simulés (%4&#xa0;%)</translation>
+    </message>
+    <message>
+        <source>%1; the feeds differ by %2 (rms).</source>
+        <translation>%1&#xa0;; les avances diffèrent de %2 (moyenne quadratique).</translation>
+    </message>
+    <message>
+        <source>Told: %1 of %2 numbers. The others keep the value that explains the recording as well.</source>
+        <translation>Révélés&#xa0;: %1 nombres sur %2. Les autres gardent la valeur qui explique aussi bien l&apos;enregistrement.</translation>
+    </message>
+    <message>
+        <source>Test program, part %1: %2</source>
+        <translation>Programme d&apos;essai, partie %1&#xa0;: %2</translation>
+    </message>
+</context>
+<context>
     <name>KinematicCharts</name>
     <message>
         <source>Feed</source>
@@ -1384,8 +1431,8 @@
         <translation>Écart d&apos;orientation max.</translation>
     </message>
     <message>
-        <source>Rotary axes, and X, Y and Z of the machine that hold the tip on its path while they turn, with the share of the limit; above are those of the tip. The lean is that of the tool from its programmed direction.</source>
-        <translation>Axes rotatifs, et X, Y et Z de la machine qui tiennent la pointe sur sa trajectoire pendant leur rotation, avec la part de la limite ; ci-dessus ceux de la pointe. L&apos;écart d&apos;orientation est l&apos;angle entre l&apos;outil et sa direction programmée.</translation>
+        <source>Rotary axes, and X, Y and Z of the machine that hold the tip on its path while they turn, with the share of the limit; above are those of the tip. The lean is that of the tool from its programmed direction; a jerk above the limit is that of a place where blocks meet, within an interpolation period.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4220,6 +4267,54 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <source>Ramps of this model are not held by the acceleration and jerk of rotary axes: their largest values may be above what the machine allows.</source>
         <translation>Les rampes de ce modèle ne sont pas limitées par l&apos;accélération et le jerk des axes rotatifs : leurs valeurs maximales peuvent dépasser ce que la machine permet.</translation>
     </message>
+    <message>
+        <source>uncertainties</source>
+        <translation>incertitudes</translation>
+    </message>
+    <message>
+        <source>whether another number can stand for it</source>
+        <translation>si un autre nombre peut le remplacer</translation>
+    </message>
+    <message>
+        <source>all numbers, refined</source>
+        <translation>tous les nombres, affinés</translation>
+    </message>
+    <message>
+        <source>all numbers together</source>
+        <translation>tous les nombres ensemble</translation>
+    </message>
+    <message>
+        <source>each number alone</source>
+        <translation>chaque nombre seul</translation>
+    </message>
+    <message>
+        <source>what the axes reach</source>
+        <translation>ce que les axes atteignent</translation>
+    </message>
+    <message>
+        <source>%1: the trace does not belong to its program: %2 % of its way runs along the path within %3 mm, and along %4 % of it; give the program that was recorded, with the zero point it ran with</source>
+        <translation>%1&#xa0;: la trace n&apos;est pas celle de son programme&#xa0;: %2&#xa0;% de son parcours suit le trajet à moins de %3&#xa0;mm, et sur %4&#xa0;% de celui-ci&#xa0;; donner le programme enregistré, avec l&apos;origine avec laquelle il a tourné</translation>
+    </message>
+    <message>
+        <source>%1: the trace holds too little of its program to find anything from it</source>
+        <translation>%1&#xa0;: la trace contient trop peu de son programme pour en tirer quelque chose</translation>
+    </message>
+    <message>
+        <source>%1:%2: not a table of section times; the first row must have the titles, such as section,seconds</source>
+        <translation>%1:%2&#xa0;: ce n&apos;est pas un tableau de temps de sections&#xa0;; la première ligne doit porter les titres, par exemple section,seconds</translation>
+    </message>
+    <message>
+        <source>%1:%2: &apos;%3&apos; is not a section and its time; a row is like 12,1.234, with a time above 0 and below %4 s</source>
+        <translation>%1:%2&#xa0;: «&#xa0;%3&#xa0;» n&apos;est pas une section et son temps&#xa0;; une ligne est de la forme 12,1.234, avec un temps supérieur à 0 et inférieur à %4&#xa0;s</translation>
+    </message>
+    <message>
+        <source>%1: %2 section times; at least %3 can tell something</source>
+        <translation>%1&#xa0;: %2 temps de sections&#xa0;; il en faut au moins %3 pour révéler quelque chose</translation>
+    </message>
+    <message>
+        <source>%1:%2: %3 has no section &apos;%4&apos;; a section is marked by the comments SECTION 12 BEGINS and SECTION 12 ENDS, or is given by its lines, as 40-55</source>
+        <translation>%1:%2&#xa0;: %3 n&apos;a pas de section «&#xa0;%4&#xa0;»&#xa0;; une section est marquée par les commentaires SECTION 12 BEGINS et SECTION 12 ENDS, ou donnée par ses lignes, par exemple 40-55</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ActionTable</name>
@@ -5790,6 +5885,73 @@ max. : %1 %</translation>
     </message>
 </context>
 <context>
+    <name>feedscope::ui::FitChoice</name>
+    <message>
+        <source>Limits and settings that the search begins with; those that are not looked for, or not told, stay</source>
+        <translation>Limites et réglages de départ de la recherche&#xa0;; ceux qui ne sont pas cherchés, ou pas révélés, restent</translation>
+    </message>
+    <message>
+        <source>Control models that are fitted</source>
+        <translation>Modèles de commande à ajuster</translation>
+    </message>
+    <message>
+        <source>Numbers that are to be found</source>
+        <translation>Nombres à trouver</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Begins with</source>
+        <translation>Départ</translation>
+    </message>
+    <message>
+        <source>Begin with &amp;machine</source>
+        <translation>&amp;Machine de départ</translation>
+    </message>
+    <message>
+        <source>Con&amp;trol models: tick several to see which one explains the recording best</source>
+        <translation>Modèles de c&amp;ommande&#xa0;: en cocher plusieurs pour voir lequel explique le mieux l&apos;enregistrement</translation>
+    </message>
+    <message>
+        <source>&amp;Numbers to be found</source>
+        <translation>&amp;Nombres à trouver</translation>
+    </message>
+    <message>
+        <source>Usual ones</source>
+        <translation>Habituels</translation>
+    </message>
+    <message>
+        <source>Tick the limits of the axes and the settings with a unit</source>
+        <translation>Cocher les limites des axes et les réglages qui ont une unité</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucun</translation>
+    </message>
+    <message>
+        <source>Tick no number</source>
+        <translation>Ne cocher aucun nombre</translation>
+    </message>
+    <message>
+        <source>Current run: %1</source>
+        <translation>Simulation courante&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Run: %1</source>
+        <translation>Simulation&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Typical machine of each model</source>
+        <translation>Machine typique de chaque modèle</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
     <name>feedscope::ui::GoToBar</name>
     <message>
         <source>Line to go to</source>
@@ -5947,6 +6109,188 @@ max. : %1 %</translation>
     <message>
         <source>Samples, recent programs, lessons, what to do first</source>
         <translation>Exemples, programmes récents, leçons, par où commencer</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::IdentificationJob</name>
+    <message>
+        <source>Laying the recordings beside the program</source>
+        <translation>Mise en correspondance des enregistrements et du programme</translation>
+    </message>
+    <message>
+        <source>Searching: %1</source>
+        <translation>Recherche&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>%1, model %2 of %3. %4</source>
+        <translation>%1, modèle %2 sur %3. %4</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::IdentificationView</name>
+    <message>
+        <source>Identification</source>
+        <translation>Identification</translation>
+    </message>
+    <message>
+        <source>&amp;Identify</source>
+        <translation>&amp;Identifier</translation>
+    </message>
+    <message>
+        <source>Search the numbers with which each model explains the recordings best; Esc cancels</source>
+        <translation>Chercher les nombres avec lesquels chaque modèle explique le mieux les enregistrements&#xa0;; Échap annule</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Annulé.</translation>
+    </message>
+    <message>
+        <source>&amp;Identify the machine …</source>
+        <translation>&amp;Identifier la machine …</translation>
+    </message>
+    <message>
+        <source>Limits and settings of your machine from what it recorded, and which control it is like</source>
+        <translation>Limites et réglages de votre machine d&apos;après ce qu&apos;elle a enregistré, et à quelle commande elle ressemble</translation>
+    </message>
+    <message>
+        <source>identify machine parameters trace calibrate fit my own limits measured</source>
+        <translation>identifier identification machine paramètres trace calibrer recaler limites mesurées ma propre</translation>
+    </message>
+    <message>
+        <source>Trace …</source>
+        <translation>Trace …</translation>
+    </message>
+    <message>
+        <source>What the control recorded while the program ran</source>
+        <translation>Ce que la commande a enregistré pendant le programme</translation>
+    </message>
+    <message>
+        <source>Open section times …</source>
+        <translation>Ouvrir des temps de sections …</translation>
+    </message>
+    <message>
+        <source>A table of the times of sections, for those without a trace: section,seconds</source>
+        <translation>Un tableau des temps de sections, quand il n&apos;y a pas de trace&#xa0;: section,seconds</translation>
+    </message>
+    <message>
+        <source>Section times …</source>
+        <translation>Temps de sections …</translation>
+    </message>
+    <message>
+        <source>identify machine parameters stopwatch times table</source>
+        <translation>identifier machine paramètres chronomètre temps tableau</translation>
+    </message>
+    <message>
+        <source>Write a test program …</source>
+        <translation>Écrire un programme d&apos;essai …</translation>
+    </message>
+    <message>
+        <source>The program whose recording tells most limits of a machine</source>
+        <translation>Le programme dont l&apos;enregistrement révèle le plus de limites d&apos;une machine</translation>
+    </message>
+    <message>
+        <source>Test program …</source>
+        <translation>Programme d&apos;essai …</translation>
+    </message>
+    <message>
+        <source>identify machine parameters trace measure corners circles</source>
+        <translation>identifier machine paramètres trace mesurer angles cercles</translation>
+    </message>
+    <message>
+        <source>Show the identified machine as a run</source>
+        <translation>Montrer la machine identifiée comme simulation</translation>
+    </message>
+    <message>
+        <source>A run on the machine that was found; its curves lie over the trace</source>
+        <translation>Une simulation sur la machine trouvée&#xa0;; ses courbes se superposent à la trace</translation>
+    </message>
+    <message>
+        <source>Show as run</source>
+        <translation>Montrer comme simulation</translation>
+    </message>
+    <message>
+        <source>Save the identified machine …</source>
+        <translation>Enregistrer la machine identifiée …</translation>
+    </message>
+    <message>
+        <source>The machine that was found as a machine file, each number with its source</source>
+        <translation>La machine trouvée en fichier machine, chaque nombre avec sa source</translation>
+    </message>
+    <message>
+        <source>Save machine file …</source>
+        <translation>Enregistrer le fichier machine …</translation>
+    </message>
+    <message>
+        <source>What was recorded</source>
+        <translation>Ce qui a été enregistré</translation>
+    </message>
+    <message>
+        <source>What is fitted to it</source>
+        <translation>Ce qui y est ajusté</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Recherche</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Ce qui a été trouvé</translation>
+    </message>
+    <message>
+        <source>Open the program that was recorded first.</source>
+        <translation>Ouvrir d&apos;abord le programme qui a été enregistré.</translation>
+    </message>
+    <message>
+        <source>The trace is being read …</source>
+        <translation>Lecture de la trace …</translation>
+    </message>
+    <message>
+        <source>Step 1: open a trace or a table of section times.</source>
+        <translation>Étape 1&#xa0;: ouvrir une trace ou un tableau de temps de sections.</translation>
+    </message>
+    <message>
+        <source>Step 2: tick a control model.</source>
+        <translation>Étape 2&#xa0;: cocher un modèle de commande.</translation>
+    </message>
+    <message>
+        <source>Step 2: tick a number to be found.</source>
+        <translation>Étape 2&#xa0;: cocher un nombre à trouver.</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>A&amp;nnuler</translation>
+    </message>
+    <message>
+        <source>Done after %1 simulations of the program.</source>
+        <translation>Terminé après %1 simulations du programme.</translation>
+    </message>
+    <message>
+        <source>Identified from %1</source>
+        <translation>Identifiée d&apos;après %1</translation>
+    </message>
+    <message>
+        <source>Save the machine</source>
+        <translation>Enregistrer la machine</translation>
+    </message>
+    <message>
+        <source>Machine files (*.toml)</source>
+        <translation>Fichiers machine (*.toml)</translation>
+    </message>
+    <message>
+        <source>%1 is written; it is offered wherever a machine is chosen.</source>
+        <translation>%1 est écrit&#xa0;; il est proposé partout où une machine se choisit.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2. Choose another folder.</source>
+        <translation>Impossible d&apos;écrire %1&#xa0;: %2. Choisir un autre dossier.</translation>
+    </message>
+    <message>
+        <source>Open table of section times</source>
+        <translation>Ouvrir un tableau de temps de sections</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv *.tsv *.txt);;All files (*)</source>
+        <translation>Tableaux (*.csv *.tsv *.txt);;Tous les fichiers (*)</translation>
     </message>
 </context>
 <context>
@@ -7404,6 +7748,29 @@ Ensemble&#xa0;: %4</translation>
     </message>
 </context>
 <context>
+    <name>feedscope::ui::RecordingsBox</name>
+    <message>
+        <source>Recordings that are used</source>
+        <translation>Enregistrements utilisés</translation>
+    </message>
+    <message>
+        <source>%1: trace, %2</source>
+        <translation>%1&#xa0;: trace, %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 section times</source>
+        <translation>%1&#xa0;: %2 temps de sections</translation>
+    </message>
+    <message>
+        <source>Open the program that ran on your machine. For most numbers run the test program: write it here, and open it.</source>
+        <translation>Ouvrir le programme qui a tourné sur votre machine. Le programme d&apos;essai révèle le plus de nombres&#xa0;: l&apos;écrire ici, et l&apos;ouvrir.</translation>
+    </message>
+    <message>
+        <source>Record X, Y and Z on the control while this program runs, best at 1 to 4 ms a sample, and open the trace. Without a trace: write the times of its sections into a table with the titles section,seconds and open that. The test program tells most numbers.</source>
+        <translation>Enregistrer X, Y et Z sur la commande pendant que ce programme tourne, au mieux un échantillon toutes les 1 à 4&#xa0;ms, et ouvrir la trace. Sans trace&#xa0;: écrire les temps de ses sections dans un tableau aux titres section,seconds et l&apos;ouvrir. Le programme d&apos;essai révèle le plus de nombres.</translation>
+    </message>
+</context>
+<context>
     <name>feedscope::ui::RemedyTable</name>
     <message>
         <source>%1%2 s</source>
@@ -7575,6 +7942,93 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>La&amp;nguage</source>
         <translation>La&amp;ngue</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::ResultBox</name>
+    <message>
+        <source>Models by how well they explain the recording</source>
+        <translation>Modèles selon ce qu&apos;ils expliquent de l&apos;enregistrement</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modèle</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Résidu</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Avance</translation>
+    </message>
+    <message>
+        <source>Explains</source>
+        <translation>Explique</translation>
+    </message>
+    <message>
+        <source>Control model; the one that explains best first</source>
+        <translation>Modèle de commande&#xa0;; celui qui explique le mieux en premier</translation>
+    </message>
+    <message>
+        <source>Root mean square of what the model leaves over; 1 is noise and sampling alone</source>
+        <translation>Moyenne quadratique de ce que le modèle laisse de côté&#xa0;; 1&#xa0;: bruit et échantillonnage seuls</translation>
+    </message>
+    <message>
+        <source>Difference of the feeds (rms), as a share of the mean feed</source>
+        <translation>Écart des avances (moyenne quadratique), en part de l&apos;avance moyenne</translation>
+    </message>
+    <message>
+        <source>Within 5 % of the feed and 1 % of the time</source>
+        <translation>À moins de 5&#xa0;% de l&apos;avance et 1&#xa0;% du temps</translation>
+    </message>
+    <message>
+        <source>Numbers that were looked for</source>
+        <translation>Nombres cherchés</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Départ</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Trouvé</translation>
+    </message>
+    <message>
+        <source>Limit of an axis or setting of the control</source>
+        <translation>Limite d&apos;un axe ou réglage de la commande</translation>
+    </message>
+    <message>
+        <source>Value that was begun with</source>
+        <translation>Valeur de départ</translation>
+    </message>
+    <message>
+        <source>Value that explains the recording best, ± 95 %</source>
+        <translation>Valeur qui explique le mieux l&apos;enregistrement, ± à 95&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Recordings, models or machine have changed since: identify again.</source>
+        <translation>Enregistrements, modèles ou machine ont changé depuis&#xa0;: identifier de nouveau.</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1&#xa0;%</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>oui</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>non</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>échec</translation>
     </message>
 </context>
 <context>
@@ -8966,6 +9420,85 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>Study</source>
         <translation>Étude</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::TestProgramDialog</name>
+    <message>
+        <source>&amp;Write program …</source>
+        <translation>É&amp;crire le programme …</translation>
+    </message>
+    <message>
+        <source>&amp;Open it here</source>
+        <translation>&amp;L&apos;ouvrir ici</translation>
+    </message>
+    <message>
+        <source>Test program</source>
+        <translation>Programme d&apos;essai</translation>
+    </message>
+    <message>
+        <source>The program keeps to this square in X and Y about the zero point</source>
+        <translation>Le programme reste dans ce carré en X et Y autour de l&apos;origine</translation>
+    </message>
+    <message>
+        <source>As fast as the machine may feed: velocities beyond it are told by the rapids alone, if at all</source>
+        <translation>Aussi vite que la machine peut avancer&#xa0;: au-delà, seuls les déplacements rapides peuvent révéler des vitesses</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Partie</translation>
+    </message>
+    <message>
+        <source>What a recording of it tells</source>
+        <translation>Ce que son enregistrement révèle</translation>
+    </message>
+    <message>
+        <source>Parts of the test program</source>
+        <translation>Parties du programme d&apos;essai</translation>
+    </message>
+    <message>
+        <source>Opens the program that was written, to lay its trace beside it</source>
+        <translation>Ouvre le programme écrit, pour mettre sa trace à côté</translation>
+    </message>
+    <message>
+        <source>&amp;Control</source>
+        <translation>C&amp;ommande</translation>
+    </message>
+    <message>
+        <source>&amp;Side of the square</source>
+        <translation>Cô&amp;té du carré</translation>
+    </message>
+    <message>
+        <source>Largest &amp;feed</source>
+        <translation>Plus grande &amp;avance</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Put the zero point in the middle of a free square of %1 with nothing below or around the tool: Z goes up from it by %2, never below. Controls of Fanuc and SINUMERIK take the times of its %3 sections themselves; the others need a trace.</source>
+        <translation>Placer l&apos;origine au milieu d&apos;un carré libre de %1, sans rien sous l&apos;outil ni autour&#xa0;: Z monte de %2 à partir d&apos;elle, jamais en dessous. Les commandes Fanuc et SINUMERIK prennent elles-mêmes les temps de ses %3 sections&#xa0;; les autres demandent une trace.</translation>
+    </message>
+    <message>
+        <source>Write the test program</source>
+        <translation>Écrire le programme d&apos;essai</translation>
+    </message>
+    <message>
+        <source>NC programs (*.nc *.ngc *.gcode *.mpf *.h);;All files (*)</source>
+        <translation>Programmes CN (*.nc *.ngc *.gcode *.mpf *.h);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>%1 is written. Run it on the machine, record X, Y and Z meanwhile, open it here and then the trace.</source>
+        <translation>%1 est écrit. Le faire tourner sur la machine, enregistrer X, Y et Z pendant ce temps, l&apos;ouvrir ici, puis la trace.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2. Choose another folder.</source>
+        <translation>Impossible d&apos;écrire %1&#xa0;: %2. Choisir un autre dossier.</translation>
     </message>
 </context>
 <context>

@@ -110,6 +110,25 @@ constexpr std::array sentences{
                       "the run does not follow the path of the program within the tolerance of the "
                       "comparison"),
     QT_TRANSLATE_NOOP("core", "trace and run have no part of the path in common"),
+    // Recordings that cannot be fitted (identification/trace_case, section_case, section_times).
+    QT_TRANSLATE_NOOP(
+        "core",
+        "%1: the trace does not belong to its program: %2 % of its way runs along the path within "
+        "%3 mm, and along %4 % of it; give the program that was recorded, with the zero point it "
+        "ran with"),
+    QT_TRANSLATE_NOOP("core", "%1: the trace holds too little of its program to find anything from it"),
+    QT_TRANSLATE_NOOP("core",
+                      "%1:%2: not a table of section times; the first row must have the titles, such as "
+                      "section,seconds"),
+    QT_TRANSLATE_NOOP(
+        "core",
+        "%1:%2: '%3' is not a section and its time; a row is like 12,1.234, with a time above 0 and "
+        "below %4 s"),
+    QT_TRANSLATE_NOOP("core", "%1: %2 section times; at least %3 can tell something"),
+    QT_TRANSLATE_NOOP(
+        "core",
+        "%1:%2: %3 has no section '%4'; a section is marked by the comments SECTION 12 BEGINS and "
+        "SECTION 12 ENDS, or is given by its lines, as 40-55"),
     // Reading a trace (trace/trace_builder, trace/table_columns).
     QT_TRANSLATE_NOOP("core", "the time goes back from %1 s to %2 s"),
     QT_TRANSLATE_NOOP("core", "only the longest part between two such places is used"),

@@ -7,10 +7,10 @@
 #include <cmath>
 
 #include "core/base/units.h"
-#include "ui/language/composed_text.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"
+#include "ui/workbench/trace_messages.h"
 
 namespace feedscope::ui {
 
@@ -188,25 +188,6 @@ QString verdict_of(const ShownTrace& shown) {
   return TraceTables::tr("%1 (%2 and %3); their feeds differ by %4 (rms over the path).")
       .arg(time, clock_text(agreement.simulated_time), clock_text(agreement.measured_time),
            amount_text(agreement.feed_rms, Dimension::feed));
-}
-
-std::vector<Diagnostic> messages_on(const Trace& trace, const TraceOnProgram& found) {
-  std::vector<Diagnostic> messages = found.remarks;
-  messages.insert(messages.end(), trace.notes.begin(), trace.notes.end());
-  std::ranges::stable_sort(messages, std::ranges::greater(), &Diagnostic::severity);
-  return messages;
-}
-
-QString message_text(const Diagnostic& message) {
-  const auto sentence = [](const std::string& text) {
-    QString said = composed_text(text);
-    if (!said.isEmpty()) {
-      said[0] = said[0].toUpper();
-      said += '.';
-    }
-    return said;
-  };
-  return (sentence(message.message) + ' ' + sentence(message.hint)).trimmed();
 }
 
 QStringList remarks_of(const ShownTrace& shown) {

@@ -2,9 +2,7 @@
 
 #include <QString>
 #include <QStringList>
-#include <vector>
 
-#include "core/base/diagnostic.h"
 #include "ui/workbench/trace_list.h"
 
 class QStandardItemModel;
@@ -27,10 +25,6 @@ void clear_tables(QStandardItemModel& figures, QStandardItemModel& places, QStan
 
 /// How well the run agrees, in one sentence.
 QString verdict_of(const ShownTrace& shown);
-/// What is wrong with a trace, and what of it on its program, the gravest first.
-std::vector<Diagnostic> messages_on(const Trace& trace, const TraceOnProgram& found);
-/// What is wrong and what to do, as sentences in the user's language.
-QString message_text(const Diagnostic& message);
 /// What is to be known about the trace: how it was read, smoothed and laid beside the program.
 QStringList remarks_of(const ShownTrace& shown);
 

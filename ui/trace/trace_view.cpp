@@ -26,6 +26,7 @@
 #include "ui/shared/row_copy.h"
 #include "ui/trace/trace_import_dialog.h"
 #include "ui/trace/trace_tables.h"
+#include "ui/workbench/trace_messages.h"
 
 namespace feedscope::ui {
 

@@ -29,6 +29,7 @@ class TraceView : public Panel {
   static bool is_trace(const std::filesystem::path& file);
   /// Lays a trace beside the program. Asks what its columns are where nothing says so.
   void open(const std::filesystem::path& file);
+  void ask_for_file();
   /// Shows the trace of this row of the list.
   void choose(std::size_t row);
 
@@ -49,7 +50,6 @@ class TraceView : public Panel {
   void make_actions();
   void make_layout();
   QTreeView* add_table(QStandardItemModel* model, const QString& name);
-  void ask_for_file();
   void ask_for_columns(const std::filesystem::path& file, const QString& reason);
   void change_columns();
   void list_traces();

@@ -12,11 +12,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/identification/recordings.h"
 #include "ui/annotations/annotation_overlay.h"
 #include "ui/annotations/annotations_view.h"
 #include "ui/charts/charts_panel.h"
 #include "ui/circular/circular_view.h"
 #include "ui/contour/contour_view.h"
+#include "ui/identification/identification_view.h"
 #include "ui/language/language.h"
 #include "ui/lessons/lesson_view.h"
 #include "ui/load/load_view.h"
@@ -79,8 +81,10 @@ MainWindow::MainWindow(Workbench& workbench, RenderBackend backend, QWidget* par
       load_(new LoadView(workbench, this)),
       traces_(new TraceView(workbench, this)),
       versions_(new VersionsView(this)),
-      panels_{program_,     time_,        setup_, why_,     annotations_, lessons_, charts_, runs_,
-              slow_places_, diagnostics_, study_, contour_, circular_,    load_,    traces_, versions_},
+      identification_(new IdentificationView(workbench, this)),
+      panels_{program_,  time_, setup_,       why_,         annotations_,   lessons_,
+              charts_,   runs_, slow_places_, diagnostics_, study_,         contour_,
+              circular_, load_, traces_,      versions_,    identification_},
       session_(new WindowSession(*this, workbench)),
       machines_(new MachineOpening(workbench, *this)),
       start_page_(new StartPage(workbench, desk_, this)) {
@@ -193,6 +197,7 @@ void MainWindow::make_menus() {
   runs->addActions(circular_->panel_actions());
   runs->addActions(load_->panel_actions());
   runs->addActions(traces_->panel_actions());
+  runs->addActions(identification_->panel_actions());
   runs->addActions(versions_->panel_actions());
   runs->addSeparator();
   runs->addAction(make_action(this, tr("&Cancel simulation"),
@@ -248,6 +253,7 @@ void MainWindow::make_status() {
   connect(this, &MainWindow::cancel_wanted, status, &StatusPanel::cancel);
   connect(this, &MainWindow::cancel_wanted, time_, &TimeView::cancel);
   connect(this, &MainWindow::cancel_wanted, versions_, &VersionsView::cancel);
+  connect(this, &MainWindow::cancel_wanted, identification_, &IdentificationView::cancel);
   const auto say = [this](const QString& message) { statusBar()->showMessage(message); };
   connect(charts_, &ChartsPanel::exported, this, say);
   connect(file_menu_, &FileMenu::done, this, say);
@@ -270,6 +276,8 @@ void MainWindow::connect_panels() {
   scene().set_place_actions(annotations_->panel_actions());
   connect(&scene().annotations(), &AnnotationOverlay::edit_wanted, annotations_, &AnnotationsView::edit);
   annotations_->set_stretch([this] { return chosen_times(); });
+  connect(identification_, &IdentificationView::trace_wanted, traces_, &TraceView::ask_for_file);
+  connect(identification_, &IdentificationView::program_wanted, this, &MainWindow::open);
   connect(runs_, &RunsView::trace_chosen, traces_, &TraceView::choose);
   connect(time_, &TimeView::report_wanted, file_menu_, &FileMenu::ask_for_report);
 }
@@ -364,6 +372,10 @@ void MainWindow::show_title() {
 void MainWindow::open(const std::filesystem::path& file) {
   if (MachineOpening::is_machine(file)) {
     open_machine(file);
+    return;
+  }
+  if (is_section_times_file(file)) {
+    identification_->add_table(file);
     return;
   }
   if (TraceView::is_trace(file)) {

@@ -23,6 +23,7 @@ class DockSizes;
 class FileMenu;
 class HandoutCommand;
 class HelpMenu;
+class IdentificationView;
 class LessonView;
 class MachineOpening;
 class PlaybackBar;
@@ -133,7 +134,8 @@ class MainWindow : public QMainWindow {
   LoadView* load_;
   TraceView* traces_;
   VersionsView* versions_;
-  std::array<Panel*, 16> panels_;  ///< in the order of their tabs
+  IdentificationView* identification_;
+  std::array<Panel*, 17> panels_;  ///< in the order of their tabs
   WindowSession* session_;
   MachineOpening* machines_;
   StartPage* start_page_;

@@ -6,7 +6,7 @@
 #include "core/trace/read_trace.h"
 #include "tests/ui/report/pdf_reading.h"
 #include "tests/ui/report/report_fixture.h"
-#include "tests/ui/trace/trace_fixture.h"
+#include "tests/ui/trace_fixture.h"
 #include "ui/report/report.h"
 
 namespace feedscope::ui {

@@ -9,7 +9,7 @@
 #include <QTableWidget>
 
 #include "core/trace/read_trace.h"
-#include "tests/ui/trace/trace_fixture.h"
+#include "tests/ui/trace_fixture.h"
 #include "ui/trace/trace_import_fields.h"
 #include "ui/trace/trace_presets.h"
 

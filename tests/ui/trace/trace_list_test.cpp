@@ -9,7 +9,7 @@
 #include "core/base/error.h"
 #include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
-#include "tests/ui/trace/trace_fixture.h"
+#include "tests/ui/trace_fixture.h"
 #include "ui/workbench/workbench.h"
 
 namespace feedscope::ui {

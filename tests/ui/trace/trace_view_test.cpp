@@ -11,7 +11,7 @@
 
 #include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
-#include "tests/ui/trace/trace_fixture.h"
+#include "tests/ui/trace_fixture.h"
 #include "ui/runs/run_table.h"
 #include "ui/trace/trace_import_dialog.h"
 

@@ -15,7 +15,7 @@
 
 #include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
-#include "tests/ui/trace/trace_fixture.h"
+#include "tests/ui/trace_fixture.h"
 #include "ui/annotations/annotations_view.h"
 #include "ui/charts/charts_panel.h"
 #include "ui/lessons/lesson_view.h"

@@ -1,0 +1,258 @@
+#include "ui/identification/identification_view.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QComboBox>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+#include <QTreeWidget>
+#include <fstream>
+#include <sstream>
+
+#include "core/analysis/line_times.h"
+#include "tests/support/folders.h"
+#include "tests/ui/patience.h"
+#include "tests/ui/trace_fixture.h"
+#include "ui/identification/fit_choice.h"
+#include "ui/identification/recordings_box.h"
+#include "ui/identification/result_box.h"
+
+namespace feedscope::ui {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr const char* moves =
+    "G21 G90\nG1 X30 F6000\nG4 P0.1\nX0\nG4 P0.1\nY30\nG4 P0.1\nX20 Y0\nG4 P0.1\nX0\nM30\n";
+
+feedscope::Run run_of(const std::vector<std::string>& settings, const char* text = moves) {
+  SetupRequest request;
+  request.machine = "linuxcnc-mill";
+  request.assignments = settings;
+  return simulate_run(load_program(std::make_shared<const SourceText>("moves.nc", text)),
+                      make_setup(request));
+}
+
+class IdentificationViewTest : public testing::Test {
+ protected:
+  IdentificationViewTest() {
+    QLocale::setDefault(QLocale::c());
+    view.resize(370, 900);
+    view.show();
+  }
+  bool wait() {
+    return QTest::qWaitFor([this] { return !model.busy() && !model.traces().busy() && !view.busy(); },
+                           patience);
+  }
+  void open_trace(const std::string& text) {
+    model.traces().add(files.write("scope.csv", text));
+    ASSERT_TRUE(wait());
+  }
+  void look_for(const std::vector<std::string>& keys) {
+    view.choice().tick_none();
+    QTreeWidget& list = view.choice().parameters();
+    for (int row = 0; row < list.topLevelItemCount(); ++row) {
+      QTreeWidgetItem* item = list.topLevelItem(row);
+      if (std::ranges::find(keys, item->data(0, Qt::UserRole).toString().toStdString()) != keys.end()) {
+        item->setCheckState(0, Qt::Checked);
+      }
+    }
+    QCoreApplication::processEvents();
+  }
+  void tick_model(const QString& id, bool on = true) {
+    QListWidget& list = view.choice().models();
+    for (int row = 0; row < list.count(); ++row) {
+      if (list.item(row)->data(Qt::UserRole).toString() == id) {
+        list.item(row)->setCheckState(on ? Qt::Checked : Qt::Unchecked);
+      }
+    }
+  }
+  QString found(int row, int column = 2) {
+    return view.result().parameters().topLevelItem(row)->text(column);
+  }
+
+  const feedscope::Run start = run_of({});
+  const feedscope::Run truth = run_of({"X.acceleration=1.3", "Y.acceleration=0.6"});
+  const test::WrittenFiles files;
+  Workbench model{shipped_machines(), start.setup};
+  IdentificationView view{model};
+};
+
+TEST_F(IdentificationViewTest, SaysStepByStepWhatIsMissing) {
+  EXPECT_FALSE(view.identify_button().isEnabled());
+  EXPECT_THAT(view.state().toStdString(), HasSubstr("Open the program"));
+  EXPECT_THAT(view.recordings().note().toStdString(), HasSubstr("run the test program"));
+  model.show(start);
+  EXPECT_THAT(view.state().toStdString(), HasSubstr("Step 1"));
+  EXPECT_THAT(view.recordings().note().toStdString(), HasSubstr("Record X, Y and Z"));
+  open_trace(test::trace_table(truth));
+  EXPECT_TRUE(view.identify_button().isEnabled()) << view.state().toStdString();
+  tick_model("linuxcnc", false);
+  EXPECT_THAT(view.state().toStdString(), HasSubstr("Step 2: tick a control model"));
+  tick_model("linuxcnc");
+  view.choice().tick_none();
+  EXPECT_THAT(view.state().toStdString(), HasSubstr("Step 2: tick a number"));
+  EXPECT_FALSE(view.identify_button().isEnabled());
+  view.identify();
+  EXPECT_FALSE(view.busy());
+}
+
+TEST_F(IdentificationViewTest, FindsTheMachineThatATraceWasRecordedOn) {
+  model.show(start);
+  open_trace(test::trace_table(truth));
+  look_for({"X.acceleration", "Y.acceleration", "Z.acceleration"});
+  view.identify_button().click();
+  EXPECT_TRUE(view.busy());
+  ASSERT_TRUE(wait());
+  ASSERT_NE(view.result().chosen(), nullptr) << view.state().toStdString();
+  EXPECT_THAT(view.result().verdict().toStdString(), HasSubstr("explains what was recorded"));
+  EXPECT_THAT(view.result().verdict().toStdString(), HasSubstr("scope.csv: "));
+  ASSERT_EQ(view.result().parameters().topLevelItemCount(), 3);
+  EXPECT_EQ(found(0, 0), "X Acceleration [m/s²]");
+  EXPECT_EQ(found(0, 1), "0.75");
+  EXPECT_NEAR(found(0).section(' ', 0, 0).toDouble(), 1.3, 0.013) << found(0).toStdString();
+  EXPECT_THAT(found(0).toStdString(), HasSubstr(" ± "));
+  EXPECT_EQ(found(2), "not told");
+  view.result().parameters().setCurrentItem(view.result().parameters().topLevelItem(2));
+  EXPECT_THAT(view.result().explanation().toStdString(), HasSubstr("part SINGLE MOVES OF Z"));
+}
+
+TEST_F(IdentificationViewTest, WhatWasFoundBecomesARunAndAMachineFile) {
+  model.show(start);
+  open_trace(test::trace_table(truth));
+  look_for({"X.acceleration", "Y.acceleration"});
+  view.identify();
+  ASSERT_TRUE(wait());
+  view.show_as_run();
+  ASSERT_TRUE(wait());
+  ASSERT_EQ(model.runs().items().size(), 2U);
+  EXPECT_EQ(model.runs().current(), 1U);
+  EXPECT_EQ(model.runs().current_item().name, "Identified from scope.csv");
+  EXPECT_NEAR(std::get<double>(model.setup().state().value("X.acceleration")), 1.3, 0.013);
+  ASSERT_NE(model.traces().result(0), nullptr);
+  EXPECT_LT(std::abs(model.traces().result(0)->agreement.time_error()), 1e-3);
+  EXPECT_TRUE(view.result().parameters().isEnabled()) << "begun with the same run still";
+  const std::filesystem::path file = files.write("mine.toml", "");
+  view.save_machine(file);
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  EXPECT_THAT(text.str(), HasSubstr("identified from"));
+  EXPECT_THAT(text.str(), HasSubstr("mine"));
+  EXPECT_NEAR(shipped_machines().load(file.string()).axes[0].acceleration, 1300, 13);
+}
+
+TEST_F(IdentificationViewTest, AResultIsMarkedWhereWhatItIsOfHasChanged) {
+  model.show(start);
+  open_trace(test::trace_table(truth));
+  look_for({"X.acceleration"});
+  view.identify();
+  ASSERT_TRUE(wait());
+  EXPECT_TRUE(view.result().parameters().isEnabled());
+  model.setup().set("Y.acceleration", 0.5);
+  EXPECT_FALSE(view.result().parameters().isEnabled()) << "it begins with another machine";
+  model.setup().set("Y.acceleration", 0.75);
+  EXPECT_TRUE(view.result().parameters().isEnabled());
+  view.recordings().list().item(0)->setCheckState(Qt::Unchecked);
+  EXPECT_FALSE(view.result().parameters().isEnabled());
+}
+
+TEST_F(IdentificationViewTest, ComparesModelsByHowWellTheyExplain) {
+  model.show(start);
+  open_trace(test::trace_table(truth));
+  tick_model("cam");
+  look_for({"X.acceleration", "Y.acceleration"});
+  view.identify();
+  ASSERT_TRUE(wait());
+  QTreeWidget& models = view.result().models();
+  ASSERT_EQ(models.topLevelItemCount(), 2) << view.state().toStdString();
+  EXPECT_THAT(models.topLevelItem(0)->text(0).toStdString(), HasSubstr("LinuxCNC"));
+  EXPECT_EQ(models.topLevelItem(0)->text(3), "yes");
+  EXPECT_EQ(models.topLevelItem(1)->text(3), "no");
+  view.result().choose(1);
+  EXPECT_THAT(view.result().verdict().toStdString(), HasSubstr("does not explain"));
+  EXPECT_EQ(found(0), "not told");
+}
+
+TEST_F(IdentificationViewTest, TakesTimesOfSectionsInsteadOfATrace) {
+  model.show(start);
+  const LineTimes times(*truth.trajectory);
+  std::string table = "section,seconds\n";
+  for (std::uint32_t line = 2; line <= 10; line += 2) {
+    table += fmt::format("{}-{},{:.4f}\n", line, line, times.of(line, line).time);
+  }
+  view.add_table(files.write("times.csv", table));
+  EXPECT_EQ(view.recordings().list().count(), 1);
+  look_for({"X.acceleration", "Y.acceleration"});
+  view.identify();
+  ASSERT_TRUE(wait());
+  ASSERT_NE(view.result().chosen(), nullptr) << view.state().toStdString();
+  EXPECT_NEAR(found(0).section(' ', 0, 0).toDouble(), 1.3, 0.026) << found(0).toStdString();
+  view.add_table(files.write("few.csv", "section,seconds\n1,2\n"));
+  EXPECT_THAT(view.state().toStdString(), HasSubstr("at least 4"));
+  EXPECT_EQ(view.recordings().list().count(), 1);
+}
+
+TEST_F(IdentificationViewTest, SaysWhatIsWrongWithATrace) {
+  const feedscope::Run other = run_of({}, "G21 G90\nG1 X5 Y90 F6000\nX60 Y-70\nX-20 Y5\nY40\nM30\n");
+  model.show(start);
+  open_trace(test::trace_table(other, 0));
+  EXPECT_THAT(view.recordings().note().toStdString(), HasSubstr("scope.csv: "));
+  view.identify();
+  ASSERT_TRUE(wait());
+  EXPECT_EQ(view.result().chosen(), nullptr);
+  EXPECT_THAT(view.state().toStdString(), HasSubstr("does not belong to its program"));
+}
+
+TEST_F(IdentificationViewTest, CanBeCancelledAndBegunAgain) {
+  model.show(start);
+  open_trace(test::trace_table(truth));
+  view.identify_button().click();
+  ASSERT_TRUE(view.busy());
+  view.identify_button().click();
+  ASSERT_TRUE(wait());
+  EXPECT_EQ(view.state(), "Cancelled.");
+  EXPECT_EQ(view.result().chosen(), nullptr);
+  EXPECT_TRUE(view.identify_button().isEnabled());
+}
+
+TEST_F(IdentificationViewTest, ForgetsWithTheProgram) {
+  model.show(start);
+  open_trace(test::trace_table(truth));
+  look_for({"X.acceleration"});
+  view.identify();
+  ASSERT_TRUE(wait());
+  ASSERT_NE(view.result().chosen(), nullptr);
+  model.open(files.write("other.nc", "G21 G90\nG1 X5 Y90 F6000\nM30\n"));
+  EXPECT_EQ(view.result().chosen(), nullptr);
+  ASSERT_TRUE(wait());
+  EXPECT_THAT(view.state().toStdString(), HasSubstr("Step 1"));
+}
+
+/// A trace of LinuxCNC itself.
+TEST_F(IdentificationViewTest, FindsTheMachineOfLinuxCncsTrace) {
+  const auto traces = std::filesystem::path(FEEDSCOPE_SOURCE_DIR) / ".." / "shared" / "linuxcnc" / "traces";
+  if (!std::filesystem::exists(traces / "tapie_bore.txt.gz")) {
+    GTEST_SKIP() << "no traces of LinuxCNC at " << traces;
+  }
+  model.open(traces / "tapie_bore.ngc");
+  ASSERT_TRUE(wait());
+  model.traces().add(traces / "tapie_bore.txt.gz");
+  ASSERT_TRUE(wait());
+  view.identify();
+  ASSERT_TRUE(wait());
+  const Identification* found = view.result().chosen();
+  ASSERT_NE(found, nullptr) << view.state().toStdString();
+  EXPECT_TRUE(found->explains);
+  const auto y = std::ranges::find(found->parameters, "Y.acceleration",
+                                   [](const IdentifiedParameter& one) { return one.parameter.key; });
+  ASSERT_NE(y, found->parameters.end());
+  EXPECT_TRUE(y->told);
+  EXPECT_NEAR(y->value, 1, 0.01) << "of the machine that the control ran with";
+}
+
+}  // namespace
+}  // namespace feedscope::ui

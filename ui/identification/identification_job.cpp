@@ -1,0 +1,102 @@
+#include "ui/identification/identification_job.h"
+
+#include <algorithm>
+#include <deque>
+#include <string_view>
+#include <utility>
+
+#include "core/base/error.h"
+#include "ui/language/composed_text.h"
+#include "ui/language/core_texts.h"
+
+namespace feedscope::ui {
+namespace {
+
+constexpr double share_of_matching = 0.05;
+
+Recordings recordings_of(const IdentificationRequest& request) {
+  Recordings recordings;
+  for (const auto& trace : request.traces) {
+    recordings.add(trace, request.program);
+  }
+  for (const auto& table : request.tables) {
+    recordings.add(table->times, table->name.toStdString(), request.program);
+  }
+  return recordings;
+}
+
+/// One model; `share` of the work.
+Identification fit(const IdentificationRequest& request, const IdentificationStart& start, Progress& whole,
+                   double share) {
+  IdentifyOptions options;
+  options.date = date_of_today();
+  std::deque<Progress> parts;  // they stay where they are
+  const auto matched = static_cast<double>(std::max<std::size_t>(1, request.traces.size()));
+  const auto stage = [&](std::string_view title) {
+    if (!parts.empty()) {
+      parts.back().report(1);
+    }
+    return &parts.emplace_back(
+        whole, share * (title == "fitting" ? 1 - share_of_matching : share_of_matching / matched));
+  };
+  return recordings_of(request).fit(start.setup, fit_parameters_of(start.setup, start.keys), options, stage);
+}
+
+}  // namespace
+
+IdentificationJob::IdentificationJob(QObject* parent) : QObject(parent) {
+  connect(&job_, &JobBase::progressed, this,
+          [this](double fraction) { emit progressed(fraction, stage_text(fraction)); });
+}
+
+void IdentificationJob::start(IdentificationRequest request) {
+  titles_.clear();
+  for (const IdentificationStart& one : request.starts) {
+    titles_.push_back(one.setup.model->info().title);
+  }
+  job_.start(
+      [request = std::move(request)](JobControl& control) -> Result {
+        auto outcome = std::make_shared<IdentificationOutcome>();
+        const double share = 1 / static_cast<double>(request.starts.size());
+        for (const IdentificationStart& one : request.starts) {
+          try {
+            outcome->models.push_back(fit(request, one, control.progress, share));
+          } catch (const InputError& error) {
+            outcome->unfitted.push_back({one.setup.model->info().title, error.what()});
+          }
+        }
+        if (outcome->models.empty()) {
+          throw InputError(outcome->unfitted.front().reason);
+        }
+        sort_by_explanation(outcome->models);
+        outcome->request = request;
+        return outcome;
+      },
+      [this](const JobOutcome<Result>& outcome) { deliver(outcome); });
+}
+
+void IdentificationJob::deliver(const JobOutcome<Result>& outcome) {
+  if (outcome.result) {
+    emit finished(*outcome.result);
+  } else if (outcome.cancelled()) {
+    emit cancelled();
+  } else {
+    emit failed(composed_text(outcome.failure));
+  }
+}
+
+QString IdentificationJob::stage_text(double fraction) const {
+  const double models = static_cast<double>(titles_.size()) * std::clamp(fraction, 0.0, 1.0);
+  const std::size_t model = std::min(static_cast<std::size_t>(models), titles_.size() - 1);
+  const double within = (models - static_cast<double>(model) - share_of_matching) / (1 - share_of_matching);
+  const QString what = within < 0 ? tr("Laying the recordings beside the program")
+                                  : tr("Searching: %1").arg(core_text(identification_stage(within)));
+  return titles_.size() == 1 ? what
+                             : tr("%1, model %2 of %3. %4")
+                                   .arg(core_text(titles_[model]))
+                                   .arg(model + 1)
+                                   .arg(titles_.size())
+                                   .arg(what);
+}
+
+}  // namespace feedscope::ui

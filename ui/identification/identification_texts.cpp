@@ -1,0 +1,133 @@
+#include "ui/identification/identification_texts.h"
+
+#include <QLocale>
+#include <QStringList>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "ui/identification/identification_job.h"
+#include "ui/language/core_texts.h"
+#include "ui/language/shown_numbers.h"
+#include "ui/language/texts.h"
+
+namespace feedscope::ui {
+namespace {
+
+constexpr int digits = 4;
+
+QString number(double value) {
+  return QLocale().toString(value, 'g', digits);
+}
+
+QStringList recording_names(const IdentificationOutcome& outcome) {
+  QStringList names;
+  for (const auto& trace : outcome.request.traces) {
+    names.append(QString::fromStdString(trace->name).section('/', -1));
+  }
+  for (const auto& table : outcome.request.tables) {
+    names.append(table->name.section('/', -1));
+  }
+  return names;
+}
+
+}  // namespace
+
+QString IdentificationTexts::title(const FitParameter& parameter) {
+  const QString unit = key_unit(parameter.unit).text;
+  const QString name = setting_title(parameter.key);
+  return unit.isEmpty() ? name : QStringLiteral("%1 [%2]").arg(name, unit);
+}
+
+QString IdentificationTexts::value(double value, const FitParameter& parameter) {
+  return value > 0 ? number(value * key_unit(parameter.unit).factor) : QStringLiteral("–");
+}
+
+QString IdentificationTexts::found(const IdentifiedParameter& parameter) {
+  const double factor = key_unit(parameter.parameter.unit).factor;
+  if (!parameter.told) {
+    return parameter.at_least ? tr("at least %1").arg(number(*parameter.at_least * factor)) : tr("not told");
+  }
+  const double uncertainty = parameter.uncertainty * factor;
+  constexpr int most_decimals = 6;
+  const int decimals = uncertainty > 0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(uncertainty))),
+                                                    0, most_decimals)
+                                       : digits;
+  const QLocale locale;
+  return QStringLiteral("%1 ± %2").arg(locale.toString(parameter.value * factor, 'f', decimals),
+                                       locale.toString(uncertainty, 'f', decimals));
+}
+
+QString IdentificationTexts::explanation(const IdentifiedParameter& parameter, bool explains) {
+  if (parameter.told) {
+    return tr("The true value is within ± %1 of the value with 95 % probability, if the control is of this "
+              "model.")
+        .arg(number(parameter.uncertainty * key_unit(parameter.parameter.unit).factor));
+  }
+  const QString reason = core_text(parameter.reason);
+  if (!explains) {
+    return reason;
+  }
+  const QString part = QString::fromStdString(parameter.told_by);
+  return reason + ' ' +
+         (part.isEmpty() ? tr("No part of the test program tells it: the model does not use it.")
+                         : tr("A recording of the test program tells it: part %1.").arg(part));
+}
+
+QString IdentificationTexts::verdict(const IdentificationOutcome& outcome, const Identification& found) {
+  const QString model = core_text(found.setup.model->info().title);
+  QStringList lines{
+      found.explains ? tr("The model %1 explains what was recorded.").arg(model)
+                     : tr("The model %1 does not explain what was recorded: it misses more than 5 % of the "
+                          "feed or 1 % of the time, so its numbers would say nothing of your machine. Tick "
+                          "other models in step 2.")
+                           .arg(model)};
+  const QStringList names = recording_names(outcome);
+  const QLocale locale;
+  for (std::size_t i = 0; i < found.agreements.size(); ++i) {
+    const Agreement& agreement = found.agreements[i];
+    constexpr double unit = 100;  // of what is shown of a percent
+    const double percent = std::round(100 * unit * agreement.time_error()) / unit + 0.0;  // never -0
+    const QString difference = (percent > 0 ? "+" : "") + locale.toString(percent, 'f', 2);
+    const QString times =
+        tr("%1: %2 recorded, %3 simulated (%4 %)")
+            .arg(names.value(static_cast<qsizetype>(i)), clock_text(agreement.measured_time),
+                 clock_text(agreement.simulated_time), difference);
+    lines.append(found.sections[i].empty() ? tr("%1; the feeds differ by %2 (rms).")
+                                                 .arg(times, amount_text(agreement.feed_rms, Dimension::feed))
+                                           : times + '.');
+  }
+  return lines.join(QStringLiteral("\n"));
+}
+
+QString IdentificationTexts::summary(const Identification& found) {
+  std::vector<std::pair<QString, QStringList>> by_part;
+  qsizetype told = 0;
+  for (const IdentifiedParameter& one : found.parameters) {
+    if (one.told) {
+      ++told;
+    } else if (!one.told_by.empty()) {
+      const QString part = QString::fromStdString(one.told_by);
+      auto known = std::ranges::find(by_part, part, &std::pair<QString, QStringList>::first);
+      if (known == by_part.end()) {
+        known = by_part.insert(known, {part, {}});
+      }
+      known->second.append(setting_title(one.parameter.key));
+    }
+  }
+  QStringList lines{
+      tr("Told: %1 of %2 numbers. The others keep the value that explains the recording as well.")
+          .arg(told)
+          .arg(found.parameters.size())};
+  for (const auto& [part, titles] : by_part) {
+    lines.append(tr("Test program, part %1: %2").arg(part, titles.join(QStringLiteral(", "))));
+  }
+  return lines.join(QStringLiteral("\n"));
+}
+
+QString IdentificationTexts::names(const IdentificationOutcome& outcome) {
+  return recording_names(outcome).join(QStringLiteral(", "));
+}
+
+}  // namespace feedscope::ui

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <QWidget>
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <vector>
+
+#include "ui/identification/identification_job.h"
+#include "ui/workbench/workbench.h"
+
+class QLabel;
+class QListWidget;
+
+namespace feedscope::ui {
+
+/// What was recorded of the program: the traces that are laid beside it and tables of section times, each of
+/// them to be used or not, with what is wrong with it.
+class RecordingsBox : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `workbench` outlives this.
+  explicit RecordingsBox(Workbench& workbench, QWidget* parent = nullptr);
+
+  /// Those that are ticked and have been read.
+  std::vector<std::shared_ptr<const Trace>> traces() const;
+  std::vector<std::shared_ptr<const SectionTable>> tables() const;
+  /// Whether a trace that is ticked is still being read.
+  bool is_reading() const;
+  /// In place of one of the same name. Throws InputError for a file that is no such table.
+  void add_table(const std::filesystem::path& file);
+  /// Another program.
+  void forget_tables();
+
+  QListWidget& list() { return *list_; }
+  /// What is to be known of the recordings, or what to do for one.
+  QString note() const;
+
+ signals:
+  void changed();
+
+ private:
+  struct Table {
+    std::shared_ptr<const SectionTable> table;
+    bool used = true;
+  };
+
+  void refresh();
+  void show_notes();
+  void add_row(const QString& text, const QString& tip, bool used);
+  void take_tick(int row);
+  QString messages_of(std::size_t row) const;
+  bool is_used(std::size_t row) const;
+
+  Workbench& workbench_;
+  QListWidget* list_;
+  QLabel* note_;
+  std::set<int> unused_;  ///< traces that are not ticked, by id
+  std::vector<Table> tables_;
+};
+
+}  // namespace feedscope::ui

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <QWidget>
+#include <memory>
+
+#include "ui/identification/identification_job.h"
+
+class QLabel;
+class QTreeWidget;
+
+namespace feedscope::ui {
+
+/// What was identified: the models by how well they explain the recordings, and of the chosen one its numbers
+/// with what is and what is not told.
+class ResultBox : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ResultBox(QWidget* parent = nullptr);
+
+  /// Null for none. The model that explains best is chosen.
+  void set_outcome(std::shared_ptr<const IdentificationOutcome> outcome);
+  const IdentificationOutcome* outcome() const { return outcome_.get(); }
+  /// The model that is chosen; null without a result.
+  const Identification* chosen() const;
+  void choose(std::size_t model);
+  /// Something that it is of has changed since.
+  void set_stale(bool stale);
+
+  QString verdict() const;
+  /// Of the number that is selected.
+  QString explanation() const;
+  QTreeWidget& models() { return *models_; }
+  QTreeWidget& parameters() { return *parameters_; }
+
+ signals:
+  void model_chosen();
+
+ private:
+  void show_models();
+  void show_chosen();
+  void show_explanation();
+
+  std::shared_ptr<const IdentificationOutcome> outcome_;
+  std::size_t chosen_ = 0;
+  QLabel* stale_;
+  QLabel* verdict_;
+  QTreeWidget* models_;
+  QTreeWidget* parameters_;
+  QLabel* explanation_;
+  QLabel* summary_;
+};
+
+}  // namespace feedscope::ui
