@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QFont>
+#include <QPainter>
 #include <QProxyStyle>
 #include <QStyleOptionToolButton>
 #include <QTabBar>
@@ -125,6 +126,18 @@ class ThemeStyle : public QProxyStyle {
         return type_pixels(usual);  // what belongs to type is as large
       default:
         return usual;
+    }
+  }
+  /// Fusion frames the box of a row in black, which is not seen on the dark theme.
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override {
+    QProxyStyle::drawPrimitive(element, option, painter, widget);
+    if (element == PE_IndicatorItemViewItemCheck && theme_of(option->palette) == ThemeKind::dark) {
+      painter->save();
+      painter->setPen(dark_colours.muted);
+      painter->setBrush(Qt::NoBrush);
+      painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
+      painter->restore();
     }
   }
   /// Qt squeezes the arrow of a menu into the corner below the text, where it reads as a comma.
