@@ -14,11 +14,10 @@
 #include "app/run_options.h"
 #include "app/trace_columns_option.h"
 #include "app/watch.h"
-#include "core/analysis/line_times.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/export/identification.h"
-#include "core/identification/identification_program.h"
+#include "core/identification/part_times.h"
 #include "core/identification/recordings.h"
 #include "core/trace/read_trace.h"
 #ifdef FEEDSCOPE_WITH_UI
@@ -184,14 +183,12 @@ int write_program(const IdentifyCommandOptions& options) {
   }
   fmt::print("{}: X and Y within +-{:.4g} mm of the zero point, Z from it up to {:.4g} mm; {} on {}\n", out,
              request.size / 2, made.height, time_text(run.summary.cycle_time), setup.machine.id);
-  const LineTimes times(*run.trajectory);
+  const std::vector<LineTime> times = part_times(made, *run.trajectory);
   TextTable table;
   table.add({"line", "part", "time", "tells"});
   for (std::size_t i = 0; i < made.parts.size(); ++i) {
     const IdentificationProgramPart& part = made.parts[i];
-    const std::uint32_t end = i + 1 < made.parts.size() ? made.parts[i + 1].line - 1 : times.line_count();
-    table.add(
-        {fmt::format("{}", part.line), part.title, time_text(times.of(part.line, end).time), part.tells});
+    table.add({fmt::format("{}", part.line), part.title, time_text(times[i].time), part.tells});
   }
   fmt::print("{}{} sections, marked by comments{}\n", table.text("rlrl"), made.sections,
              request.dialect == Dialect::fanuc       ? "; their times are in #101 and on, in ms"

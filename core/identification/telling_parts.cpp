@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/analysis/line_times.h"
 #include "core/base/error.h"
-#include "core/identification/identification_program.h"
+#include "core/identification/part_times.h"
 
 namespace feedscope {
 namespace {
@@ -27,11 +26,9 @@ class TimedProgram {
   const std::string& title(std::size_t part) const { return made_.parts[part].title; }
   /// In motion [s].
   std::vector<double> times(const Setup& setup) const {
-    const LineTimes lines(setup.model->simulate(program_.toolpath, setup.machine, setup.settings));
     std::vector<double> times;
-    for (std::size_t i = 0; i < made_.parts.size(); ++i) {
-      const std::uint32_t end = i + 1 < made_.parts.size() ? made_.parts[i + 1].line - 1 : lines.line_count();
-      const LineTime part = lines.of(made_.parts[i].line, end);
+    for (const LineTime& part :
+         part_times(made_, setup.model->simulate(program_.toolpath, setup.machine, setup.settings))) {
       times.push_back(part.time - part.dwell);
     }
     return times;

@@ -316,10 +316,6 @@
         <translation>non révélé</translation>
     </message>
     <message>
-        <source>The true value is within ± %1 of the value with 95 % probability, if the control is of this model.</source>
-        <translation>La vraie valeur est à ± %1 de la valeur trouvée avec une probabilité de 95&#xa0;%, si la commande suit ce modèle.</translation>
-    </message>
-    <message>
         <source>No part of the test program tells it: the model does not use it.</source>
         <translation>Aucune partie du programme d&apos;essai ne le révèle&#xa0;: le modèle ne s&apos;en sert pas.</translation>
     </message>
@@ -344,12 +340,20 @@
         <translation>%1&#xa0;; les avances diffèrent de %2 (moyenne quadratique).</translation>
     </message>
     <message>
-        <source>Told: %1 of %2 numbers. The others keep the value that explains the recording as well.</source>
-        <translation>Révélés&#xa0;: %1 nombres sur %2. Les autres gardent la valeur qui explique aussi bien l&apos;enregistrement.</translation>
-    </message>
-    <message>
         <source>Test program, part %1: %2</source>
         <translation>Programme d&apos;essai, partie %1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>With 95 % probability the true value is %1, if the control is of this model.</source>
+        <translation>Avec une probabilité de 95&#xa0;%, la vraie valeur est %1, si la commande suit ce modèle.</translation>
+    </message>
+    <message>
+        <source>Told: %1 of %2 numbers.</source>
+        <translation>Révélés&#xa0;: %1 nombres sur %2.</translation>
+    </message>
+    <message>
+        <source>The others keep the value that explains the recording as well.</source>
+        <translation>Les autres gardent la valeur qui explique aussi bien l&apos;enregistrement.</translation>
     </message>
 </context>
 <context>
@@ -5900,19 +5904,11 @@ max. : %1 %</translation>
     </message>
     <message>
         <source>Number</source>
-        <translation>Nombre</translation>
+        <translation>Grandeur</translation>
     </message>
     <message>
         <source>Begins with</source>
         <translation>Départ</translation>
-    </message>
-    <message>
-        <source>Begin with &amp;machine</source>
-        <translation>&amp;Machine de départ</translation>
-    </message>
-    <message>
-        <source>Con&amp;trol models: tick several to see which one explains the recording best</source>
-        <translation>Modèles de c&amp;ommande&#xa0;: en cocher plusieurs pour voir lequel explique le mieux l&apos;enregistrement</translation>
     </message>
     <message>
         <source>&amp;Numbers to be found</source>
@@ -5949,6 +5945,14 @@ max. : %1 %</translation>
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>&amp;Begin with machine</source>
+        <translation>Mac&amp;hine de départ</translation>
+    </message>
+    <message>
+        <source>Control mo&amp;dels: tick several to see which one explains the recording best</source>
+        <translation>Mo&amp;dèles de commande&#xa0;: en cocher plusieurs pour voir lequel explique le mieux l&apos;enregistrement</translation>
     </message>
 </context>
 <context>
@@ -6257,10 +6261,6 @@ max. : %1 %</translation>
         <translation>Étape 2&#xa0;: cocher un nombre à trouver.</translation>
     </message>
     <message>
-        <source>&amp;Cancel</source>
-        <translation>A&amp;nnuler</translation>
-    </message>
-    <message>
         <source>Done after %1 simulations of the program.</source>
         <translation>Terminé après %1 simulations du programme.</translation>
     </message>
@@ -6291,6 +6291,14 @@ max. : %1 %</translation>
     <message>
         <source>Tables (*.csv *.tsv *.txt);;All files (*)</source>
         <translation>Tableaux (*.csv *.tsv *.txt);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>%1, identified</source>
+        <translation>%1, identifiée</translation>
     </message>
 </context>
 <context>
@@ -7769,6 +7777,10 @@ Ensemble&#xa0;: %4</translation>
         <source>Record X, Y and Z on the control while this program runs, best at 1 to 4 ms a sample, and open the trace. Without a trace: write the times of its sections into a table with the titles section,seconds and open that. The test program tells most numbers.</source>
         <translation>Enregistrer X, Y et Z sur la commande pendant que ce programme tourne, au mieux un échantillon toutes les 1 à 4&#xa0;ms, et ouvrir la trace. Sans trace&#xa0;: écrire les temps de ses sections dans un tableau aux titres section,seconds et l&apos;ouvrir. Le programme d&apos;essai révèle le plus de nombres.</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::RemedyTable</name>
@@ -7988,7 +8000,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Number</source>
-        <translation>Nombre</translation>
+        <translation>Grandeur</translation>
     </message>
     <message>
         <source>Start</source>
@@ -8029,6 +8041,10 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>failed</source>
         <translation>échec</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
     </message>
 </context>
 <context>
@@ -9499,6 +9515,14 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>%1 cannot be written: %2. Choose another folder.</source>
         <translation>Impossible d&apos;écrire %1&#xa0;: %2. Choisir un autre dossier.</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>On %1</source>
+        <translation>Sur %1</translation>
     </message>
 </context>
 <context>

@@ -7,6 +7,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QDockWidget>
+#include <QTreeWidget>
 #include <array>
 #include <cstdio>
 #include <exception>
@@ -19,6 +20,8 @@
 #include "core/lessons/lesson.h"
 #include "tests/render/baseline.h"
 #include "ui/annotations/annotations_view.h"
+#include "ui/identification/fit_choice.h"
+#include "ui/identification/identification_view.h"
 #include "ui/study/study_view.h"
 #include "ui/trace/trace_view.h"
 #include "ui/why/why_view.h"
@@ -100,6 +103,23 @@ void lay_trace_beside(ui::MainWindow& window, const ui::Workbench& bench) {
   std::filesystem::remove(file);
 }
 
+/// The tolerance of that machine, found from its trace.
+void identify_tolerance(ui::MainWindow& window, const ui::Workbench& bench) {
+  lay_trace_beside(window, bench);
+  auto& panel = window.part<ui::IdentificationView>();
+  panel.choice().tick_none();
+  QTreeWidget& numbers = panel.choice().parameters();
+  for (int row = 0; row < numbers.topLevelItemCount(); ++row) {
+    QTreeWidgetItem* number = numbers.topLevelItem(row);
+    if (number->toolTip(0) == "contour_tolerance_mm") {
+      number->setCheckState(0, Qt::Checked);
+    }
+  }
+  QApplication::processEvents();
+  panel.identify();
+  wait_for_runs(window, bench);
+}
+
 /// Does with a panel what it is for.
 void use(const std::string& panel, ui::MainWindow& window, ui::Workbench& bench) {
   constexpr double marked = 0.1;  // of the cycle time
@@ -111,6 +131,8 @@ void use(const std::string& panel, ui::MainWindow& window, ui::Workbench& bench)
     add_annotations(window, bench, marked * bench.shown()->run.trajectory->duration());
   } else if (panel == "trace") {
     lay_trace_beside(window, bench);
+  } else if (panel == "identification") {
+    identify_tolerance(window, bench);
   } else if (panel == "lesson") {
     window.open_lesson(find_lesson("small_circle"));
   }

@@ -1,6 +1,7 @@
 #include "ui/identification/fit_choice.h"
 
 #include <QComboBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -40,6 +41,8 @@ FitChoice::FitChoice(Workbench& workbench, QWidget* parent)
       "Limits and settings that the search begins with; those that are not looked for, or not told, stay"));
   machines_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   machines_->setMinimumContentsLength(machine_characters);
+  machines_->setFocusPolicy(Qt::StrongFocus);
+  machines_->installEventFilter(this);
   models_->setAccessibleName(tr("Control models that are fitted"));
   models_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   new FocusOutline(*models_);
@@ -61,13 +64,13 @@ FitChoice::FitChoice(Workbench& workbench, QWidget* parent)
   parameters_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
   new FocusOutline(*parameters_);
 
-  auto* machine_label = new QLabel(tr("Begin with &machine"), this);
+  auto* machine_label = new QLabel(tr("&Begin with machine"), this);
   machine_label->setBuddy(machines_);
   auto* machine = new QHBoxLayout;
   machine->addWidget(machine_label);
   machine->addWidget(machines_, 1);
   auto* models_label =
-      new QLabel(tr("Con&trol models: tick several to see which one explains the recording best"), this);
+      new QLabel(tr("Control mo&dels: tick several to see which one explains the recording best"), this);
   models_label->setBuddy(models_);
   models_label->setWordWrap(true);
   auto* parameters_label = new QLabel(tr("&Numbers to be found"), this);
@@ -82,6 +85,7 @@ FitChoice::FitChoice(Workbench& workbench, QWidget* parent)
   heading->addWidget(parameters_label, 1);
   heading->addWidget(usual);
   heading->addWidget(none);
+  keyboard_way_ = {machines_, models_, usual, none, parameters_};
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(4);
@@ -115,6 +119,14 @@ FitChoice::FitChoice(Workbench& workbench, QWidget* parent)
 void FitChoice::read_machines() {
   choices_ = workbench_.machine_choices();
   list_machines();
+}
+
+bool FitChoice::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == machines_ && event->type() == QEvent::Wheel && !machines_->hasFocus()) {
+    event->ignore();
+    return true;
+  }
+  return QWidget::eventFilter(watched, event);
 }
 
 /// Of the run that is begun with.

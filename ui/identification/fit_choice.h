@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QList>
 #include <QString>
 #include <QWidget>
 #include <map>
@@ -40,12 +41,18 @@ class FitChoice : public QWidget {
   QComboBox& machines() { return *machines_; }
   QListWidget& models() { return *models_; }
   QTreeWidget& parameters() { return *parameters_; }
+  /// In the order in which Tab goes through them.
+  QList<QWidget*> keyboard_way() const { return keyboard_way_; }
   /// Ticks those that are usual again, or none.
   void tick_usual();
   void tick_none();
 
  signals:
   void changed();
+
+ protected:
+  /// The wheel scrolls the panel, and does not choose machines on its way.
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void list_machines();
@@ -62,6 +69,7 @@ class FitChoice : public QWidget {
   QComboBox* machines_;
   QListWidget* models_;
   QTreeWidget* parameters_;
+  QList<QWidget*> keyboard_way_;
   int held_run_ = 0;                    ///< id of a run; 0: the current one
   QString machine_;                     ///< key of a machine; empty: a run
   bool typical_ = false;                ///< a typical machine of each model

@@ -10,6 +10,7 @@
 #include "ui/identification/identification_job.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
+#include "ui/language/significant.h"
 #include "ui/language/texts.h"
 
 namespace feedscope::ui {
@@ -18,7 +19,18 @@ namespace {
 constexpr int digits = 4;
 
 QString number(double value) {
-  return QLocale().toString(value, 'g', digits);
+  return significant_number(value, digits);
+}
+
+/// Behind the point, for one significant digit of an uncertainty, two where the first is 1.
+int decimals_by(double uncertainty) {
+  constexpr int most = 9;
+  if (!(uncertainty > 0)) {
+    return digits;
+  }
+  const double exponent = std::floor(std::log10(uncertainty));
+  const bool begins_with_one = uncertainty < 2 * std::pow(10, exponent);
+  return std::clamp(static_cast<int>(-exponent) + (begins_with_one ? 1 : 0), 0, most);
 }
 
 QStringList recording_names(const IdentificationOutcome& outcome) {
@@ -49,21 +61,16 @@ QString IdentificationTexts::found(const IdentifiedParameter& parameter) {
   if (!parameter.told) {
     return parameter.at_least ? tr("at least %1").arg(number(*parameter.at_least * factor)) : tr("not told");
   }
-  const double uncertainty = parameter.uncertainty * factor;
-  constexpr int most_decimals = 6;
-  const int decimals = uncertainty > 0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(uncertainty))),
-                                                    0, most_decimals)
-                                       : digits;
+  const int decimals = decimals_by(parameter.uncertainty * factor);
   const QLocale locale;
   return QStringLiteral("%1 ± %2").arg(locale.toString(parameter.value * factor, 'f', decimals),
-                                       locale.toString(uncertainty, 'f', decimals));
+                                       locale.toString(parameter.uncertainty * factor, 'f', decimals));
 }
 
 QString IdentificationTexts::explanation(const IdentifiedParameter& parameter, bool explains) {
   if (parameter.told) {
-    return tr("The true value is within ± %1 of the value with 95 % probability, if the control is of this "
-              "model.")
-        .arg(number(parameter.uncertainty * key_unit(parameter.parameter.unit).factor));
+    return tr("With 95 % probability the true value is %1, if the control is of this model.")
+        .arg(found(parameter));
   }
   const QString reason = core_text(parameter.reason);
   if (!explains) {
@@ -116,10 +123,10 @@ QString IdentificationTexts::summary(const Identification& found) {
       known->second.append(setting_title(one.parameter.key));
     }
   }
-  QStringList lines{
-      tr("Told: %1 of %2 numbers. The others keep the value that explains the recording as well.")
-          .arg(told)
-          .arg(found.parameters.size())};
+  QStringList lines{tr("Told: %1 of %2 numbers.").arg(told).arg(found.parameters.size())};
+  if (told < static_cast<qsizetype>(found.parameters.size())) {
+    lines.front() += ' ' + tr("The others keep the value that explains the recording as well.");
+  }
   for (const auto& [part, titles] : by_part) {
     lines.append(tr("Test program, part %1: %2").arg(part, titles.join(QStringLiteral(", "))));
   }

@@ -32,10 +32,18 @@ namespace {
 
 constexpr int progress_steps = 1000;
 
-QToolButton* button_of(QAction* action, QWidget* parent) {
-  auto* button = new QToolButton(parent);
-  button->setDefaultAction(action);
-  return button;
+/// Buttons of commands, as many in a row as there is room for.
+QList<QWidget*> add_buttons(QVBoxLayout& layout, const QList<QAction*>& actions, QWidget* parent) {
+  auto* row = new FlowLayout;
+  QList<QWidget*> buttons;
+  for (QAction* action : actions) {
+    auto* button = new QToolButton(parent);
+    button->setDefaultAction(action);
+    row->addWidget(button);
+    buttons.append(button);
+  }
+  layout.addLayout(row);
+  return buttons;
 }
 
 }  // namespace
@@ -130,11 +138,8 @@ void IdentificationView::make_layout() {
   layout->setSpacing(4);
   add_step(*layout, 1, tr("What was recorded"));
   layout->addWidget(recordings_);
-  auto* opening = new FlowLayout;
-  for (QAction* action : {open_trace_, open_table_, write_program_}) {
-    opening->addWidget(button_of(action, this));
-  }
-  layout->addLayout(opening);
+  QList<QWidget*> keyboard_way{&recordings_->list()};
+  keyboard_way += add_buttons(*layout, {open_trace_, open_table_, write_program_}, this);
   add_step(*layout, 2, tr("What is fitted to it"));
   layout->addWidget(choice_);
   search_heading_ = add_step(*layout, 3, tr("Search"));
@@ -146,11 +151,12 @@ void IdentificationView::make_layout() {
   layout->addWidget(state_);
   add_step(*layout, 4, tr("What was found"));
   layout->addWidget(result_);
-  auto* using_it = new FlowLayout;
-  for (QAction* action : {show_run_, save_}) {
-    using_it->addWidget(button_of(action, this));
+  keyboard_way += choice_->keyboard_way();
+  keyboard_way += {identify_, &result_->models(), &result_->parameters()};
+  keyboard_way += add_buttons(*layout, {show_run_, save_}, this);
+  for (qsizetype i = 1; i < keyboard_way.size(); ++i) {
+    setTabOrder(keyboard_way[i - 1], keyboard_way[i]);
   }
-  layout->addLayout(using_it);
   layout->addStretch(1);
   scroll_->setFrameShape(QFrame::NoFrame);
   scroll_->setWidgetResizable(true);
@@ -218,7 +224,7 @@ void IdentificationView::follow_input() {
   save_->setEnabled(has_result);
   open_trace_->setEnabled(workbench_.program() != nullptr);
   open_table_->setEnabled(workbench_.program() != nullptr);
-  identify_->setText(busy() ? tr("&Cancel") : tr("&Identify"));
+  identify_->setText(busy() ? tr("Cancel") : tr("&Identify"));
   progress_->setVisible(busy());
   if (!busy()) {
     const QString lacks = missing(asked);
@@ -256,13 +262,13 @@ void IdentificationView::show_as_run() {
   if (found == nullptr) {
     return;
   }
-  const QString from = IdentificationTexts::names(*result_->outcome());
   Setup setup = found->setup;
-  setup.machine = identified_machine(*found, to_path(from.section(QLatin1Char(','), 0, 0)));
+  setup.machine.id += "-identified";
+  setup.machine.name = tr("%1, identified").arg(QString::fromStdString(setup.machine.name)).toStdString();
   setup.load = {};
   RunList& runs = workbench_.runs();
   runs.duplicate_as(runs.current(), SetupState(std::move(setup)));
-  runs.rename(runs.current(), tr("Identified from %1").arg(from));
+  runs.rename(runs.current(), tr("Identified from %1").arg(IdentificationTexts::names(*result_->outcome())));
 }
 
 void IdentificationView::ask_for_machine_file() {
@@ -318,7 +324,7 @@ TestProgramDialog& IdentificationView::ask_for_test_program() {
   emit attention_wanted();
   const auto program = workbench_.program();
   auto* dialog = new TestProgramDialog(program == nullptr ? Dialect::fanuc : program->dialect,
-                                       workbench_.file().parent_path(), this);
+                                       workbench_.setup().setup(), workbench_.file().parent_path(), this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &TestProgramDialog::open_wanted, this, &IdentificationView::program_wanted);
   dialog->open();

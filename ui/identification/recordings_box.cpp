@@ -165,7 +165,7 @@ void RecordingsBox::show_notes() {
   for (std::size_t row = 0; row < traces.items().size(); ++row) {
     const QString messages = messages_of(row);
     if (is_used(row) && !messages.isEmpty()) {
-      notes.append(traces.items()[row].name + QStringLiteral(": ") + messages);
+      notes.append(tr("%1: %2").arg(traces.items()[row].name, messages));
     }
   }
   if (list_->count() == 0 && workbench_.program() == nullptr) {

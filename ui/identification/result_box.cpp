@@ -18,7 +18,7 @@
 namespace feedscope::ui {
 namespace {
 
-constexpr int least_result_rows = 3;
+constexpr int least_result_rows = 2;
 constexpr int most_result_rows = 14;
 
 QTreeWidget* make_table(const QString& name, const QStringList& titles, const QStringList& tips,
@@ -183,8 +183,8 @@ void ResultBox::show_explanation() {
   explanation_->setVisible(found != nullptr && row >= 0);
   if (found != nullptr && row >= 0) {
     const IdentifiedParameter& one = found->parameters[static_cast<std::size_t>(row)];
-    explanation_->setText(IdentificationTexts::title(one.parameter) + QStringLiteral(": ") +
-                          IdentificationTexts::explanation(one, found->explains));
+    explanation_->setText(tr("%1: %2").arg(IdentificationTexts::title(one.parameter),
+                                           IdentificationTexts::explanation(one, found->explains)));
   }
 }
 

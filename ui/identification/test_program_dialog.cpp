@@ -12,13 +12,17 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
+#include <memory>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/units.h"
+#include "core/identification/part_times.h"
 #include "ui/fields/focus_outline.h"
 #include "ui/fields/number_box.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
+#include "ui/language/texts.h"
 #include "ui/shared/paths.h"
 #include "ui/shared/row_copy.h"
 
@@ -39,12 +43,17 @@ constexpr double least_side = 20;                      // [mm]
 constexpr double most_side = 2000;                     // [mm]
 const double least_feed = units::from_mm_min(100);     // [mm/s]
 const double most_feed = units::from_mm_min(100'000);  // [mm/s]
-constexpr QSize first_size{640, 460};
+constexpr QSize first_size{1000, 460};
+constexpr int line_column = 0;
+constexpr int time_column = 2;
+constexpr int tells_column = 3;
 
 }  // namespace
 
-TestProgramDialog::TestProgramDialog(Dialect dialect, const std::filesystem::path& folder, QWidget* parent)
+TestProgramDialog::TestProgramDialog(Dialect dialect, Setup setup, const std::filesystem::path& folder,
+                                     QWidget* parent)
     : QDialog(parent),
+      setup_(std::move(setup)),
       folder_(folder),
       dialect_(new QComboBox(this)),
       side_(new NumberBox(this)),
@@ -73,12 +82,14 @@ TestProgramDialog::TestProgramDialog(Dialect dialect, const std::filesystem::pat
   feed_->setToolTip(
       tr("As fast as the machine may feed: velocities beyond it are told by the rapids alone, if at all"));
   room_->setWordWrap(true);
-  parts_->setHeaderLabels({tr("Line"), tr("Part"), tr("What a recording of it tells")});
+  parts_->setHeaderLabels({tr("Line"), tr("Part"), tr("Time"), tr("What a recording of it tells")});
+  parts_->headerItem()->setToolTip(time_column, tr("On %1").arg(QString::fromStdString(setup_.machine.name)));
   parts_->setAccessibleName(tr("Parts of the test program"));
   parts_->setRootIsDecorated(false);
   parts_->setUniformRowHeights(true);
   parts_->setAlternatingRowColors(true);
   parts_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  parts_->header()->setSectionResizeMode(tells_column, QHeaderView::Stretch);
   install_row_copy(*parts_);
   new FocusOutline(*parts_);
   state_->setWordWrap(true);
@@ -142,18 +153,39 @@ void TestProgramDialog::refresh() {
          "goes up from it by %2, never below. Controls of Fanuc and SINUMERIK take the times of its %3 "
          "sections "
          "themselves; the others need a trace.")
-          .arg(amount_text(asked.size, Dimension::length), amount_text(made.height, Dimension::length))
+          .arg(amount_text(asked.size, Dimension::length, 0), amount_text(made.height, Dimension::length, 0))
           .arg(made.sections));
   parts_->clear();
-  for (const IdentificationProgramPart& part : made.parts) {
-    auto* row = new QTreeWidgetItem(
-        parts_, {QString::number(part.line), QString::fromStdString(part.title), core_text(part.tells)});
-    row->setTextAlignment(0, Qt::AlignRight | Qt::AlignVCenter);
-    row->setToolTip(2, row->text(2));
+  const std::vector<QString> times = times_of(made);
+  for (std::size_t i = 0; i < made.parts.size(); ++i) {
+    const IdentificationProgramPart& part = made.parts[i];
+    auto* row = new QTreeWidgetItem(parts_, {QString::number(part.line), QString::fromStdString(part.title),
+                                             times[i], core_text(part.tells)});
+    for (const int column : {line_column, time_column}) {
+      row->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+    }
+    row->setToolTip(tells_column, row->text(tells_column));
   }
   written_.clear();
   open_->setEnabled(false);
   state_->clear();
+}
+
+/// On the machine that the window is on; "–" where that cannot run it.
+std::vector<QString> TestProgramDialog::times_of(const IdentificationProgram& program) const {
+  std::vector<QString> texts(program.parts.size(), QStringLiteral("–"));
+  try {
+    ReadOptions reading;
+    reading.dialect = request().dialect;
+    const LoadedProgram read =
+        load_program(std::make_shared<const SourceText>("test", program.text), nullptr, reading);
+    const std::vector<LineTime> times =
+        part_times(program, setup_.model->simulate(read.toolpath, setup_.machine, setup_.settings));
+    std::ranges::transform(times, texts.begin(), [](const LineTime& part) { return clock_text(part.time); });
+  } catch (const InputError&) {
+    // An axis of the machine has no limit: the times are not known.
+  }
+  return texts;
 }
 
 void TestProgramDialog::ask_and_write() {

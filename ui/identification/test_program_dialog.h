@@ -2,7 +2,9 @@
 
 #include <QDialog>
 #include <filesystem>
+#include <vector>
 
+#include "core/analysis/run.h"
 #include "core/identification/identification_program.h"
 
 class QComboBox;
@@ -19,8 +21,10 @@ class TestProgramDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// `dialect`: proposed, if there is a test program for it. `folder`: where files are proposed.
-  TestProgramDialog(Dialect dialect, const std::filesystem::path& folder, QWidget* parent = nullptr);
+  /// `dialect`: proposed, if there is a test program for it. `setup`: that its times are of. `folder`: where
+  /// files are proposed.
+  TestProgramDialog(Dialect dialect, Setup setup, const std::filesystem::path& folder,
+                    QWidget* parent = nullptr);
 
   IdentificationProgramRequest request() const;
   /// "feedscope-test.mpf".
@@ -43,8 +47,10 @@ class TestProgramDialog : public QDialog {
  private:
   void make_layout();
   void refresh();
+  std::vector<QString> times_of(const IdentificationProgram& program) const;
   void ask_and_write();
 
+  Setup setup_;
   std::filesystem::path folder_;
   std::filesystem::path written_;
   QComboBox* dialect_;

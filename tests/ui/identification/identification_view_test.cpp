@@ -10,6 +10,7 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QTreeWidget>
+#include <QWheelEvent>
 #include <fstream>
 #include <sstream>
 
@@ -136,6 +137,7 @@ TEST_F(IdentificationViewTest, WhatWasFoundBecomesARunAndAMachineFile) {
   ASSERT_NE(model.traces().result(0), nullptr);
   EXPECT_LT(std::abs(model.traces().result(0)->agreement.time_error()), 1e-3);
   EXPECT_TRUE(view.result().parameters().isEnabled()) << "begun with the same run still";
+  EXPECT_EQ(model.setup().file().machine.name, "Retrofitted mill, identified");
   const std::filesystem::path file = files.write("mine.toml", "");
   view.save_machine(file);
   std::ostringstream text;
@@ -205,6 +207,31 @@ TEST_F(IdentificationViewTest, SaysWhatIsWrongWithATrace) {
   ASSERT_TRUE(wait());
   EXPECT_EQ(view.result().chosen(), nullptr);
   EXPECT_THAT(view.state().toStdString(), HasSubstr("does not belong to its program"));
+}
+
+TEST_F(IdentificationViewTest, TheWheelOnItsWayChoosesNoMachine) {
+  QComboBox& machines = view.choice().machines();
+  const int before = machines.currentIndex();
+  QWheelEvent turn({5, 5}, machines.mapToGlobal(QPointF(5, 5)), {}, {0, -120}, Qt::NoButton, {},
+                   Qt::NoScrollPhase, false);
+  QCoreApplication::sendEvent(&machines, &turn);
+  EXPECT_EQ(machines.currentIndex(), before);
+}
+
+TEST_F(IdentificationViewTest, BeginsWithATypicalMachineOfEachModelWhereThatIsWanted) {
+  model.show(start);
+  QComboBox& machines = view.choice().machines();
+  machines.setCurrentIndex(machines.findText("Typical machine of each model"));
+  emit machines.activated(machines.currentIndex());
+  tick_model("grbl");
+  ASSERT_EQ(view.choice().starts().size(), 2U);
+  EXPECT_EQ(view.choice().starts()[0].setup.machine.id, "grbl-router");
+  EXPECT_EQ(view.choice().starts()[1].setup.machine.id, "linuxcnc-mill");
+  EXPECT_THAT(view.choice().starts()[0].keys, testing::Contains("junction_deviation_mm"));
+  EXPECT_THAT(view.choice().starts()[1].keys, testing::Not(testing::Contains("junction_deviation_mm")));
+  machines.setCurrentIndex(machines.findData("dmg-mori-evo40"));
+  emit machines.activated(machines.currentIndex());
+  EXPECT_EQ(view.choice().starts()[1].setup.machine.id, "dmg-mori-evo40");
 }
 
 TEST_F(IdentificationViewTest, CanBeCancelledAndBegunAgain) {

@@ -22,7 +22,7 @@ class TestProgramDialogTest : public testing::Test {
   TestProgramDialogTest() { QLocale::setDefault(QLocale::c()); }
 
   const test::WrittenFiles files;
-  TestProgramDialog dialog{Dialect::sinumerik, {}};
+  TestProgramDialog dialog{Dialect::sinumerik, make_setup({}), {}};
 };
 
 TEST_F(TestProgramDialogTest, WritesWhatItsFieldsSay) {
@@ -47,7 +47,15 @@ TEST_F(TestProgramDialogTest, WritesWhatItsFieldsSay) {
 TEST_F(TestProgramDialogTest, SaysWhatEachPartTells) {
   ASSERT_EQ(dialog.parts().topLevelItemCount(), 7);
   EXPECT_EQ(dialog.parts().topLevelItem(0)->text(1), "SINGLE MOVES OF X");
-  EXPECT_THAT(dialog.parts().topLevelItem(0)->text(2).toStdString(), HasSubstr("Velocity, acceleration"));
+  EXPECT_THAT(dialog.parts().topLevelItem(0)->text(3).toStdString(), HasSubstr("Velocity, acceleration"));
+}
+
+TEST_F(TestProgramDialogTest, SaysHowLongEachPartTakesOnTheMachineOfTheWindow) {
+  const auto time = [this] { return dialog.parts().topLevelItem(0)->text(2).section(' ', 0, 0).toDouble(); };
+  const double usual = time();
+  EXPECT_GT(usual, 5) << "ten sections between pauses of half a second";
+  dialog.side().setValue(1000);
+  EXPECT_GT(time(), usual);
 }
 
 TEST_F(TestProgramDialogTest, WhatWasWrittenIsNotThatOfOtherFields) {
