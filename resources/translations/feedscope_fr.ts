@@ -1436,7 +1436,7 @@
     </message>
     <message>
         <source>Rotary axes, and X, Y and Z of the machine that hold the tip on its path while they turn, with the share of the limit; above are those of the tip. The lean is that of the tool from its programmed direction; a jerk above the limit is that of a place where blocks meet, within an interpolation period.</source>
-        <translation type="unfinished"></translation>
+        <translation>Axes rotatifs, et X, Y et Z de la machine qui tiennent la pointe sur sa trajectoire pendant leur rotation, avec la part de la limite ; ci-dessus ceux de la pointe. L&apos;écart d&apos;orientation est l&apos;angle entre l&apos;outil et sa direction programmée ; un jerk au-dessus de la limite est celui d&apos;une jonction de blocs, le temps d&apos;une période d&apos;interpolation.</translation>
     </message>
 </context>
 <context>
