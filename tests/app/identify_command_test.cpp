@@ -37,6 +37,9 @@ TEST_F(IdentifyCommand, WritesAMachineFileWithTheSourceOfEachNumber) {
   EXPECT_NEAR(report["parameters"]["Y.acceleration"]["value"].get<double>(), 0.6, 0.006);
   EXPECT_FALSE(report["parameters"]["Z.acceleration"]["told"].get<bool>());
   EXPECT_TRUE(report["parameters"]["Z.acceleration"]["uncertainty"].is_null());
+  EXPECT_EQ(report["parameters"]["Z.acceleration"]["told_by"], "SINGLE MOVES OF Z");
+  EXPECT_EQ(x["told_by"], "");
+  EXPECT_THAT(result.out, HasSubstr("Test program: SINGLE MOVES OF Z"));
   EXPECT_NEAR(report["agreement"]["cycle_time_s"].get<double>(),
               report["agreement"]["measured_s"].get<double>(), 5e-3);
   EXPECT_THAT(run("machines mine.toml").out, HasSubstr("identified from trace.csv"));

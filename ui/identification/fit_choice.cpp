@@ -16,6 +16,7 @@
 #include "ui/fields/focus_outline.h"
 #include "ui/identification/identification_texts.h"
 #include "ui/language/core_texts.h"
+#include "ui/theme/type_size.h"
 
 namespace feedscope::ui {
 namespace {
@@ -23,7 +24,7 @@ namespace {
 constexpr int key_role = Qt::UserRole;
 constexpr int shown_models = 4;
 constexpr int shown_parameters = 7;
-constexpr int machine_characters = 18;
+constexpr int machine_characters = 8;
 
 /// The first entries of the machines; runs follow by their ids, then machines by their keys.
 const QString current_run = QStringLiteral("current");
@@ -53,7 +54,6 @@ FitChoice::FitChoice(Workbench& workbench, QWidget* parent)
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
     item->setCheckState(Qt::Unchecked);
   }
-  models_->setFixedHeight(shown_models * models_->sizeHintForRow(0) + 2 * models_->frameWidth() + 2);
   parameters_->setAccessibleName(tr("Numbers that are to be found"));
   parameters_->setRootIsDecorated(false);
   parameters_->setUniformRowHeights(true);
@@ -75,6 +75,7 @@ FitChoice::FitChoice(Workbench& workbench, QWidget* parent)
   models_label->setWordWrap(true);
   auto* parameters_label = new QLabel(tr("&Numbers to be found"), this);
   parameters_label->setBuddy(parameters_);
+  parameters_label->setWordWrap(true);
   auto* usual = new QToolButton(this);
   usual->setText(tr("Usual ones"));
   usual->setToolTip(tr("Tick the limits of the axes and the settings with a unit"));
@@ -112,6 +113,8 @@ FitChoice::FitChoice(Workbench& workbench, QWidget* parent)
   }
   connect(&runs, &RunList::item_changed, this, &FitChoice::follow_runs);
   connect(&runs, &RunList::setup_changed, this, &FitChoice::follow_runs);
+  connect(&TypeSize::of_application(), &TypeSize::changed, this,
+          [this] { QMetaObject::invokeMethod(this, &FitChoice::fit_heights, Qt::QueuedConnection); });
   choices_ = workbench_.machine_choices();
   follow_runs();
 }
@@ -275,9 +278,14 @@ void FitChoice::list_parameters() {
       }
     }
   }
-  const int rows_height = shown_parameters * std::max(1, parameters_->sizeHintForRow(0));
-  parameters_->setFixedHeight(rows_height + parameters_->header()->sizeHint().height() +
-                              2 * parameters_->frameWidth());
+  fit_heights();
+}
+
+/// As many rows as are meant to be seen, in the present size of type.
+void FitChoice::fit_heights() {
+  models_->setFixedHeight(shown_models * models_->sizeHintForRow(0) + 2 * models_->frameWidth() + 2);
+  parameters_->setFixedHeight(shown_parameters * std::max(1, parameters_->sizeHintForRow(0)) +
+                              parameters_->header()->sizeHint().height() + 2 * parameters_->frameWidth());
 }
 
 void FitChoice::tick_usual() {

@@ -60,6 +60,7 @@ class FitChoice : public QWidget {
   void choose_machine(int index);
   void refresh();
   void list_parameters();
+  void fit_heights();
   std::vector<std::string> ticked_models() const;
   Setup setup_of(const std::string& model) const;
   bool is_wanted(const std::string& key, bool usual) const;

@@ -9,6 +9,7 @@
 #include "ui/fields/focus_outline.h"
 #include "ui/language/texts.h"
 #include "ui/shared/paths.h"
+#include "ui/theme/type_size.h"
 #include "ui/workbench/trace_messages.h"
 
 namespace feedscope::ui {
@@ -39,6 +40,8 @@ RecordingsBox::RecordingsBox(Workbench& workbench, QWidget* parent)
   connect(&traces, &TraceList::list_changed, this, &RecordingsBox::refresh);
   connect(&traces, &TraceList::changed, this, &RecordingsBox::refresh);
   connect(&workbench_, &Workbench::program_changed, this, &RecordingsBox::refresh);
+  connect(&TypeSize::of_application(), &TypeSize::changed, this,
+          [this] { QMetaObject::invokeMethod(this, &RecordingsBox::refresh, Qt::QueuedConnection); });
   refresh();
 }
 

@@ -14,6 +14,7 @@
 #include "ui/language/composed_text.h"
 #include "ui/language/core_texts.h"
 #include "ui/shared/row_copy.h"
+#include "ui/theme/type_size.h"
 
 namespace feedscope::ui {
 namespace {
@@ -96,6 +97,15 @@ ResultBox::ResultBox(QWidget* parent)
     }
   });
   connect(parameters_, &QTreeWidget::currentItemChanged, this, &ResultBox::show_explanation);
+  connect(&TypeSize::of_application(), &TypeSize::changed, this, [this] {
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+          fit_height(*models_);
+          fit_height(*parameters_);
+        },
+        Qt::QueuedConnection);
+  });
   set_outcome(nullptr);
 }
 
