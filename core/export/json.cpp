@@ -88,12 +88,14 @@ Json path_control(const ProgramFacts& facts) {
   Json list = Json::array();
   for (const PathControlRange& range : facts.path_control) {
     const std::string_view window = to_string(range.control.exact_stop_window);
+    const std::optional<double>& orientation = range.control.orientation_tolerance;
     list.push_back({{"first_line", range.first_line},
                     {"last_line", range.last_line},
                     {"exact_stop", range.control.mode == PathMode::exact_stop},
                     {"exact_stop_window", window.empty() ? Json() : Json(window)},
                     {"contour_tolerance_mm", optional(range.control.contour_tolerance)},
                     {"blend_distance_mm", optional(range.control.blend_distance)},
+                    {"orientation_tolerance_deg", orientation ? Json(units::to_deg(*orientation)) : Json()},
                     {"text", describe(range.control)}});
   }
   return list;

@@ -340,8 +340,8 @@
         <translation>%1&#xa0;; les avances diffèrent de %2 (moyenne quadratique).</translation>
     </message>
     <message>
-        <source>Test program, part %1: %2</source>
-        <translation>Programme d&apos;essai, partie %1&#xa0;: %2</translation>
+        <source>The part %1 of the test program would tell: %2</source>
+        <translation>La partie %1 du programme d&apos;essai donnerait : %2</translation>
     </message>
     <message>
         <source>With 95 % probability the true value is %1, if the control is of this model.</source>
