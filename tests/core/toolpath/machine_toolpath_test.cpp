@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/base/diagnostic.h"
+#include "tests/core/toolpath/table_machine.h"
 
 namespace feedscope {
 namespace {
@@ -112,6 +113,17 @@ TEST(MachineToolpath, CountsWhatHasNoTime) {
   EXPECT_EQ(not_counted(*on_machine(timed, Machine(), times)), not_counted(*timed))
       << "worked out anew, to the same";
   EXPECT_EQ(on_machine(path, Machine(), Settings()), path);
+}
+
+/// Two faces and back; on a machine with rotary axes they are pauses that take their time.
+TEST(MachineToolpath, CountsTurnsForTiltedPlanesThatNoAxisMakes) {
+  const auto path = path_of(
+      "0 BEGIN PGM A MM\n1 L X+0 Y+0 Z+50 R0 F1000\n2 PLANE SPATIAL SPA+30 SPB+0 SPC+0 TURN FMAX\n3 L X+5 "
+      "Y+0 Z+1\n4 PLANE SPATIAL SPA+30 SPB+0 SPC+90 TURN FMAX\n5 L X+5 Y+5 Z+1\n6 PLANE RESET TURN FMAX\n"
+      "7 L Z+100\n8 END PGM A MM\n",
+      Dialect::heidenhain);
+  EXPECT_EQ(not_counted(*on_machine(path, Machine(), Settings())).plane_turns, 3U);
+  EXPECT_EQ(not_counted(*on_machine(path, table_machine(), Settings())).plane_turns, 0U);
 }
 
 TEST(MachineToolpath, ToolChangesAndSpindleStartsAreThoseThatChangeSomething) {

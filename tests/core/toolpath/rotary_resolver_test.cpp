@@ -85,18 +85,6 @@ double turn_time(char axis, double degrees, double feed = 0) {
   return turning_time(*trunnion().kinematics.find(axis), degrees * deg, feed);
 }
 
-/// Two faces and back: without rotary axes they are named, with them they are pauses that take their time.
-TEST(TiltedPlanes, WhoseTurnsNoAxisMakesAreCounted) {
-  const std::string text =
-      "0 BEGIN PGM A MM\n1 L X+0 Y+0 Z+50 R0 F1000\n2 PLANE SPATIAL SPA+30 SPB+0 SPC+0 TURN FMAX\n3 L X+5 "
-      "Y+0 Z+1\n4 PLANE SPATIAL SPA+30 SPB+0 SPC+90 TURN FMAX\n5 L X+5 Y+5 Z+1\n6 PLANE RESET TURN FMAX\n"
-      "7 L Z+100\n8 END PGM A MM\n";
-  EXPECT_EQ(not_counted(*run_on(Machine(), text, Dialect::heidenhain)).plane_turns, 3U);
-  const auto path = run_on(trunnion(), text, Dialect::heidenhain);
-  EXPECT_EQ(not_counted(*path).plane_turns, 0U);
-  EXPECT_GT(pause_time(*path), 0);
-}
-
 TEST(RotaryMoves, LastAsLongAsTheSlowestAxisTurns) {
   const auto path = run_on(trunnion(), "G0 X10 Z50\nG0 A45 C20\nG0 X0\nA0 C180\n");
   EXPECT_THAT(turns_of(*path), ElementsAre("A 45 C 20 by A", "A 0 C 180 by C"));
