@@ -100,13 +100,13 @@ const char* tip_note(const Toolpath& path) {
                    "the part; where rotary axes turn, the axes of the machine move otherwise.");
 }
 
-const char* rotary_ramp_note(const Toolpath& path, const Setup& setup) {
+const char* rotary_limits_note(const Toolpath& path, const Setup& setup) {
   return path.segment_turns.empty() || setup.model->guarantees(setup.settings).holds_rotary_ramps
              ? nullptr
              : QT_TRANSLATE_NOOP(
                    "core",
-                   "Ramps of this model are not held by the acceleration and jerk of rotary axes: their "
-                   "largest values may be above what the machine allows.");
+                   "This model does not hold the limits of rotary axes in full: their largest values may be "
+                   "above what the machine allows.");
 }
 
 const char* missing_axes_note(const Toolpath& path, const Machine& machine) {
@@ -121,7 +121,7 @@ const char* missing_axes_note(const Toolpath& path, const Machine& machine) {
 
 std::vector<const char*> figure_notes(const Toolpath& path, const Setup& setup) {
   std::vector<const char*> notes{missing_axes_note(path, setup.machine), tip_note(path),
-                                 rotary_ramp_note(path, setup), limits_note(setup), jump_note(setup)};
+                                 rotary_limits_note(path, setup), limits_note(setup), jump_note(setup)};
   std::erase(notes, nullptr);
   return notes;
 }

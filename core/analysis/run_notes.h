@@ -35,7 +35,7 @@ const char* tip_note(const Toolpath& path);
 
 /// Of a model whose ramps rotary axes do not hold, where some turn along feed motions; else null;
 /// translatable.
-const char* rotary_ramp_note(const Toolpath& path, const Setup& setup);
+const char* rotary_limits_note(const Toolpath& path, const Setup& setup);
 /// Of a program that turns rotary axes, on a machine that has none; else null; translatable.
 const char* missing_axes_note(const Toolpath& path, const Machine& machine);
 /// Those of these notes that there are, in a fixed order; `path`: as the machine runs it.

@@ -4268,8 +4268,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>%1 rotations d&apos;axes rotatifs pour des plans inclinés</translation>
     </message>
     <message>
-        <source>Ramps of this model are not held by the acceleration and jerk of rotary axes: their largest values may be above what the machine allows.</source>
-        <translation>Les rampes de ce modèle ne sont pas limitées par l&apos;accélération et le jerk des axes rotatifs : leurs valeurs maximales peuvent dépasser ce que la machine permet.</translation>
+        <source>This model does not hold the limits of rotary axes in full: their largest values may be above what the machine allows.</source>
+        <translation>Ce modèle ne tient pas entièrement les limites des axes rotatifs : leurs valeurs maximales peuvent dépasser ce que la machine permet.</translation>
     </message>
     <message>
         <source>uncertainties</source>
