@@ -1,7 +1,8 @@
 #include "core/analysis/rotary_course.h"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
+#include <fmt/ranges.h>
+#include <gmock/gmock.h>
 
 #include <cmath>
 #include <random>
@@ -11,11 +12,15 @@
 #include "core/analysis/explanation/explanation.h"
 #include "core/analysis/explanation/remedies.h"
 #include "core/analysis/run.h"
+#include "core/analysis/run_notes.h"
 #include "core/base/units.h"
 #include "tests/support/folders.h"
 
 namespace feedscope {
 namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 constexpr double deg = units::pi / 180;
 using TurnedRun = feedscope::Run;  // in tests Run is a member of testing::Test
@@ -222,6 +227,29 @@ TEST(OrientationTolerances, OfTheProgramGoBeforeTheSetting) {
   EXPECT_NEAR(lean("CYCLE832(0.01,11,0.8)\n" + path), 0.8, 1e-5);
   EXPECT_LT(lean("OTOL=0\n" + path), 1.001e-4) << "as tight as can be, and no stop";
   EXPECT_NEAR(lean("OTOL=0.5\nTRAORI\nG1 F6000 X20 A10\nOTOL=0.1\nX40\n"), 0.1, 1e-5) << "the tighter one";
+}
+
+TEST(RotaryNotes, SayWhichModelAndWhichMachineLeaveThemOut) {
+  const auto notes_of = [](const char* machine, const char* model) {
+    SetupRequest request;
+    request.machine = machine;
+    request.model = model;
+    const feedscope::Setup setup = make_setup(request);
+    ReadOptions options;
+    options.dialect = Dialect::sinumerik;
+    options.unit = LengthUnit::mm;
+    const auto source =
+        std::make_shared<const SourceText>("test.mpf", "TRAORI\nG1 F6000 X20 C60 A5\nX40 A5\n");
+    const LoadedProgram program = load_program(source, nullptr, reading_on(options, setup.machine));
+    return fmt::format("{}", fmt::join(run_notes(program, setup), "\n"));
+  };
+  EXPECT_THAT(notes_of("spinner-mvc850", "essid"),
+              HasSubstr("turns rotary axes, which this machine does not"));
+  EXPECT_THAT(notes_of("five-axis-table-ac", "essid"), Not(HasSubstr("in full")));
+  EXPECT_THAT(notes_of("five-axis-table-ac", "essid"), Not(HasSubstr("does not have")));
+  for (const char* model : {"cam", "optimal", "ward", "linuxcnc"}) {
+    EXPECT_THAT(notes_of("five-axis-table-ac", model), HasSubstr("limits of rotary axes in full")) << model;
+  }
 }
 
 /// The closed form of a turn from rest to rest: its largest values are not those of instants beside them.
