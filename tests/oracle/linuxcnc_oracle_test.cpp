@@ -4,15 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "core/analysis/run.h"
 #include "core/machine/import/machine_import.h"
+#include "tests/oracle/run_linuxcnc.h"
 #include "tests/support/folders.h"
 
 namespace feedscope {
@@ -37,16 +36,6 @@ fs::path folder() {
 
 fs::path program_file(const std::string& name) {
   return folder() / "programs" / (name + ".ngc");
-}
-
-/// Runs programs on LinuxCNC; the exit code.
-int run_linuxcnc(const fs::path& trace, std::span<const char* const> names) {
-  std::string line = fmt::format("'{}' '{}'", (folder() / "run_linuxcnc").string(), trace.string());
-  for (const char* name : names) {
-    line += fmt::format(" '{}'", program_file(name).string());
-  }
-  const int status = std::system(line.c_str());
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
 /// What a trace holds of each program.
@@ -145,11 +134,11 @@ TEST(LinuxCncOracle, TheInstalledControlMovesAsTheModelSays) {
   constexpr double speed = 0.5;
   constexpr double place = 3e-4;  // what the interpolator rounds: a T^2/6, 0.2 um
   constexpr auto cases = std::to_array<Case>({{"corners", 1}, {"arcs", 1}, {"short_blocks", 2}});
-  constexpr int not_installed = 77;
   const fs::path trace = fs::path(FEEDSCOPE_BINARY_DIR) / "oracle.trace";
-  const std::array names{cases[0].program, cases[1].program, cases[2].program};
-  const int code = run_linuxcnc(trace, names);
-  if (code == not_installed) {
+  const std::array programs{program_file(cases[0].program), program_file(cases[1].program),
+                            program_file(cases[2].program)};
+  const int code = test::run_linuxcnc("linuxcnc", trace, programs);
+  if (code == test::no_linuxcnc) {
     GTEST_SKIP() << "there is no LinuxCNC to run: see packaging/oracle";
   }
   ASSERT_EQ(code, 0);

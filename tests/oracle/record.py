@@ -2,7 +2,7 @@
 """Stands for the screen of LinuxCNC: runs programs one after the other and records how they move.
 
 FEEDSCOPE_PROGRAMS: their files, separated by colons. FEEDSCOPE_TRACE: the file to write. A line of it is one servo
-period: X, Y, Z [mm], planned speed [mm/s], number of the program from 1 on, 0 between programs.
+period: what the HAL file of the configuration says, last the number of the program from 1 on, 0 between programs.
 """
 import os
 import subprocess
