@@ -4,6 +4,7 @@
 
 #include <QSignalSpy>
 #include <QTest>
+#include <algorithm>
 
 namespace feedscope::ui {
 namespace {
@@ -11,7 +12,12 @@ namespace {
 class ChartHeaderTest : public testing::Test {
  protected:
   void give_width(int width) { header.resize(width, header.heightForWidth(width)); }
-  std::size_t count() const { return spec.curves.size(); }
+  /// Of those that every run has; the machine's axes of five-axis runs stand behind them.
+  std::size_t count() const {
+    return static_cast<std::size_t>(std::ranges::count_if(spec.curves, [](const CurveSpec& curve) {
+      return info_of(curve.quantity).source == QuantitySource::motion;
+    }));
+  }
 
   const ChartSpec spec = kinematic_chart_specs()[0];
   ChartHeader header{spec};
@@ -47,6 +53,17 @@ TEST_F(ChartHeaderTest, ACurveOfALaterLineCanBeClicked) {
   QTest::mouseClick(&header, Qt::LeftButton, {}, header.item(count() - 1).center());
   ASSERT_EQ(clicked.count(), 1);
   EXPECT_EQ(clicked[0][0].value<std::size_t>(), count() - 1);
+}
+
+TEST_F(ChartHeaderTest, CurvesOfTheMachineAreListedWhereARunHasThem) {
+  give_width(1200);
+  ASSERT_EQ(spec.curves.size(), count() + 3);
+  EXPECT_TRUE(header.item(count()).isEmpty());
+  header.set_available(std::vector<bool>(spec.curves.size(), true));
+  give_width(1200);
+  for (std::size_t i = 0; i < spec.curves.size(); ++i) {
+    EXPECT_FALSE(header.item(i).isEmpty()) << i;
+  }
 }
 
 TEST_F(ChartHeaderTest, OtherRunsTakeTwoLinesAtMostAndTheTipNamesAll) {
