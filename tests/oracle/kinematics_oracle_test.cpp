@@ -11,6 +11,7 @@
 
 #include "core/analysis/run.h"
 #include "core/base/units.h"
+#include "core/machine/import/machine_import.h"
 #include "tests/oracle/run_linuxcnc.h"
 #include "tests/support/folders.h"
 
@@ -20,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t axis_count = 5;  // X, Y, Z, A, C
-constexpr double tool_length = 60;     // of table.hal [mm]
+constexpr double tool_length = 60;     // of table.ini [mm]
 
 /// What a servo period of a trace holds, [mm] and [deg].
 struct Period {
@@ -66,14 +67,10 @@ std::vector<Period> periods_of(const fs::path& file) {
   return periods;
 }
 
-/// The shipped machine, whose table LinuxCNC counts as it turns itself, not as the tool does against it (ISO
-/// 841).
+/// As the control's own configuration is imported.
 KinematicChain table_of_linuxcnc() {
-  MachineKinematics kinematics = shipped_machines().load("five-axis-table-ac").kinematics;
-  for (RotaryAxis& axis : kinematics.rotary) {
-    axis.direction *= -1;
-  }
-  return chain_of(kinematics);
+  const fs::path file = fs::path(FEEDSCOPE_SOURCE_DIR) / "tests" / "oracle" / "table.ini";
+  return chain_of(import_machine(file, machine_file_settings()).machine.kinematics);
 }
 
 /// Of the machine, in the order X, Y, Z, A, C [mm], [deg], with the tool as a period says.

@@ -10,6 +10,7 @@
 #include "core/base/nearest_name.h"
 #include "core/base/translatable.h"
 #include "core/base/units.h"
+#include "core/machine/import/linuxcnc_kinematics.h"
 #include "core/machine/import/machine_draft.h"
 #include "core/machine/import/section_file.h"
 
@@ -120,7 +121,8 @@ class LinuxCncReader {
         text = upper.substr(at + word.size());
         text.resize(std::min(text.find(' '), text.size()));
       }
-      if (!upper.starts_with("TRIVKINS")) {
+      turns_ = LinuxCncKinematics(file_, draft_, unit_, unit_name_).read();
+      if (!upper.starts_with("TRIVKINS") && !turns_) {
         draft_.note(Severity::warning, kins->place, "not-modelled",
                     fmt::format("kinematics {} is not modelled: X, Y and Z are treated as axes of their own",
                                 kins->value));
@@ -133,7 +135,8 @@ class LinuxCncReader {
       }
     }
     for (const char letter : letters) {
-      if (joints_.find(letter) != std::string::npos && !known_axes.find(letter)) {
+      const bool turns = turns_ && draft_.machine().kinematics.find(letter) != nullptr;
+      if (joints_.find(letter) != std::string::npos && !known_axes.find(letter) && !turns) {
         draft_.note(Severity::info, entry == nullptr ? ConfigurationPlace() : entry->place, "axis-skipped",
                     fmt::format("axis {} is not part of the simulation; skipped", letter));
       }
@@ -357,6 +360,7 @@ class LinuxCncReader {
   std::string unit_name_ = "mm";
   std::string joints_;
   bool has_start_up_q_ = false;
+  bool turns_ = false;  ///< the machine has rotary axes
 };
 
 ImportedMachine read_linuxcnc(const ConfigurationSource& source, MachineDraft draft) {
