@@ -92,6 +92,56 @@ std::array<double, axis_count> joints_for(const KinematicChain& chain,
   return joints;
 }
 
+/// How long each motion lasts, between pauses [s]; `places`: one each period.
+std::vector<double> motions_of(const std::vector<std::array<double, axis_count>>& places) {
+  constexpr double moving = 1e-7;
+  constexpr std::size_t shortest_pause = 30;
+  std::vector<double> durations;
+  std::size_t last = 0;
+  std::size_t count = 0;
+  for (std::size_t k = 1; k < places.size(); ++k) {
+    double step = 0;
+    for (std::size_t i = 0; i < axis_count; ++i) {
+      step = std::max(step, std::abs(places[k][i] - places[k - 1][i]));
+    }
+    if (step <= moving) {
+      continue;
+    }
+    if (count == 0 || k - last > shortest_pause) {
+      durations.push_back(0);
+      count = 0;
+    }
+    count = count == 0 ? 1 : count + k - last;
+    durations.back() = static_cast<double>(count) * 1e-3;
+    last = k;
+  }
+  return durations;
+}
+
+/// Of the model on the imported machine.
+std::vector<std::array<double, axis_count>> simulated(const fs::path& program) {
+  Setup setup;
+  setup.machine = import_machine(fs::path(FEEDSCOPE_SOURCE_DIR) / "tests" / "oracle" / "table.ini",
+                                 machine_file_settings())
+                      .machine;
+  setup.model = &find_model("linuxcnc");
+  setup.settings = complete_settings(*setup.model, setup.machine);
+  for (const char* key : {"part_zero_x_mm", "part_zero_y_mm", "part_zero_z_mm"}) {
+    setup.settings.set(key,
+                       0.0);  // so that it is known how X, Y and Z follow, which the control does not look at
+  }
+  setup.settings.set("tool_length_mm", tool_length);
+  const Run run = simulate_run(load_program(program, nullptr, reading_on({}, setup.machine)), setup);
+  std::vector<std::array<double, axis_count>> places;
+  for (double time = 0; time < run.trajectory->duration() + 0.1; time += 1e-3) {
+    const State state = run.trajectory->state(std::min(time, run.trajectory->duration()));
+    const std::array<double, 3> angles = run.sources.rotary->at(state).angles();
+    places.push_back({state.position.x(), state.position.y(), state.position.z(), units::to_deg(angles[0]),
+                      units::to_deg(angles[2])});
+  }
+  return places;
+}
+
 /// Behind its kinematics the control lays a cubic B-spline through the joints of the servo periods, two
 /// periods later: (q1 + 4 q2 + q3)/6. X, Y, Z within 10 nm, A and C within 1e-6 degrees, at rest and in
 /// motion; what remains are the digits of the trace.
@@ -125,6 +175,17 @@ TEST(KinematicsOracle, PutsTheAxesWhereTheTableOfLinuxcncHasThem) {
   for (std::size_t i = 0; i < axis_count; ++i) {
     EXPECT_LT(farthest[i], i < 3 ? 1e-5 : 1.1e-6) << i;
     RecordProperty(fmt::format("axis_{}", i), fmt::format("{:.3g}", farthest[i]));
+  }
+  std::vector<std::array<double, axis_count>> tool;
+  for (const Period& period : periods) {
+    tool.push_back(period.tool);
+  }
+  const std::vector<double> theirs = motions_of(tool);
+  const std::vector<double> of_model = motions_of(simulated(programs[0]));
+  ASSERT_EQ(of_model.size(), theirs.size());
+  EXPECT_GT(theirs.size(), 10U);
+  for (std::size_t i = 0; i < theirs.size(); ++i) {
+    EXPECT_NEAR(of_model[i], theirs[i], 2e-3) << i;
   }
 }
 

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <sstream>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/base/units.h"
 
 namespace feedscope {
@@ -23,6 +23,9 @@ std::vector<std::string> words_of(std::string_view text) {
   }
   return words;
 }
+
+constexpr double degrees_a_turn = 360;
+constexpr double seconds_a_minute = 60;
 
 bool is_hal_command(const SectionEntry& entry) {
   return entry.section == "HAL" && entry.key == "HALCMD";
@@ -78,8 +81,8 @@ bool LinuxCncKinematics::read() {
       fmt::format("{}: {}; which linear axes carry the table is assumed", draft_.place_text(kins->place),
                   kins->given().what),
       false};
-  add_axis(tilting, tilts_about_x ? Vec3(-Vec3::UnitX()) : Vec3(-Vec3::UnitY()), tilt, of_tilt);
-  add_axis('C', -Vec3::UnitZ(), turn, of_turn);
+  add_axis(tilting, tilts_about_x ? Vec3(-1, 0, 0) : Vec3(0, -1, 0), tilt, of_tilt);
+  add_axis('C', Vec3(0, 0, -1), turn, of_turn);
   return true;
 }
 
@@ -119,14 +122,12 @@ void LinuxCncKinematics::add_axis(char name, const Vec3& direction, const Vec3& 
   axis.name = name;
   axis.direction = direction;
   axis.point = point;
-  give_limit(axis, &RotaryAxis::velocity, "velocity", "MAX_VELOCITY", "deg/s", usual_velocity);
-  give_limit(axis, &RotaryAxis::acceleration, "acceleration", "MAX_ACCELERATION", "deg/s2",
-             usual_acceleration);
-  axis.jerk = axis.acceleration / least_rise;
-  machine.provenance[fmt::format("{}.jerk", name)] = {
-      "LinuxCNC limits no jerk: for other models, so high that it hardly limits", true};
-  give_travel(axis, &RotaryAxis::minimum, "minimum", "MIN_LIMIT");
-  give_travel(axis, &RotaryAxis::maximum, "maximum", "MAX_LIMIT");
+  give_limit(axis, "velocity", "MAX_VELOCITY", "deg/s", usual_velocity, degrees_a_turn / seconds_a_minute);
+  give_limit(axis, "acceleration", "MAX_ACCELERATION", "deg/s2", usual_acceleration, degrees_a_turn);
+  set(axis, "jerk", units::to_turns(axis.acceleration) / least_rise,
+      {"LinuxCNC limits no jerk: for other models, so high that it hardly limits", true});
+  give_travel(axis, "minimum", "MIN_LIMIT");
+  give_travel(axis, "maximum", "MAX_LIMIT");
   machine.provenance[fmt::format("kinematics.{}.direction", name)] = {
       fmt::format("{}: it counts how the table turns", component_), false};
   machine.provenance[fmt::format("kinematics.{}.point", name)] = {
@@ -134,38 +135,53 @@ void LinuxCncKinematics::add_axis(char name, const Vec3& direction, const Vec3& 
   machine.kinematics.rotary.push_back(axis);
 }
 
-void LinuxCncKinematics::give_limit(RotaryAxis& axis, double RotaryAxis::*limit, const char* key,
-                                    const char* name, const char* unit, double usual) {
-  const std::string section = fmt::format("AXIS_{}", axis.name);
-  Provenance& source = draft_.machine().provenance[fmt::format("{}.{}", axis.name, key)];
-  if (const SectionEntry* entry = file_.find(section, name)) {
-    const GivenValue given = entry->given(unit);
-    const std::optional<double> value = draft_.number(entry->value, given);
-    if (value && *value > 0) {
-      axis.*limit = units::from_deg(*value);
-      source = {fmt::format("{}: {}", draft_.place_text(given.place), given.what), false};
-      return;
-    }
+/// `value` in the unit of the key; false, with a note, where it is out of bounds.
+bool LinuxCncKinematics::set(RotaryAxis& axis, const char* key, double value, const Provenance& source,
+                             const ConfigurationPlace& place) {
+  const std::vector<SettingSpec>& specs = rotary_axis_specs();
+  const auto spec = std::ranges::find(specs, key, &SettingSpec::key);
+  try {
+    set_rotary_value(axis, static_cast<std::size_t>(spec - specs.begin()), value);
+  } catch (const InputError& error) {
+    draft_.note(Severity::error, place, "limit-out-of-bounds",
+                fmt::format("{} of axis {} cannot be used: {}", key, axis.name, error.what()),
+                "correct the file of the control; until then the value is assumed");
+    return false;
   }
-  draft_.note(Severity::warning, file_.place_of(section), "limit-missing",
-              fmt::format("{} of axis {} is missing; it is assumed", name, axis.name),
-              fmt::format("write {} into [{}]", name, section));
-  axis.*limit = units::from_deg(usual);
-  source = {fmt::format("{} does not give it: usual of such machines", draft_.file()), true};
+  draft_.machine().provenance[fmt::format("{}.{}", axis.name, key)] = source;
+  return true;
+}
+
+/// `per_unit`: degrees of the file in a unit of the key.
+void LinuxCncKinematics::give_limit(RotaryAxis& axis, const char* key, const char* name, const char* unit,
+                                    double usual, double per_unit) {
+  const std::string section = fmt::format("AXIS_{}", axis.name);
+  const SectionEntry* entry = file_.find(section, name);
+  const std::optional<double> value =
+      entry == nullptr ? std::nullopt : draft_.number(entry->value, entry->given(unit));
+  if (value && set(axis, key, *value / per_unit,
+                   {fmt::format("{}: {}", draft_.place_text(entry->place), entry->given(unit).what), false},
+                   entry->place)) {
+    return;
+  }
+  if (entry == nullptr) {
+    draft_.note(Severity::warning, file_.place_of(section), "limit-missing",
+                fmt::format("{} of axis {} is missing; it is assumed", name, axis.name),
+                fmt::format("write {} into [{}]", name, section));
+  }
+  set(axis, key, usual / per_unit,
+      {fmt::format("{} does not give it: usual of such machines", draft_.file()), true});
 }
 
 /// None where the file gives none: the axis turns without end.
-void LinuxCncKinematics::give_travel(RotaryAxis& axis, std::optional<double> RotaryAxis::*end,
-                                     const char* key, const char* name) {
+void LinuxCncKinematics::give_travel(RotaryAxis& axis, const char* key, const char* name) {
   const SectionEntry* entry = file_.find(fmt::format("AXIS_{}", axis.name), name);
-  if (entry == nullptr) {
-    return;
-  }
-  const GivenValue given = entry->given("deg");
-  if (const std::optional<double> value = draft_.number(entry->value, given)) {
-    axis.*end = units::from_deg(*value);
-    draft_.machine().provenance[fmt::format("{}.{}", axis.name, key)] = {
-        fmt::format("{}: {}", draft_.place_text(given.place), given.what), false};
+  const std::optional<double> value =
+      entry == nullptr ? std::nullopt : draft_.number(entry->value, entry->given("deg"));
+  if (value) {
+    set(axis, key, *value,
+        {fmt::format("{}: {}", draft_.place_text(entry->place), entry->given("deg").what), false},
+        entry->place);
   }
 }
 

@@ -28,10 +28,11 @@ class LinuxCncKinematics {
 
   Pin pin(const std::string& name);
   void add_axis(char name, const Vec3& direction, const Vec3& point, const std::string& source);
-  void give_limit(RotaryAxis& axis, double RotaryAxis::*limit, const char* key, const char* name,
-                  const char* unit, double usual);
-  void give_travel(RotaryAxis& axis, std::optional<double> RotaryAxis::*end, const char* key,
-                   const char* name);
+  bool set(RotaryAxis& axis, const char* key, double value, const Provenance& source,
+           const ConfigurationPlace& place = {});
+  void give_limit(RotaryAxis& axis, const char* key, const char* name, const char* unit, double usual,
+                  double per_unit);
+  void give_travel(RotaryAxis& axis, const char* key, const char* name);
 
   const SectionFile& file_;
   MachineDraft& draft_;

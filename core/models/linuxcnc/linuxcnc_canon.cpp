@@ -210,7 +210,7 @@ void LinuxCncCanon::send_line(const Vec3& from, const Vec3& to, double feed, boo
 }
 
 /// The control takes the longest time that any axis needs for its part of the block, at its velocity and at
-/// its acceleration, linear or rotary.
+/// its acceleration, linear or rotary. What the joints behind its kinematics do, it does not look at.
 void LinuxCncCanon::lower_by_turn(std::uint32_t block, LinuxCncSegment& move, AxisBound& velocity,
                                   AxisBound& acceleration) const {
   const SegmentTurn* turn = toolpath_.segment_turn(block);
@@ -218,11 +218,15 @@ void LinuxCncCanon::lower_by_turn(std::uint32_t block, LinuxCncSegment& move, Ax
     return;
   }
   move.turns = true;
-  if (turn->limit.speed < velocity.value) {
-    velocity = {turn->limit.speed, turn->limit.axis};
-  }
-  if (turn->acceleration < acceleration.value) {
-    acceleration = {turn->acceleration, turn->acceleration_axis};
+  for (std::size_t i = 0; i < rotary_names.size(); ++i) {
+    const double slope = std::abs(turn->to[i] - turn->from[i]) / move.course.length;
+    const auto axis = static_cast<std::int8_t>(*cause_axes.find(rotary_names[i]));
+    if (slope > 0 && settings_.turn_velocity[i] / slope < velocity.value) {
+      velocity = {settings_.turn_velocity[i] / slope, axis};
+    }
+    if (slope > 0 && settings_.turn_acceleration[i] / slope < acceleration.value) {
+      acceleration = {settings_.turn_acceleration[i] / slope, axis};
+    }
   }
 }
 

@@ -84,6 +84,10 @@ LinuxCncSettings::LinuxCncSettings(const Machine& machine, const Settings& setti
       path_mode(path_mode_of(settings.text("blend_mode"))),
       blend_tolerance(settings.number("blend_tolerance_mm")),
       naive_tolerance(blend_tolerance) {
+  for (const RotaryAxis& axis : machine.kinematics.rotary) {
+    turn_velocity[rotary_names.find(axis.name)] = axis.velocity;
+    turn_acceleration[rotary_names.find(axis.name)] = axis.acceleration;
+  }
   if (settings.has("max_linear_velocity_m_min")) {
     max_velocity = units::from_m_min(settings.number("max_linear_velocity_m_min"));
   }

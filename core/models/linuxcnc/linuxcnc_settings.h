@@ -1,10 +1,11 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
+
 #include "core/base/geometry.h"
 #include "core/machine/machine.h"
 #include "core/machine/settings.h"
-
-#include <cstdint>
 
 namespace feedscope {
 
@@ -16,10 +17,13 @@ enum class LinuxCncPathMode : std::uint8_t { blend, exact_path, exact_stop };
 struct LinuxCncSettings {
   Vec3 velocity = Vec3::Zero();      ///< MAX_VELOCITY of the axes [mm/s]
   Vec3 acceleration = Vec3::Zero();  ///< MAX_ACCELERATION of the axes [mm/s2]
-  double period = 1e-3;              ///< servo period T [s]
-  double max_velocity = 0;           ///< MAX_LINEAR_VELOCITY [mm/s]
-  double max_override = 1;           ///< MAX_FEED_OVERRIDE
-  bool master = false;               ///< planner of master, else of 2.9
+  /// The same of A, B and C [rad/s], [rad/s2]; 0: the machine does not have the axis.
+  std::array<double, 3> turn_velocity{};
+  std::array<double, 3> turn_acceleration{};
+  double period = 1e-3;     ///< servo period T [s]
+  double max_velocity = 0;  ///< MAX_LINEAR_VELOCITY [mm/s]
+  double max_override = 1;  ///< MAX_FEED_OVERRIDE
+  bool master = false;      ///< planner of master, else of 2.9
   LinuxCncPathMode path_mode = LinuxCncPathMode::blend;
   double blend_tolerance = 0;  ///< P of that G64; 0: as fast as possible [mm]
   double naive_tolerance = 0;  ///< Q of it; 0: blocks are not joined [mm]
