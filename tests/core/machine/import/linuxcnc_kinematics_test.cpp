@@ -63,7 +63,7 @@ TEST_F(LinuxCncKinematicsTest, OfATiltingTableAreImportedWithFileAndLine) {
   EXPECT_FALSE(c.minimum);
   EXPECT_EQ(c.direction, Vec3(0, 0, -1));
   EXPECT_EQ(c.point, Vec3(0, 0, -320));
-  EXPECT_EQ(source(imported, "A.velocity"), "table.ini, line 28: [AXIS_A] MAX_VELOCITY = 30 deg/s");
+  EXPECT_EQ(source(imported, "A.velocity"), "table.ini, line 29: [AXIS_A] MAX_VELOCITY = 30 deg/s");
   EXPECT_THAT(source(imported, "kinematics.A.point"), HasSubstr("line 8: xyzac-trt-kins y-offset = 20 mm"));
   EXPECT_TRUE(imported.notes.empty()) << notes(imported, "table.ini");
 }
