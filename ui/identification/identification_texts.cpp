@@ -128,7 +128,8 @@ QString IdentificationTexts::summary(const Identification& found) {
     lines.front() += ' ' + tr("The others keep the value that explains the recording as well.");
   }
   for (const auto& [part, titles] : by_part) {
-    lines.append(tr("The part %1 of the test program would tell: %2").arg(part, titles.join(QStringLiteral(", "))));
+    lines.append(
+        tr("The part %1 of the test program would tell: %2").arg(part, titles.join(QStringLiteral(", "))));
   }
   return lines.join(QStringLiteral("\n"));
 }

@@ -39,9 +39,10 @@ TEST_F(IdentificationTextsTest, WhatIsNotToldSaysWhatWouldTellIt) {
   EXPECT_THAT(IdentificationTexts::explanation(one, true).toStdString(),
               HasSubstr("No part of the test program tells it"));
   one.told_by = "SINGLE MOVES OF X";
-  EXPECT_EQ(IdentificationTexts::explanation(one, true),
-            "It changes nothing that these traces show. A recording of the test program tells it: part SINGLE "
-            "MOVES OF X.");
+  EXPECT_EQ(
+      IdentificationTexts::explanation(one, true),
+      "It changes nothing that these traces show. A recording of the test program tells it: part SINGLE "
+      "MOVES OF X.");
   one.at_least = 12345;
   EXPECT_EQ(IdentificationTexts::found(one), "at least 12345");
   EXPECT_EQ(IdentificationTexts::explanation(one, false), "It changes nothing that these traces show.")
