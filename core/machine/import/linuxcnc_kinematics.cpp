@@ -27,8 +27,9 @@ std::vector<std::string> words_of(std::string_view text) {
 constexpr double degrees_a_turn = 360;
 constexpr double seconds_a_minute = 60;
 
-bool is_hal_command(const SectionEntry& entry) {
-  return entry.section == "HAL" && entry.key == "HALCMD";
+/// Of a HAL command; none for other entries.
+std::vector<std::string> words_of_command(const SectionEntry& entry) {
+  return entry.section == "HAL" && entry.key == "HALCMD" ? words_of(entry.value) : std::vector<std::string>();
 }
 
 }  // namespace
@@ -42,12 +43,12 @@ bool LinuxCncKinematics::read() {
   component_ = words[0];
   const bool tilts_about_x = component_ == "xyzac-trt-kins";
   const char tilting = tilts_about_x ? 'A' : 'B';
-  const Pin across = pin(tilts_about_x ? "y-offset" : "x-offset");
-  const Pin above = pin("z-offset");
+  const Pin across = length(tilts_about_x ? "y-offset" : "x-offset");
+  const Pin above = length("z-offset");
   std::vector<std::string> sources;
   Vec3 turn = Vec3::Zero();
   for (int i = 0; i < 3; ++i) {
-    const Pin place = pin(fmt::format("{}-rot-point", "xyz"[i]));
+    const Pin place = length(fmt::format("{}-rot-point", "xyz"[i]));
     turn[i] = place.value;
     if (!place.what.empty()) {
       sources.push_back(place.what);
@@ -81,35 +82,52 @@ bool LinuxCncKinematics::read() {
       fmt::format("{}: {}; which linear axes carry the table is assumed", draft_.place_text(kins->place),
                   kins->given().what),
       false};
-  add_axis(tilting, tilts_about_x ? Vec3(-1, 0, 0) : Vec3(0, -1, 0), tilt, of_tilt);
-  add_axis('C', Vec3(0, 0, -1), turn, of_turn);
+  // Newer releases have a pin that turns the counting round.
+  counts_the_table_ = !is_on("conventional-directions");
+  const double sign = counts_the_table_ ? -1 : 1;
+  add_axis(tilting, tilts_about_x ? Vec3(sign, 0, 0) : Vec3(0, sign, 0), tilt, of_tilt);
+  add_axis('C', Vec3(0, 0, sign), turn, of_turn);
   return true;
 }
 
-/// "setp COMPONENT.PIN 5", or "net SIGNAL COMPONENT.PIN" and "sets SIGNAL 5"; the last one holds.
-LinuxCncKinematics::Pin LinuxCncKinematics::pin(const std::string& name) {
-  const std::string full = component_ + "." + name;
+/// "setp COMPONENT.PIN 5", or "net SIGNAL COMPONENT.PIN" and "sets SIGNAL 5"; the last one holds. Null if
+/// there is none.
+const SectionEntry* LinuxCncKinematics::command_for(const std::string& pin) const {
+  const std::string full = component_ + "." + pin;
   std::string signal;
   for (const SectionEntry& entry : file_.entries()) {
-    const std::vector<std::string> words = is_hal_command(entry) ? words_of(entry.value) : words_of("");
+    const std::vector<std::string> words = words_of_command(entry);
     if (words.size() > 2 && words[0] == "net" && std::ranges::find(words, full) != words.end()) {
       signal = words[1];
     }
   }
-  Pin found;
+  const SectionEntry* found = nullptr;
   for (const SectionEntry& entry : file_.entries()) {
-    const std::vector<std::string> words = is_hal_command(entry) ? words_of(entry.value) : words_of("");
-    const bool sets = words.size() == 3 && ((words[0] == "setp" && words[1] == full) ||
-                                            (words[0] == "sets" && !signal.empty() && words[1] == signal));
-    if (!sets) {
-      continue;
-    }
-    if (const std::optional<double> value = draft_.number(words[2], entry.given())) {
-      found = {*value * unit_, fmt::format("{}: {} {} = {} {}", draft_.place_text(entry.place), component_,
-                                           name, words[2], unit_name_)};
+    const std::vector<std::string> words = words_of_command(entry);
+    if (words.size() == 3 && ((words[0] == "setp" && words[1] == full) ||
+                              (words[0] == "sets" && !signal.empty() && words[1] == signal))) {
+      found = &entry;
     }
   }
   return found;
+}
+
+LinuxCncKinematics::Pin LinuxCncKinematics::length(const std::string& pin) {
+  const SectionEntry* command = command_for(pin);
+  if (command == nullptr) {
+    return {};
+  }
+  const std::string text = words_of_command(*command).back();
+  const std::optional<double> value = draft_.number(text, command->given());
+  return value ? Pin{*value * unit_, fmt::format("{}: {} {} = {} {}", draft_.place_text(command->place),
+                                                 component_, pin, text, unit_name_)}
+               : Pin();
+}
+
+bool LinuxCncKinematics::is_on(const std::string& pin) const {
+  const SectionEntry* command = command_for(pin);
+  const std::string text = command == nullptr ? "" : in_upper_case(words_of_command(*command).back());
+  return text == "1" || text == "TRUE";
 }
 
 void LinuxCncKinematics::add_axis(char name, const Vec3& direction, const Vec3& point,
@@ -129,7 +147,9 @@ void LinuxCncKinematics::add_axis(char name, const Vec3& direction, const Vec3& 
   give_travel(axis, "minimum", "MIN_LIMIT");
   give_travel(axis, "maximum", "MAX_LIMIT");
   machine.provenance[fmt::format("kinematics.{}.direction", name)] = {
-      fmt::format("{}: it counts how the table turns", component_), false};
+      counts_the_table_ ? fmt::format("{}: it counts how the table turns", component_)
+                        : fmt::format("{}: conventional-directions is set", component_),
+      false};
   machine.provenance[fmt::format("kinematics.{}.point", name)] = {
       source.empty() ? fmt::format("{} gives no offsets", draft_.file()) : source, source.empty()};
   machine.kinematics.rotary.push_back(axis);

@@ -26,7 +26,9 @@ class LinuxCncKinematics {
     std::string what;  ///< where and how it is set; empty: nowhere
   };
 
-  Pin pin(const std::string& name);
+  const SectionEntry* command_for(const std::string& pin) const;
+  Pin length(const std::string& pin);
+  bool is_on(const std::string& pin) const;
   void add_axis(char name, const Vec3& direction, const Vec3& point, const std::string& source);
   bool set(RotaryAxis& axis, const char* key, double value, const Provenance& source,
            const ConfigurationPlace& place = {});
@@ -38,7 +40,8 @@ class LinuxCncKinematics {
   MachineDraft& draft_;
   double unit_;
   std::string unit_name_;
-  std::string component_;  ///< "xyzac-trt-kins"
+  std::string component_;         ///< "xyzac-trt-kins"
+  bool counts_the_table_ = true;  ///< else how the tool turns against the part, as ISO 841
 };
 
 }  // namespace feedscope

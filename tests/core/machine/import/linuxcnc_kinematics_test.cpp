@@ -1,5 +1,7 @@
 #include "core/machine/import/linuxcnc_kinematics.h"
 
+#include <fmt/format.h>
+
 #include "core/base/units.h"
 #include "tests/core/machine/import/import_fixture.h"
 
@@ -76,6 +78,17 @@ TEST_F(LinuxCncKinematicsTest, TurnTheToolAsTheControlCounts) {
     places[k] = chain.axes()[k].name == 'A' ? 30 * deg : 0;
   }
   EXPECT_LT((chain.pose(places, 0).direction - Vec3(0, 0.5, std::sqrt(0.75))).norm(), 1e-12);
+}
+
+TEST_F(LinuxCncKinematicsTest, TurnTheOtherWayWhereTheConfigurationAsksForIt) {
+  for (const char* on : {"1", "true", "TRUE"}) {
+    const ImportedMachine imported =
+        import(replaced(table_ini, "HALCMD = setp xyzac-trt-kins.z-offset 10\n",
+                        fmt::format("HALCMD = setp xyzac-trt-kins.conventional-directions {}\n", on)),
+               "table.ini");
+    EXPECT_EQ(imported.machine.kinematics.find('A')->direction, Vec3(1, 0, 0)) << on;
+    EXPECT_EQ(imported.machine.kinematics.find('C')->direction, Vec3(0, 0, 1)) << on;
+  }
 }
 
 TEST_F(LinuxCncKinematicsTest, OfATableThatTiltsAboutYAndInInches) {
