@@ -41,7 +41,7 @@ std::string random_program(unsigned seed) {
         fmt::format("G{} X{:.4f} Y{:.4f} Z{:.4f} A{:.4f} C{:.4f} F6000\n{}", i % 3 == 0 ? 0 : 1, any(-60, 60),
                     any(-60, 60), any(-60, 60), any(-90, 50), any(-180, 180), i % 2 == 0 ? "G4 P0.05\n" : "");
   }
-  return text + "M2\n";
+  return text + "G0 X0 Y0 Z0 A0 C0\nM2\n";  // where the next one begins
 }
 
 /// What a trace holds of each program.
