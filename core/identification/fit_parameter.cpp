@@ -51,9 +51,10 @@ std::vector<FitParameter> fit_parameters(const Setup& setup) {
 
 std::vector<FitParameter> usual_fit_parameters(const Setup& setup) {
   std::vector<FitParameter> all = fit_parameters(setup);
+  const bool limits_jerk = setup.model->guarantees(setup.settings).limits_jerk;
   std::erase_if(all, [&](const FitParameter& parameter) {
     if (parameter.key.find('.') != std::string::npos) {
-      return false;
+      return !limits_jerk && parameter.key.ends_with("jerk");
     }
     SettingSpec spec;
     spec.key = parameter.key;

@@ -18,7 +18,8 @@ struct FitParameter {
 /// Those of a setup that can be asked for. Limits of the axes and settings that are numbers, not counts.
 std::vector<FitParameter> fit_parameters(const Setup& setup);
 /// Those that are looked for without being asked for: limits of the axes, and settings that have a unit and
-/// are no sampling period. Settings without a value in `setup` are no part of them.
+/// are no sampling period; no jerk where the model limits none. Settings without a value in `setup` are no
+/// part of them.
 std::vector<FitParameter> usual_fit_parameters(const Setup& setup);
 /// Those with these keys. Throws InputError with the nearest key.
 std::vector<FitParameter> fit_parameters_of(const Setup& setup, const std::vector<std::string>& keys);

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <random>
@@ -253,7 +254,10 @@ TEST(FitParameters, AreNumbersOfMachineAndModelByKey) {
   EXPECT_EQ(fit_parameters_of(setup, {"blend_tolerance_mm"}).front().unit, "mm");
   for (const FitParameter& parameter : usual_fit_parameters(setup)) {
     EXPECT_EQ(parameter.key.find("period"), std::string::npos) << parameter.key;
+    EXPECT_FALSE(parameter.key.ends_with("jerk")) << parameter.key << ": LinuxCNC limits none";
   }
+  const auto with_jerk = usual_fit_parameters(setup_of("spinner-mvc850", {}));
+  EXPECT_NE(std::ranges::find(with_jerk, "X.jerk", &FitParameter::key), with_jerk.end());
   try {
     fit_parameters_of(setup, {"X.acceleratoin"});
     FAIL();
