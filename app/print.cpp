@@ -81,12 +81,6 @@ std::string rotary_text(const Run& run) {
                peak_and_limit(units::to_turns(peak.jerk), units::to_turns(axis.jerk))});
   }
   text += table.text("lrrr");
-  const bool jumps = std::ranges::any_of(run.setup.machine.kinematics.rotary, [&](const RotaryAxis& axis) {
-    return figures.rotary[rotary_names.find(axis.name)].jerk > 1.01 * axis.jerk;
-  });
-  if (jumps && run.setup.model->guarantees(run.setup.settings).holds_rotary_ramps) {
-    text += "  jerks above the limit are of places where blocks meet, each within an interpolation period\n";
-  }
   if (const OrientationError& error = figures.orientation; error.line > 0) {
     text += fmt::format("  the tool leans from its programmed direction by {:.3g} deg at most (line {})\n",
                         units::to_deg(error.angle), error.line);

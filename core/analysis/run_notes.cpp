@@ -101,12 +101,21 @@ const char* tip_note(const Toolpath& path) {
 }
 
 const char* rotary_limits_note(const Toolpath& path, const Setup& setup) {
-  return path.segment_turns.empty() || setup.model->guarantees(setup.settings).holds_rotary_ramps
+  if (path.segment_turns.empty()) {
+    return nullptr;
+  }
+  if (!setup.model->guarantees(setup.settings).holds_rotary_ramps) {
+    return QT_TRANSLATE_NOOP(
+        "core",
+        "This model does not hold the limits of rotary axes in full: their largest values may be "
+        "above what the machine allows.");
+  }
+  return path.turn_joints.empty()
              ? nullptr
              : QT_TRANSLATE_NOOP(
                    "core",
-                   "This model does not hold the limits of rotary axes in full: their largest values may be "
-                   "above what the machine allows.");
+                   "Beside places where blocks meet, the jerk of axes may be above its limit while "
+                   "rotary axes turn: rounding of the angles and ramps add up there.");
 }
 
 const char* missing_axes_note(const Toolpath& path, const Machine& machine) {

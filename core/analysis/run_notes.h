@@ -33,8 +33,8 @@ const char* limits_note(const Setup& setup);
 /// null; translatable.
 const char* tip_note(const Toolpath& path);
 
-/// Of a model that does not hold the limits of rotary axes in full, where some turn along feed motions; else
-/// null; translatable.
+/// Where rotary axes turn along feed motions: that the model does not hold their limits in full, or which of
+/// them it exceeds beside places where blocks meet; else null; translatable.
 const char* rotary_limits_note(const Toolpath& path, const Setup& setup);
 /// Of a program that turns rotary axes, on a machine that has none; else null; translatable.
 const char* missing_axes_note(const Toolpath& path, const Machine& machine);

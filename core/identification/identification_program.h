@@ -32,8 +32,8 @@ struct IdentificationProgram {
 /// Single moves, ramps, corners of 10 to 170 degrees, circles and short blocks, at several feeds, about the
 /// zero point in the middle, Z only upwards from it. Pauses of a quarter of a second part the sections, which
 /// comments mark (section_mark()). A Fanuc takes the time of each itself (#3001, in ms, in #101 and on), a
-/// SINUMERIK too ($AC_TIMER[1], in s, in R1 and on). Throws InputError naming value and bound, or a dialect
-/// for which there is no test program.
+/// SINUMERIK too ($AC_TIMER[1], in s, in R1 and on). Throws InputError naming value and bound, or the dialect
+/// if the test program is not written in it.
 IdentificationProgram identification_program(const IdentificationProgramRequest& request);
 
 }  // namespace feedscope

@@ -19,7 +19,7 @@ class SectionCase : public FitCase {
   const LoadedProgram& program() const override { return program_; }
   std::size_t size() const override { return times_.size(); }
   std::vector<double> residuals(const Setup& setup) const override;
-  /// Each section is measured by itself, so that one can be left out without its neighbours.
+  /// Sections are measured independently: each is a stretch of its own.
   std::size_t stretch_of(std::size_t residual) const override;
   bool is_short(std::size_t) const override { return true; }
   std::size_t stretches() const override { return times_.size(); }

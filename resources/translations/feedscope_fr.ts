@@ -1435,8 +1435,8 @@
         <translation>Écart d&apos;orientation max.</translation>
     </message>
     <message>
-        <source>Rotary axes, and X, Y and Z of the machine that hold the tip on its path while they turn, with the share of the limit; above are those of the tip. The lean is that of the tool from its programmed direction; a jerk above the limit is that of a place where blocks meet, within an interpolation period.</source>
-        <translation>Axes rotatifs, et X, Y et Z de la machine qui tiennent la pointe sur sa trajectoire pendant leur rotation, avec la part de la limite ; ci-dessus ceux de la pointe. L&apos;écart d&apos;orientation est l&apos;angle entre l&apos;outil et sa direction programmée ; un jerk au-dessus de la limite est celui d&apos;une jonction de blocs, le temps d&apos;une période d&apos;interpolation.</translation>
+        <source>Rotary axes, and X, Y and Z of the machine that hold the tip on its path while they turn, with the share of the limit; above are those of the tip. The lean is that of the tool from its programmed direction.</source>
+        <translation>Axes rotatifs, et X, Y et Z de la machine qui tiennent la pointe sur sa trajectoire pendant leur rotation, avec la part de la limite ; ci-dessus ceux de la pointe. L&apos;écart d&apos;orientation est l&apos;angle entre l&apos;outil et sa direction programmée.</translation>
     </message>
 </context>
 <context>
@@ -4318,6 +4318,10 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>%1:%2: %3 has no section &apos;%4&apos;; a section is marked by the comments SECTION 12 BEGINS and SECTION 12 ENDS, or is given by its lines, as 40-55</source>
         <translation>%1:%2&#xa0;: %3 n&apos;a pas de section «&#xa0;%4&#xa0;»&#xa0;; une section est marquée par les commentaires SECTION 12 BEGINS et SECTION 12 ENDS, ou donnée par ses lignes, par exemple 40-55</translation>
+    </message>
+    <message>
+        <source>Beside places where blocks meet, the jerk of axes may be above its limit while rotary axes turn: rounding of the angles and ramps add up there.</source>
+        <translation>Aux abords des jonctions de blocs, le jerk d&apos;axes peut dépasser sa limite pendant la rotation d&apos;axes rotatifs : l&apos;arrondi des angles et les rampes s&apos;y ajoutent.</translation>
     </message>
 </context>
 <context>

@@ -28,7 +28,7 @@ class RecordingsBox : public QWidget {
   std::vector<std::shared_ptr<const SectionTable>> tables() const;
   /// Whether a trace that is ticked is still being read.
   bool is_reading() const;
-  /// In place of one of the same name. Throws InputError for a file that is no such table.
+  /// Replaces a table of the same name. Throws InputError if the file is not a table of section times.
   void add_table(const std::filesystem::path& file);
   /// Another program.
   void forget_tables();

@@ -80,8 +80,7 @@ QString rotary_peaks_block(const ReportInput& input) {
                        .arg(ReportWords::tr("Rotary axes, and X, Y and Z of the machine that hold the tip on "
                                             "its path while they turn, with the share of the limit; above "
                                             "are those of the tip. The lean is that of the tool from its "
-                                            "programmed direction; a jerk above the limit is that of a place "
-                                            "where blocks meet, within an interpolation period.")) +
+                                            "programmed direction.")) +
                    table.html()
              : QString();
 }
