@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "core/analysis/not_counted.h"
+#include "core/analysis/run_notes.h"
 #include "core/analysis/tolerance_in_force.h"
 #include "core/base/clock_text.h"
 #include "core/base/units.h"
@@ -56,10 +57,22 @@ std::string axis_table(const Run& run) {
   return table.text("lrrr");
 }
 
-/// The rotary axes of a run in which one turns; empty for every other one.
+/// What is to be known of them; empty where nothing is.
+std::string rotary_notes(const Run& run) {
+  std::string text;
+  for (const char* const note : {missing_axes_note(*run.input.toolpath, run.setup.machine),
+                                 rotary_limits_note(*run.input.toolpath, run.setup)}) {
+    if (note != nullptr) {
+      text += "  " + wrapped(note, 2) + "\n";
+    }
+  }
+  return text;
+}
+
+/// The rotary axes of a run in which one turns.
 std::string rotary_text(const Run& run) {
   if (!run.summary.rotary) {
-    return "";
+    return rotary_notes(run);
   }
   const RotaryFigures& figures = *run.summary.rotary;
   std::string text;
@@ -85,7 +98,7 @@ std::string rotary_text(const Run& run) {
     text += fmt::format("  the tool leans from its programmed direction by {:.3g} deg at most (line {})\n",
                         units::to_deg(error.angle), error.line);
   }
-  return text;
+  return text + rotary_notes(run);
 }
 
 /// What the drives make of it; empty where all axes follow exactly.
