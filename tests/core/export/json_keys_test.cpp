@@ -43,9 +43,9 @@ const KeyTable& documented() {
 
 /// Objects whose keys are names of axes, settings or causes.
 bool holds_names(const std::string& path) {
-  for (const char* name :
-       {"axes", "rotary_axes", "machine_axes", "settings", "swept", "time_by_cause_s", "ramp_down_by_slower_place_s",
-        "limiting_share", "max_following_error_um", "time_without_load_s", "predicted", "programmed"}) {
+  for (const char* name : {"axes", "rotary_axes", "machine_axes", "settings", "swept", "time_by_cause_s",
+                           "ramp_down_by_slower_place_s", "limiting_share", "max_following_error_um",
+                           "time_without_load_s", "predicted", "programmed"}) {
     if (path == name || path.ends_with("." + std::string(name))) {
       return true;
     }
