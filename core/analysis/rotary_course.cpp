@@ -6,8 +6,8 @@
 
 #include "core/analysis/turn_law.h"
 #include "core/base/units.h"
+#include "core/toolpath/joint_shape.h"
 #include "core/toolpath/turn_course.h"
-#include "core/toolpath/turn_limiter.h"
 
 namespace feedscope {
 namespace {
@@ -189,12 +189,14 @@ RotaryCourse::Way RotaryCourse::way_of(const State& state) const {
 /// The nearest place on line `i`, or where that is its end, on one of the lines behind it, over which a
 /// smooth curve goes on.
 RotaryCourse::Way RotaryCourse::on_lines(std::uint32_t i, const State& state) const {
+  constexpr double rounding = 1e-9;  // of a place at the end of a line [mm]
   for (;; ++i) {
     const Segment& segment = path().segments[i];
     const Series share = share_of_line(path().start_of(i), segment.end, state);
     const std::size_t next = i + std::size_t{1};
     const bool goes_on = next < path().segments.size() && path().segments[next].kind == SegmentKind::line &&
-                         (state.position - segment.end).dot(path().segments[next].end - segment.end) > 0;
+                         (state.position - segment.end).dot(path().segments[next].end - segment.end) >
+                             rounding * path().segments[next].length;
     if (share.value() < 1 || !goes_on) {
       return {i, within_segment(share), true};
     }
@@ -258,7 +260,7 @@ void RotaryCourse::add_joints(const Way& way, Angles& angles) const {
   const auto add = [&](const TurnJoint* joint, const Series& away) {
     for (std::size_t i = 0; joint != nullptr && i < angles.size(); ++i) {
       if (joint->step[i] != 0) {
-        angles[i] += chained(joint_turn(joint->step[i], joint->half, away.value()), away);
+        angles[i] += chained(joint_turn(*joint, i, away.value()), away);
       }
     }
   };

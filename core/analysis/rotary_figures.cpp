@@ -5,8 +5,8 @@
 
 #include "core/analysis/envelope/rotary_walk.h"
 #include "core/analysis/turn_law.h"
+#include "core/toolpath/joint_shape.h"
 #include "core/toolpath/turn_course.h"
-#include "core/toolpath/turn_limiter.h"
 
 namespace feedscope {
 namespace {
@@ -46,10 +46,8 @@ class OrientationSearch {
     std::array<double, 3> aside{};
     double sum = 0;
     for (std::size_t i = 0; i < aside.size(); ++i) {
-      aside[i] =
-          (behind != nullptr ? joint_turn(behind->step[i], behind->half, -((1 - share) * length)).value()
-                             : 0) +
-          (before != nullptr ? joint_turn(before->step[i], before->half, share * length).value() : 0);
+      aside[i] = (behind != nullptr ? joint_turn(*behind, i, -((1 - share) * length)).value() : 0) +
+                 (before != nullptr ? joint_turn(*before, i, share * length).value() : 0);
       sum += std::abs(aside[i]);
     }
     if (sum <= worst_.angle) {  // the tool leans by less

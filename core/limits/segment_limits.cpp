@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/base/units.h"
+#include "core/toolpath/joint_shape.h"
 
 namespace feedscope {
 namespace {
@@ -47,6 +48,11 @@ namespace {
 
 AxisBound lower_of(const AxisBound& a, const AxisBound& b) {
   return b.value < a.value ? b : a;
+}
+
+void lower_ramp(MotionLimits& limits, const TurnRamp& ramp) {
+  limits.acceleration = lower_of(limits.acceleration, {ramp.acceleration, ramp.acceleration_axis});
+  limits.jerk = lower_of(limits.jerk, {ramp.jerk, ramp.jerk_axis});
 }
 
 }  // namespace
@@ -152,21 +158,45 @@ MotionLimits segment_limits(const Toolpath& toolpath, std::size_t i, const AxisV
 MotionLimits with_turns(MotionLimits limits, const Toolpath& toolpath, std::size_t first, std::size_t last) {
   for (std::size_t i = first; i <= last && !toolpath.segment_turns.empty(); ++i) {
     if (const SegmentTurn* turn = toolpath.segment_turn(i)) {
-      limits.acceleration = lower_of(limits.acceleration, {turn->acceleration, turn->acceleration_axis});
-      limits.jerk = lower_of(limits.jerk, {turn->jerk, turn->jerk_axis});
+      lower_ramp(limits, turn->ramp);
     }
   }
   return limits;
 }
 
+MotionLimits with_joints(MotionLimits limits, const Toolpath& toolpath, std::size_t i, std::size_t first,
+                         std::size_t last) {
+  if (toolpath.turn_joints.empty()) {
+    return limits;
+  }
+  const double length = toolpath.segments[i].length;
+  const auto lower_beside = [&](const TurnJoint* joint, double TurnJoint::*reach) {
+    if (joint != nullptr && shapes_segment(joint->*reach, length)) {
+      lower_ramp(limits, joint->ramp);
+    }
+  };
+  if (i > first) {
+    lower_beside(toolpath.turn_joint(i - 1), &TurnJoint::behind);
+  }
+  if (i + 1 < last) {
+    lower_beside(toolpath.turn_joint(i), &TurnJoint::before);
+  }
+  return limits;
+}
+
 MotionLimits with_turns_in_corner(MotionLimits limits, const Toolpath& toolpath, std::size_t i,
-                                  double transition, double length) {
+                                  std::size_t first, std::size_t last, double transition, double length) {
   if (toolpath.segment_turns.empty() || !(length > 0)) {
     return limits;
   }
   const double faster = std::max(1.0, 2 * transition / length);  // than along the way that is replaced
   const MotionLimits unturned = limits;
   limits = with_turns(limits, toolpath, i, i + 1);
+  limits = with_joints(limits, toolpath, i, first, i + 1);
+  limits = with_joints(limits, toolpath, i + 1, i + 1, last);
+  if (const TurnJoint* joint = toolpath.turn_joint(i)) {
+    lower_ramp(limits, joint->ramp);
+  }
   if (limits.acceleration.value < unturned.acceleration.value) {
     limits.acceleration.value /= faster;
   }

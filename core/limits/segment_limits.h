@@ -80,10 +80,15 @@ MotionLimits segment_limits(const Toolpath& toolpath, std::size_t i, const AxisV
 /// `limits` whose ramps the rotary axes allow that turn along the segments from `first` to `last`, of a curve
 /// that stands for parts of them (Toolpath::segment_turns).
 MotionLimits with_turns(MotionLimits limits, const Toolpath& toolpath, std::size_t first, std::size_t last);
-/// The same of a curve of `length` in the corner behind segment `i`, which it leaves by `transition` before
-/// its end [mm]: the axes turn there as along the way that the curve replaces, which is longer.
+/// The same of segment `i` by the joints at its ends that shape its course (Toolpath::turn_joints), in motion
+/// from standstill to standstill over the segments [first, last): where the tip stops no joint rounds
+/// anything.
+MotionLimits with_joints(MotionLimits limits, const Toolpath& toolpath, std::size_t i, std::size_t first,
+                         std::size_t last);
+/// Both of a curve of `length` in the corner behind segment `i`, which it leaves by `transition` before its
+/// end [mm]: the axes turn there as along the way that the curve replaces, which is longer.
 MotionLimits with_turns_in_corner(MotionLimits limits, const Toolpath& toolpath, std::size_t i,
-                                  double transition, double length);
+                                  std::size_t first, std::size_t last, double transition, double length);
 
 /// The same for an arc that need not stand in the program, run at `programmed` at most.
 MotionLimits arc_limits(const Arc& arc, const SpeedBound& programmed, const AxisVectors& axes);

@@ -182,12 +182,17 @@ class RotaryResolver {
     if (before != nullptr) {
       join(before->segment, before, nullptr);
     }
-    const std::vector<TurnJoint> reaches = joints;
+    const auto beside = [&](std::size_t k) {
+      const bool follows = k > 0 && joints[k - 1].segment + 1 == joints[k].segment;
+      const bool goes_on = k + 1 < joints.size() && joints[k].segment + 1 == joints[k + 1].segment;
+      return TurnLimiter::Neighbours{follows ? &joints[k - 1] : nullptr, goes_on ? &joints[k + 1] : nullptr};
+    };
+    // What a joint is best is up to those beside it: the last ones to choose know those before them.
     for (std::size_t k = 0; k < joints.size(); ++k) {
-      const bool follows = k > 0 && reaches[k - 1].segment + 1 == joints[k].segment;
-      const bool goes_on = k + 1 < joints.size() && joints[k].segment + 1 == reaches[k + 1].segment;
-      limiter_.set_limit(path_, between[k].before, between[k].behind, follows ? &reaches[k - 1] : nullptr,
-                         goes_on ? &reaches[k + 1] : nullptr, joints[k]);
+      limiter_.choose_reach(path_, between[k].before, between[k].behind, beside(k), joints[k]);
+    }
+    for (std::size_t k = 0; k < joints.size(); ++k) {
+      limiter_.set_limit(path_, between[k].before, between[k].behind, beside(k), joints[k]);
     }
     for (std::size_t k = 0; k < joints.size(); ++k) {
       if (between[k].before != nullptr) {

@@ -63,18 +63,24 @@ struct TurnLimit {
   std::int8_t axis = -1;  ///< a place in cause_axes
 };
 
+/// How the axes of a machine let the speed of the tip change while rotary axes turn, and which axis says so,
+/// a place in cause_axes; infinite where none does.
+struct TurnRamp {
+  double acceleration = std::numeric_limits<double>::infinity();  ///< along the path [mm/s2]
+  double jerk = std::numeric_limits<double>::infinity();          ///< [mm/s3]
+  std::int8_t acceleration_axis = -1;
+  std::int8_t jerk_axis = -1;
+};
+
 /// What the rotary axes of a machine, and its linear axes that make up for them, allow along a segment in
-/// which they turn, and which axis says so, a place in cause_axes.
+/// which they turn.
 struct SegmentTurn {
   std::size_t segment = 0;
   std::array<double, 3> from{};  ///< angles of A, B and C [rad]
   std::array<double, 3> to{};
   TurnLimit limit;
-  double tilt = -1;  ///< of the tool to the first of two rotary axes, in the middle [rad]; -1: only one
-  double acceleration = 0;  ///< along it, at the speed of `limit` [mm/s2]
-  double jerk = 0;          ///< [mm/s3]
-  std::int8_t acceleration_axis = -1;
-  std::int8_t jerk_axis = -1;
+  double tilt = -1;     ///< of the tool to the first of two rotary axes, in the middle [rad]; -1: only one
+  TurnRamp ramp;        ///< along it, at the speed of `limit` or at its feed if that is less
   bool at_tip = false;  ///< tool centre point control is on
   /// The tool's direction goes along a great circle, else the axes go linearly.
   bool great_circle = false;
@@ -89,12 +95,14 @@ struct PartOnMachine {
 };
 
 /// Where two segments meet along which rotary axes have different slopes: each goes over from one to the
-/// other along the path from `half` before to `half` behind the place (joint_turn()).
+/// other along the path from `before` to `behind` the place (joint_turn()).
 struct TurnJoint {
   std::size_t segment = 0;       ///< that ends there
   std::array<double, 3> step{};  ///< change of the slopes of A, B and C [rad/mm]
-  double half = 0;               ///< [mm]
+  double before = 0;             ///< how far it reaches; 0: the slopes jump [mm]
+  double behind = 0;             ///< [mm]
   TurnLimit limit;
+  TurnRamp ramp;     ///< within its reach
   double tilt = -1;  ///< as SegmentTurn::tilt, at the place
 };
 

@@ -9,6 +9,7 @@
 #include "core/base/roots.h"
 #include "core/base/units.h"
 #include "core/machine/contour_tolerance.h"
+#include "core/toolpath/joint_shape.h"
 #include "core/toolpath/turn_course.h"
 
 namespace feedscope {
@@ -16,15 +17,9 @@ namespace {
 
 using Angles = std::array<double, 3>;
 
-constexpr double share = 0.75;  // as turning_share of limits/segment_limits.h
 constexpr std::size_t linear_count = coordinate_names.size();
-
-/// Share of a block over which a joint reaches that shapes its whole course; not a half, which a reach of
-/// half an even block is but for rounding.
-constexpr double dense = 0.45;
 /// Of an orientation tolerance of 0 in the program.
 constexpr double tightest = 1e-4 * units::pi / 180;  // [rad]
-constexpr double farthest = 1.0 / 6;  // of step and reach, that the angle leaves the programmed one
 
 std::size_t linear_place(char name) {
   return static_cast<std::size_t>(name - 'X');
@@ -73,11 +68,25 @@ std::vector<double> places_along(const TurnCourse& course, const SegmentTurn& tu
   return places;
 }
 
-/// Keeps the lower of the two.
-void lower(TurnLimit& limit, double speed, TurnLimit::By by, double slope, std::size_t axis) {
-  if (speed < limit.speed) {
-    limit = {speed, slope, by, static_cast<std::int8_t>(axis)};
-  }
+/// The highest speed that counts for ramps on a segment: `speed`, or its feed.
+double ramp_speed(const Toolpath& path, std::size_t segment, double speed) {
+  const Segment& of = path.segments[segment];
+  return of.feed > 0 && !of.rapid ? std::min(speed, of.feed) : speed;
+}
+
+void scale_reach(TurnJoint& joint, double by) {
+  joint.before *= by;
+  joint.behind *= by;
+}
+
+/// On side 0 before the place of a joint, on 1 behind it.
+double reach_of(const TurnJoint& joint, std::size_t side) {
+  return side == 0 ? joint.before : joint.behind;
+}
+
+/// `away` from the place to a side.
+double to_side(std::size_t side, double away) {
+  return side == 0 ? -away : away;
 }
 
 }  // namespace
@@ -103,78 +112,29 @@ TurnLimiter::TurnLimiter(const Machine& machine, const KinematicChain& chain, co
   period_ = settings.has(period) ? settings.number(period) : 0;
 }
 
-void TurnLimiter::AxisCourse::add(const Series& course) {
-  first = std::max(first, std::abs(course.d1()));
-  second = std::max(second, std::abs(course.d2()));
-  third = std::max(third, std::abs(course.d3()));
-}
-
-TurnLimiter::Courses TurnLimiter::still() const {
-  Courses courses;
-  for (const std::size_t k : chain_.linear()) {
-    const char name = chain_.axes()[k].name;
-    const AxisLimits& limit = *machine_.axes.find(name);
-    courses[linear_place(name)] = {0, 0, 0, limit.velocity, limit.acceleration, limit.jerk};
-  }
-  for (const RotaryAxis* axis : axes_) {
-    courses[linear_count + rotary_place(axis->name)] = {0,         0, 0, axis->velocity, axis->acceleration,
-                                                        axis->jerk};
-  }
-  return courses;
-}
-
-void TurnLimiter::add_linear(const CurvePoint& at, std::span<const Series> angles, Courses& courses) const {
+void TurnLimiter::add_linear(const CurvePoint& at, std::span<const Series> angles,
+                             AxisCourses& courses) const {
   const std::vector<Series> all = chain_.courses(tip_on_machine(part_, at), angles, part_.tool_length);
   for (const std::size_t k : chain_.linear()) {
-    courses[linear_place(chain_.axes()[k].name)].add(all[k]);
+    courses.add(linear_place(chain_.axes()[k].name), all[k]);
   }
 }
 
 void TurnLimiter::set_limits(const Toolpath& path, SegmentTurn& turn) const {
-  Courses courses = still();
+  AxisCourses courses(machine_);
   const double length = path.segments[turn.segment].length;
   const TurnCourse course(chain_, turn, length);
   for (const double along : places_along(course, turn, length)) {
     const std::vector<Series> angles = course.at(along * length);
     for (std::size_t k = 0; k < axes_.size(); ++k) {
-      courses[linear_count + rotary_place(axes_[k]->name)].add(angles[k]);
+      courses.add(linear_count + rotary_place(axes_[k]->name), angles[k]);
     }
     if (turn.at_tip && part_.known) {
       add_linear(point_at(path, turn.segment, along), angles, courses);
     }
   }
-  turn.limit = {};
-  for (std::size_t i = 0; i < courses.size(); ++i) {
-    const AxisCourse& axis = courses[i];
-    if (axis.first > 0) {
-      lower(turn.limit, axis.velocity / axis.first, TurnLimit::By::velocity, axis.first, i);
-    }
-    if (axis.second > 0) {
-      lower(turn.limit, std::sqrt(share * axis.acceleration / axis.second), TurnLimit::By::acceleration,
-            axis.second, i);
-    }
-    if (axis.third > 0) {
-      lower(turn.limit, std::cbrt(share * axis.jerk / axis.third), TurnLimit::By::jerk, axis.third, i);
-    }
-  }
-  const double v = turn.limit.speed;
-  turn.acceleration = turn.jerk = HUGE_VAL;
-  for (std::size_t i = 0; i < courses.size(); ++i) {
-    const AxisCourse& axis = courses[i];
-    if (!(axis.first > 0)) {
-      continue;
-    }
-    const double acceleration = (axis.acceleration - v * v * axis.second) / axis.first;
-    const double jerk = (axis.jerk - v * v * v * axis.third) / axis.first;
-    if (acceleration < turn.acceleration) {
-      turn.acceleration = acceleration;
-      turn.acceleration_axis = static_cast<std::int8_t>(i);
-    }
-    if (jerk < turn.jerk) {
-      turn.jerk = jerk;
-      turn.jerk_axis = static_cast<std::int8_t>(i);
-    }
-  }
+  turn.limit = courses.speed();
+  turn.ramp = courses.ramp(ramp_speed(path, turn.segment, turn.limit.speed), 0);
   turn.tilt = tilt_at(course.angles(course.nearest_to_pole().value_or(length / 2)));
 }
 
@@ -190,9 +150,13 @@ TurnJoint TurnLimiter::join(const Toolpath& path, std::size_t segment, const Seg
     joint.step[i] = to[i] - from[i];
     largest = std::max(largest, std::abs(joint.step[i]));
   }
-  joint.half = std::min(path.segments[segment].length, path.segments[segment + 1].length);
+  const double first = path.segments[segment].length;
+  const double second = path.segments[segment + 1].length;
+  joint.before = std::min(first, largest_reach_ratio * second);
+  joint.behind = std::min(second, largest_reach_ratio * first);
   if (largest > 0) {
-    joint.half = std::min(joint.half, tolerance_at(path, segment) / (farthest * largest));
+    const double lean = largest * joint_shape(joint.before, joint.behind, 0).value();
+    scale_reach(joint, std::min(1.0, tolerance_at(path, segment) / lean));
   }
   return joint;
 }
@@ -205,83 +169,91 @@ double TurnLimiter::tolerance_at(const Toolpath& path, std::size_t segment) cons
   return std::min(of(segment), of(segment + 1));
 }
 
-void TurnLimiter::set_limit(const Toolpath& path, const SegmentTurn* before, const SegmentTurn* behind,
-                            const TurnJoint* last, const TurnJoint* next, TurnJoint& joint) const {
+TurnLimiter::Meeting TurnLimiter::meeting_of(const Toolpath& path, const SegmentTurn* before,
+                                             const SegmentTurn* behind, const TurnJoint& joint) const {
   Meeting meeting;
-  meeting.from = slopes_of(path, chain_, before, true);
-  meeting.to = slopes_of(path, chain_, behind, false);
+  for (std::size_t i = 0; i < meeting.sides.size(); ++i) {
+    Side& side = meeting.sides[i];
+    const bool comes = i == 0;
+    side.segment = joint.segment + i;
+    side.length = path.segments[side.segment].length;
+    side.turn = comes ? before : behind;
+    side.slopes = slopes_of(path, chain_, side.turn, comes);
+    const CurvePoint place = point_at(path, side.segment, comes ? 1 : 0);
+    side.speed_up = speed_up(place, side.turn);
+    side.ramp_up = ramp_up(place, side.turn);
+    side.held_from = side.turn != nullptr ? least_shaping_reach(side.length) : HUGE_VAL;
+    meeting.at_tip = meeting.at_tip || (side.turn != nullptr && side.turn->at_tip);
+  }
   meeting.angles = before != nullptr ? before->to : behind->from;
-  meeting.at_tip = (before != nullptr && before->at_tip) || (behind != nullptr && behind->at_tip);
-  meeting.begin = point_at(path, joint.segment, 1);
-  meeting.end = point_at(path, joint.segment + 1, 0);
-  meeting.speed_up = {speed_up(meeting.begin, before), speed_up(meeting.end, behind)};
-  meeting.ramp_up = {ramp_up(meeting.begin, before), ramp_up(meeting.end, behind)};
-  const double first = path.segments[joint.segment].length;
-  const double second = path.segments[joint.segment + 1].length;
-  meeting.held_from = {before != nullptr ? dense * first : HUGE_VAL,
-                       behind != nullptr ? dense * second : HUGE_VAL};
+  return meeting;
+}
 
-  for (const RotaryAxis* axis : axes_) {
-    const double step = joint.step[rotary_place(axis->name)];
-    joint.half = reach_for_bend(meeting, step, joint.half, axis->acceleration);
-  }
-
-  /// The third derivative of axis `i` on a segment of this length, whose other end is `other`.
-  const auto change = [&](const TurnJoint* other, std::size_t i, double length) {
-    const double here = joint.step[i] / joint.half;
-    const bool reaches = other != nullptr && std::min(joint.half, other->half) >= dense * length;
-    return reaches ? (here - other->step[i] / other->half) / length : here / joint.half;
-  };
-  Bend bend;
-  for (std::size_t i = 0; i < joint.step.size(); ++i) {
-    bend.second[i] = joint.step[i] / joint.half;
-    bend.before[i] = change(last, i, path.segments[joint.segment].length);
-    bend.behind[i] = -change(next, i, path.segments[joint.segment + 1].length);
-  }
+void TurnLimiter::choose_reach(const Toolpath& path, const SegmentTurn* before, const SegmentTurn* behind,
+                               const Neighbours& beside, TurnJoint& joint) const {
   constexpr int halvings = 6;
+  const Meeting meeting = meeting_of(path, before, behind, joint);
+  for (const RotaryAxis* axis : axes_) {
+    scale_reach(joint, share_for_bend(meeting, joint, rotary_place(axis->name), axis->acceleration));
+  }
   TurnJoint best = joint;
   best.limit.speed = 0;
   for (int k = 0; k < halvings; ++k) {
-    const TurnLimit limit = rounded_limit(meeting, bend, joint);
-    if (limit.speed > best.limit.speed) {
+    joint.limit = rounded_limit(meeting, bend_of(path, meeting, beside, joint), joint);
+    if (joint.limit.speed > best.limit.speed) {
       best = joint;
-      best.limit = limit;
     }
-    if (limit.by != TurnLimit::By::velocity) {
+    if (joint.limit.by != TurnLimit::By::velocity) {
       break;  // a shorter reach bends the course more
     }
-    joint.half /= 2;
-    for (std::size_t i = 0; i < joint.step.size(); ++i) {
-      bend.second[i] = joint.step[i] / joint.half;
-      bend.before[i] = bend.second[i] / joint.half;
-      bend.behind[i] = -bend.before[i];
-    }
+    scale_reach(joint, 0.5);
   }
   joint = best;
-  if (const TurnLimit jump = jump_limit(meeting, joint.step); jump.speed > joint.limit.speed) {
+  if (const TurnLimit jump = jump_limit(path, meeting, joint); jump.speed > joint.limit.speed) {
     joint.limit = jump;
-    joint.half = 0;
+    joint.before = joint.behind = 0;
   }
+}
+
+void TurnLimiter::set_limit(const Toolpath& path, const SegmentTurn* before, const SegmentTurn* behind,
+                            const Neighbours& beside, TurnJoint& joint) const {
+  const Meeting meeting = meeting_of(path, before, behind, joint);
+  joint.ramp = {};
+  if (!(joint.before > 0)) {
+    joint.limit = jump_limit(path, meeting, joint);
+    return;
+  }
+  const AxisCourses bend = bend_of(path, meeting, beside, joint);
+  joint.limit = rounded_limit(meeting, bend, joint);
+  double speed = joint.limit.speed;
+  for (const Side& side : meeting.sides) {
+    speed = ramp_speed(path, side.segment,
+                       std::min(speed, side.turn != nullptr ? side.turn->limit.speed : HUGE_VAL));
+  }
+  // In the middle of a segment that two joints shape the tip has gone half of it.
+  joint.ramp = bend.ramp(speed, std::max(joint.before, joint.behind) / 2);
 }
 
 void TurnLimiter::hold_beside(const Toolpath& path, const TurnJoint& joint, bool at_end,
                               SegmentTurn& turn) const {
-  if (joint.half < dense * path.segments[turn.segment].length) {
+  const double reach = at_end ? joint.before : joint.behind;
+  if (!shapes_segment(reach, path.segments[turn.segment].length)) {
     return;
   }
   const Angles own = slopes_of(path, chain_, &turn, at_end);
   for (const RotaryAxis* axis : axes_) {
     const std::size_t i = rotary_place(axis->name);
-    const double slope = std::abs(own[i] + (at_end ? joint.step[i] : -joint.step[i]) / 2);
+    const double slope = std::abs(own[i] + joint_turn(joint, i, at_end ? -0.0 : 0.0).d1());
     if (slope > std::abs(own[i])) {
-      lower(turn.limit, axis->velocity / slope, TurnLimit::By::velocity, slope, linear_count + i);
+      lower(turn.limit, {axis->velocity / slope, slope, TurnLimit::By::velocity,
+                         static_cast<std::int8_t>(linear_count + i)});
     }
   }
 }
 
 /// How the speed of the tip may grow along a segment [mm/s2].
 double TurnLimiter::speed_up(const CurvePoint& at, const SegmentTurn* turn) const {
-  double acceleration = turn != nullptr ? turn->acceleration : HUGE_VAL;
+  double acceleration = turn != nullptr ? turn->ramp.acceleration : HUGE_VAL;
   for (int j = 0; j < 3; ++j) {
     const AxisLimits* axis = machine_.axes.find("XYZ"[j]);
     if (axis != nullptr && at.d1[j] != 0) {
@@ -293,7 +265,7 @@ double TurnLimiter::speed_up(const CurvePoint& at, const SegmentTurn* turn) cons
 
 /// How its acceleration may grow [mm/s3].
 double TurnLimiter::ramp_up(const CurvePoint& at, const SegmentTurn* turn) const {
-  double jerk = turn != nullptr ? turn->jerk : HUGE_VAL;
+  double jerk = turn != nullptr ? turn->ramp.jerk : HUGE_VAL;
   for (int j = 0; j < 3; ++j) {
     const AxisLimits* axis = machine_.axes.find("XYZ"[j]);
     if (axis != nullptr && at.d1[j] != 0) {
@@ -303,135 +275,154 @@ double TurnLimiter::ramp_up(const CurvePoint& at, const SegmentTurn* turn) const
   return jerk;
 }
 
-TurnLimit TurnLimiter::rounded_limit(const Meeting& meeting, const Bend& bend, const TurnJoint& joint) const {
-  Angles middle{};
-  for (std::size_t i = 0; i < middle.size(); ++i) {
-    middle[i] = (meeting.from[i] + meeting.to[i]) / 2;
+/// The derivatives of all axes within the reach of a joint: they are largest at its place or at an end of the
+/// reach, if not at the place of the joint beside it.
+AxisCourses TurnLimiter::bend_of(const Toolpath& path, const Meeting& meeting, const Neighbours& beside,
+                                 const TurnJoint& joint) const {
+  constexpr double within = 1 - 1e-6;
+  AxisCourses courses(machine_);
+  for (std::size_t i = 0; i < meeting.sides.size(); ++i) {
+    const Side& side = meeting.sides[i];
+    const TurnJoint* other = i == 0 ? beside.last : beside.next;
+    const auto look = [&](double away) {
+      const double s = i == 0 ? side.length - away : away;
+      std::vector<Series> angles = side.turn != nullptr ? TurnCourse(chain_, *side.turn, side.length).at(s)
+                                                        : angles_at(meeting.angles, {});
+      for (std::size_t k = 0; k < axes_.size(); ++k) {
+        const std::size_t axis = rotary_place(axes_[k]->name);
+        angles[k] += joint_turn(joint, axis, to_side(i, away));
+        if (other != nullptr) {
+          angles[k] += joint_turn(*other, axis, to_side(1 - i, side.length - away));
+        }
+        courses.add(linear_count + axis, angles[k]);
+      }
+      if (meeting.at_tip && part_.known) {
+        add_linear(point_at(path, side.segment, s / side.length), angles, courses);
+      }
+    };
+    look(0);
+    const double reach = reach_of(joint, i);
+    const bool goes_on = other != nullptr && reach_of(*other, 1 - i) > 0;
+    if (!goes_on || reach < within * side.length) {
+      look(within * reach);
+    }
   }
-  Courses courses = still();
+  return courses;
+}
+
+TurnLimit TurnLimiter::rounded_limit(const Meeting& meeting, const AxisCourses& bend,
+                                     const TurnJoint& joint) const {
+  TurnLimit limit = bend.speed_of_bend();
   for (const RotaryAxis* axis : axes_) {
     const std::size_t i = rotary_place(axis->name);
-    AxisCourse& course = courses[linear_count + i];
-    course.second = std::abs(bend.second[i]);
-    course.third = std::max(std::abs(bend.before[i]), std::abs(bend.behind[i]));
-  }
-  if (meeting.at_tip && part_.known) {
-    add_linear(meeting.begin, angles_at(meeting.angles, middle, bend.second, bend.before), courses);
-    add_linear(meeting.end, angles_at(meeting.angles, middle, bend.second, bend.behind), courses);
-  }
-  TurnLimit limit;
-  for (std::size_t i = 0; i < courses.size(); ++i) {
-    const AxisCourse& axis = courses[i];
-    if (axis.second > 0) {
-      lower(limit, std::sqrt(share * axis.acceleration / axis.second), TurnLimit::By::acceleration,
-            axis.second, i);
-    }
-    if (axis.third > 0) {
-      lower(limit, std::cbrt(share * axis.jerk / axis.third), TurnLimit::By::jerk, axis.third, i);
-    }
-  }
-  for (const RotaryAxis* axis : axes_) {
-    const std::size_t i = rotary_place(axis->name);
-    const double speed = speed_for_velocity(meeting, i, joint.step[i], joint.half, axis->velocity);
-    lower(limit, speed, TurnLimit::By::velocity, axis->velocity / speed, linear_count + i);
+    const double speed = speed_for_velocity(meeting, joint, i, axis->velocity);
+    lower(limit, {speed, axis->velocity / speed, TurnLimit::By::velocity,
+                  static_cast<std::int8_t>(linear_count + i)});
   }
   return limit;
 }
 
-/// The reach of a joint, `half` at most, within which the acceleration of a rotary axis stays within its
-/// limit from the speed that the place itself allows on, while the tip speeds up on either side and the axis
-/// still changes its slope: the shorter it is, the less the tip gains.
-double TurnLimiter::reach_for_bend(const Meeting& meeting, double step, double half,
+/// The share of the reach of a joint within which the acceleration of a rotary axis stays within its limit
+/// from the speed that the place itself allows on, while the tip speeds up on either side and the axis still
+/// changes its slope: the shorter the reach, the less the tip gains.
+double TurnLimiter::share_for_bend(const Meeting& meeting, const TurnJoint& joint, std::size_t i,
                                    double acceleration) const {
   constexpr int places = 4;
   constexpr int halvings = 12;
-  const double slope = std::abs(step);
-  if (!(slope > 0)) {
-    return half;
+  if (joint.step[i] == 0) {
+    return 1;
   }
-  const auto holds = [&](double reach) {
-    const double speed = std::sqrt(share * acceleration * reach / slope);
-    for (std::size_t side = 0; side < 2; ++side) {
-      for (int k = 1; reach < meeting.held_from[side] && k < places; ++k) {
-        const double part = static_cast<double>(k) / places;
-        const double away = part * reach;
-        const double time = std::min(away / speed, std::cbrt(6 * away / meeting.ramp_up[side]));
-        const double by_jerk = speed + meeting.ramp_up[side] * time * time / 2;
-        const double there = std::min(by_jerk, std::sqrt(speed * speed + 2 * meeting.speed_up[side] * away));
-        if (there * there * slope / reach * (1 - part) > acceleration) {
+  const auto holds = [&](double by) {
+    TurnJoint shorter = joint;
+    scale_reach(shorter, by);
+    const auto second = [&](double away) { return std::abs(joint_turn(shorter, i, away).d2()); };
+    const double square = AxisCourses::turning_acceleration * acceleration / second(0);
+    const double speed = std::sqrt(square);
+    for (std::size_t k = 0; k < meeting.sides.size(); ++k) {
+      const Side& side = meeting.sides[k];
+      const double reach = reach_of(shorter, k);
+      for (int place = 1; reach < side.held_from && place < places; ++place) {
+        const double away = reach * place / places;
+        const double time = std::min(away / speed, std::cbrt(6 * away / side.ramp_up));
+        const double by_jerk = speed + side.ramp_up * time * time / 2;
+        const double there = std::min(by_jerk, std::sqrt(square + 2 * side.speed_up * away));
+        if (there * there * second(to_side(k, away)) > acceleration) {
           return false;
         }
       }
     }
     return true;
   };
-  if (holds(half)) {
-    return half;
+  if (holds(1)) {
+    return 1;
   }
-  double reach = half / 2;
-  for (int k = 0; k < 2 * halvings && !holds(reach); ++k) {
-    reach /= 2;
+  double share = 0.5;
+  for (int k = 0; k < 2 * halvings && !holds(share); ++k) {
+    share /= 2;
   }
-  return halve({reach, 2 * reach}, halvings, holds).low;
+  return halve({share, 2 * share}, halvings, holds).low;
 }
 
 /// The speed from which the velocity of a rotary axis stays within its limit while the tip goes on faster on
 /// the side where the axis turns less, still steeper beside the joint than on the rest of the block.
-double TurnLimiter::speed_for_velocity(const Meeting& meeting, std::size_t i, double step, double half,
+double TurnLimiter::speed_for_velocity(const Meeting& meeting, const TurnJoint& joint, std::size_t i,
                                        double velocity) const {
   constexpr int places = 8;
-  const bool behind = std::abs(meeting.to[i]) < std::abs(meeting.from[i]);
-  const double flat = behind ? meeting.to[i] : meeting.from[i];
-  if (half >= meeting.held_from[behind ? 1 : 0]) {
-    const double slope = std::abs(meeting.from[i] + meeting.to[i]) / 2;
-    return slope > 0 ? velocity / slope : HUGE_VAL;
+  const std::size_t k = std::abs(meeting.sides[1].slopes[i]) < std::abs(meeting.sides[0].slopes[i]) ? 1 : 0;
+  const Side& flat = meeting.sides[k];
+  const double reach = reach_of(joint, k);
+  const auto slope_at = [&](double away) {
+    return std::abs(flat.slopes[i] + joint_turn(joint, i, to_side(k, away)).d1());
+  };
+  if (reach >= flat.held_from) {
+    return slope_at(0) > 0 ? velocity / slope_at(0) : HUGE_VAL;
   }
-  const double speed_up = meeting.speed_up[behind ? 1 : 0];
   double least = HUGE_VAL;  // square of the speed
-  for (int k = 0; k <= places; ++k) {
-    const double away = half * k / places;
-    const double slope = std::abs(flat + joint_turn(step, half, behind ? away : -away).d1());
-    if (slope > 0) {
-      least = std::min(least, std::pow(velocity / slope, 2) - 2 * speed_up * away);
+  for (int place = 0; place <= places; ++place) {
+    const double away = reach * place / places;
+    if (const double slope = slope_at(away); slope > 0) {
+      least = std::min(least, std::pow(velocity / slope, 2) - 2 * flat.speed_up * away);
     }
   }
   return std::sqrt(std::max(least, 0.0));
 }
 
 /// The speed at which the velocities jump by jump_share of what a period takes up.
-TurnLimit TurnLimiter::jump_limit(const Meeting& meeting, const Angles& step) const {
-  Courses courses = still();
+TurnLimit TurnLimiter::jump_limit(const Toolpath& path, const Meeting& meeting,
+                                  const TurnJoint& joint) const {
+  TurnLimit jump;
+  const auto hold = [&](std::size_t axis, double acceleration, double step) {
+    if (step > 0) {
+      lower(jump, {jump_share * acceleration * period_ / step, step, TurnLimit::By::jump,
+                   static_cast<std::int8_t>(axis)});
+    }
+  };
   for (const RotaryAxis* axis : axes_) {
-    courses[linear_count + rotary_place(axis->name)].first = std::abs(step[rotary_place(axis->name)]);
+    const std::size_t i = rotary_place(axis->name);
+    hold(linear_count + i, axis->acceleration, std::abs(joint.step[i]));
   }
   if (meeting.at_tip && part_.known) {
-    const auto axes_with = [&](const Angles& slopes) {
-      return chain_.courses(tip_on_machine(part_, meeting.begin), angles_at(meeting.angles, slopes, {}, {}),
-                            part_.tool_length);
+    const std::array<Series, 3> tip = tip_on_machine(part_, point_at(path, joint.segment, 1));
+    const auto axes_on = [&](const Side& side) {
+      return chain_.courses(tip, angles_at(meeting.angles, side.slopes), part_.tool_length);
     };
-    const std::vector<Series> before = axes_with(meeting.from);
-    const std::vector<Series> behind = axes_with(meeting.to);
+    const std::vector<Series> before = axes_on(meeting.sides[0]);
+    const std::vector<Series> behind = axes_on(meeting.sides[1]);
     for (const std::size_t k : chain_.linear()) {
-      courses[linear_place(chain_.axes()[k].name)].first = std::abs(behind[k].d1() - before[k].d1());
-    }
-  }
-  TurnLimit jump;
-  for (std::size_t i = 0; i < courses.size(); ++i) {
-    const AxisCourse& axis = courses[i];
-    if (axis.first > 0) {
-      lower(jump, jump_share * axis.acceleration * period_ / axis.first, TurnLimit::By::jump, axis.first, i);
+      const char name = chain_.axes()[k].name;
+      hold(linear_place(name), machine_.axes.find(name)->acceleration,
+           std::abs(behind[k].d1() - before[k].d1()));
     }
   }
   return jump;
 }
 
-/// The rotary axes in the order of the chain, with these derivatives.
-std::vector<Series> TurnLimiter::angles_at(const Angles& angles, const Angles& slopes, const Angles& second,
-                                           const Angles& third) const {
+/// The rotary axes in the order of the chain, with these slopes.
+std::vector<Series> TurnLimiter::angles_at(const Angles& angles, const Angles& slopes) const {
   std::vector<Series> series;
   for (const RotaryAxis* axis : axes_) {
     const std::size_t i = rotary_place(axis->name);
-    series.emplace_back(angles[i], slopes[i], second[i], third[i]);
+    series.emplace_back(angles[i], slopes[i], 0, 0);
   }
   return series;
 }
@@ -444,15 +435,6 @@ double TurnLimiter::tilt_at(const Angles& angles) const {
   const double along =
       std::abs(tool_direction(chain_, angles).dot(chain_.axes()[chain_.rotary()[0]].direction));
   return std::acos(std::min(1.0, along));
-}
-
-Series joint_turn(double step, double half, double away) {
-  if (!(half > 0) || std::abs(away) >= half) {
-    return {};
-  }
-  const double t = 1 - std::abs(away) / half;  // of the way from the nearer end
-  const double side = std::signbit(away) ? step : -step;
-  return {step * half * t * t * t / 6, side * t * t / 2, step * t / half, side / (half * half)};
 }
 
 }  // namespace feedscope

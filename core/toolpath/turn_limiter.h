@@ -7,6 +7,7 @@
 
 #include "core/kinematics/kinematic_chain.h"
 #include "core/machine/machine.h"
+#include "core/toolpath/axis_courses.h"
 #include "core/toolpath/toolpath.h"
 
 namespace feedscope {
@@ -38,74 +39,68 @@ class TurnLimiter {
   /// Tool length and part zero are known, so that it is known how X, Y and Z follow the rotary axes.
   bool knows_linear() const { return part_.known; }
 
-  /// Sets limits and tilt of a turn along its segment of `path`: v q1 <= V, v^2 q2 <= s A, v^3 q3 <= s J
-  /// with the derivatives q1, q2, q3 by the path, for the rotary axes, and for the linear ones under tool
-  /// centre point control. The share 1 - s and what is not used is for ramps.
+  /// Sets limits and tilt of a turn along its segment of `path` (AxisCourses), for the rotary axes, and for
+  /// the linear ones under tool centre point control.
   void set_limits(const Toolpath& path, SegmentTurn& turn) const;
 
-  /// Step and reach of the joint where segment `segment` of `path` meets the next one, its limit not yet set.
-  /// `before`, `behind`: turns along the two; null for none.
+  /// Step and longest reach of the joint where segment `segment` of `path` meets the next one, its limit not
+  /// yet set. `before`, `behind`: turns along the two; null for none.
   ///
-  /// The second derivative of the angle rises along the reach before the place from 0 to step/reach, and
-  /// falls behind it: over even blocks that is a cubic B-spline whose control points are the programmed
-  /// angles. The angle leaves them by step times reach / 6, the orientation tolerance at most; the reach is
-  /// the shorter of the two segments at most.
+  /// It reaches over the two segments (joint_shape()), less where the angle would leave the programmed one by
+  /// more than the orientation tolerance.
   TurnJoint join(const Toolpath& path, std::size_t segment, const SegmentTurn* before,
                  const SegmentTurn* behind) const;
-  /// Sets its limit, as set_limits(). `last`, `next`: the joints at the other ends of the two segments; null
-  /// for none. What they reach over half of a segment and more goes over into this one along it. A shorter
-  /// reach is taken where that is faster: what the axis still turns beside the place holds the tip that goes
-  /// on. The velocities may jump by jump_share, if that is faster.
+  /// The joints at the other ends of the two segments of a joint; null for none.
+  struct Neighbours {
+    const TurnJoint* last = nullptr;
+    const TurnJoint* next = nullptr;
+  };
+  /// Takes a shorter reach where that is faster: what the axis still turns beside the place holds the tip
+  /// that goes on. The velocities may jump by jump_share, if that is faster. Sets the limit as set_limit().
+  void choose_reach(const Toolpath& path, const SegmentTurn* before, const SegmentTurn* behind,
+                    const Neighbours& beside, TurnJoint& joint) const;
+  /// Sets limit and ramp, as set_limits(), by what the joint and those beside it bend the course within its
+  /// reach.
   void set_limit(const Toolpath& path, const SegmentTurn* before, const SegmentTurn* behind,
-                 const TurnJoint* last, const TurnJoint* next, TurnJoint& joint) const;
+                 const Neighbours& beside, TurnJoint& joint) const;
   /// Lowers the limit of a turn by the velocity that its axes still have where a joint at its end or start
-  /// (`at_end`) reaches over half of it and more: there the axis turns more than on the rest.
+  /// (`at_end`) shapes its course (shapes_segment()): there the axis turns more than on the rest.
   void hold_beside(const Toolpath& path, const TurnJoint& joint, bool at_end, SegmentTurn& turn) const;
 
  private:
-  /// Largest derivatives of an axis by the path, and its limits.
-  struct AxisCourse {
-    double first = 0, second = 0, third = 0;
-    double velocity = 0, acceleration = 0, jerk = 0;
-
-    void add(const Series& course);
+  /// One of the two segments that meet.
+  struct Side {
+    std::size_t segment = 0;
+    double length = 0;                  // [mm]
+    const SegmentTurn* turn = nullptr;  ///< along it; null: none
+    std::array<double, 3> slopes{};     ///< of A, B and C at the place [rad/mm]
+    double speed_up = 0;                ///< along it [mm/s2]
+    double ramp_up = 0;                 ///< how fast that begins [mm/s3]
+    /// From which reach on hold_beside() counts; infinite without a turn [mm].
+    double held_from = 0;
   };
-  /// Derivatives of the angles of A, B and C at a joint: the second one, and the third ones before and behind
-  /// it.
-  struct Bend {
-    std::array<double, 3> second{};
-    std::array<double, 3> before{};
-    std::array<double, 3> behind{};
-  };
-  /// X, Y, Z, A, B, C, as cause_axes.
-  using Courses = std::array<AxisCourse, 6>;
-
-  /// Where two segments meet.
+  /// Where two segments meet: the one before, and the one behind.
   struct Meeting {
-    std::array<double, 3> from{};  ///< slopes of A, B and C before it [rad/mm]
-    std::array<double, 3> to{};    ///< and behind it
+    std::array<Side, 2> sides;
     std::array<double, 3> angles{};
-    CurvePoint begin;                  ///< as the end of the first segment
-    CurvePoint end;                    ///< as the start of the second one
-    std::array<double, 2> speed_up{};  ///< along both [mm/s2]
-    std::array<double, 2> ramp_up{};   ///< how fast it begins, along both [mm/s3]
-    /// Half of the segments along which an axis turns, infinite without: from there on hold_beside() counts.
-    std::array<double, 2> held_from{};  // [mm]
     bool at_tip = false;
   };
 
-  Courses still() const;
-  void add_linear(const CurvePoint& at, std::span<const Series> angles, Courses& courses) const;
-  std::vector<Series> angles_at(const std::array<double, 3>& angles, const std::array<double, 3>& slopes,
-                                const std::array<double, 3>& second,
-                                const std::array<double, 3>& third) const;
+  Meeting meeting_of(const Toolpath& path, const SegmentTurn* before, const SegmentTurn* behind,
+                     const TurnJoint& joint) const;
+  void add_linear(const CurvePoint& at, std::span<const Series> angles, AxisCourses& courses) const;
+  AxisCourses bend_of(const Toolpath& path, const Meeting& meeting, const Neighbours& beside,
+                      const TurnJoint& joint) const;
+  TurnLimit rounded_limit(const Meeting& meeting, const AxisCourses& bend, const TurnJoint& joint) const;
+  double share_for_bend(const Meeting& meeting, const TurnJoint& joint, std::size_t i,
+                        double acceleration) const;
+  double speed_for_velocity(const Meeting& meeting, const TurnJoint& joint, std::size_t i,
+                            double velocity) const;
+  TurnLimit jump_limit(const Toolpath& path, const Meeting& meeting, const TurnJoint& joint) const;
+  std::vector<Series> angles_at(const std::array<double, 3>& angles,
+                                const std::array<double, 3>& slopes) const;
   double speed_up(const CurvePoint& at, const SegmentTurn* turn) const;
   double ramp_up(const CurvePoint& at, const SegmentTurn* turn) const;
-  TurnLimit rounded_limit(const Meeting& meeting, const Bend& bend, const TurnJoint& joint) const;
-  double reach_for_bend(const Meeting& meeting, double step, double half, double acceleration) const;
-  double speed_for_velocity(const Meeting& meeting, std::size_t i, double step, double half,
-                            double velocity) const;
-  TurnLimit jump_limit(const Meeting& meeting, const std::array<double, 3>& step) const;
   double tilt_at(const std::array<double, 3>& angles) const;
   /// Of the orientation where segment `segment` meets the next one: the tighter of the two [rad].
   double tolerance_at(const Toolpath& path, std::size_t segment) const;
@@ -118,9 +113,5 @@ class TurnLimiter {
   bool follows_program_ = true;  ///< it may give one: OTOL, CYCLE832, TA of cycle 32 and of M128
   double period_ = 0;            ///< [s]
 };
-
-/// How far the rotary axis with this step is from its programmed angle beside a joint [rad], with the
-/// derivatives of that by the path; `away` from the joint along the path, negative (-0.0 too) before it [mm].
-Series joint_turn(double step, double half, double away);
 
 }  // namespace feedscope

@@ -112,6 +112,9 @@ void add_smooth_curve(const SmoothCurve& curve, const Toolpath& toolpath, const 
       limit_span(extremes, span.length(), limits);
     }
     limits = with_turns(limits, toolpath, block, end);
+    for (std::size_t on = block; on <= end; ++on) {
+      limits = with_joints(limits, toolpath, on, curve.run.first, curve.run.last + std::size_t{1});
+    }
     stretch.add_span({span.length(), limits}, builder.add_curve(block, curve.knots[k + 1]), block);
   }
 }
@@ -125,11 +128,13 @@ void lay_blended_stretch(const Toolpath& toolpath, const StretchRange& range, co
   lay_elements(
       toolpath, range, axes.velocity, rules, curves, builder, blend,
       [&](std::uint32_t index, std::uint32_t block, double length) {
-        stretch.add({length, segment_limits(toolpath, block, axes)}, index, block);
+        const MotionLimits limits =
+            with_joints(segment_limits(toolpath, block, axes), toolpath, block, range.first, range.last);
+        stretch.add({length, limits}, index, block);
       },
       [&](std::uint32_t index, std::uint32_t block, const CornerPiece& piece) {
-        const MotionLimits limits =
-            with_turns_in_corner(piece.limits, toolpath, block, piece.transition, piece.length);
+        const MotionLimits limits = with_turns_in_corner(piece.limits, toolpath, block, range.first,
+                                                         range.last, piece.transition, piece.length);
         stretch.add({piece.length, limits}, index, block, true);
       },
       [&](const SmoothCurve& curve) { add_smooth_curve(curve, toolpath, axes, builder, stretch); });

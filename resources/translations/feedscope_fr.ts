@@ -4320,8 +4320,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>%1:%2&#xa0;: %3 n&apos;a pas de section «&#xa0;%4&#xa0;»&#xa0;; une section est marquée par les commentaires SECTION 12 BEGINS et SECTION 12 ENDS, ou donnée par ses lignes, par exemple 40-55</translation>
     </message>
     <message>
-        <source>Beside places where blocks meet, the jerk of axes may be above its limit while rotary axes turn: rounding of the angles and ramps add up there.</source>
-        <translation>Aux abords des jonctions de blocs, le jerk d&apos;axes peut dépasser sa limite pendant la rotation d&apos;axes rotatifs : l&apos;arrondi des angles et les rampes s&apos;y ajoutent.</translation>
+        <source>Where rotary axes turn along a long block, the jerk of axes may be above its limit near its ends: rounding of the angles and ramps add up there.</source>
+        <translation>Là où des axes rotatifs tournent le long d&apos;un long bloc, le jerk d&apos;axes peut dépasser sa limite près de ses extrémités : l&apos;arrondi des angles et les rampes s&apos;y ajoutent.</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/analysis/rotary_course.h"
+#include "core/toolpath/joint_shape.h"
 #include "tests/contract/checks.h"
 
 namespace feedscope::contract {
@@ -20,6 +21,16 @@ double size_of(const Toolpath& path) {
     }
   }
   return largest;
+}
+
+/// Whether joints shape the whole segment or none reaches into it: beside a joint that reaches into a longer
+/// one, its jerk and that of a ramp add up.
+bool is_held(const Toolpath& path, const RotaryCourse& course, std::uint32_t segment) {
+  const double length = path.segments[segment].length;
+  const TurnJoint* before = segment > 0 ? course.joint_behind(segment - std::size_t{1}) : nullptr;
+  const TurnJoint* behind = course.joint_behind(segment);
+  const auto holds = [&](double reach) { return reach == 0 || shapes_segment(reach, length); };
+  return (before == nullptr || holds(before->behind)) && (behind == nullptr || holds(behind->before));
 }
 
 /// The velocity in the middle of a part against the difference of the angles beside it.
@@ -75,8 +86,11 @@ Result check_rotary(const Motion& motion, const Guarantees& promised, const Mach
                                                         axis.name, sample.rotary[i].velocity, axis.velocity,
                                                         path.segments[part.segment].line, state.time)};
         }
-        // Beside a joint its own share of 0.75 and what a ramp takes.
-        constexpr double most = 1.8;
+        // Shares of several joints, corners and ramps add up a little, beside a joint in a longer block much.
+        constexpr double most_held = 1.3;
+        constexpr double most_beside = 1.8;
+        const bool held = is_held(path, *course, part.segment);
+        const double most = held ? most_held : most_beside;
         if (promised.holds_rotary_ramps && turns && (of_block || part.place == Place::blend) &&
             !promised.follows_compaction &&
             std::abs(sample.rotary[i].acceleration) > most * axis.acceleration + rounding) {
@@ -84,6 +98,12 @@ Result check_rotary(const Motion& motion, const Guarantees& promised, const Mach
                          fmt::format("axis {} at {} rad/s2 of {} in line {} at {} s", axis.name,
                                      sample.rotary[i].acceleration, axis.acceleration,
                                      path.segments[part.segment].line, state.time)};
+        }
+        if (promised.holds_rotary_ramps && turns && of_block && !promised.follows_compaction && held &&
+            std::abs(sample.rotary[i].jerk) > most * axis.jerk + rounding) {
+          return Finding{"rotary-jerk", fmt::format("axis {} at {} rad/s3 of {} in line {} at {} s",
+                                                    axis.name, sample.rotary[i].jerk, axis.jerk,
+                                                    path.segments[part.segment].line, state.time)};
         }
         // Joined blocks leave the programmed ones, as curves do.
         const bool curves = part.place == Place::curve || was_curve || promised.follows_compaction;

@@ -68,7 +68,7 @@ void EssidRunner::plan_and_move(ProgressSteps& steps) {
 void EssidRunner::lay_path(const StretchRange& range) {
   turns_much_.clear();
   lay_blended_stretch(toolpath_, range, axes_, rules_, compressor_, builder_, stretch_,
-                      [&](const CornerPlace& place) { return blend_corner(place); });
+                      [&](const CornerPlace& place) { return blend_corner(place, range); });
   stretch_.blends_by_parameter = settings_.reading == EssidReading::strict;
   for (std::size_t e = 0; e < stretch_.plan.size(); ++e) {
     if (stretch_.by_parameter(e)) {
@@ -77,7 +77,7 @@ void EssidRunner::lay_path(const StretchRange& range) {
   }
 }
 
-CornerPiece EssidRunner::blend_corner(const CornerPlace& place) {
+CornerPiece EssidRunner::blend_corner(const CornerPlace& place, const StretchRange& range) {
   const Corner corner = lay_corner(place.in, place.out, place.longest, rule_at(place, settings_.corner));
   const BlendShape shape(place.in, place.out, corner.transition, settings_.corner.alpha);
   CornerPiece piece = lay_blend(place, corner, settings_.corner.alpha, gentle_length_);
@@ -92,7 +92,7 @@ CornerPiece EssidRunner::blend_corner(const CornerPlace& place) {
   }
   piece.limits = blend_motion_limits(shape, speed, place.feed.value, blend_limits_);
   if (!toolpath_.segment_turns.empty() && corner.turn > level_turn) {
-    hold_turns_by_parameter(shape, place.segment, piece);
+    hold_turns_by_parameter(shape, place.segment, range, piece);
   }
   return piece;
 }
@@ -100,7 +100,7 @@ CornerPiece EssidRunner::blend_corner(const CornerPlace& place) {
 /// A level blend may be run at constant du/dt, where the speed changes by itself: within the acceleration
 /// that rotary axes allow.
 void EssidRunner::hold_turns_by_parameter(const BlendShape& shape, std::size_t segment,
-                                          CornerPiece& piece) const {
+                                          const StretchRange& range, CornerPiece& piece) const {
   constexpr int places = 16;
   const double sigma = shape.at(0).sigma;
   double change = 0;  // of the speed, by the square of that at the entry [1/mm]
@@ -108,8 +108,9 @@ void EssidRunner::hold_turns_by_parameter(const BlendShape& shape, std::size_t s
     change = std::max(change, std::abs(shape.at(static_cast<double>(i) / places).dsigma) / (sigma * sigma));
   }
   const AxisBound free{HUGE_VAL, -1};
-  const AxisBound held =
-      with_turns_in_corner({{}, free, free}, toolpath_, segment, piece.transition, piece.length).acceleration;
+  const AxisBound held = with_turns_in_corner({{}, free, free}, toolpath_, segment, range.first, range.last,
+                                              piece.transition, piece.length)
+                             .acceleration;
   piece.limits.speed.lower(std::sqrt(held.value / change), {CauseKind::axis_acceleration, held.axis});
 }
 

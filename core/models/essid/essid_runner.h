@@ -33,8 +33,9 @@ class EssidRunner {
   };
 
   void lay_path(const StretchRange& range);
-  CornerPiece blend_corner(const CornerPlace& place);
-  void hold_turns_by_parameter(const BlendShape& shape, std::size_t segment, CornerPiece& piece) const;
+  CornerPiece blend_corner(const CornerPlace& place, const StretchRange& range);
+  void hold_turns_by_parameter(const BlendShape& shape, std::size_t segment, const StretchRange& range,
+                               CornerPiece& piece) const;
   /// Makes level places of the plan, with one speed for both of their ends, of blends that turn much.
   void hold_level_blends();
 

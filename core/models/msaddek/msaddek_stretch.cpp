@@ -53,12 +53,12 @@ void MsaddekRunner::lay_path(const StretchRange& chords) {
   double cut_before = 0;
   for (std::size_t i = chords.first; i < chords.last; ++i) {
     for (; curve != curves.end() && curve->run.first == i; ++curve) {
-      add_line(i, cut_before, path.segments[i].length - curve->run.begin, static_limits(i));
+      add_line(i, cut_before, path.segments[i].length - curve->run.begin, static_limits(i, chords));
       add_curve(*curve);
       i = curve->run.last;
       cut_before = curve->run.end;
     }
-    const MotionLimits limits = static_limits(i);
+    const MotionLimits limits = static_limits(i, chords);
     if (path.segments[i].kind == SegmentKind::arc) {
       add_arc(i, limits);
       continue;
@@ -73,15 +73,16 @@ void MsaddekRunner::lay_path(const StretchRange& chords) {
     }
     add_line(i, cut_before, connection.transition, limits);
     if (connection.transition > 0) {
-      add_connection(i, connection);
+      add_connection(i, chords, connection);
     }
     cut_before = connection.transition;
   }
 }
 
-MotionLimits MsaddekRunner::static_limits(std::size_t segment) const {
+MotionLimits MsaddekRunner::static_limits(std::size_t segment, const StretchRange& chords) const {
   const Toolpath& path = compacted_.path;
-  MotionLimits limits = segment_limits(path, segment, axes_);
+  MotionLimits limits =
+      with_joints(segment_limits(path, segment, axes_), path, segment, chords.first, chords.last);
   limits.speed.lower(path.segments[segment].length / settings_.period, {CauseKind::interpolation_period});
   if (path.segments[segment].kind == SegmentKind::arc) {
     const Arc& arc = path.arc_of(path.segments[segment]);
@@ -129,7 +130,8 @@ void MsaddekRunner::add_curve(const SmoothCurve& curve) {
                    });
 }
 
-void MsaddekRunner::add_connection(std::size_t segment, const ConnectingArc& connection) {
+void MsaddekRunner::add_connection(std::size_t segment, const StretchRange& chords,
+                                   const ConnectingArc& connection) {
   const Toolpath& path = compacted_.path;
   const SpeedBound feed = corner_ceiling(path, segment, axes_.velocity);
 
@@ -140,7 +142,8 @@ void MsaddekRunner::add_connection(std::size_t segment, const ConnectingArc& con
   MotionLimits limits = arc_limits(arc, feed, axes_);
   limits.speed.lower(length / settings_.period, {CauseKind::interpolation_period});
   lower_by_curvature(limits.speed, arc.curvature());
-  limits = with_turns_in_corner(limits, path, segment, connection.transition, length);
+  limits =
+      with_turns_in_corner(limits, path, segment, chords.first, chords.last, connection.transition, length);
   stretch_.add({length, limits}, index, static_cast<std::uint32_t>(segment));
 }
 

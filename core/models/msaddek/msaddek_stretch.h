@@ -37,11 +37,11 @@ class MsaddekRunner {
 
  private:
   void lay_path(const StretchRange& chords);
-  MotionLimits static_limits(std::size_t segment) const;
+  MotionLimits static_limits(std::size_t segment, const StretchRange& chords) const;
   void add_line(std::size_t segment, double cut_before, double cut_after, const MotionLimits& limits);
   void add_arc(std::size_t segment, const MotionLimits& limits);
   void add_curve(const SmoothCurve& curve);
-  void add_connection(std::size_t segment, const ConnectingArc& connection);
+  void add_connection(std::size_t segment, const StretchRange& chords, const ConnectingArc& connection);
   /// eq 17: what the curvilinear jerk allows on curvature `k` [1/mm].
   void lower_by_curvature(SpeedBound& speed, double k) const;
 

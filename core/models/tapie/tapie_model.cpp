@@ -55,7 +55,9 @@ Trajectory TapieModel::do_simulate(const std::shared_ptr<const Toolpath>& shared
       stretch->clear();
       for (std::size_t i = range.first; i < range.last; ++i) {
         const auto block = static_cast<std::uint32_t>(i);
-        stretch->add({toolpath.segments[i].length, rule.limits(toolpath, i)}, part.add_segment(block), block);
+        const MotionLimits limits =
+            with_joints(rule.limits(toolpath, i), toolpath, i, range.first, range.last);
+        stretch->add({toolpath.segments[i].length, limits}, part.add_segment(block), block);
       }
       follow_acceleration_mode(*stretch, part.path(), rules, rule.period);
       set_junction_ceilings(*stretch, part.path(), rule.axes.jerk, rule.period, lookahead);

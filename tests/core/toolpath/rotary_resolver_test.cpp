@@ -118,8 +118,8 @@ TEST(RotaryMoves, BesideARapidTurnAlongIt) {
   const SegmentTurn& turn = path->segment_turns.front();
   EXPECT_EQ(turn.segment, 1U);
   EXPECT_NEAR(turn.limit.speed, 150 / 0.45, 1e-9) << "0.45 degrees a millimetre";
-  EXPECT_NEAR(turn.acceleration, 720 / 0.45, 1e-9);
-  EXPECT_NEAR(turn.jerk, 7200 / 0.45, 1e-9);
+  EXPECT_NEAR(turn.ramp.acceleration, 720 / 0.45, 1e-9);
+  EXPECT_NEAR(turn.ramp.jerk, 7200 / 0.45, 1e-9);
 }
 
 TEST(RotaryMoves, AtAFeedKeepItWhereTheWordsOfXYAndZMoveNothing) {
@@ -263,8 +263,8 @@ TEST(SegmentTurns, HoldTheRotaryAxisWithoutToolCentrePointControl) {
   EXPECT_NEAR(turn.limit.speed, 150 / 4.5, 1e-9);
   EXPECT_EQ(turn.limit.axis, 3);
   EXPECT_EQ(turn.limit.by, TurnLimit::By::velocity);
-  EXPECT_NEAR(turn.acceleration, 720 / 4.5, 1e-9);
-  EXPECT_NEAR(turn.jerk, 7200 / 4.5, 1e-9);
+  EXPECT_NEAR(turn.ramp.acceleration, 720 / 4.5, 1e-9);
+  EXPECT_NEAR(turn.ramp.jerk, 7200 / 4.5, 1e-9);
   EXPECT_NEAR(path->segments[1].feed, 1000.0 / 60 * 10 / std::hypot(10, 45, 60), 1e-9)
       << "F holds along sqrt(mm2 + deg2)";
   EXPECT_NEAR(path->segments[2].feed, 1000.0 / 60, 1e-9);
@@ -291,8 +291,8 @@ TEST(SegmentTurns, LetTheTableCarryTheTipRoundACircle) {
   EXPECT_NEAR(turn.limit.speed, 300 * deg * 20, 1e-6);
   EXPECT_EQ(turn.limit.axis, 5);
   EXPECT_EQ(turn.limit.by, TurnLimit::By::velocity);
-  EXPECT_NEAR(turn.acceleration, 1440 * deg * 20, 1e-6);
-  EXPECT_EQ(turn.acceleration_axis, 5);
+  EXPECT_NEAR(turn.ramp.acceleration, 1440 * deg * 20, 1e-6);
+  EXPECT_EQ(turn.ramp.acceleration_axis, 5);
 }
 
 TEST(SegmentTurns, CountTheLinearAxesThatMakeUpForATurn) {
