@@ -57,22 +57,10 @@ std::string axis_table(const Run& run) {
   return table.text("lrrr");
 }
 
-/// What is to be known of them; empty where nothing is.
-std::string rotary_notes(const Run& run) {
-  std::string text;
-  for (const char* const note : {missing_axes_note(*run.input.toolpath, run.setup.machine),
-                                 rotary_limits_note(*run.input.toolpath, run.setup)}) {
-    if (note != nullptr) {
-      text += "  " + wrapped(note, 2) + "\n";
-    }
-  }
-  return text;
-}
-
-/// The rotary axes of a run in which one turns.
+/// The rotary axes of a run in which one turns; empty for every other one.
 std::string rotary_text(const Run& run) {
   if (!run.summary.rotary) {
-    return rotary_notes(run);
+    return "";
   }
   const RotaryFigures& figures = *run.summary.rotary;
   std::string text;
@@ -98,7 +86,7 @@ std::string rotary_text(const Run& run) {
     text += fmt::format("  the tool leans from its programmed direction by {:.3g} deg at most (line {})\n",
                         units::to_deg(error.angle), error.line);
   }
-  return text + rotary_notes(run);
+  return text;
 }
 
 /// What the drives make of it; empty where all axes follow exactly.
@@ -336,17 +324,18 @@ std::string figure_text(const SourceFigure& figure, const Summary& summary) {
 
 namespace {
 
-/// What the largest values do not hold.
-std::string jumps_text(const Run& run) {
+/// What is to be known of the largest values; empty where nothing is.
+std::string figure_notes_text(const Run& run) {
   const Guarantees promised = run.setup.model->guarantees(run.setup.settings);
-  if (promised.limits_jerk) {
-    return "";
+  const bool has_ramps = promised.limits_jerk || jump_note(run.setup) != nullptr;
+  std::string text =
+      has_ramps
+          ? ""
+          : "  without the jumps of the speed and of the acceleration, which this model does not limit\n";
+  for (const char* const note : figure_notes(*run.input.toolpath, run.setup)) {
+    text += "  " + wrapped(note, 2) + "\n";
   }
-  const bool of_speed =
-      promised.continuity == Continuity::position || run.setup.model->info().limits.jumps_in_corners;
-  return of_speed
-             ? "  without the jumps of the speed and of the acceleration, which this model does not limit\n"
-             : "  without the jumps of the acceleration, which this model does not limit\n";
+  return text;
 }
 
 }  // namespace
@@ -380,7 +369,8 @@ std::string summary_text(const Run& run) {
   figures.add(
       {"contour error", fmt::format("at most {:.4f} mm{}{}{}", s.max_contour_error, where, blends, curves)});
   return out + figures.text("ll") + "\nLargest values\n" + axis_table(run) + rotary_text(run) +
-         jumps_text(run) + actual_text(s) + load_text(s) + "\nTime by limiting cause\n" + cause_table(s);
+         figure_notes_text(run) + actual_text(s) + load_text(s) + "\nTime by limiting cause\n" +
+         cause_table(s);
 }
 
 }  // namespace feedscope

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <sstream>
 
 namespace feedscope::test {
@@ -430,6 +432,25 @@ TEST_F(CommandLine, TheToleranceInForceIsToldEverywhere) {
   EXPECT_THAT(contents(folder_ / "two.csv"), HasSubstr(",0.02,0.05,program,"));
   EXPECT_THAT(run("compare own.mpf --model essid --sweep 'X.jerk=10;20'").out,
               HasSubstr("tolerance 0.02 mm (program)"));
+}
+
+/// What the window shows below the figures.
+TEST_F(CommandLine, WhatIsToBeKnownOfTheLargestValuesStandsBelowThem) {
+  const auto words = [&](const std::string& arguments) {  // of a text in lines that fit
+    std::istringstream text(run("simulate " + arguments).out);
+    return std::accumulate(std::istream_iterator<std::string>(text), {}, std::string(),
+                           [](const std::string& all, const std::string& word) { return all + word + ' '; });
+  };
+  const std::string jumps = "No jerk is limited: the acceleration jumps, and where blocks meet the velocity";
+  EXPECT_THAT(words("corner.nc --machine grbl-router"), HasSubstr(jumps));
+  EXPECT_THAT(words("corner.nc --model cam"), HasSubstr("without the jumps of the speed"));
+  EXPECT_THAT(words("corner.nc --model essid"), Not(HasSubstr("jumps")));
+  write("turn.mpf", "TRAORI\nG1 X0 Y0 Z0 A3=0 B3=0 C3=1 F3000\nX20 A3=1 B3=0 C3=5\n");
+  const std::string turning = words("turn.mpf --machine five-axis-table-ac");
+  EXPECT_THAT(turning,
+              HasSubstr("Velocity, acceleration and jerk of X, Y and Z are those of the tool's tip"));
+  write("index.nc", "G21 G90 G0 A30\nG1 X20 F3000\n");
+  EXPECT_THAT(words("index.nc --machine spinner-mvc850"), HasSubstr("Choose a machine that has them"));
 }
 
 TEST_F(CommandLine, AProgramRunsOnAMachineWithItsControlAndOthersAreSaid) {
