@@ -96,6 +96,12 @@ std::string times_table(std::span<const ComparedRun> runs) {
   table.add_head(head);
   table.add_units(head_units);
   for (const ComparedRun& run : runs) {
+    if (run.refused) {
+      Cells cells(head.size(), "-");
+      cells.front() = refused_word;
+      table.add_run(run, std::move(cells));
+      continue;
+    }
     const Summary& summary = run.summary;
     Cells cells{fmt::format("{:.3f}", summary.cycle_time),
                 clock_text(summary.cycle_time),
@@ -115,6 +121,7 @@ void add_shares(Cells& cells, const ComparedRun& run, double AxisPeaks::*peak, d
   for (const AxisInfo& axis : known_axes) {
     const AxisPeaks* const found = run.summary.axes.find(axis.name);
     cells.push_back(found == nullptr ? ""
+                    : run.refused    ? "-"
                     : std::isnan(found->*peak)
                         ? "jumps"
                         : percent(found->*peak / run.setup.machine.axes.find(axis.name)->*limit));
@@ -168,7 +175,9 @@ std::string causes_table(std::span<const ComparedRun> runs) {
   RunTable table;
   table.add_head({"of the cycle time, largest first"});
   for (const ComparedRun& run : runs) {
-    const std::vector<std::string> lines = causes_text(run.summary);
+    const std::vector<std::string> lines =
+        run.refused ? std::vector<std::string>{"refused by the control: none of its motions is run"}
+                    : causes_text(run.summary);
     table.add_run(run, {lines.front()});
     for (std::size_t i = 1; i < lines.size(); ++i) {
       table.add_more({lines[i]});

@@ -65,6 +65,11 @@ std::string merge_text(const MergedComparison& merged) {
       {"", "machine", "model", "setting", "programs", "cycle time", "h:mm:ss", "mean feed", "contour error"});
   table.add({"", "", "", "", "", "[s]", "", "[mm/min]", "[mm]"});
   const auto add = [&](const MergedRun& run, std::size_t programs, bool has_feed, bool fastest) {
+    if (run.refused) {
+      table.add({"", run.machine, run.model, run.setting, fmt::format("{}", programs), refused_word, "-",
+                 has_feed ? "-" : "", "-"});
+      return;
+    }
     table.add({fastest ? "*" : "", run.machine, run.model, run.setting, fmt::format("{}", programs),
                fmt::format("{:.3f}", run.cycle_time), clock_text(run.cycle_time),
                has_feed ? fmt::format("{:.1f}", run.mean_feed) : "",

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "core/analysis/not_counted.h"
+#include "core/analysis/refused_lines.h"
 #include "core/analysis/run_notes.h"
 #include "core/analysis/tolerance_in_force.h"
 #include "core/base/clock_text.h"
@@ -346,7 +347,9 @@ std::string summary_text(const Run& run) {
   std::string out = fmt::format("{} on {} ({}), model {}\n\n", program.source->name(), run.setup.machine.name,
                                 run.setup.machine.control, run.setup.model->info().id);
   TextTable figures;
-  figures.add({"cycle time", time_text(s.cycle_time)});
+  figures.add({"cycle time", is_refused(run)
+                                 ? "none: the control refuses the program, none of its motions is run"
+                                 : time_text(s.cycle_time)});
   if (const std::string missing = describe(s.not_counted); !missing.empty()) {
     figures.add({"not in the cycle time", missing});
   }

@@ -35,6 +35,9 @@ std::string wrapped(const std::string& text, std::size_t indent);
 /// "1.249 s", from a minute on with hours: "3725.4 s (1:02:05)".
 std::string time_text(double seconds);
 
+/// What stands in place of the cycle time of a program that the control refuses as a whole.
+inline constexpr const char* refused_word = "refused";
+
 /// How tables of runs have a figure: "actual error", "[mm]", "0.0125"; "-" where a run has none.
 std::string figure_title(const SourceFigure& figure);
 std::string figure_unit(const SourceFigure& figure);

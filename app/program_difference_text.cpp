@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/print.h"
+#include "core/analysis/refused_lines.h"
 
 namespace feedscope {
 namespace {
@@ -56,14 +57,25 @@ std::string stretches_text(const ProgramDifference& difference) {
 }  // namespace
 
 std::string program_difference_text(const Run& old, const Run& now, const ProgramDifference& difference) {
-  const double before = old.summary.cycle_time;
-  const double after = now.summary.cycle_time;
-  const std::string share =
-      before > 0 ? fmt::format(" ({:+.1f} %)", 100 * (after / before - 1)) : std::string();
   std::string text =
       fmt::format("{} instead of {}, on {} ({}), model {}\n\n", now.input.program->source->name(),
                   old.input.program->source->name(), now.setup.machine.name, now.setup.machine.control,
                   now.setup.model->info().id);
+  bool refused = false;
+  for (const Run* run : {&old, &now}) {
+    if (is_refused(*run)) {
+      refused = true;
+      text += fmt::format("The control refuses {}: none of its motions is run.\n",
+                          run->input.program->source->name());
+    }
+  }
+  if (refused) {
+    return text + "There is nothing to compare.\n";
+  }
+  const double before = old.summary.cycle_time;
+  const double after = now.summary.cycle_time;
+  const std::string share =
+      before > 0 ? fmt::format(" ({:+.1f} %)", 100 * (after / before - 1)) : std::string();
   text += wrapped(fmt::format("{} instead of {}: {}{}. {:.1f} % of the new path is in the old program too. "
                               "Max. contour error {:.4f} mm instead of {:.4f} mm.",
                               time_text(after), time_text(before), change(before, after), share,

@@ -84,8 +84,12 @@ std::string curve_table(const Study& study, std::span<const StudyRun> curve, con
                                    clock_text(summary.cycle_time),
                                    fmt::format("{:.1f}", units::to_mm_min(summary.mean_feed)),
                                    fmt::format("{:.4f}", summary.max_contour_error)};
+    if (run.refused) {
+      std::ranges::fill(cells.begin() + 2, cells.end(), "-");
+      cells[2] = refused_word;
+    }
     for (const SourceFigure* figure : figures) {
-      cells.push_back(figure_text(*figure, summary));
+      cells.push_back(run.refused ? "-" : figure_text(*figure, summary));
     }
     cells.push_back(causes.empty() ? "" : share_text(causes.front()));
     table.add(std::move(cells));
@@ -93,12 +97,22 @@ std::string curve_table(const Study& study, std::span<const StudyRun> curve, con
   return table.text("lrrrrr" + std::string(figures.size(), 'r') + "l");
 }
 
+constexpr const char* refused_text = "The control refuses the program: none of its motions is run.";
+
+bool all_refused(std::span<const StudyRun> runs) {
+  return std::ranges::all_of(runs, &StudyRun::refused);
+}
+
+/// Of `runs`, one of which is not refused.
 const StudyRun& min_error(std::span<const StudyRun> runs) {
-  return *std::ranges::min_element(runs, {},
-                                   [](const StudyRun& run) { return run.summary.max_contour_error; });
+  return *std::ranges::min_element(
+      runs, {}, [](const StudyRun& run) { return std::pair(run.refused, run.summary.max_contour_error); });
 }
 
 std::string optimum_text(const Study& study, std::span<const StudyRun> runs) {
+  if (all_refused(runs)) {
+    return refused_text;
+  }
   const StudyRun* best = fastest(runs, study.within);
   if (best == nullptr) {
     const StudyRun& least = min_error(runs);
@@ -116,7 +130,11 @@ std::string optimum_text(const Study& study, std::span<const StudyRun> runs) {
                      where);
 }
 
+/// Empty where an end is refused.
 std::string ends_text(const Study& study, std::span<const StudyRun> curve) {
+  if (curve.front().refused || curve.back().refused) {
+    return "";
+  }
   const Sweep& sweep = study.sweeps.front();
   std::string text = fmt::format("At {} {} the time is due to {}", sweep.key,
                                  value_text(sweep, curve.front().swept.front()), main_causes(curve.front()));
@@ -151,6 +169,9 @@ std::string operations_text(const Study& study, const StudyRun& run) {
 }
 
 std::string fastest_text(const Study& study) {
+  if (all_refused(study.runs)) {
+    return fmt::format("{}\n", refused_text);
+  }
   const StudyRun* best = fastest(study.runs, study.within);
   if (best == nullptr) {
     const StudyRun& least = min_error(study.runs);
@@ -172,9 +193,11 @@ std::string study_text(const LoadedProgram& program, const Study& study,
   const auto curves = study.curves();
   for (const auto& curve : curves) {
     const StudyRun* best = fastest(curve, study.within);
-    text +=
-        fmt::format("\n{}\n{}{}\n{}\n", curve_title(study, curve.front()), curve_table(study, curve, best),
-                    wrapped(optimum_text(study, curve), 0), wrapped(ends_text(study, curve), 0));
+    text += fmt::format("\n{}\n{}{}\n", curve_title(study, curve.front()), curve_table(study, curve, best),
+                        wrapped(optimum_text(study, curve), 0));
+    if (const std::string ends = ends_text(study, curve); !ends.empty()) {
+      text += wrapped(ends, 0) + "\n";
+    }
     std::vector<ToleranceRun> tolerances;
     for (const StudyRun& run : curve) {
       tolerances.push_back({&run.setup, &run.summary});
@@ -182,7 +205,7 @@ std::string study_text(const LoadedProgram& program, const Study& study,
     for (const SlowerTolerance& slower : slower_with_wider_tolerance(tolerances)) {
       text += fmt::format("{}\n", wrapped(to_string(slower, tolerances), 0));
     }
-    if (!study.operations.empty()) {
+    if (!study.operations.empty() && !all_refused(curve)) {
       const StudyRun& shown = best != nullptr ? *best : min_error(curve);
       text +=
           fmt::format("\nOperations at {}\n{}", setting_text(study, shown), operations_text(study, shown));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/analysis/refused_lines.h"
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
 #include "core/base/parallel.h"
@@ -62,7 +63,8 @@ ComparedRun figures_of(const Run& run) {
           run.trajectory->path_length(),
           run.trajectory->blend_count(),
           run.simulate_time,
-          tolerance_in_force(run.input.feed_controls, run.setup)};
+          tolerance_in_force(run.input.feed_controls, run.setup),
+          is_refused(run)};
 }
 
 std::vector<Setup> setups_to_compare(const std::vector<std::string>& machines,

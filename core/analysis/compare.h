@@ -17,6 +17,8 @@ struct ComparedRun {
   std::size_t blends = 0;    ///< corners that the control rounds
   double simulate_time = 0;  ///< wall clock [s]
   std::optional<ToleranceInForce> tolerance = std::nullopt;
+  /// The control refuses the program: nothing of it is run, and the figures mean nothing.
+  bool refused = false;
 
   /// Cycle time over that of the model `cam`, which is the programmed time; 1 for an empty program.
   double against_cam() const {

@@ -9,6 +9,10 @@ std::vector<Diagnostic> refused_lines(const LoadedProgram& program, const Setup&
                                          : program.lines_not_run;
 }
 
+bool is_refused(const Run& run) {
+  return !run.input.lines_not_run.empty() && !(run.summary.cycle_time > 0);
+}
+
 std::string line_list(const std::vector<Diagnostic>& lines) {
   constexpr std::size_t most = 8;  // ranges that are named
   std::string list;

@@ -34,6 +34,8 @@ std::vector<std::size_t> causes_of(const Runs& runs) {
   return causes;
 }
 
+constexpr std::size_t name_columns = 3;  // machine, model and tolerance in front of the figures
+
 std::vector<std::string> header(const std::vector<std::size_t>& causes) {
   std::vector<std::string> row{"machine",
                                "model",
@@ -60,6 +62,7 @@ std::vector<std::string> header(const std::vector<std::size_t>& causes) {
   return row;
 }
 
+/// Without the figures where the control refuses the program.
 std::vector<std::string> row_of(const ComparedRun& run, const std::vector<std::size_t>& causes) {
   const Summary& summary = run.summary;
   const std::optional<ToleranceInForce>& tolerance = run.tolerance;
@@ -94,6 +97,12 @@ std::vector<std::string> row_of(const ComparedRun& run, const std::vector<std::s
   for (const std::size_t cause : causes) {
     row.push_back(csv_number(summary.time_by_cause[cause]));
   }
+  if (run.refused) {
+    const std::vector<std::string> titles = header(causes);
+    for (std::size_t column = name_columns; column < row.size(); ++column) {
+      row[column] = titles[column].starts_with("tolerance_") ? row[column] : "";
+    }
+  }
   return row;
 }
 
@@ -124,7 +133,7 @@ std::vector<std::string> study_cells(const Study& study, const StudyRun& run, bo
   for (const double value : run.swept) {
     cells.push_back(csv_number(value));
   }
-  cells.push_back(bound_text(study.within, run.summary.max_contour_error));
+  cells.push_back(run.refused ? "" : bound_text(study.within, run.summary.max_contour_error));
   cells.emplace_back(is_fastest ? "1" : "0");
   const std::vector<CauseShare> causes = limiting_causes(run.summary);
   cells.push_back(causes.empty() ? "" : cause_key(causes.front().cause));
@@ -140,7 +149,7 @@ std::vector<std::string> operation_row(const Study& study, const StudyRun& run, 
   const auto put = [&](const std::string& title, std::string text) {
     row[static_cast<std::size_t>(std::ranges::find(titles, title) - titles.begin())] = std::move(text);
   };
-  for (std::size_t column = 3; column < row.size(); ++column) {
+  for (std::size_t column = name_columns; column < row.size(); ++column) {
     const std::string& title = titles[column];
     if (!title.starts_with("setting_") && title != "fastest") {
       row[column].clear();

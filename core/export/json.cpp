@@ -263,6 +263,7 @@ Json run_json(const LoadedProgram& program, const ComparedRun& run) {
   const Machine& machine = run.setup.machine;
   const ModelInfo& model = run.setup.model->info();
   const Summary& summary = run.summary;
+  const auto figure = [&](const Json& value) { return run.refused ? Json() : value; };
   return {{"machine", {{"id", machine.id}, {"name", machine.name}, {"control", machine.control}}},
           {"model", {{"id", model.id}, {"title", model.title}, {"reference", model.reference}}},
           {"settings", settings_values(run.setup.settings)},
@@ -270,14 +271,14 @@ Json run_json(const LoadedProgram& program, const ComparedRun& run) {
           {"tolerance_in_force_mm", tolerance_json(run.tolerance)},
           {"tolerance_set_by", run.tolerance ? Json(to_string(run.tolerance->set_by)) : Json()},
           {"notes", run_notes(program, run.setup)},
-          {"cycle_time_s", finite(summary.cycle_time)},
-          {"programmed_time_s", finite(summary.programmed_time)},
-          {"against_cam", finite(run.against_cam())},
-          {"mean_feed_mm_min", finite(units::to_mm_min(summary.mean_feed))},
+          {"cycle_time_s", figure(finite(summary.cycle_time))},
+          {"programmed_time_s", figure(finite(summary.programmed_time))},
+          {"against_cam", figure(finite(run.against_cam()))},
+          {"mean_feed_mm_min", figure(finite(units::to_mm_min(summary.mean_feed)))},
           {"path_mm", finite(run.path_length)},
           {"blends", run.blends},
-          {"max_contour_error_mm", rounded_length(summary.max_contour_error)},
-          {"max_corner_distance_mm", rounded_length(summary.max_corner_distance)},
+          {"max_contour_error_mm", figure(rounded_length(summary.max_contour_error))},
+          {"max_corner_distance_mm", figure(rounded_length(summary.max_corner_distance))},
           {"max_contour_error_at", contour_place(summary)},
           {"peaks", peaks(summary)},
           {"time_by_cause_s", by_cause(summary.time_by_cause)},

@@ -109,6 +109,10 @@ MergedRun run_of(const Place& run) {
   merged.setting = setting_of(run);
   merged.key = fmt::format("{}\n{}\n{}\n{}", merged.machine, merged.model, run.at("settings").json().dump(),
                            run.at("limits").json().dump());
+  merged.refused = run.at("cycle_time_s").json().is_null();
+  if (merged.refused) {
+    return merged;
+  }
   merged.cycle_time = run.at("cycle_time_s").number();
   merged.mean_feed = run.at("mean_feed_mm_min").number();
   merged.max_contour_error = run.at("max_contour_error_mm").number();
@@ -166,28 +170,36 @@ MergedProgram program_of(const NamedText& file, std::optional<double>& within) {
   return program;
 }
 
+/// Null where the control refuses the program.
+Json figure_json(const MergedRun& run, double value) {
+  return run.refused ? Json() : Json(value);
+}
+
 Json figures_json(const MergedRun& run) {
   return {{"machine", run.machine},
           {"model", run.model},
           {"setting", run.setting},
-          {"cycle_time_s", run.cycle_time},
-          {"max_contour_error_mm", run.max_contour_error}};
+          {"cycle_time_s", figure_json(run, run.cycle_time)},
+          {"max_contour_error_mm", figure_json(run, run.max_contour_error)}};
 }
 
 /// within_bound and fastest of a row; null without a bound.
 void add_marks(Json& row, const MergedComparison& merged, const MergedRun& run, bool fastest) {
-  row["within_bound"] = merged.within ? Json(merged.keeps(run)) : Json();
+  row["within_bound"] = merged.within && !run.refused ? Json(merged.keeps(run)) : Json();
   row["fastest"] = merged.within ? Json(fastest) : Json();
 }
 
 std::string marks_csv(const MergedComparison& merged, const MergedRun& run, bool fastest) {
-  return merged.within ? fmt::format("{:d},{:d}", merged.keeps(run), fastest) : ",";
+  return !merged.within ? ","
+         : run.refused  ? fmt::format(",{:d}", fastest)
+                        : fmt::format("{:d},{:d}", merged.keeps(run), fastest);
 }
 
 std::string csv_row(const std::string& program, const MergedRun& run, std::size_t programs, bool has_feed) {
-  return fmt::format("{},{},{},{},{},{:.11g},{},{:.11g}", csv_field(program), csv_field(run.machine),
-                     run.model, csv_field(run.setting), programs, run.cycle_time,
-                     has_feed ? fmt::format("{:.11g}", run.mean_feed) : "", run.max_contour_error);
+  const auto figure = [&](double value) { return run.refused ? "" : fmt::format("{:.11g}", value); };
+  return fmt::format("{},{},{},{},{},{},{},{}", csv_field(program), csv_field(run.machine), run.model,
+                     csv_field(run.setting), programs, figure(run.cycle_time),
+                     has_feed ? figure(run.mean_feed) : "", figure(run.max_contour_error));
 }
 
 bool is_faster(const MergedRun& run, const MergedRun& than) {
@@ -200,10 +212,15 @@ void add_to_sums(std::vector<MergedSum>& sums, const MergedRun& run) {
   if (sum == sums.end()) {
     sum = sums.insert(sum, {run, 0});
     sum->run.cycle_time = sum->run.max_contour_error = sum->run.mean_feed = 0;
+    sum->run.refused = true;
   }
   if (sum->run.setting != run.setting) {
     sum->run.setting = "tolerance=program or setting";
   }
+  if (run.refused) {
+    return;
+  }
+  sum->run.refused = false;
   sum->run.cycle_time += run.cycle_time;
   sum->run.max_contour_error = std::max(sum->run.max_contour_error, run.max_contour_error);
   ++sum->programs;
@@ -213,7 +230,7 @@ void add_to_sums(std::vector<MergedSum>& sums, const MergedRun& run) {
 
 bool MergedComparison::keeps(const MergedRun& run) const {
   constexpr double rounding = 1e-9;  // mm
-  return !within || run.max_contour_error <= *within + rounding;
+  return !run.refused && (!within || run.max_contour_error <= *within + rounding);
 }
 
 const MergedRun* MergedComparison::fastest(const MergedProgram& program) const {
@@ -289,7 +306,7 @@ std::string merged_json(const MergedComparison& merged) {
     Json runs = Json::array();
     for (const MergedRun& run : program.runs) {
       Json row = figures_json(run);
-      row["mean_feed_mm_min"] = run.mean_feed;
+      row["mean_feed_mm_min"] = figure_json(run, run.mean_feed);
       add_marks(row, merged, run, &run == best);
       runs.push_back(std::move(row));
     }

@@ -14,6 +14,7 @@ struct MergedRun {
   std::string setting;  ///< "tolerance=0.02 X.jerk=20"; what was swept, or the tolerance: "tolerance=program"
                         ///< where that of the program is in force
   std::string key;      ///< everything that runs of the same setting share
+  bool refused = false;          ///< by the control: nothing of the program is run, and there are no figures
   double cycle_time = 0;         ///< [s]
   double mean_feed = 0;          ///< [mm/min]
   double max_contour_error = 0;  ///< [mm]
@@ -28,8 +29,8 @@ struct MergedProgram {
 
 /// All programs with one setting.
 struct MergedSum {
-  MergedRun run;  ///< cycle time the sum, contour error the largest, no mean feed
-  std::size_t programs = 0;
+  MergedRun run;  ///< cycle time the sum, contour error the largest, no mean feed; refused: all of them
+  std::size_t programs = 0;  ///< that are run
 };
 
 struct MergedComparison {
@@ -37,7 +38,7 @@ struct MergedComparison {
   std::vector<MergedSum> sums;   ///< in the order of their first run
   std::optional<double> within;  ///< bound of the contour error [mm]: what was asked for, else of all files
 
-  /// Whether a run keeps the bound; true where there is none.
+  /// Whether a run keeps the bound; true where there is none, never of one that is refused.
   bool keeps(const MergedRun& run) const;
   /// The fastest run of a program with motion that keeps the bound, the fastest sum over all programs that
   /// does; nullptr where none keeps it or there is no bound.

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/analysis/program_difference/program_difference.h"
+#include "core/analysis/refused_lines.h"
 #include "core/export/export.h"
 #include "core/export/json_parts.h"
 
@@ -12,13 +13,14 @@ namespace {
 constexpr std::size_t most_stretches = 1000;
 
 Json program_json(const Run& run) {
+  const auto figure = [refused = is_refused(run)](double value) { return refused ? Json() : finite(value); };
   return {{"file", run.input.program->source->name()},
           {"lines", run.input.program->source->line_count()},
           {"segments", run.input.toolpath->segments.size()},
           {"path_mm", finite(run.input.toolpath->length())},
-          {"cycle_time_s", finite(run.summary.cycle_time)},
-          {"programmed_time_s", finite(run.summary.programmed_time)},
-          {"max_contour_error_mm", finite(run.summary.max_contour_error)}};
+          {"cycle_time_s", figure(run.summary.cycle_time)},
+          {"programmed_time_s", figure(run.summary.programmed_time)},
+          {"max_contour_error_mm", figure(run.summary.max_contour_error)}};
 }
 
 Json lines_json(const StretchSide& side) {
@@ -67,7 +69,8 @@ std::string program_difference_json(const Run& old, const Run& now, const Progra
   json["machine"] = {{"id", now.setup.machine.id}, {"name", now.setup.machine.name}};
   json["model"] = now.setup.model->info().id;
   json["settings"] = settings_values(now.setup.settings);
-  json["gained_s"] = finite(old.summary.cycle_time - now.summary.cycle_time);
+  const bool refused = is_refused(old) || is_refused(now);
+  json["gained_s"] = refused ? Json() : finite(old.summary.cycle_time - now.summary.cycle_time);
   json["same_share"] = finite(difference.same_share());
   json["by_change"] = sums_json(difference);
   json["stretches"] = stretches_json(difference);

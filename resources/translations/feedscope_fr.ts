@@ -5115,6 +5115,10 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <source>contour error</source>
         <translation>erreur de contour</translation>
     </message>
+    <message>
+        <source>refused</source>
+        <translation>refusé</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ContourChart</name>
@@ -6515,10 +6519,6 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <translation>Effacer les valeurs essayées</translation>
     </message>
     <message>
-        <source>Forget the values tried at this question; the answer stays</source>
-        <translation>Oublier les valeurs essayées à cette question&#xa0;; la réponse reste</translation>
-    </message>
-    <message>
         <source>Copy</source>
         <translation>Copier</translation>
     </message>
@@ -6529,6 +6529,10 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>Clear</source>
         <translation>Effacer</translation>
+    </message>
+    <message>
+        <source>Forget the values tried at this question; the answer stays</source>
+        <translation>Oublier les valeurs essayées à cette question&#xa0;; la réponse reste</translation>
     </message>
 </context>
 <context>
@@ -8842,10 +8846,6 @@ Ensemble&#xa0;: %4</translation>
         </translation>
     </message>
     <message>
-        <source>Settings without a value on this machine: motion and times that need them are neither drawn nor timed</source>
-        <translation>Réglages sans valeur pour cette machine&#xa0;; sans elle, ce dont ils donnent le lieu ou la durée n&apos;est ni tracé ni compté</translation>
-    </message>
-    <message>
         <source>Axis limits</source>
         <translation>Limites des axes</translation>
     </message>
@@ -8891,6 +8891,10 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>Machine</source>
         <translation>Machine</translation>
+    </message>
+    <message>
+        <source>Settings without a value on this machine: motion and times that need them are neither drawn nor timed</source>
+        <translation>Réglages sans valeur pour cette machine&#xa0;; sans elle, ce dont ils donnent le lieu ou la durée n&apos;est ni tracé ni compté</translation>
     </message>
 </context>
 <context>
@@ -9286,6 +9290,10 @@ Ensemble&#xa0;: %4</translation>
         <source>Mainly limited by</source>
         <translation>Limitée surtout par</translation>
     </message>
+    <message>
+        <source>refused</source>
+        <translation>refusé</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::StudyView</name>
@@ -9440,6 +9448,10 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>Study</source>
         <translation>Étude</translation>
+    </message>
+    <message>
+        <source>The control refuses the program: none of its motions is run.</source>
+        <translation>La commande refuse le programme : aucun de ses mouvements n&apos;est exécuté.</translation>
     </message>
 </context>
 <context>

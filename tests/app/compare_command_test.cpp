@@ -56,6 +56,41 @@ TEST_F(CompareCommand, ShowsNoShareOfAnEmptyProgram) {
   EXPECT_THAT(result.out, AllOf(HasSubstr("0:00:00"), Not(HasSubstr("nan")), Not(HasSubstr("inf"))));
 }
 
+/// grbl wants a feed before the first motion; other models run the axes as fast as they can.
+TEST_F(CompareCommand, SaysThatAControlRefusesTheProgramInsteadOfATime) {
+  write("no_feed.nc", "G21 G90\nG1 X10\nG1 Y10\n");
+  const std::string arguments = "compare no_feed.nc --machine grbl-router --model grbl --model cam";
+  const Result result = run(arguments + " --json part.json --csv part.csv");
+  EXPECT_THAT(result.out, AllOf(HasSubstr("grbl            -      refused         -"),
+                                HasSubstr("refused by the control: none of its motions is run"),
+                                HasSubstr("cam             -        0.240"), Not(HasSubstr(" 0.000 "))));
+  const json runs = json::parse(contents(folder_ / "part.json"))["runs"];
+  for (const char* key : {"cycle_time_s", "programmed_time_s", "against_cam", "mean_feed_mm_min",
+                          "max_contour_error_mm", "max_corner_distance_mm"}) {
+    EXPECT_TRUE(runs[0][key].is_null()) << key;
+    EXPECT_TRUE(runs[1][key].is_number()) << key;
+  }
+  EXPECT_THAT(runs[0]["notes"].dump(), HasSubstr("refused by the control"));
+  EXPECT_THAT(contents(folder_ / "part.csv"), HasSubstr("grbl-router,grbl,,,,,,,,,"));
+
+  EXPECT_THAT(run(arguments + " --within 0.1").out, HasSubstr("Fastest within 0.1 mm: cam on"));
+  const std::string swept =
+      "compare no_feed.nc --machine grbl-router --model grbl --sweep "
+      "'junction_deviation_mm=0.01;0.02' --within 0.1";
+  EXPECT_THAT(run(swept).out, AllOf(HasSubstr("The control refuses the program"), Not(HasSubstr("*"))));
+  EXPECT_THAT(run("compare no_feed.nc corner.nc --machine grbl-router").out,
+              AllOf(HasSubstr("The control refuses no_feed.nc"), Not(HasSubstr("instead of 0.000 s"))));
+
+  run("compare corner.nc --machine grbl-router --model grbl --model cam --json other.json");
+  const Result merged = run("compare --merge part.json other.json --within 1 --json merged.json");
+  EXPECT_EQ(merged.code, 0) << merged.err;
+  EXPECT_THAT(merged.out, HasSubstr("refused"));
+  const json sums = json::parse(contents(folder_ / "merged.json"))["sums"];
+  EXPECT_EQ(sums[0]["model"], "grbl");
+  EXPECT_EQ(sums[0]["programs"], 1);
+  EXPECT_EQ(sums[1]["fastest"], true) << "only the model that runs both can be the fastest of all";
+}
+
 TEST_F(CompareCommand, WritesItsFiles) {
   EXPECT_EQ(
       run("compare wrong.nc --machine huron-kx10 --machine spinner-mvc850 --csv a.csv --json a.json").code,

@@ -72,6 +72,16 @@ with tempfile.TemporaryDirectory() as folder:
         check_command("simulate", program, "--contour", work / "contour.csv")
         check_command("explain", program)
         check_command("compare", program, "--model", "essid", "--model", "cam", "--tolerance", "0.01", "--tolerance", "0.05")
+    refused = work / "refused.nc"
+    refused.write_text("G21 G90\nG1 X10\nG1 Y10\n")
+    of_grbl = ("--machine", "grbl-router", "--model", "grbl")
+    check_command("simulate", refused, *of_grbl)
+    check_command("explain", refused, *of_grbl)
+    check_command("compare", refused, *of_grbl, "--sweep", "junction_deviation_mm=0.01;0.02", "--within", "0.1")
+    check_command("compare", refused, own[0], "--machine", "grbl-router")
+    comparison = check_command("compare", refused, *of_grbl)
+    (work / "refused.json").write_text(json.dumps(comparison))
+    check_command("compare", "--merge", work / "refused.json", "--within", "0.1")
     drives = [part for axis in "XY" for part in ("--set", f"{axis}.kv=60", "--set", f"{axis}.velocity_feedforward=1")]
     check_command("simulate", samples[0], *drives)
     check_command("compare", samples[0], "--model", "essid", *drives)

@@ -57,9 +57,13 @@ KindFlags kinds_told_apart(std::span<const ComparedRun> runs) {
 
 ComparisonBar bar_of(const ComparedRun& run, const KindFlags& told) {
   const Summary& summary = run.summary;
-  ComparisonBar bar{run.setup.model->info().id, run.tolerance,
-                    summary.cycle_time,         run.against_cam(),
-                    summary.max_contour_error,  {}};
+  ComparisonBar bar{run.setup.model->info().id,
+                    run.tolerance,
+                    summary.cycle_time,
+                    run.against_cam(),
+                    summary.max_contour_error,
+                    run.refused,
+                    {}};
   double rest = 0;
   for (std::size_t i = 0; i < summary.time_by_cause.size(); ++i) {
     const double time = summary.time_by_cause[i];
@@ -96,7 +100,10 @@ ComparisonBars comparison_bars(std::span<const ComparedRun> runs) {
   for (const ComparedRun& run : runs) {
     if (machine == nullptr || *machine != run.setup.machine.id) {
       machine = &run.setup.machine.id;
-      result.machines.push_back({run.setup.machine.name, run.summary.programmed_time, {}});
+      result.machines.push_back({run.setup.machine.name, 0, {}});
+    }
+    if (!run.refused && result.machines.back().programmed_time == 0) {
+      result.machines.back().programmed_time = run.summary.programmed_time;
     }
     const ComparisonBar& bar = result.machines.back().bars.emplace_back(bar_of(run, told));
     result.rest = result.rest || (!bar.parts.empty() && !bar.parts.back().cause);

@@ -23,6 +23,7 @@ struct ComparisonBar {
   double cycle_time = 0;                      ///< [s]
   double against_cam = 1;                     ///< cycle time over programmed time
   double contour_error = 0;                   ///< largest [mm]
+  bool refused = false;                       ///< ComparedRun::refused
   std::vector<BarPart> parts;  ///< in the order of all_causes(), the rest last; they add up to cycle_time
 };
 

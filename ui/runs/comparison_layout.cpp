@@ -136,21 +136,30 @@ std::vector<TextColumn> name_columns(const ComparisonBars& bars) {
                     })};
 }
 
+/// The figures of a run; none where the control refuses the program.
+template <typename Text>
+TextColumn figure_column(const ComparisonBars& bars, const QString& heading, const QString& below,
+                         Text text) {
+  return column_of(bars, heading, below,
+                   [&](const ComparisonBar& bar) { return bar.refused ? QStringLiteral("–") : text(bar); });
+}
+
 std::vector<TextColumn> figure_columns(const ComparisonBars& bars) {
   const QLocale locale;
   std::vector<TextColumn> columns{
-      column_of(bars, Comparison::tr("cycle time"), QStringLiteral("[s]"),
-                [&](const ComparisonBar& bar) { return seconds_text(bar.cycle_time, bars); })};
+      column_of(bars, Comparison::tr("cycle time"), QStringLiteral("[s]"), [&](const ComparisonBar& bar) {
+        return bar.refused ? Comparison::tr("refused") : seconds_text(bar.cycle_time, bars);
+      })};
   if (bars.longest >= 60) {
-    columns.push_back(column_of(bars, QString(), QStringLiteral("h:mm:ss"), [](const ComparisonBar& bar) {
+    columns.push_back(figure_column(bars, QString(), QStringLiteral("h:mm:ss"), [](const ComparisonBar& bar) {
       return QString::fromStdString(clock_text(bar.cycle_time));
     }));
   }
-  columns.push_back(
-      column_of(bars, Comparison::tr("relative to"), QStringLiteral("cam"), [&](const ComparisonBar& bar) {
+  columns.push_back(figure_column(
+      bars, Comparison::tr("relative to"), QStringLiteral("cam"), [&](const ComparisonBar& bar) {
         return QStringLiteral("× %1").arg(locale.toString(bar.against_cam, 'f', 3));
       }));
-  columns.push_back(column_of(
+  columns.push_back(figure_column(
       bars, Comparison::tr("contour error"), with_unit_of({}, Dimension::length).trimmed(),
       [&](const ComparisonBar& bar) { return number_text(bar.contour_error, Dimension::length, 4); }));
   return columns;

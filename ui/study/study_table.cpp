@@ -65,6 +65,9 @@ QVariant StudyTable::data(const QModelIndex& index, int role) const {
 QString StudyTable::text(const StudyRun& run, int column) const {
   const QLocale locale;
   const Summary& summary = run.summary;
+  if (run.refused && column != value) {
+    return column == cycle_time ? tr("refused") : QStringLiteral("–");
+  }
   switch (column) {
     case value:
       return locale.toString(run.swept.front() * key_unit(sweep_unit(study_->sweeps.front().key)).factor, 'g',

@@ -328,6 +328,9 @@ QString StudyView::verdict() const {
   if (study_ == nullptr) {
     return tr("Which value of a setting is the fastest, and what contour error does it cause?");
   }
+  if (std::ranges::all_of(study_->runs, &StudyRun::refused)) {
+    return tr("The control refuses the program: none of its motions is run.");
+  }
   const QLocale locale;
   const StudyRun* best = fastest(study_->runs, study_->within);
   if (best == nullptr) {

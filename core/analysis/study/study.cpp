@@ -154,7 +154,7 @@ const StudyRun* fastest(std::span<const StudyRun> runs, std::optional<double> wi
   constexpr double rounding = 1e-9;  // mm
   const StudyRun* best = nullptr;
   for (const StudyRun& run : runs) {
-    const bool keeps = !within || run.summary.max_contour_error <= *within + rounding;
+    const bool keeps = !run.refused && (!within || run.summary.max_contour_error <= *within + rounding);
     const auto rank = [](const StudyRun& of) {
       return std::pair(of.summary.cycle_time, of.summary.max_contour_error);
     };

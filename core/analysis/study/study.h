@@ -58,7 +58,7 @@ struct Study {
 Study run_study(const LoadedProgram& program, const StudyRequest& request, Progress* progress = nullptr);
 
 /// The fastest run whose largest contour error is at most `within` [mm], of equally fast ones the one with
-/// the least error; none if none keeps it. Without a bound the fastest of all.
+/// the least error; none if none keeps it. Without a bound the fastest of all. Never a run that is refused.
 const StudyRun* fastest(std::span<const StudyRun> runs, std::optional<double> within);
 
 }  // namespace feedscope

@@ -91,6 +91,16 @@ TEST(ComparisonBars, KeepAtMostAsManyKindsAsTheLegendHoldsAndNoTimeIsLost) {
   EXPECT_EQ(i, runs.size());
 }
 
+TEST(ComparisonBars, KnowWhatAControlRefuses) {
+  std::vector<ComparedRun> runs{compared_run("mill", "grbl", {}, {}), compared_run("mill", "cam", {}, {})};
+  runs.front().refused = true;
+  runs.front().summary.programmed_time = 0;
+  const ComparisonBars bars = comparison_bars(runs);
+  EXPECT_TRUE(bars.machines.front().bars.front().refused);
+  EXPECT_FALSE(bars.machines.front().bars.back().refused);
+  EXPECT_EQ(bars.machines.front().programmed_time, 2) << "that of the run that there is";
+}
+
 TEST(ComparisonBars, OfNothingAreNone) {
   const auto none = comparison_bars({});
   EXPECT_TRUE(none.machines.empty());
