@@ -15,6 +15,7 @@
 #include "core/base/geometry.h"
 #include "core/machine/import/machine_import.h"
 #ifdef FEEDSCOPE_WITH_UI
+#include "app/commands/language_option.h"
 #include "ui/report/kinematics_picture.h"
 #endif
 
@@ -92,6 +93,7 @@ struct MachinesOptions {
   std::string file;
   std::string out;
   std::string picture;
+  std::string language;  ///< of the picture
 };
 
 /// Of a file, or of standard input for "-", which includes nothing.
@@ -130,7 +132,7 @@ int import_configuration(const MachinesOptions& options) {
 void draw_machine(const MachinesOptions& options) {
   const Machine machine = shipped_machines().load(options.id);
   OutputFile file(options.picture);
-  file.stream() << ui::kinematics_picture(options.picture, machine);
+  file.stream() << ui::kinematics_picture(options.picture, machine, QString::fromStdString(options.language));
   file.commit();
 }
 #endif
@@ -179,11 +181,14 @@ Command add_machines_command(CLI::App& app) {
   command->add_option("--out", options->out, "Machine file that import writes [standard output]")
       ->type_name("FILE.toml");
 #ifdef FEEDSCOPE_WITH_UI
-  command
-      ->add_option(
-          "--picture", options->picture,
-          "Draw the kinematics of a machine with rotary axes: axes, positive directions, points, chain")
-      ->type_name("FILE.png|svg|pdf");
+  CLI::Option* picture =
+      command
+          ->add_option(
+              "--picture", options->picture,
+              "Draw the kinematics of a machine with rotary axes: axes, positive directions, points, chain")
+          ->type_name("FILE.png|svg|pdf");
+  add_language_option(*command, options->language);
+  command->get_option("--language")->needs(picture);
 #endif
   command->footer("Example: feedscope machines import printer.cfg --out printer.toml");
   return {command, [options] { return run_machines(*options); }};

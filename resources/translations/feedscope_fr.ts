@@ -400,6 +400,77 @@
     </message>
 </context>
 <context>
+    <name>KinematicsPicture</name>
+    <message>
+        <source>turns without end</source>
+        <translation>tourne sans fin</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>no end</source>
+        <translation>sans limite</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>de %1 à %2</translation>
+    </message>
+    <message>
+        <source>All axes at zero; lengths in mm; arrows: positive directions of the tool against the part (ISO 841)</source>
+        <translation>Tous les axes à zéro&#xa0;; longueurs en mm&#xa0;; flèches&#xa0;: sens positifs de l&apos;outil par rapport à la pièce (ISO 841)</translation>
+    </message>
+    <message>
+        <source>gauge point (0, 0, 0)</source>
+        <translation>point de référence (0&#xa0;; 0&#xa0;; 0)</translation>
+    </message>
+    <message>
+        <source>tool, %1 mm</source>
+        <translation>outil, %1&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>tool, length not given</source>
+        <translation>outil, longueur non donnée</translation>
+    </message>
+    <message>
+        <source>(%1, %2, %3)</source>
+        <translation>(%1&#xa0;; %2&#xa0;; %3)</translation>
+    </message>
+    <message>
+        <source>%1 rev/min</source>
+        <translation>%1&#xa0;tr/min</translation>
+    </message>
+    <message>
+        <source>through %1</source>
+        <translation>par %1</translation>
+    </message>
+    <message>
+        <source>turns the part</source>
+        <translation>tourne la pièce</translation>
+    </message>
+    <message>
+        <source>turns the tool</source>
+        <translation>tourne l&apos;outil</translation>
+    </message>
+    <message>
+        <source>part</source>
+        <translation>pièce</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>bâti</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>outil</translation>
+    </message>
+    <message>
+        <source>Chain: axes before the frame carry the part, those behind it the tool</source>
+        <translation>Chaîne&#xa0;: les axes avant le bâti portent la pièce, ceux qui le suivent l&apos;outil</translation>
+    </message>
+</context>
+<context>
     <name>LimitLines</name>
     <message>
         <source>limit of %1</source>
@@ -5831,6 +5902,10 @@ max. : %1 %</translation>
     <message>
         <source>%1 frames; at most %2 can be written. The speed must be %3 at least.</source>
         <translation>%1 images ; %2 au plus peuvent être écrites. Il faut une vitesse d’au moins %3.</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Langue</translation>
     </message>
 </context>
 <context>

@@ -65,6 +65,12 @@ TEST_F(MachinesCommand, DrawsTheKinematicsOfMachinesWithRotaryAxes) {
   EXPECT_EQ(run("machines five-axis-table-ac --picture axes.svg").code, 0);
   const std::string svg = contents(folder_ / "axes.svg");
   EXPECT_THAT(svg, HasSubstr("<svg"));
+  EXPECT_EQ(run("machines five-axis-table-ac --picture axes.svg --language en").code, 0);
+  EXPECT_TRUE(contents(folder_ / "axes.svg") == svg);
+  EXPECT_EQ(run("machines five-axis-table-ac --picture axes.svg --language fr").code, 0);
+  EXPECT_FALSE(contents(folder_ / "axes.svg") == svg);
+  expect_wrong_use("machines five-axis-table-ac --language fr", "--picture");
+  expect_wrong_use("machines five-axis-table-ac --picture axes.svg --language xx", "xx");
   expect_wrong_use("machines five-axis-table-ac --picture axes.bmp",
                    "its name must end in .png, .svg or .pdf");
   expect_wrong_use("machines spinner-mvc850 --picture none.png", "has no rotary axes");

@@ -1,6 +1,8 @@
 #include "ui/report/kinematics_picture.h"
 
+#include <QCoreApplication>
 #include <QGuiApplication>
+#include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
 #include <QStringList>
@@ -30,18 +32,23 @@ QPointF flat(const Vec3& point) {
   return {std::sqrt(0.75) * (point.x() + point.y()), 0.5 * (point.x() - point.y()) - point.z()};
 }
 
+struct KinematicsPicture {
+  Q_DECLARE_TR_FUNCTIONS(KinematicsPicture)
+};
+
 QString number(double value) {
-  return QString::number(value, 'g', 6);
+  return QLocale().toString(value, 'g', 6);
 }
 
 QString travel_text(const RotaryAxis& axis) {
   if (!axis.minimum && !axis.maximum) {
-    return QStringLiteral("turns without end");
+    return KinematicsPicture::tr("turns without end");
   }
-  const auto end = [](const std::optional<double>& angle, const char* none) {
-    return angle ? number(units::to_deg(*angle)) + QStringLiteral("°") : QString::fromLatin1(none);
+  const auto end = [](const std::optional<double>& angle) {
+    return angle ? KinematicsPicture::tr("%1°").arg(number(units::to_deg(*angle)))
+                 : KinematicsPicture::tr("no end");
   };
-  return QStringLiteral("%1 to %2").arg(end(axis.minimum, "no end"), end(axis.maximum, "no end"));
+  return KinematicsPicture::tr("%1 to %2").arg(end(axis.minimum), end(axis.maximum));
 }
 
 class Drawing {
@@ -103,14 +110,16 @@ class Drawing {
     painter_.setFont(font);
   }
 
-  /// `place`: the middle of its left edge.
-  void label(const QPointF& place, const QStringList& lines, const QColor& colour) {
+  enum class Side { right, left };
+
+  /// On this side of `place`, at its height.
+  void label(const QPointF& place, const QStringList& lines, const QColor& colour, Side side = Side::right) {
     font(13);
     const double line = painter_.fontMetrics().height();
     double y = place.y() - line * static_cast<double>(lines.size()) / 2;
     for (const QString& text : lines) {
       const double wide = painter_.fontMetrics().horizontalAdvance(text) + 4.0;
-      const double x = std::clamp(place.x(), 4.0, width - wide);
+      const double x = std::clamp(side == Side::right ? place.x() : place.x() - wide, 4.0, width - wide);
       painter_.setPen(colour);
       painter_.drawText(QRectF(x, y, wide, line), Qt::AlignLeft | Qt::AlignVCenter, text);
       y += line;
@@ -142,8 +151,8 @@ class Drawing {
     font(13);
     painter_.drawText(
         QRectF(20, 40, width - 40, 20), Qt::AlignLeft | Qt::AlignVCenter,
-        QStringLiteral("All axes at zero; lengths in mm; arrows: positive directions of the tool "
-                       "against the part (ISO 841)"));
+        KinematicsPicture::tr("All axes at zero; lengths in mm; arrows: positive directions of the tool "
+                              "against the part (ISO 841)"));
   }
 
   void draw_tool() {
@@ -153,11 +162,14 @@ class Drawing {
     painter_.setPen(Qt::NoPen);
     painter_.setBrush(colours_.text);
     painter_.drawEllipse(at(Vec3::Zero()), 5, 5);
-    label(at(Vec3::Zero()) + QPointF(-150, 0), {QStringLiteral("gauge point (0, 0, 0)")}, colours_.text);
-    label(at(tool_) + QPointF(-150, 0),
-          {kinematics_.tool_length ? QStringLiteral("tool, %1 mm").arg(number(*kinematics_.tool_length))
-                                   : QStringLiteral("tool, length not given")},
-          colours_.text);
+    const QPointF beside(-14, 0);
+    label(at(Vec3::Zero()) + beside, {KinematicsPicture::tr("gauge point (0, 0, 0)")}, colours_.text,
+          Side::left);
+    label(
+        at(tool_) + beside,
+        {kinematics_.tool_length ? KinematicsPicture::tr("tool, %1 mm").arg(number(*kinematics_.tool_length))
+                                 : KinematicsPicture::tr("tool, length not given")},
+        colours_.text, Side::left);
   }
 
   /// The line, its point, and a circle about it with an arrow in the positive sense.
@@ -187,19 +199,19 @@ class Drawing {
     painter_.drawPolyline(circle);
     arrow(circle[steps - 2], circle[steps], colour, 2);
 
-    const QString point = QStringLiteral("(%1, %2, %3)")
+    const QString point = KinematicsPicture::tr("(%1, %2, %3)")
                               .arg(number(axis.point.x()), number(axis.point.y()), number(axis.point.z()));
     label(at(axis.point + 1.25 * along) + QPointF(14, 0),
           {QStringLiteral("%1, %2").arg(QLatin1Char(axis.name)).arg(carrier(axis.name)), travel_text(axis),
-           QStringLiteral("%1 rev/min").arg(number(units::to_turns_min(axis.velocity))),
-           QStringLiteral("through %1").arg(point)},
+           KinematicsPicture::tr("%1 rev/min").arg(number(units::to_turns_min(axis.velocity))),
+           KinematicsPicture::tr("through %1").arg(point)},
           colour);
   }
 
   QString carrier(char axis) const {
     const std::string& chain = kinematics_.chain;
-    return chain.find(axis) < chain.find("frame") ? QStringLiteral("turns the part")
-                                                  : QStringLiteral("turns the tool");
+    return chain.find(axis) < chain.find("frame") ? KinematicsPicture::tr("turns the part")
+                                                  : KinematicsPicture::tr("turns the tool");
   }
 
   void draw_linear() {
@@ -218,12 +230,12 @@ class Drawing {
 
   /// Boxes from the part to the tool.
   void draw_chain() {
-    std::vector<QString> boxes{QStringLiteral("part")};
+    std::vector<QString> boxes{KinematicsPicture::tr("part")};
     std::istringstream words(kinematics_.chain);
     for (std::string word; words >> word;) {
-      boxes.push_back(QString::fromStdString(word));
+      boxes.push_back(word == "frame" ? KinematicsPicture::tr("frame") : QString::fromStdString(word));
     }
-    boxes.push_back(QStringLiteral("tool"));
+    boxes.push_back(KinematicsPicture::tr("tool"));
     constexpr double box_height = 34;
     constexpr double gap = 26;
     font(15, true);
@@ -258,7 +270,7 @@ class Drawing {
     painter_.setPen(colours_.text);
     painter_.drawText(
         QRectF(0, y - 28, width, 20), Qt::AlignCenter,
-        QStringLiteral("Chain: axes before the frame carry the part, those behind it the tool"));
+        KinematicsPicture::tr("Chain: axes before the frame carry the part, those behind it the tool"));
   }
 
   QPainter& painter_;
@@ -273,7 +285,7 @@ class Drawing {
 
 }  // namespace
 
-std::string kinematics_picture(const std::string& name, const Machine& machine) {
+std::string kinematics_picture(const std::string& name, const Machine& machine, const QString& language) {
   PictureSpec spec;
   spec.format = picture_format_of(name);
   if (machine.kinematics.empty()) {
@@ -283,6 +295,9 @@ std::string kinematics_picture(const std::string& name, const Machine& machine) 
   }
   chain_of(machine.kinematics);
   const OffscreenApplication application;
+  if (language != languages().front()) {
+    speak(language);
+  }
   spec.size = QSizeF(width, height);
   spec.title = QString::fromStdString(machine.name);
   return make_picture(spec, [&machine](QPainter& painter) { Drawing(painter, machine).draw(); });

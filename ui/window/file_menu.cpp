@@ -10,7 +10,6 @@
 
 #include "core/base/data_folder.h"
 #include "ui/charts/charts_panel.h"
-#include "ui/language/language.h"
 #include "ui/program_text/reading_dialog.h"
 #include "ui/shared/panel_action.h"
 #include "ui/shared/paths.h"
@@ -206,8 +205,7 @@ void FileMenu::ask_for_film() {
   auto* dialog = new FilmDialog({session_.capture(),
                                  shown->run.trajectory->duration(),
                                  {range.lower_time(), range.upper_time()},
-                                 window_.scene().canvas().size(),
-                                 chosen_language()},
+                                 window_.scene().canvas().size()},
                                 QCoreApplication::applicationFilePath(), &window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &FilmDialog::saved, this, &FileMenu::done);

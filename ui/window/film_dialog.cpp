@@ -26,6 +26,7 @@
 #include "ui/report/ogg_film.h"
 #include "ui/session/session_file.h"
 #include "ui/shared/paths.h"
+#include "ui/window/language_box.h"
 
 namespace feedscope::ui {
 
@@ -63,6 +64,7 @@ FilmDialog::FilmDialog(Subject subject, const QString& executable, QWidget* pare
       charts_(new QCheckBox(tr("C&harts below, with a moving cursor"), this)),
       size_(new QComboBox(this)),
       theme_(new QComboBox(this)),
+      language_(new LanguageBox(this)),
       format_(new QComboBox(this)),
       length_(new QLabel(this)),
       state_(new QLabel(this)),
@@ -186,6 +188,7 @@ QWidget* FilmDialog::make_form() {
   fields->addRow(QString(), charts_);
   fields->addRow(tr("Si&ze"), size_);
   fields->addRow(tr("&Colours"), theme_);
+  fields->addRow(tr("&Language"), language_);
   fields->addRow(tr("File for&mat"), format_);
 
   const QSettings settings;
@@ -276,7 +279,7 @@ FilmWish FilmDialog::wish() const {
   wish.charts = charts_->isChecked();
   wish.size = size_->currentText().trimmed();
   wish.theme = theme_->currentData().toString();
-  wish.language = subject_.language;
+  wish.language = language_->language();
   return wish;
 }
 
@@ -290,6 +293,7 @@ void FilmDialog::choose(const FilmWish& wish) {
   charts_->setChecked(wish.charts);
   size_->setEditText(wish.size);
   theme_->setCurrentIndex(std::max(0, theme_->findData(wish.theme)));
+  language_->choose(wish.language);
 }
 
 QString FilmDialog::proposed_file() const {

@@ -17,6 +17,7 @@ class QPushButton;
 
 namespace feedscope::ui {
 
+class LanguageBox;
 class NumberBox;
 class WholeNumberBox;
 
@@ -32,7 +33,6 @@ class FilmDialog : public QDialog {
     double duration = 0;  ///< of its current run [s]
     Interval shown{};     ///< what the charts show of it [s]
     QSize scene;          ///< of the 3D view, offered as a size [px]
-    QString language;     ///< of the film
   };
 
   /// `executable`: as of CommandProcess.
@@ -79,6 +79,7 @@ class FilmDialog : public QDialog {
   QCheckBox* charts_;
   QComboBox* size_;
   QComboBox* theme_;
+  LanguageBox* language_;
   QComboBox* format_;
   QLabel* length_;
   QLabel* state_;

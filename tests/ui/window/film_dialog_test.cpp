@@ -19,7 +19,9 @@
 #include "tests/ui/window/small_session.h"
 #include "ui/fields/number_box.h"
 #include "ui/fields/whole_number_box.h"
+#include "ui/language/language.h"
 #include "ui/session/session_file.h"
+#include "ui/window/language_box.h"
 
 namespace feedscope::ui {
 namespace {
@@ -66,6 +68,19 @@ TEST_F(FilmDialogTest, BeginsWithWhatTheChartsShow) {
   EXPECT_DOUBLE_EQ(dialog.wish().times.to, 1);
   EXPECT_DOUBLE_EQ(dialog.wish().times.speed, usual_film_speed(0.5));
   EXPECT_DOUBLE_EQ(dialog.wish().trail, 2 * dialog.wish().times.speed);
+}
+
+TEST_F(FilmDialogTest, OffersTheLanguagesOfPicturesAndBeginsWithThatOfTheWindow) {
+  FilmDialog dialog(subject_, FEEDSCOPE_EXECUTABLE);
+  auto& box = *dialog.findChild<LanguageBox*>();
+  EXPECT_EQ(dialog.wish().language, chosen_language());
+  EXPECT_EQ(box.count(), languages().size());
+  box.choose(QStringLiteral("fr"));
+  EXPECT_EQ(dialog.wish().language, QStringLiteral("fr"));
+  FilmWish wish = small_film();
+  wish.language = QStringLiteral("en");
+  dialog.choose(wish);
+  EXPECT_EQ(dialog.wish().language, QStringLiteral("en"));
 }
 
 TEST_F(FilmDialogTest, SaysWhileOneTypesHowLongTheFilmWillBe) {
