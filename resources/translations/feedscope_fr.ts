@@ -6428,6 +6428,13 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     </message>
 </context>
 <context>
+    <name>feedscope::ui::LessonDesk</name>
+    <message>
+        <source>clear the values tried</source>
+        <translation>effacement des valeurs essayées</translation>
+    </message>
+</context>
+<context>
     <name>feedscope::ui::LessonView</name>
     <message>
         <source>Text of the lesson</source>
@@ -6606,8 +6613,8 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <translation>Effacer</translation>
     </message>
     <message>
-        <source>Forget the values tried at this question; the answer stays</source>
-        <translation>Oublier les valeurs essayées à cette question&#xa0;; la réponse reste</translation>
+        <source>Forget the values tried at this question; the answer stays. Edit &gt; Undo brings them back</source>
+        <translation>Oublier les valeurs essayées à cette question&#xa0;; la réponse reste. Édition &gt; Annuler les rétablit</translation>
     </message>
 </context>
 <context>

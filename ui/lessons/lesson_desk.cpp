@@ -1,5 +1,8 @@
 #include "ui/lessons/lesson_desk.h"
 
+#include <QPointer>
+#include <QUndoCommand>
+#include <algorithm>
 #include <utility>
 
 #include "core/base/error.h"
@@ -24,6 +27,48 @@ QString measured_text(const Measure& measure, const Run& run, const std::string&
 }
 
 }  // namespace
+
+/// The tries at a question are forgotten, or there again, with those that have been made meanwhile behind
+/// them.
+class LessonDesk::Clearing : public QUndoCommand {
+ public:
+  Clearing(LessonDesk& desk, Place place)
+      : QUndoCommand(tr("clear the values tried")), desk_(&desk), place_(std::move(place)) {}
+
+  void redo() override {
+    if (desk_ != nullptr) {
+      QuestionWork& work = desk_->work_[place_];
+      setting_ = work.setting;
+      measure_ = work.measure;
+      tries_ = std::exchange(work.tries, {});
+      emit desk_->work_changed();
+    }
+  }
+  void undo() override {
+    if (desk_ == nullptr) {
+      return;
+    }
+    QuestionWork& work = desk_->work_[place_];
+    const bool same = work.tries.empty() || (work.setting == setting_ && work.measure == measure_);
+    if (same) {
+      work.setting = setting_;
+      work.measure = measure_;
+      for (LessonTry& one : std::exchange(work.tries, tries_)) {
+        if (std::ranges::find(tries_, one.value, &LessonTry::value) == tries_.end()) {
+          work.tries.push_back(std::move(one));
+        }
+      }
+      emit desk_->work_changed();
+    }
+  }
+
+ private:
+  QPointer<LessonDesk> desk_;  ///< the history outlives it where the window is made again in another language
+  Place place_;
+  std::string setting_;
+  std::string measure_;
+  std::vector<LessonTry> tries_;
+};
 
 LessonDesk::LessonDesk(Workbench& workbench, std::string language, QObject* parent)
     : QObject(parent), workbench_(workbench), language_(std::move(language)) {
@@ -234,8 +279,7 @@ LessonAnswers LessonDesk::answers() const {
 
 void LessonDesk::clear_tries() {
   if (open_ != nullptr && !work().tries.empty()) {
-    work_[place()].tries.clear();
-    emit work_changed();
+    workbench_.runs().history().push(new Clearing(*this, place()));
   }
 }
 

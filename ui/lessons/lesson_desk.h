@@ -59,7 +59,7 @@ class LessonDesk : public QObject {
   void set_answer(const QString& answer);
   /// To all questions of all lessons.
   LessonAnswers answers() const;
-  /// Forgets the values tried at the question that is shown.
+  /// Forgets the values tried at the question that is shown; a step of the history of the workbench.
   void clear_tries();
   /// The same of all lessons, as a session keeps it.
   const LessonWork& all_work() const { return work_; }
@@ -85,6 +85,8 @@ class LessonDesk : public QObject {
   void failed(const QString& message);
 
  private:
+  class Clearing;
+  using Place = LessonWork::key_type;
   struct Catalogue {
     std::vector<LessonEntry> entries;
     QString failure;
@@ -103,7 +105,7 @@ class LessonDesk : public QObject {
                                                 const std::string& language, Progress& progress);
   void take(const std::shared_ptr<const OpenLesson>& lesson);
   void measure();
-  std::pair<std::string, std::size_t> place() const { return {open_->lesson.id, question_}; }
+  Place place() const { return {open_->lesson.id, question_}; }
   void follow_run();
   void report(const std::exception& error) { emit failed(QString::fromUtf8(error.what())); }
 

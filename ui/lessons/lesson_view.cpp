@@ -207,8 +207,9 @@ void LessonView::make_actions() {
                              tr("Copy the values tried at this question, for a text or a spreadsheet"));
   csv_action_ = make_action(this, tr("Copy the values tried as CSV"),
                             tr("Copy the values tried at this question as CSV, with decimal points"));
-  clear_action_ = make_action(this, tr("Clear the values tried"),
-                              tr("Forget the values tried at this question; the answer stays"));
+  clear_action_ = make_action(
+      this, tr("Clear the values tried"),
+      tr("Forget the values tried at this question; the answer stays. Edit > Undo brings them back"));
   actions_ = {set_up_action_, before_action_, after_action_, hint_action_,  answer_action_,
               list_action_,   copy_action_,   csv_action_,   clear_action_, return_action_};
   connect(list_action_, &QAction::triggered, this, [this] { pages_->setCurrentWidget(list_); });

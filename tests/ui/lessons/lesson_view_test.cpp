@@ -168,6 +168,31 @@ TEST_F(LessonViewTest, TriesLastUntilTheyAreCleared) {
   EXPECT_FALSE(view.panel_actions()[8]->isEnabled());
 }
 
+TEST_F(LessonViewTest, ClearingTheTriesCanBeUndone) {
+  choose_lesson(6);
+  click(&view.set_up_button());
+  wait_for("3000 mm/min");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view.tries().rowCount() == 1; }, patience));
+  const std::string rows = copied_tries(view);
+  view.own_answer().setPlainText("shorter periods");
+  view.panel_actions()[8]->trigger();
+  ASSERT_EQ(view.tries().rowCount(), 0);
+  EXPECT_EQ(view.own_answer().toPlainText(), "shorter periods");
+  EXPECT_EQ(model.runs().history().undoText(), "clear the values tried");
+  model.runs().history().undo();
+  EXPECT_EQ(copied_tries(view), rows);
+  model.runs().history().redo();
+  EXPECT_EQ(view.tries().rowCount(), 0);
+  click(view.values()[0]);
+  wait_for("6000 mm/min");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view.tries().rowCount() == 1; }, patience));
+  model.runs().history().undo();
+  wait_for("3000 mm/min");
+  model.runs().history().undo();
+  EXPECT_EQ(copied_tries(view).substr(0, rows.size()), rows) << "the first ones in front";
+  EXPECT_EQ(view.tries().rowCount(), 2) << "with what was tried meanwhile";
+}
+
 TEST_F(LessonViewTest, AValueOfOnesOwnIsTriedAsTheSuggestedOnes) {
   choose_lesson(6);
   click(&view.set_up_button());
