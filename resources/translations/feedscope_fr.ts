@@ -10356,6 +10356,18 @@ Ensemble&#xa0;: %4</translation>
         <source>Runs, annotations or answers to lessons with %1 have not been saved.</source>
         <translation>Des simulations, annotations ou réponses aux leçons avec %1 ne sont pas enregistrées.</translation>
     </message>
+    <message>
+        <source>Keep what was done in other lessons?</source>
+        <translation>Garder ce qui a été fait dans d&apos;autres leçons&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Answers or tried values of a lesson are in the window of which this session holds nothing. Keep them beside what it holds?</source>
+        <translation>La fenêtre contient des réponses ou des valeurs essayées d&apos;une leçon dont cette session ne contient rien. Les garder à côté de ce qu&apos;elle contient&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Answers or tried values of %1 lessons are in the window of which this session holds nothing. Keep them beside what it holds?</source>
+        <translation>La fenêtre contient des réponses ou des valeurs essayées de %1 leçons dont cette session ne contient rien. Les garder à côté de ce qu&apos;elle contient&#xa0;?</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::WorkOffsetsTable</name>

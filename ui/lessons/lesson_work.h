@@ -28,6 +28,10 @@ struct QuestionWork {
 
 /// By the id of a lesson and the number of its question, from 0.
 using LessonWork = std::map<std::pair<std::string, std::size_t>, QuestionWork>;
+/// What `work` has of lessons of which `held` has nothing.
+LessonWork of_other_lessons(const LessonWork& work, const LessonWork& held);
+/// How many lessons it is of.
+std::size_t lesson_count(const LessonWork& work);
 /// Those that are not empty, by the same places.
 using LessonAnswers = std::map<std::pair<std::string, std::size_t>, QString>;
 

@@ -187,7 +187,8 @@ bool WindowSession::open(const std::filesystem::path& file) {
     const QByteArray on_disk = hash_of(file);  // first: what is written from here on is another's
     ReadSession read = read_session_file(file);
     if (find_program(file, read.session) && accept_changed_program(read.session)) {
-      show_file(file, read, on_disk);
+      const LessonWork kept = lessons_to_keep(read.session);
+      show_file(file, std::move(read), kept, on_disk);
       return true;
     }
   } catch (const InputError& error) {
@@ -196,13 +197,39 @@ bool WindowSession::open(const std::filesystem::path& file) {
   return false;
 }
 
-void WindowSession::show_file(const std::filesystem::path& file, const ReadSession& read,
+void WindowSession::show_file(const std::filesystem::path& file, ReadSession read, const LessonWork& kept,
                               const QByteArray& on_disk) {
+  read.session.lessons.insert(kept.begin(), kept.end());
   show(read.session);
   for (const QString& note : read.notes) {
     emit noticed(note);
   }
+  const LessonAnswers saved_before = std::exchange(saved_answers_, {});
   now_in(file, on_disk);
+  std::erase_if(saved_answers_,
+                [&](const auto& answer) {  // those of another file are saved there, or not at all
+                  const auto before = saved_before.find(answer.first);
+                  return kept.contains(answer.first) &&
+                         (before == saved_before.end() || before->second != answer.second);
+                });
+}
+
+LessonWork WindowSession::lessons_to_keep(const Session& session) const {
+  LessonWork other = of_other_lessons(desk().all_work(), session.lessons);
+  const std::size_t count = lesson_count(other);
+  if (count == 0) {
+    return {};
+  }
+  const QMessageBox::StandardButton answer = QMessageBox::question(
+      &window_, tr("Keep what was done in other lessons?"),
+      count == 1
+          ? tr("Answers or tried values of a lesson are in the window of which this session holds nothing. "
+               "Keep them beside what it holds?")
+          : tr("Answers or tried values of %1 lessons are in the window of which this session holds "
+               "nothing. Keep them beside what it holds?")
+                .arg(count),
+      QMessageBox::Yes | QMessageBox::No, QMessageBox::Yes);
+  return answer == QMessageBox::Yes ? std::move(other) : LessonWork();
 }
 
 void WindowSession::now_in(const std::filesystem::path& file, const QByteArray& on_disk) {

@@ -31,8 +31,9 @@ class WindowSession : public QObject {
   /// Shows a session; what belongs to a simulated run follows when the run is there.
   void show(const Session& session);
 
-  /// Reads and shows a session file. Asks for a program that is not where the session says, and whether to go
-  /// on with one that has changed since. What cannot be used goes to failed().
+  /// Reads and shows a session file. Asks for a program that is not where the session says, whether to go on
+  /// with one that has changed since, and whether to keep what has been done in lessons that the session does
+  /// not hold. What cannot be used goes to failed().
   /// Returns whether the session is shown.
   bool open(const std::filesystem::path& file);
   /// A program opened by itself: there is no session file any more.
@@ -97,9 +98,13 @@ class WindowSession : public QObject {
   void forget_restored();
   bool find_program(const std::filesystem::path& file, Session& session);
   bool accept_changed_program(const Session& session);
+  /// What has been done in lessons of which the session holds nothing, if the user wants to keep it.
+  LessonWork lessons_to_keep(const Session& session) const;
   QByteArray essence() const;
   const QByteArray& program_hash() const;
-  void show_file(const std::filesystem::path& file, const ReadSession& read, const QByteArray& on_disk);
+  /// `kept`: as lessons_to_keep().
+  void show_file(const std::filesystem::path& file, ReadSession read, const LessonWork& kept,
+                 const QByteArray& on_disk);
   /// What is shown is what the file holds, whose hash is `on_disk`.
   void now_in(const std::filesystem::path& file, const QByteArray& on_disk);
   /// Proposes that of a program or session file. Empty if the user gives none.

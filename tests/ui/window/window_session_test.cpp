@@ -13,6 +13,7 @@
 #include <QTimer>
 #include <fstream>
 
+#include "tests/ui/answer_next.h"
 #include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
 #include "tests/ui/trace_fixture.h"
@@ -24,6 +25,8 @@
 
 namespace feedscope::ui {
 namespace {
+
+using test::answer_next;
 
 struct Window {
   Workbench model{shipped_machines(), make_setup({})};
@@ -39,24 +42,6 @@ struct Window {
     QCoreApplication::processEvents();
   }
 };
-
-/// Clicks the button of `role` in the question that is asked next, and counts it.
-void answer_next(QMessageBox::ButtonRole role, int& asked) {
-  QTimer::singleShot(0, [role, &asked] {
-    const auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-    if (box == nullptr) {
-      return;
-    }
-    ++asked;
-    for (QAbstractButton* button : box->buttons()) {
-      if (box->buttonRole(button) == role) {
-        button->click();
-        return;
-      }
-    }
-    ADD_FAILURE() << "no such answer to: " << box->text().toStdString();
-  });
-}
 
 /// Gives a name without its suffix where a file is to be named next; an empty one: gives up.
 void name_next_file(const QString& name) {
