@@ -113,9 +113,18 @@ class Account {
 ///             \    /\_    /        by min_depth below it; until then what follows the peak so far is kept
 ///              \__/   \__/         apart in after_peak_
 ///            place 1|place 2
+/// They are cut where a rapid begins or ends, too, however slow the run is there.
 class PlaceFinder {
  public:
   explicit PlaceFinder(std::size_t most) : most_(std::max<std::size_t>(most, 1)) {}
+
+  /// What follows belongs to no place that is open: a rapid begins or ends.
+  void cut() {
+    end_place();
+    after_peak_.clear();
+    rising_ = false;
+    lowest_ = std::numeric_limits<double>::infinity();
+  }
 
   void add_level(const Level& level) {
     const double share = level.share();
@@ -145,8 +154,7 @@ class PlaceFinder {
   }
 
   SlowPlaces finish() {
-    open_.append(after_peak_);
-    close();
+    end_place();
     keep_worst();
     std::ranges::sort(found_.places, {}, &SlowPlace::from);
     found_.places.shrink_to_fit();
@@ -155,6 +163,11 @@ class PlaceFinder {
 
  private:
   Account& account() { return rising_ ? after_peak_ : open_; }
+
+  void end_place() {
+    open_.append(after_peak_);
+    close();
+  }
 
   void close() {
     found_.loss += open_.loss();
@@ -239,6 +252,7 @@ SlowPlaces find_slow_places(const Trajectory& trajectory, std::size_t most, Prog
   PlaceFinder finder(most);
   PartLevels part_levels(trajectory);
   ProgressSteps steps(progress, trajectory.pieces().size());
+  bool in_rapid = false;
   for (PartWalk walk(trajectory); !walk.done(); walk.next()) {
     steps.at(walk.part().piece);
     if (trajectory.path().kind(walk.part().element) == ElementKind::dwell) {
@@ -246,6 +260,10 @@ SlowPlaces find_slow_places(const Trajectory& trajectory, std::size_t most, Prog
     }
     const std::vector<Level>& levels = part_levels.of(walk);
     const Cause cause = cause_of(trajectory, walk.part());
+    if (const bool rapid = trajectory.is_rapid(walk.part().element); rapid != in_rapid) {
+      finder.cut();
+      in_rapid = rapid;
+    }
     finder.add_level(levels.front());
     for (std::size_t i = 1; i < levels.size(); ++i) {
       finder.add_step(levels[i - 1], levels[i], cause);

@@ -32,7 +32,8 @@ struct SlowPlaces {
 };
 
 /// Cuts a run at the highest feeds between its dips, as shares of the programmed feed; a dip is one if it is
-/// at least a tenth of the programmed feed deep on both sides. Start and end of a run are dips.
+/// at least a tenth of the programmed feed deep on both sides. Start and end of a run are dips. Where a rapid
+/// begins or ends a place ends, too.
 ///
 /// Linear in the pieces; of more than `most` places those that lose most are kept. Blends and filtered motion
 /// are looked at in a few instants of each piece. Throws Cancelled.

@@ -158,6 +158,13 @@ class ShapeFinder {
   const BlendedPath& path_;
 };
 
+/// Where a place is slowest, within it: one that is cut where a rapid begins may be slowest at its end, which
+/// is the rapid's already [s].
+double instant_of(const SlowPlace& place) {
+  constexpr double within = 1e-9;  // of its time
+  return std::min(place.slowest, place.to - within * (place.to - place.from));
+}
+
 /// A group while places come in.
 struct GroupSums {
   SlowGroup group;
@@ -229,7 +236,7 @@ SlowGroups find_slow_groups(const Trajectory& trajectory, Progress* progress) {
   for (std::size_t i = 0; i < slow.places.size(); ++i) {
     steps.at(i);
     const SlowPlace& place = slow.places[i];
-    const Shape shape = shapes_of.at(place.slowest);
+    const Shape shape = shapes_of.at(instant_of(place));
     groups[{shape.shape, place.cause.kind}].add(place, shape);
   }
   ExactSum grouped;

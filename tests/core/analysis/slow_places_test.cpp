@@ -92,6 +92,28 @@ TEST(SlowPlaces, ARippleOfLessThanATenthDoesNotCut) {
   EXPECT_EQ(found.places[0].line, 6U);
 }
 
+/// A cut at half its feed and a rapid at half of its speed behind it: no peak lies between them.
+TEST(SlowPlaces, ARapidIsAPlaceOfItsOwn) {
+  Toolpath toolpath;
+  toolpath.segments = {line_to(Vec3(50, 0, 0), 50, 50, 1), line_to(Vec3(75, 0, 0), 25, 50, 2),
+                       line_to(Vec3(325, 0, 0), 250, 50, 3), line_to(Vec3(350, 0, 0), 25, 50, 4)};
+  toolpath.segments[2].rapid = true;
+  const SlowPlaces found = find_slow_places(testing::trajectory_of(toolpath,
+                                                                   {{{0, 0, 50, 0, 0, 0, {}}, 1},
+                                                                    {{0, 0, 25, 0, 0, 1, radial}, 1},
+                                                                    {{0, 0, 250, 0, 0, 2, jerk}, 1},
+                                                                    {{0, 0, 25, 0, 0, 3, radial}, 1}},
+                                                                   axis_speed));
+  ASSERT_EQ(found.places.size(), 3U);
+  for (const std::uint32_t i : {0U, 1U, 2U}) {
+    EXPECT_EQ(found.places[i].first_line, i + 2);
+    EXPECT_EQ(found.places[i].last_line, i + 2);
+    EXPECT_NEAR(found.places[i].loss, 0.5, 1e-9);
+  }
+  EXPECT_EQ(found.places[0].cause, radial);
+  EXPECT_EQ(found.places[1].cause, jerk);
+}
+
 TEST(SlowPlaces, SlowingDownCountsForWhatSetsTheSlowerPlace) {
   Toolpath toolpath;
   toolpath.segments = {line_to(Vec3(100, 0, 0), 100, 50, 1), line_to(Vec3(125, 0, 0), 25, 50, 2)};

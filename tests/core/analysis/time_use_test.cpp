@@ -186,6 +186,25 @@ TEST(SlowGroups, WithEveryModelLossesAddUpToAll) {
   }
 }
 
+TEST(SlowGroups, RapidsAreApartFromTheCutsBesideThem) {
+  // Cuts in lines 2 and 5, rapids in lines 3 and 4: at rest in between, without a peak of the feed there.
+  const std::string program = "G21 G90 G61 F6000\nG1 X50\nG0 Z20\nG0 X0\nG1 X30\nM30\n";
+  for (const ControlModel* model : all_models()) {
+    SCOPED_TRACE(model->info().id);
+    if (model->info().id == "klipper") {  // knows no rapids: G0 is G1
+      continue;
+    }
+    for (const SlowGroup& group : find_slow_groups(*run_of(program, model->info().id).trajectory).groups) {
+      for (const SlowPlace& place : group.worst) {
+        const bool rapid = place.first_line >= 3 && place.last_line <= 4;
+        const bool cut = place.last_line <= 2 || place.first_line >= 5;
+        EXPECT_TRUE(rapid || cut) << place.first_line << " to " << place.last_line;
+        EXPECT_EQ(group.shape == PlaceShape::rapid, rapid) << place.first_line;
+      }
+    }
+  }
+}
+
 TEST(SlowGroups, ArcsAreKnownByTheirRadius) {
   const SimulatedRun run =
       run_of("G21 G90 G17 F12000\nG1 X20\nG3 X20 Y4 J2\nG1 X0\nG2 X0 Y8 J2\nG1 X20\nM30\n", "tapie");
