@@ -8975,8 +8975,12 @@ Ensemble&#xa0;: %4</translation>
         <translation>Machine</translation>
     </message>
     <message>
-        <source>Settings without a value on this machine: motion and times that need them are neither drawn nor timed</source>
-        <translation>Réglages sans valeur pour cette machine&#xa0;; sans elle, ce dont ils donnent le lieu ou la durée n&apos;est ni tracé ni compté</translation>
+        <source>Settings that have no value on this machine. Times of tool changes and spindle starts add to the cycle time; home, tool change position and part zero let moves to machine positions be drawn and timed.</source>
+        <translation>Réglages sans valeur sur cette machine. Les temps de changement d&apos;outil et de démarrage de broche s&apos;ajoutent au temps de cycle&#xa0;; l&apos;origine, la position de changement d&apos;outil et le zéro pièce permettent de dessiner et de chronométrer les déplacements vers des positions machine.</translation>
+    </message>
+    <message>
+        <source>Tool length and part zero say how X, Y and Z follow the rotary axes, the orientation tolerance how far their turns are rounded where blocks meet, and an angle of the part how it is turned in the clamping.</source>
+        <translation>La longueur d&apos;outil et le zéro pièce déterminent comment X, Y et Z suivent les axes rotatifs, la tolérance d&apos;orientation de combien leurs rotations sont arrondies à la jonction des blocs, et un angle de la pièce comment elle est tournée dans son bridage.</translation>
     </message>
 </context>
 <context>

@@ -96,9 +96,6 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
       "How the axes follow their set values: position gain, feed-forward, backlash. Without a gain an axis "
       "follows exactly"));
   connect(show_drives_, &QToolButton::toggled, this, &SetupView::hide_drives);
-  unset_->setToolTip(
-      tr("Settings without a value on this machine: motion and times that need them are neither drawn nor "
-         "timed"));
   connect(unset_, &QToolButton::toggled, this, &SetupView::hide_unset);
   help_->setWordWrap(true);
   help_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
@@ -250,6 +247,25 @@ void SetupView::fit_tables() {
   help_->setText(any_settings ? how : tr("This model has no control settings.") + "<br>" + how);
 }
 
+/// What the settings are for that have no value.
+QString SetupView::unset_tip(bool has_rotary_axes) {
+  const auto paragraph = [](const QString& text) {  // breaks into lines, unlike plain text
+    return QStringLiteral("<p>%1</p>").arg(text.toHtmlEscaped());
+  };
+  const QString tip = paragraph(
+      tr("Settings that have no value on this machine. Times of tool changes and spindle starts add to the "
+         "cycle time; home, tool change position and part zero let moves to machine positions be drawn and "
+         "timed."));
+  return has_rotary_axes
+             ? tip +
+                   paragraph(tr(
+                       "Tool length and part zero say how X, Y and Z follow the rotary axes, the orientation "
+                       "tolerance how far their turns are rounded where blocks meet, and an angle of the "
+                       "part "
+                       "how it is turned in the clamping."))
+             : tip;
+}
+
 /// A row that was shown stays while the button is down.
 void SetupView::hide_unset() {
   int count = 0;
@@ -261,6 +277,7 @@ void SetupView::hide_unset() {
   settings_->setVisible(unset_->isChecked() || count < settings_model_->rowCount());
   unset_->setVisible(count > 0);
   unset_->setText(tr("Positions, tool change (%n unset)", nullptr, count));
+  unset_->setToolTip(unset_tip(!edit_.file().machine.kinematics.empty()));
   unset_->setArrowType(unset_->isChecked() ? Qt::DownArrow : Qt::RightArrow);
   fit_settings();
 }

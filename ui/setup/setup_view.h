@@ -40,6 +40,7 @@ class SetupView : public Panel {
   void fit_type();
   void fit_settings();
   void show_changes();
+  static QString unset_tip(bool has_rotary_axes);
   void hide_unset();
   void hide_drives();
 

@@ -201,6 +201,9 @@ TEST_F(WindowSaysTest, SettingsWithoutAValueAreShownWhenWanted) {
   const int all = settings.model()->rowCount();
   const int without = all - rows_shown();
   ASSERT_GT(without, 5);
+  EXPECT_THAT(window.part<SetupView>().unset()->toolTip().toStdString(),
+              testing::AllOf(testing::HasSubstr("Times of tool changes"),
+                             testing::Not(testing::HasSubstr("rotary"))));
   window.part<SetupView>().unset()->click();
   EXPECT_EQ(rows_shown(), all);
   model.setup().set("tool_change_time_s", 4.0);
