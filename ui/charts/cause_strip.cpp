@@ -235,15 +235,19 @@ void CauseStrip::draw_strip(QPainter& painter) const {
   const ThemeColours& colours = theme_colours(palette());
   painter.fillRect(QRect(0, bar.top(), width(), bar.height()), colours.plot);
   const double column = static_cast<double>(bar.width()) / static_cast<double>(columns_.size());
+  const auto is_drawn = [this](std::size_t i) {
+    return i < columns_.size() && columns_[i].has_value() &&
+           (!highlighted_.has_value() || highlighted_ == columns_[i]);
+  };
   for (std::size_t i = 0; i < columns_.size();) {
     std::size_t end = i + 1;
     while (end < columns_.size() && columns_[end] == columns_[i]) {
       ++end;
     }
-    if (columns_[i].has_value() && (!highlighted_.has_value() || highlighted_ == columns_[i])) {
+    if (is_drawn(i)) {  // a little behind the next one: viewers of PDF show the ground between edges
       const double left = bar.left() + static_cast<double>(i) * column;
-      painter.fillRect(QRectF(left, bar.top() + 1, static_cast<double>(end - i) * column, bar.height() - 2),
-                       colour_of(*columns_[i]));
+      const double right = bar.left() + (static_cast<double>(end) + (is_drawn(end) ? 0.5 : 0)) * column;
+      painter.fillRect(QRectF(left, bar.top() + 1, right - left, bar.height() - 2), colour_of(*columns_[i]));
     }
     i = end;
   }

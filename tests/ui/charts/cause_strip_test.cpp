@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <QImage>
+#include <QPainter>
 #include <QTest>
+#include <QtMath>
+#include <algorithm>
 
 #include "ui/scene/cause_colour.h"
 
@@ -76,6 +79,30 @@ TEST_F(CauseStripTest, APressedCauseIsShownAlone) {
   EXPECT_NE(colour_at(0.3).rgb(), colour_of(CauseKind::programmed_feed).rgb());
   QTest::mouseClick(&strip, Qt::LeftButton, {}, strip.legend_item(CauseKind::axis_jerk).center());
   EXPECT_EQ(strip.highlighted(), std::nullopt);
+}
+
+/// On paper columns have no whole pixels, and edges are smoothed.
+TEST_F(CauseStripTest, HasNoGapsWhereCausesMeet) {
+  std::vector<std::optional<CauseKind>> columns;
+  for (int i = 0; i < 30; ++i) {
+    columns.push_back(i % 2 == 0 ? CauseKind::programmed_feed : CauseKind::axis_jerk);
+  }
+  strip.set_causes(columns, std::vector<double>(all_causes().size(), 1));
+  constexpr double enlarged = 1.37;
+  QImage image(strip.size() * enlarged, QImage::Format_RGB32);
+  image.fill(Qt::white);
+  QPainter painter(&image);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.scale(enlarged, enlarged);
+  strip.render(&painter, {}, {}, QWidget::DrawChildren);
+  painter.end();
+  const QRect bar = strip.strip();
+  const int y = qRound(bar.center().y() * enlarged);
+  const int lightest = std::max(qGray(colour_of(CauseKind::programmed_feed).rgb()),
+                                qGray(colour_of(CauseKind::axis_jerk).rgb()));
+  for (int x = qCeil((bar.left() + 2) * enlarged); x < qFloor((bar.right() - 2) * enlarged); ++x) {
+    EXPECT_LE(qGray(image.pixel(x, y)), lightest + 3) << "the ground shines through at " << x;
+  }
 }
 
 TEST_F(CauseStripTest, LeavesOutWhatHasNoRoom) {

@@ -112,6 +112,49 @@ TEST(SceneVectorFiles, WhatIsHiddenAroundAStretchIsHiddenInThemToo) {
   }
 }
 
+/// Viewers smooth the edge of each band by itself: a ground of another colour must not shine through.
+TEST(SceneVectorFiles, TheColourScaleHasNoGaps) {
+  ReportInput input = test::two_runs();
+  input.scene.colouring = Colouring::feed;
+  PictureRequest request = request_of(PictureFormat::svg);
+  request.transparent = true;
+  const std::string svg = scene_file(input, request);
+  QImage image(size * 1.37, QImage::Format_RGB32);
+  image.fill(Qt::magenta);
+  QPainter painter(&image);
+  painter.setRenderHint(QPainter::Antialiasing);
+  QSvgRenderer(QByteArray::fromStdString(svg)).render(&painter);
+  painter.end();
+  // The scale is the longest upright stretch of strong colours as wide as it is.
+  constexpr int width = 12;
+  const auto is_scale = [&](int x, int y) {
+    const QColor left = image.pixelColor(x, y);
+    return left.saturation() > 60 && left.hue() < 280 && left == image.pixelColor(x + width, y);
+  };
+  int longest = 0;
+  int column = 0;
+  int end = 0;
+  for (int x = image.width() / 2; x + width < image.width(); ++x) {
+    for (int y = 0, run = 0; y < image.height(); ++y) {
+      run = is_scale(x, y) ? run + 1 : 0;
+      if (run > longest) {
+        longest = run;
+        column = x;
+        end = y;
+      }
+    }
+  }
+  ASSERT_GT(longest, image.height() / 4);
+  for (int y = end - longest + 3; y < end - 1; ++y) {
+    const QColor above = image.pixelColor(column, y - 1);
+    const QColor here = image.pixelColor(column, y);
+    EXPECT_LT(std::abs(above.red() - here.red()) + std::abs(above.green() - here.green()) +
+                  std::abs(above.blue() - here.blue()),
+              30)
+        << y;
+  }
+}
+
 TEST(SceneVectorFiles, HoldNoBitmap) {
   const ReportInput input = test::two_runs();
   const std::string svg = scene_file(input, request_of(PictureFormat::svg));

@@ -120,8 +120,9 @@ void draw_bar(Canvas& canvas, const Captions& captions, const Vec2& low, double 
   const double right = low.x() + bar_width * k;
   constexpr int bands = colour_map_size / 2;
   const double height = high - low.y();
-  for (int i = 0; i < bands; ++i) {
-    canvas.rectangle({low.x(), low.y() + height * i / bands}, {right, low.y() + height * (i + 1) / bands},
+  for (int i = 0; i < bands; ++i) {  // each behind the next one: viewers of PDF show the ground between edges
+    canvas.rectangle({low.x(), low.y() + height * i / bands},
+                     {right, low.y() + height * std::min(i + 2, bands) / bands},
                      scale_colour(scale, (i + 0.5) / bands, colours.kind));
   }
   const int most = std::max(2, static_cast<int>(height / (34 * k)));
