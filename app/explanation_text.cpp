@@ -24,6 +24,13 @@ std::string percent(double part, double of) {
   return of > 0 ? fmt::format("{:.1f} %", 100 * part / of) : "-";
 }
 
+/// "Mean feed 1672.2 mm/min, without pauses of 4.000 s. "; empty where nothing moves.
+std::string mean_feed_text(const TimeUse& use) {
+  return use.mean_feed > 0 ? fmt::format("Mean feed {:.1f} mm/min{}. ", units::to_mm_min(use.mean_feed),
+                                         without_pauses_text(use.pauses()))
+                           : "";
+}
+
 /// "57.5 s more than programmed (2.3 times). Most is lost in corners, to ...".
 std::string conclusion(const TimeReport& report) {
   const TimeUse& use = report.use;
@@ -33,7 +40,7 @@ std::string conclusion(const TimeReport& report) {
   if (use.programmed_time > 0) {
     text += fmt::format(" ({:.2f} times)", use.cycle_time / use.programmed_time);
   }
-  text += ". ";
+  text += ". " + mean_feed_text(use);
   if (!report.slow.groups.empty() && report.slow.groups.front().loss > worth_a_row * use.cycle_time) {
     const SlowGroup& most = report.slow.groups.front();
     text += fmt::format("Most is lost in {}, to {}: {}. ", info_of(most.shape).title, lost_to(most),

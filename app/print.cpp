@@ -186,6 +186,15 @@ std::vector<std::size_t> longest_first(const std::vector<double>& times) {
   return order;
 }
 
+/// Time in which the tool stands because the program or the machine says so [s].
+double pauses_of(const Summary& summary) {
+  double time = 0;
+  for (std::size_t i = 0; i < summary.time_by_cause.size(); ++i) {
+    time += is_pause(all_causes()[i].kind) ? summary.time_by_cause[i] : 0;
+  }
+  return time;
+}
+
 std::string cause_table(const Summary& summary) {
   TextTable table;
   const auto add = [&](const std::string& title, double time) {
@@ -276,6 +285,10 @@ std::string time_text(double seconds) {
   return seconds < 60 ? text : fmt::format("{} ({})", text, clock_text(seconds));
 }
 
+std::string without_pauses_text(double pauses) {
+  return pauses > 0 ? fmt::format(", without pauses of {}", time_text(pauses)) : "";
+}
+
 void print_diagnostics(const Program& program, DiagnosticStyle style) {
   print_diagnostics(program.diagnostics, program, style);
 }
@@ -360,7 +373,8 @@ std::string summary_text(const Run& run) {
                             : own     ? "P of G64 in the program, else blend_tolerance_mm"
                                       : "none: not used by the model"});
   figures.add({"path length", fmt::format("{:.3f} mm", run.trajectory->path_length())});
-  figures.add({"mean feed", fmt::format("{:.1f} mm/min", units::to_mm_min(s.mean_feed))});
+  figures.add({"mean feed", fmt::format("{:.1f} mm/min{}", units::to_mm_min(s.mean_feed),
+                                        without_pauses_text(pauses_of(s)))});
   figures.add({"peak feed", fmt::format("{:.1f} mm/min", units::to_mm_min(s.peak_feed))});
   const std::string where =
       s.max_contour_error > 0 ? fmt::format(" (line {}, at {:.3f} s)", s.worst_place.line, s.worst_place.time)

@@ -1883,6 +1883,14 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
     </message>
+    <message>
+        <source>Mean feed %1, without pauses of %2 s.</source>
+        <translation>Avance moyenne %1, sans les pauses de %2&#xa0;s.</translation>
+    </message>
+    <message>
+        <source>Mean feed %1.</source>
+        <translation>Avance moyenne %1.</translation>
+    </message>
 </context>
 <context>
     <name>Tolerance</name>

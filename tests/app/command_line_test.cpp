@@ -434,6 +434,14 @@ TEST_F(CommandLine, TheToleranceInForceIsToldEverywhere) {
               HasSubstr("tolerance 0.02 mm (program)"));
 }
 
+TEST_F(CommandLine, TheMeanFeedIsThatOfTheMotion) {
+  write("pause.nc", "G21 G90 G1 X100 F3000\nG4 P1500\nX0\n");
+  EXPECT_THAT(run("simulate pause.nc --model cam").out,
+              AllOf(HasSubstr("cycle time        5.500 s"),
+                    HasSubstr("mean feed         3000.0 mm/min, without pauses of 1.500 s")));
+  EXPECT_THAT(run("simulate corner.nc --model cam").out, Not(HasSubstr("pauses")));
+}
+
 /// What the window shows below the figures.
 TEST_F(CommandLine, WhatIsToBeKnownOfTheLargestValuesStandsBelowThem) {
   const auto words = [&](const std::string& arguments) {  // of a text in lines that fit

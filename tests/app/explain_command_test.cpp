@@ -24,10 +24,11 @@ class ExplainCommand : public CommandLine {
 TEST_F(ExplainCommand, SaysWhereTheTimeGoesAndWhatHelps) {
   const Result result = run("explain stairs.nc --set tool_change_time_s=4");
   EXPECT_EQ(result.code, 0) << result.err;
-  EXPECT_THAT(result.out, AllOf(HasSubstr("What it consists of"), HasSubstr("tool changes"),
-                                HasSubstr("Operations by tool"), HasSubstr("tool 2"), HasSubstr("corners: "),
-                                HasSubstr("turn 90 deg"), HasSubstr("What would help"),
-                                HasSubstr("feedscope simulate ... --")));
+  EXPECT_THAT(result.out,
+              AllOf(HasSubstr("What it consists of"), HasSubstr("tool changes"),
+                    HasSubstr("Operations by tool"), HasSubstr("tool 2"), HasSubstr("corners: "),
+                    HasSubstr("turn 90 deg"), HasSubstr("What would help"),
+                    HasSubstr("without pauses of 8.000 s. "), HasSubstr("feedscope simulate ... --")));
 }
 
 TEST_F(ExplainCommand, WhatItProposesGainsWhatItSays) {

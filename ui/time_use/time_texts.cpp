@@ -42,6 +42,13 @@ QString TimeTexts::conclusion(const TimeReport& report) {
   QString text = tr("<b>%1</b> for %2 programmed: <b>%3</b> (%4).")
                      .arg(clock_text(use.cycle_time), clock_text(use.programmed_time), change(use.lost()),
                           percent(use.lost(), use.cycle_time));
+  if (use.mean_feed > 0) {
+    const QString feed = amount_text(use.mean_feed, Dimension::feed);
+    text += QLatin1Char(' ') +
+            (use.pauses() > nothing
+                 ? tr("Mean feed %1, without pauses of %2 s.").arg(feed, seconds_text(use.pauses()))
+                 : tr("Mean feed %1.").arg(feed));
+  }
   if (!report.slow.groups.empty() && report.slow.groups.front().loss > nothing) {
     const SlowGroup& most = report.slow.groups.front();
     text +=

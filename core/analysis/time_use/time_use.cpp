@@ -223,6 +223,7 @@ TimeUse time_use(const Run& run, OperationSplit split, Progress* progress) {
 
   TimeUse use;
   use.cycle_time = trajectory.duration();
+  use.mean_feed = run.summary.mean_feed;
   use.programmed_time = all_programmed.value();
   use.saved_by_path = use.programmed_time - executed_as_programmed.value();
   for (std::size_t i = 0; i < time_kind_count; ++i) {

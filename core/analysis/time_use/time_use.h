@@ -52,6 +52,7 @@ struct TimeUse {
   /// Programmed time less that of the executed path at its programmed feed: corners that are cut make the
   /// path shorter [s]; negative where the executed path is longer.
   double saved_by_path = 0;
+  double mean_feed = 0;                          ///< Summary::mean_feed, without the pauses [mm/s]
   std::array<TimeShare, time_kind_count> kinds;  ///< by TimeKind
   /// Those with any time, that which loses most first; slowing down counts for what sets the speed of the
   /// slower place ahead.
@@ -62,6 +63,11 @@ struct TimeUse {
 
   double lost() const { return cycle_time - programmed_time; }
   const TimeShare& of(TimeKind kind) const { return kinds[static_cast<std::size_t>(kind)]; }
+  /// Time in which the tool stands because the program or the machine says so [s].
+  double pauses() const {
+    return of(TimeKind::dwell).time + of(TimeKind::tool_change).time + of(TimeKind::spindle_start).time +
+           of(TimeKind::indexing).time;
+  }
 };
 
 /// Linear in pieces and segments. `split` none: by tool where more than one works, else by comment where they

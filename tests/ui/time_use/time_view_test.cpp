@@ -54,6 +54,7 @@ TEST_F(TimeViewTest, SaysWhereTheTimeGoesAndWhatWouldHelp) {
   set_run(run);
   ASSERT_TRUE(finishes());
   EXPECT_THAT(view.conclusion().toStdString(), HasSubstr("programmed"));
+  EXPECT_THAT(view.conclusion().toStdString(), HasSubstr("Mean feed "));
   ASSERT_NE(section("What it consists of"), nullptr);
   ASSERT_NE(section("Places that lose most"), nullptr);
   ASSERT_NE(section("What would help"), nullptr);
