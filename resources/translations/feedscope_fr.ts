@@ -5485,6 +5485,10 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <source>What to do</source>
         <translation>Que faire</translation>
     </message>
+    <message>
+        <source>%1 (%2 more up to line %3)</source>
+        <translation>%1 (%2 autres jusqu&apos;à la ligne %3)</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::DiagnosticsView</name>

@@ -2,8 +2,6 @@
 
 #include <QLocale>
 #include <algorithm>
-#include <numeric>
-#include <tuple>
 #include <utility>
 
 namespace feedscope::ui {
@@ -12,12 +10,7 @@ void DiagnosticsModel::set_program(std::shared_ptr<const Program> program) {
   beginResetModel();
   program_ = std::move(program);
   messages_.clear();
-  order_.resize(program_ == nullptr ? 0 : program_->diagnostics.size());
-  std::iota(order_.begin(), order_.end(), 0);
-  std::ranges::stable_sort(order_, {}, [this](std::uint32_t i) {
-    const Diagnostic& diagnostic = program_->diagnostics[i];
-    return std::tie(diagnostic.file, diagnostic.line, diagnostic.column);
-  });
+  rows_ = program_ == nullptr ? std::vector<DiagnosticRow>() : diagnostic_rows(program_->diagnostics);
   endResetModel();
 }
 
@@ -32,7 +25,7 @@ void DiagnosticsModel::add_message(Severity severity, const QString& text) {
 }
 
 int DiagnosticsModel::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(order_.size() + messages_.size());
+  return parent.isValid() ? 0 : static_cast<int>(rows_.size() + messages_.size());
 }
 
 int DiagnosticsModel::columnCount(const QModelIndex& parent) const {
@@ -41,7 +34,7 @@ int DiagnosticsModel::columnCount(const QModelIndex& parent) const {
 
 const Diagnostic& DiagnosticsModel::at(int row) const {
   const auto i = static_cast<std::size_t>(row);
-  return i < order_.size() ? program_->diagnostics[order_[i]] : messages_[i - order_.size()];
+  return i < rows_.size() ? program_->diagnostics[rows_[i].index] : messages_[i - rows_.size()];
 }
 
 QString DiagnosticsModel::place_text(const Diagnostic& diagnostic) {
@@ -57,6 +50,16 @@ QString DiagnosticsModel::place_text(const Diagnostic& diagnostic) {
     parts.append(QString::number(diagnostic.column));
   }
   return parts.join(':');
+}
+
+QString DiagnosticsModel::message_text(int row) const {
+  const QString text = QString::fromStdString(at(row).message);
+  const auto i = static_cast<std::size_t>(row);
+  return i < rows_.size() && rows_[i].more > 0
+             ? tr("%1 (%2 more up to line %3)")
+                   .arg(text, QLocale().toString(static_cast<qulonglong>(rows_[i].more)))
+                   .arg(rows_[i].last_line)
+             : text;
 }
 
 QVariant DiagnosticsModel::data(const QModelIndex& index, int role) const {
@@ -82,7 +85,7 @@ QVariant DiagnosticsModel::data(const QModelIndex& index, int role) const {
     case place:
       return place_text(diagnostic);
     case message:
-      return QString::fromStdString(diagnostic.message);
+      return message_text(index.row());
     default:
       return QString::fromStdString(diagnostic.hint);
   }

@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "core/program/program.h"
+#include "ui/messages/diagnostic_rows.h"
 #include "ui/shared/text_place.h"
 
 namespace feedscope::ui {
 
-/// What the reader found in a program, by lines, then messages of the application. Those of subprograms in
-/// files of their own follow those of the program.
+/// What the reader found in a program, as diagnostic_rows(), then messages of the application. Those of
+/// subprograms in files of their own follow those of the program.
 class DiagnosticsModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -36,10 +37,11 @@ class DiagnosticsModel : public QAbstractTableModel {
 
  private:
   const Diagnostic& at(int row) const;
+  QString message_text(int row) const;
   static QString place_text(const Diagnostic& diagnostic);
 
   std::shared_ptr<const Program> program_;
-  std::vector<std::uint32_t> order_;  ///< of the program's diagnostics
+  std::vector<DiagnosticRow> rows_;  ///< of the program's diagnostics
   std::vector<Diagnostic> messages_;
 };
 

@@ -12,6 +12,7 @@
 #include "core/base/units.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
+#include "ui/messages/diagnostic_rows.h"
 
 namespace feedscope::ui {
 
@@ -121,7 +122,10 @@ void StatusPanel::count_diagnostics() {
   }
   const auto errors = count_of(program->diagnostics, Severity::error);
   const auto warnings = count_of(program->diagnostics, Severity::warning);
-  const auto notes = count_of(program->diagnostics, Severity::info);
+  const auto notes = std::ranges::count(diagnostic_rows(program->diagnostics), Severity::info,
+                                        [&](const DiagnosticRow& row) {
+                                          return program->diagnostics[row.index].severity;
+                                        });  // each once, however many places it stands for
   QStringList parts;
   if (errors > 0) {
     parts.append(errors == 1 ? tr("1 error") : tr("%1 errors").arg(errors));

@@ -47,6 +47,25 @@ TEST(DiagnosticsModel, ListsByLineThenOtherFilesThenMessages) {
   EXPECT_EQ(model.rowCount(), 0);
 }
 
+TEST(DiagnosticsModel, AMessageOfManyPlacesIsOneRowWithTheirCount) {
+  auto program = std::make_shared<Program>();
+  Diagnostic closing{Severity::info, 4, 0, "turn", "2 more of this kind up to line 9", "", "", 2, 9};
+  Diagnostic other = closing;  // of a kind of which several are kept
+  other.code = "code";
+  other.severity = Severity::warning;
+  program->diagnostics = {{Severity::info, 2, 1, "turn", "axes turn", "hint"},
+                          diagnostic(Severity::warning, 2, 3),
+                          diagnostic(Severity::warning, 3, 1),
+                          other,
+                          closing};
+  DiagnosticsModel model;
+  model.set_program(program);
+  ASSERT_EQ(model.rowCount(), 4);
+  EXPECT_EQ(text(model, 0, DiagnosticsModel::message), "axes turn (2 more up to line 9)");
+  EXPECT_EQ(text(model, 1, DiagnosticsModel::message), "message");
+  EXPECT_EQ(text(model, 3, DiagnosticsModel::message), "2 more of this kind up to line 9");
+}
+
 TEST(DiagnosticsFilter, LeavesOutWhatIsLessSevere) {
   DiagnosticsModel model;
   DiagnosticsFilter filter;
