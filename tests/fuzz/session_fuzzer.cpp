@@ -4,6 +4,7 @@
 
 #include "core/analysis/run.h"
 #include "tests/fuzz/must.h"
+#include "ui/session/identification_json.h"
 #include "ui/session/session_file.h"
 
 using namespace feedscope;
@@ -25,6 +26,9 @@ void must_be_same(const Session& a, const Session& b) {
   fuzz::must(a.scene == b.scene && a.scenes == b.scenes, "view");
   fuzz::must(a.charts == b.charts, "charts");
   fuzz::must(a.annotations == b.annotations, "annotations");
+  fuzz::must(to_json(a.identification, folder, shipped_machines()) ==
+                 to_json(b.identification, folder, shipped_machines()),
+             "identification");
   fuzz::must(a.layout == b.layout && a.presentation == b.presentation && a.theme == b.theme &&
                  a.program_font_size == b.program_font_size,
              "window");

@@ -150,6 +150,39 @@ void FitChoice::follow_current_run() {
   follow_runs();
 }
 
+FitChoiceState FitChoice::state() const {
+  FitChoiceState state;
+  const RunList& runs = workbench_.runs();
+  if (const std::size_t row = runs.row_of(held_run_); held_run_ != 0 && row < runs.items().size()) {
+    state.run = row;
+  }
+  state.machine = machine_;
+  state.typical = typical_;
+  if (own_models_) {
+    state.models = ticked_models();
+  }
+  state.wanted = wanted_;
+  return state;
+}
+
+void FitChoice::set_state(const FitChoiceState& state) {
+  const std::vector<RunItem>& runs = workbench_.runs().items();
+  held_run_ = state.run && *state.run < runs.size() ? runs[*state.run].id : 0;
+  machine_ = state.machine;
+  typical_ = state.typical;
+  wanted_ = state.wanted;
+  own_models_ = state.models.has_value();
+  if (own_models_) {
+    const QSignalBlocker quiet(models_);
+    for (int i = 0; i < models_->count(); ++i) {
+      const std::string id = models_->item(i)->data(key_role).toString().toStdString();
+      const bool ticked = std::ranges::find(*state.models, id) != state.models->end();
+      models_->item(i)->setCheckState(ticked ? Qt::Checked : Qt::Unchecked);
+    }
+  }
+  follow_runs();
+}
+
 void FitChoice::follow_runs() {
   list_machines();
   if (!own_models_) {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/identification/identification_job.h"
+#include "ui/identification/identification_state.h"
 #include "ui/workbench/workbench.h"
 
 class QComboBox;
@@ -35,6 +35,9 @@ class FitChoice : public QWidget {
   void hold_run();
   /// The current run is begun with again.
   void follow_current_run();
+  FitChoiceState state() const;
+  /// A run that is not there any more: the current one.
+  void set_state(const FitChoiceState& state);
   /// Offers the machines that there are now.
   void read_machines();
 

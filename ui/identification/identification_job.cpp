@@ -26,10 +26,10 @@ Recordings recordings_of(const IdentificationRequest& request) {
 }
 
 /// One model; `share` of the work.
-Identification fit(const IdentificationRequest& request, const IdentificationStart& start, Progress& whole,
-                   double share) {
+Identification fit(const IdentificationRequest& request, const IdentificationStart& start,
+                   const std::string& date, Progress& whole, double share) {
   IdentifyOptions options;
-  options.date = date_of_today();
+  options.date = date;
   std::deque<Progress> parts;  // they stay where they are
   const auto matched = static_cast<double>(std::max<std::size_t>(1, request.traces.size()));
   const auto stage = [&](std::string_view title) {
@@ -57,10 +57,13 @@ void IdentificationJob::start(IdentificationRequest request) {
   job_.start(
       [request = std::move(request)](JobControl& control) -> Result {
         auto outcome = std::make_shared<IdentificationOutcome>();
+        outcome->date = date_of_today();
+        outcome->program = program_mark(request.program);
+        outcome->recordings = used_recordings(request);
         const double share = 1 / static_cast<double>(request.starts.size());
         for (const IdentificationStart& one : request.starts) {
           try {
-            outcome->models.push_back(fit(request, one, control.progress, share));
+            outcome->models.push_back(fit(request, one, outcome->date, control.progress, share));
           } catch (const InputError& error) {
             outcome->unfitted.push_back({one.setup.model->info().title, error.what()});
           }
@@ -69,7 +72,6 @@ void IdentificationJob::start(IdentificationRequest request) {
           throw InputError(outcome->unfitted.front().reason);
         }
         sort_by_explanation(outcome->models);
-        outcome->request = request;
         return outcome;
       },
       [this](const JobOutcome<Result>& outcome) { deliver(outcome); });

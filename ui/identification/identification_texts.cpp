@@ -1,13 +1,12 @@
 #include "ui/identification/identification_texts.h"
 
 #include <QLocale>
-#include <QStringList>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
-#include "ui/identification/identification_job.h"
+#include "ui/identification/identification_outcome.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/significant.h"
@@ -33,17 +32,6 @@ int decimals_by(double uncertainty) {
   return std::clamp(static_cast<int>(-exponent) + (begins_with_one ? 1 : 0), 0, most);
 }
 
-QStringList recording_names(const IdentificationOutcome& outcome) {
-  QStringList names;
-  for (const auto& trace : outcome.request.traces) {
-    names.append(QString::fromStdString(trace->name).section('/', -1));
-  }
-  for (const auto& table : outcome.request.tables) {
-    names.append(table->name.section('/', -1));
-  }
-  return names;
-}
-
 }  // namespace
 
 QString IdentificationTexts::title(const FitParameter& parameter) {
@@ -56,15 +44,25 @@ QString IdentificationTexts::value(double value, const FitParameter& parameter) 
   return value > 0 ? number(value * key_unit(parameter.unit).factor) : QStringLiteral("–");
 }
 
-QString IdentificationTexts::found(const IdentifiedParameter& parameter) {
+QString IdentificationTexts::found_value(const IdentifiedParameter& parameter) {
   const double factor = key_unit(parameter.parameter.unit).factor;
   if (!parameter.told) {
     return parameter.at_least ? tr("at least %1").arg(number(*parameter.at_least * factor)) : tr("not told");
   }
-  const int decimals = decimals_by(parameter.uncertainty * factor);
-  const QLocale locale;
-  return QStringLiteral("%1 ± %2").arg(locale.toString(parameter.value * factor, 'f', decimals),
-                                       locale.toString(parameter.uncertainty * factor, 'f', decimals));
+  return QLocale().toString(parameter.value * factor, 'f', decimals_by(parameter.uncertainty * factor));
+}
+
+QString IdentificationTexts::uncertainty(const IdentifiedParameter& parameter) {
+  if (!parameter.told) {
+    return QStringLiteral("–");
+  }
+  const double shown = parameter.uncertainty * key_unit(parameter.parameter.unit).factor;
+  return QLocale().toString(shown, 'f', decimals_by(shown));
+}
+
+QString IdentificationTexts::found(const IdentifiedParameter& parameter) {
+  const QString value = found_value(parameter);
+  return parameter.told ? QStringLiteral("%1 ± %2").arg(value, uncertainty(parameter)) : value;
 }
 
 QString IdentificationTexts::explanation(const IdentifiedParameter& parameter, bool explains) {
@@ -82,30 +80,33 @@ QString IdentificationTexts::explanation(const IdentifiedParameter& parameter, b
                          : tr("A recording of the test program tells it: part %1.").arg(part));
 }
 
-QString IdentificationTexts::verdict(const IdentificationOutcome& outcome, const Identification& found) {
+QString IdentificationTexts::judgement(const Identification& found) {
   const QString model = core_text(found.setup.model->info().title);
-  QStringList lines{
-      found.explains ? tr("The model %1 explains what was recorded.").arg(model)
-                     : tr("The model %1 does not explain what was recorded: it misses more than 5 % of the "
-                          "feed or 1 % of the time, so its numbers would say nothing of your machine. Tick "
-                          "other models in step 2.")
-                           .arg(model)};
-  const QStringList names = recording_names(outcome);
-  const QLocale locale;
+  return found.explains ? tr("The model %1 explains what was recorded.").arg(model)
+                        : tr("The model %1 does not explain what was recorded: it misses more than 5 % of "
+                             "the feed or 1 % of the time, so its numbers would say nothing of your machine.")
+                              .arg(model);
+}
+
+QString IdentificationTexts::time_error(const Agreement& agreement) {
+  constexpr double unit = 100;  // of what is shown of a percent
+  const double percent = std::round(100 * unit * agreement.time_error()) / unit + 0.0;  // never -0
+  return (percent > 0 ? "+" : "") + QLocale().toString(percent, 'f', 2);
+}
+
+QStringList IdentificationTexts::agreements(const IdentificationOutcome& outcome,
+                                            const Identification& found) {
+  QStringList lines;
   for (std::size_t i = 0; i < found.agreements.size(); ++i) {
     const Agreement& agreement = found.agreements[i];
-    constexpr double unit = 100;  // of what is shown of a percent
-    const double percent = std::round(100 * unit * agreement.time_error()) / unit + 0.0;  // never -0
-    const QString difference = (percent > 0 ? "+" : "") + locale.toString(percent, 'f', 2);
-    const QString times =
-        tr("%1: %2 recorded, %3 simulated (%4 %)")
-            .arg(names.value(static_cast<qsizetype>(i)), clock_text(agreement.measured_time),
-                 clock_text(agreement.simulated_time), difference);
+    const QString times = tr("%1: %2 recorded, %3 simulated (%4 %)")
+                              .arg(outcome.recordings[i].name, clock_text(agreement.measured_time),
+                                   clock_text(agreement.simulated_time), time_error(agreement));
     lines.append(found.sections[i].empty() ? tr("%1; the feeds differ by %2 (rms).")
                                                  .arg(times, amount_text(agreement.feed_rms, Dimension::feed))
                                            : times + '.');
   }
-  return lines.join(QStringLiteral("\n"));
+  return lines;
 }
 
 QString IdentificationTexts::summary(const Identification& found) {
@@ -135,7 +136,11 @@ QString IdentificationTexts::summary(const Identification& found) {
 }
 
 QString IdentificationTexts::names(const IdentificationOutcome& outcome) {
-  return recording_names(outcome).join(QStringLiteral(", "));
+  QStringList names;
+  for (const UsedRecording& recording : outcome.recordings) {
+    names.append(recording.name);
+  }
+  return names.join(QStringLiteral(", "));
 }
 
 }  // namespace feedscope::ui

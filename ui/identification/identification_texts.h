@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QString>
+#include <QStringList>
 #include <string>
 
 #include "core/identification/identify.h"
@@ -23,8 +24,16 @@ class IdentificationTexts {
   static QString found(const IdentifiedParameter& parameter);
   /// Why it is not told and what would tell it; of one that is told what its uncertainty says.
   static QString explanation(const IdentifiedParameter& parameter, bool explains);
-  /// Whether the model explains what was recorded, with times and feeds of each recording.
-  static QString verdict(const IdentificationOutcome& outcome, const Identification& found);
+  /// The value that was found alone: "1.300", "at least 9.6", "not told".
+  static QString found_value(const IdentifiedParameter& parameter);
+  /// "0.012"; "–" for one that is not told.
+  static QString uncertainty(const IdentifiedParameter& parameter);
+  /// Whether the model explains what was recorded.
+  static QString judgement(const Identification& found);
+  /// Times and feeds of each recording, a line each.
+  static QStringList agreements(const IdentificationOutcome& outcome, const Identification& found);
+  /// "+0.12", without the sign of percent.
+  static QString time_error(const Agreement& agreement);
   /// "3 of 14 numbers are told", and which parts of the test program would tell how many of the others.
   static QString summary(const Identification& found);
   /// Of the recordings, with commas.

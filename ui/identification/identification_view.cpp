@@ -208,6 +208,7 @@ void IdentificationView::follow_program() {
   if (workbench_.file() != file_) {
     file_ = workbench_.file();
     job_.cancel();
+    unsettled_ = false;
     result_->set_outcome(nullptr);
     recordings_->forget_tables();
     choice_->follow_current_run();
@@ -218,8 +219,9 @@ void IdentificationView::follow_program() {
 void IdentificationView::follow_input() {
   const IdentificationRequest asked = request();
   const bool has_result = result_->outcome() != nullptr;
-  const bool is_stale = has_result && !(asked == result_->outcome()->request);
-  result_->set_stale(is_stale);
+  settle(asked);
+  stale_ = has_result && !unsettled_ && !(asked == asked_);
+  result_->set_stale(stale_);
   show_run_->setEnabled(has_result && workbench_.program() != nullptr);
   save_->setEnabled(has_result);
   open_trace_->setEnabled(workbench_.program() != nullptr);
@@ -233,6 +235,30 @@ void IdentificationView::follow_input() {
   }
 }
 
+/// A result that was kept is of what is chosen as soon as that has been read, if it is the same.
+void IdentificationView::settle(const IdentificationRequest& asked) {
+  if (unsettled_ && asked.program.program != nullptr && !recordings_->is_reading()) {
+    unsettled_ = false;
+    asked_ = is_of(*result_->outcome(), asked) ? asked : IdentificationRequest();
+  }
+}
+
+IdentificationState IdentificationView::state() const {
+  return {recordings_->unused_traces(), recordings_->all_tables(), choice_->state(), result_->kept(stale_)};
+}
+
+void IdentificationView::set_state(const IdentificationState& state) {
+  job_.cancel();
+  unsettled_ = false;
+  result_->set_outcome(nullptr);
+  recordings_->set_state(state.unused_traces, state.tables);
+  choice_->set_state(state.choice);
+  result_->set_outcome(state.result.outcome, state.result.chosen);
+  asked_ = {};
+  unsettled_ = state.result.outcome != nullptr && !state.result.stale;
+  follow_input();
+}
+
 void IdentificationView::identify() {
   const IdentificationRequest asked = request();
   if (const QString lacks = missing(asked); !lacks.isEmpty()) {
@@ -242,6 +268,7 @@ void IdentificationView::identify() {
   choice_->hold_run();
   progress_->setValue(0);
   job_.start(asked);
+  searched_ = asked;
   follow_input();
 }
 
@@ -250,6 +277,8 @@ void IdentificationView::take(std::shared_ptr<const IdentificationOutcome> outco
   for (const Identification& found : outcome->models) {
     simulations += found.simulations;
   }
+  asked_ = searched_;
+  unsettled_ = false;
   result_->set_outcome(std::move(outcome));
   follow_input();
   say(tr("Done after %1 simulations of the program.")
@@ -336,7 +365,7 @@ void IdentificationView::say(const QString& message) {
   state_->setVisible(!message.isEmpty());
 }
 
-QString IdentificationView::state() const {
+QString IdentificationView::message() const {
   return state_->text();
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "ui/identification/identification_job.h"
+#include "ui/identification/identification_state.h"
 #include "ui/workbench/panel.h"
 #include "ui/workbench/workbench.h"
 
@@ -47,12 +48,18 @@ class IdentificationView : public Panel {
   /// Asks what the test program is to be.
   TestProgramDialog& ask_for_test_program();
 
+  /// What is chosen and found, without a search that is under way.
+  IdentificationState state() const;
+  /// Needs the runs and traces that it speaks of. A result that was up to date is so again where program,
+  /// recordings and machine are still the same.
+  void set_state(const IdentificationState& state);
+
   RecordingsBox& recordings() { return *recordings_; }
   FitChoice& choice() { return *choice_; }
   ResultBox& result() { return *result_; }
   QPushButton& identify_button() { return *identify_; }
   /// What is missing, under way, done or wrong.
-  QString state() const;
+  QString message() const;
 
  signals:
   /// The trace of the program is to be opened.
@@ -68,6 +75,7 @@ class IdentificationView : public Panel {
   QString missing(const IdentificationRequest& asked) const;
   void follow_program();
   void follow_input();
+  void settle(const IdentificationRequest& asked);
   void take(std::shared_ptr<const IdentificationOutcome> outcome);
   void say(const QString& message);
   void ask_for_table();
@@ -89,7 +97,11 @@ class IdentificationView : public Panel {
   QAction* show_run_ = nullptr;
   QAction* save_ = nullptr;
   QList<QAction*> actions_;
-  std::filesystem::path file_;  ///< of the program that the tables are of
+  std::filesystem::path file_;      ///< of the program that the tables are of
+  IdentificationRequest searched_;  ///< by the search under way
+  IdentificationRequest asked_;     ///< that the result is of
+  bool unsettled_ = false;          ///< whether the result is of what is chosen is not known yet
+  bool stale_ = false;              ///< it is not
 };
 
 }  // namespace feedscope::ui

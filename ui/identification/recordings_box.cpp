@@ -61,7 +61,7 @@ std::vector<std::shared_ptr<const Trace>> RecordingsBox::traces() const {
 
 std::vector<std::shared_ptr<const SectionTable>> RecordingsBox::tables() const {
   std::vector<std::shared_ptr<const SectionTable>> used;
-  for (const Table& table : tables_) {
+  for (const TableState& table : tables_) {
     if (table.used) {
       used.push_back(table.table);
     }
@@ -82,13 +82,35 @@ bool RecordingsBox::is_reading() const {
 void RecordingsBox::add_table(const std::filesystem::path& file) {
   const QString name = to_qstring(file);
   auto read = std::make_shared<const SectionTable>(SectionTable{name, read_section_times(file)});
-  std::erase_if(tables_, [&](const Table& other) { return other.table->name == name; });
+  std::erase_if(tables_, [&](const TableState& other) { return other.table->name == name; });
   tables_.push_back({std::move(read), true});
   refresh();
 }
 
 void RecordingsBox::forget_tables() {
   tables_.clear();
+  refresh();
+}
+
+std::vector<std::size_t> RecordingsBox::unused_traces() const {
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < workbench_.traces().items().size(); ++row) {
+    if (!is_used(row)) {
+      rows.push_back(row);
+    }
+  }
+  return rows;
+}
+
+void RecordingsBox::set_state(const std::vector<std::size_t>& unused_traces, std::vector<TableState> tables) {
+  const std::vector<TraceItem>& traces = workbench_.traces().items();
+  unused_.clear();
+  for (const std::size_t row : unused_traces) {
+    if (row < traces.size()) {
+      unused_.insert(traces[row].id);
+    }
+  }
+  tables_ = std::move(tables);
   refresh();
 }
 
@@ -144,7 +166,7 @@ void RecordingsBox::refresh() {
                 : tr("%1: trace, %2").arg(name, clock_text(trace->time.back() - trace->time.front())),
             messages.isEmpty() ? to_qstring(traces.items()[row].file) : messages, is_used(row));
   }
-  for (const Table& table : tables_) {
+  for (const TableState& table : tables_) {
     add_row(tr("%1: %2 section times")
                 .arg(to_qstring(to_path(table.table->name).filename()))
                 .arg(table.table->times.size()),

@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-#include "ui/identification/identification_job.h"
+#include "ui/identification/identification_state.h"
 #include "ui/workbench/workbench.h"
 
 class QLabel;
@@ -32,6 +32,9 @@ class RecordingsBox : public QWidget {
   void add_table(const std::filesystem::path& file);
   /// Another program.
   void forget_tables();
+  std::vector<std::size_t> unused_traces() const;  ///< rows
+  const std::vector<TableState>& all_tables() const { return tables_; }
+  void set_state(const std::vector<std::size_t>& unused_traces, std::vector<TableState> tables);
 
   QListWidget& list() { return *list_; }
   /// What is to be known of the recordings, or what to do for one.
@@ -41,11 +44,6 @@ class RecordingsBox : public QWidget {
   void changed();
 
  private:
-  struct Table {
-    std::shared_ptr<const SectionTable> table;
-    bool used = true;
-  };
-
   void refresh();
   void show_notes();
   void add_row(const QString& text, const QString& tip, bool used);
@@ -57,7 +55,7 @@ class RecordingsBox : public QWidget {
   QListWidget* list_;
   QLabel* note_;
   std::set<int> unused_;  ///< traces that are not ticked, by id
-  std::vector<Table> tables_;
+  std::vector<TableState> tables_;
 };
 
 }  // namespace feedscope::ui

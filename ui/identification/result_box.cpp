@@ -11,6 +11,7 @@
 
 #include "ui/fields/focus_outline.h"
 #include "ui/identification/identification_texts.h"
+#include "ui/identification/residual_chart.h"
 #include "ui/language/composed_text.h"
 #include "ui/language/core_texts.h"
 #include "ui/shared/row_copy.h"
@@ -75,7 +76,8 @@ ResultBox::ResultBox(QWidget* parent)
                       tr("Value that explains the recording best, ± 95 %")},
                      this)),
       explanation_(make_label(this)),
-      summary_(make_label(this)) {
+      summary_(make_label(this)),
+      residuals_(new ResidualChart(this)) {
   stale_->setText(tr("Recordings, models or machine have changed since: identify again."));
   QFont bold = stale_->font();
   bold.setBold(true);
@@ -84,8 +86,8 @@ ResultBox::ResultBox(QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(4);
-  for (QWidget* widget :
-       std::initializer_list<QWidget*>{stale_, verdict_, models_, parameters_, explanation_, summary_}) {
+  for (QWidget* widget : std::initializer_list<QWidget*>{stale_, verdict_, models_, parameters_, explanation_,
+                                                         summary_, residuals_}) {
     layout->addWidget(widget);
   }
   connect(models_, &QTreeWidget::currentItemChanged, this, [this](const QTreeWidgetItem* item) {
@@ -109,9 +111,9 @@ ResultBox::ResultBox(QWidget* parent)
   set_outcome(nullptr);
 }
 
-void ResultBox::set_outcome(std::shared_ptr<const IdentificationOutcome> outcome) {
+void ResultBox::set_outcome(std::shared_ptr<const IdentificationOutcome> outcome, std::size_t chosen) {
   outcome_ = std::move(outcome);
-  chosen_ = 0;
+  chosen_ = outcome_ != nullptr && chosen < outcome_->models.size() ? chosen : 0;
   stale_->hide();
   show_models();
   show_chosen();
@@ -134,7 +136,7 @@ void ResultBox::set_stale(bool stale) {
 void ResultBox::show_models() {
   const QSignalBlocker quiet(models_);
   models_->clear();
-  models_->setVisible(outcome_ != nullptr && outcome_->request.starts.size() > 1);
+  models_->setVisible(outcome_ != nullptr && outcome_->models.size() + outcome_->unfitted.size() > 1);
   if (outcome_ == nullptr) {
     return;
   }
@@ -153,7 +155,7 @@ void ResultBox::show_models() {
     auto* row = new QTreeWidgetItem(models_, {core_text(unfitted.title), {}, {}, tr("failed")});
     row->setToolTip(0, composed_text(unfitted.reason));
   }
-  models_->setCurrentItem(models_->topLevelItem(0));
+  models_->setCurrentItem(models_->topLevelItem(static_cast<int>(chosen_)));
   fit_height(*models_);
 }
 
@@ -164,6 +166,7 @@ void ResultBox::show_chosen() {
   parameters_->setVisible(found != nullptr);
   verdict_->setVisible(found != nullptr);
   summary_->setVisible(found != nullptr && found->explains);
+  residuals_->set_outcome(outcome_, chosen_);
   if (found == nullptr) {
     explanation_->hide();
     return;
@@ -182,7 +185,11 @@ void ResultBox::show_chosen() {
   }
   parameters_->setCurrentItem(parameters_->topLevelItem(0));
   fit_height(*parameters_);
-  verdict_->setText(IdentificationTexts::verdict(*outcome_, *found));
+  QString verdict = IdentificationTexts::judgement(*found);
+  if (!found->explains) {
+    verdict += ' ' + tr("Tick other models in step 2.");
+  }
+  verdict_->setText((QStringList{verdict} + IdentificationTexts::agreements(*outcome_, *found)).join('\n'));
   summary_->setText(IdentificationTexts::summary(*found));
   show_explanation();
 }

@@ -9,6 +9,7 @@
 #include "core/program/program.h"
 #include "ui/charts/charts_state.h"
 #include "ui/circular/circular_state.h"
+#include "ui/identification/identification_state.h"
 #include "ui/lessons/lesson_work.h"
 #include "ui/scene/scene_state.h"
 #include "ui/scene_view/scenes_state.h"
@@ -34,6 +35,7 @@ struct Session {
   LoadSetup load;  ///< how the tools are engaged; may not fit the program
   std::vector<Annotation> annotations;
   std::vector<TraceItem> traces;         ///< absolute files; one that is not there is kept nevertheless
+  IdentificationState identification;    ///< rows of `runs` and `traces`
   LessonWork lessons;                    ///< answers and values tried
   QByteArray layout;                     ///< of the docks, as QMainWindow::saveState; may be empty
   bool presentation = false;             ///< large type and few panels; `layout` is that without

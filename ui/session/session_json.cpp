@@ -7,8 +7,10 @@
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
 #include "ui/scene_view/scene_json.h"
+#include "ui/session/identification_json.h"
 #include "ui/session/lessons_json.h"
 #include "ui/session/reading_json.h"
+#include "ui/session/setup_json.h"
 #include "ui/session/trace_json.h"
 #include "ui/shared/paths.h"
 
@@ -46,83 +48,23 @@ namespace {
 
 // ---- Runs
 
-QJsonValue to_json(const SettingValue& value) {
-  const auto* number = std::get_if<double>(&value);
-  return number != nullptr ? QJsonValue(*number)
-                           : QJsonValue(QString::fromStdString(std::get<std::string>(value)));
-}
-
-bool is_shipped(const Machine& machine, const MachineLibrary& machines) {
-  return std::ranges::find(machines.ids(), machine.id) != machines.ids().end() &&
-         machines.load(machine.id) == machine;
-}
-
-/// What differs from the machine's file: edits, and settings that a command line set.
-QJsonObject changes_of(const SetupState& state) {
-  QJsonObject changes;
-  const Settings plain = complete_settings(*state.file().model, state.file().machine);
-  for (const auto& [key, value] : state.file().settings.values()) {
-    if (!plain.has(key) || plain.values().at(key) != value) {
-      changes[QString::fromStdString(key)] = to_json(value);
-    }
-  }
-  for (const auto& [key, value] : state.edits()) {
-    changes[QString::fromStdString(key)] = to_json(value);
-  }
-  return changes;
-}
-
 QJsonObject to_json(const RunItem& run, const MachineLibrary& machines) {
-  const Machine& machine = run.setup.file().machine;
-  QJsonObject json{{"name", run.name},
-                   {"colour", run.colour.name()},
-                   {"visible", run.visible},
-                   {"model", QString::fromStdString(run.setup.file().model->info().id)},
-                   {"set", changes_of(run.setup)}};
-  if (is_shipped(machine, machines)) {
-    json["machine"] = QString::fromStdString(machine.id);
-  } else {
-    json["machine_file"] =
-        QJsonArray::fromStringList(QString::fromStdString(write_machine(machine)).split('\n'));
-  }
+  QJsonObject json = to_json(run.setup, machines);
+  json["name"] = run.name;
+  json["colour"] = run.colour.name();
+  json["visible"] = run.visible;
   return json;
-}
-
-Machine read_machine_of(const QJsonObject& json, const MachineLibrary& machines, const QString& place) {
-  if (!json.contains("machine_file")) {
-    return machines.load(json["machine"].toString().toStdString());
-  }
-  const QString text = json["machine_file"].toVariant().toStringList().join('\n');
-  return parse_machine(text.toStdString(), (place + QStringLiteral(", machine_file")).toStdString(),
-                       all_model_settings());
-}
-
-SettingValue setting_of(const QJsonValue& json) {
-  return json.isString() ? SettingValue(json.toString().toStdString()) : SettingValue(json.toDouble());
 }
 
 RunItem read_run(const QJsonObject& json, const QString& place, const MachineLibrary& machines,
                  QStringList& notes) {
   note_unknown(json, {"name", "colour", "visible", "machine", "machine_file", "model", "set"}, place, notes);
-  try {
-    Setup file;
-    file.machine = read_machine_of(json, machines, place);
-    file.model =
-        &find_model(json["model"].toString(QString::fromStdString(file.machine.model)).toStdString());
-    file.settings = complete_settings(*file.model, file.machine);
-    RunItem run{0, json["name"].toString(), colour_of(json["colour"]), json["visible"].toBool(true),
-                SetupState(std::move(file))};
-    const QJsonObject set = json["set"].toObject();
-    for (auto entry = set.begin(); entry != set.end(); ++entry) {
-      run.setup.set(entry.key().toStdString(), setting_of(entry.value()));
-    }
-    if (!run.colour.isValid()) {
-      run.colour = QColor(Qt::darkBlue);
-    }
-    return run;
-  } catch (const InputError& error) {
-    throw input_error(QStringLiteral("%1: %2").arg(place, QString::fromUtf8(error.what())));
+  RunItem run{0, json["name"].toString(), colour_of(json["colour"]), json["visible"].toBool(true),
+              read_setup(json, place, machines)};
+  if (!run.colour.isValid()) {
+    run.colour = QColor(Qt::darkBlue);
   }
+  return run;
 }
 
 // ---- Cutting load
@@ -278,7 +220,7 @@ QJsonObject to_json(const Session& session, const std::filesystem::path& folder)
   if (session.program_font_size) {
     window["program_font_px"] = *session.program_font_size;
   }
-  return {
+  QJsonObject json{
       {"format", format_name},
       {"version", session_version},
       {"program", QJsonObject{{"file", to_portable_qstring(relative.empty() ? session.program : relative)},
@@ -296,16 +238,21 @@ QJsonObject to_json(const Session& session, const std::filesystem::path& folder)
       {"traces", traces},
       {"lessons", to_json(session.lessons)},
       {"window", window}};
+  if (const QJsonObject found = to_json(session.identification, folder, machines); !found.isEmpty()) {
+    json["identification"] = found;
+  }
+  return json;
 }
 
 ReadSession read_session(const QJsonObject& json, const std::filesystem::path& folder,
                          const MachineLibrary& machines) {
   check_format(json);
   ReadSession read;
-  note_unknown(json,
-               {"format", "version", "program", "reading", "runs", "current_run", "cursor_s", "view",
-                "compare", "charts", "circular", "load_file", "annotations", "traces", "lessons", "window"},
-               QStringLiteral("the session"), read.notes);
+  note_unknown(
+      json,
+      {"format", "version", "program", "reading", "runs", "current_run", "cursor_s", "view", "compare",
+       "charts", "circular", "load_file", "annotations", "traces", "identification", "lessons", "window"},
+      QStringLiteral("the session"), read.notes);
   Session& session = read.session;
   const QJsonObject program = json["program"].toObject();
   note_unknown(program, {"file", "sha256"}, QStringLiteral("\"program\""), read.notes);
@@ -348,6 +295,8 @@ ReadSession read_session(const QJsonObject& json, const std::filesystem::path& f
     note_unknown(trace.toObject(), trace_keys(), place, read.notes);
     session.traces.push_back(read_trace_item(trace.toObject(), place, folder));
   }
+  session.identification =
+      read_identification(json["identification"].toObject(), folder, machines, read.notes);
   session.lessons = read_lessons(json["lessons"].toArray(), read.notes);
   read_window(json["window"].toObject(), session, read.notes);
   return read;

@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "ui/charts/charts_panel.h"
 #include "ui/circular/circular_view.h"
+#include "ui/identification/identification_view.h"
 #include "ui/lessons/lesson_view.h"
 #include "ui/load/load_view.h"
 #include "ui/program_text/program_panel.h"
@@ -79,6 +80,7 @@ Session WindowSession::view() const {
     session.charts = window_.part<ChartsPanel>().state();
     session.circular = window_.part<CircularView>().state();
   }
+  session.identification = identification();
   session.load = window_.part<LoadView>().setup();
   session.lessons = desk().all_work();
   session.layout = window_.presentation().usual_layout();
@@ -86,6 +88,10 @@ Session WindowSession::view() const {
   session.theme = theme_of(QApplication::palette());
   session.program_font_size = window_.presentation().usual_program_type();
   return session;
+}
+
+IdentificationState WindowSession::identification() const {
+  return pending_ ? pending_->identification : window_.part<IdentificationView>().state();
 }
 
 LessonDesk& WindowSession::desk() const {
@@ -179,6 +185,7 @@ void WindowSession::apply_to_run() {
   window_.scenes().set_state(session.scenes);
   window_.part<ChartsPanel>().set_state(session.charts);
   window_.part<CircularView>().set_state(session.circular);
+  window_.part<IdentificationView>().set_state(session.identification);
   workbench_.cursor().set_time(session.cursor);
 }
 
@@ -332,7 +339,8 @@ std::filesystem::path WindowSession::file_after_conflict() {
   return box.clickedButton() == overwrite ? file_ : std::filesystem::path();
 }
 
-/// Runs, annotations, traces and import options, without which place is looked at.
+/// Runs, annotations, traces, import options, section times and what was identified, without which place is
+/// looked at.
 QByteArray WindowSession::essence() const {
   Session session;
   session.program = workbench_.file();
@@ -340,8 +348,12 @@ QByteArray WindowSession::essence() const {
   session.runs = workbench_.runs().items();
   session.annotations = workbench_.annotations().items();
   session.traces = workbench_.traces().items();
+  const IdentificationState now = identification();
+  session.identification.tables = now.tables;
+  session.identification.result.outcome = now.result.outcome;
   const QJsonObject json = to_json(session, {});
-  return QJsonDocument(QJsonArray{json["runs"], json["annotations"], json["traces"], json["reading"]})
+  return QJsonDocument(QJsonArray{json["runs"], json["annotations"], json["traces"], json["reading"],
+                                  json["identification"]})
       .toJson(QJsonDocument::Compact);
 }
 
@@ -354,7 +366,9 @@ bool WindowSession::contents_changed() const {
     return false;
   }
   if (file_.empty()) {
-    return !workbench_.annotations().items().empty() || workbench_.runs().items().size() > 1 ||
+    const IdentificationState now = identification();
+    return !now.tables.empty() || now.result.outcome != nullptr ||
+           !workbench_.annotations().items().empty() || workbench_.runs().items().size() > 1 ||
            !(workbench_.reading() == ReadOptions());
   }
   return essence() != saved_;
@@ -402,7 +416,7 @@ bool WindowSession::may_go() {
       &window_, tr("Save the session?"),
       workbench_.program() == nullptr
           ? tr("Answers to lessons have not been saved.")
-          : tr("Runs, annotations or answers to lessons with %1 have not been saved.")
+          : tr("Runs, annotations, what was identified or answers to lessons with %1 have not been saved.")
                 .arg(to_qstring(workbench_.file().filename())),
       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
   return answer == QMessageBox::Save ? save() : answer == QMessageBox::Discard;

@@ -41,8 +41,8 @@ class WindowSession : public QObject {
   /// Asks for a name if there is none yet, or if `as_new`; asks too if the file has changed since this window
   /// read or wrote it. False if nothing was written.
   bool save(bool as_new = false);
-  /// True if runs, annotations or answers to lessons differ from what was saved, or from the program as it
-  /// was opened.
+  /// True if runs, annotations, what was identified or answers to lessons differ from what was saved, or from
+  /// the program as it was opened.
   bool changed() const;
   /// What the window holds now is how a lesson or a command line begins: nothing of the user's.
   void begin_here() { start_ = essence(); }
@@ -93,6 +93,7 @@ class WindowSession : public QObject {
   Session aside_with_work() const;
   bool contents_changed() const;
   bool save_aside();
+  IdentificationState identification() const;
   LessonDesk& desk() const;
   void keep();
   void forget_restored();

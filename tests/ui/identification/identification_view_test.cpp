@@ -20,6 +20,7 @@
 #include "tests/ui/trace_fixture.h"
 #include "ui/identification/fit_choice.h"
 #include "ui/identification/recordings_box.h"
+#include "ui/identification/residual_chart.h"
 #include "ui/identification/result_box.h"
 
 namespace feedscope::ui {
@@ -85,18 +86,18 @@ class IdentificationViewTest : public testing::Test {
 
 TEST_F(IdentificationViewTest, SaysStepByStepWhatIsMissing) {
   EXPECT_FALSE(view.identify_button().isEnabled());
-  EXPECT_THAT(view.state().toStdString(), HasSubstr("Open the program"));
+  EXPECT_THAT(view.message().toStdString(), HasSubstr("Open the program"));
   EXPECT_THAT(view.recordings().note().toStdString(), HasSubstr("run the test program"));
   model.show(start);
-  EXPECT_THAT(view.state().toStdString(), HasSubstr("Step 1"));
+  EXPECT_THAT(view.message().toStdString(), HasSubstr("Step 1"));
   EXPECT_THAT(view.recordings().note().toStdString(), HasSubstr("Record X, Y and Z"));
   open_trace(test::trace_table(truth));
-  EXPECT_TRUE(view.identify_button().isEnabled()) << view.state().toStdString();
+  EXPECT_TRUE(view.identify_button().isEnabled()) << view.message().toStdString();
   tick_model("linuxcnc", false);
-  EXPECT_THAT(view.state().toStdString(), HasSubstr("Step 2: tick a control model"));
+  EXPECT_THAT(view.message().toStdString(), HasSubstr("Step 2: tick a control model"));
   tick_model("linuxcnc");
   view.choice().tick_none();
-  EXPECT_THAT(view.state().toStdString(), HasSubstr("Step 2: tick a number"));
+  EXPECT_THAT(view.message().toStdString(), HasSubstr("Step 2: tick a number"));
   EXPECT_FALSE(view.identify_button().isEnabled());
   view.identify();
   EXPECT_FALSE(view.busy());
@@ -109,7 +110,7 @@ TEST_F(IdentificationViewTest, FindsTheMachineThatATraceWasRecordedOn) {
   view.identify_button().click();
   EXPECT_TRUE(view.busy());
   ASSERT_TRUE(wait());
-  ASSERT_NE(view.result().chosen(), nullptr) << view.state().toStdString();
+  ASSERT_NE(view.result().chosen(), nullptr) << view.message().toStdString();
   EXPECT_THAT(view.result().verdict().toStdString(), HasSubstr("explains what was recorded"));
   EXPECT_THAT(view.result().verdict().toStdString(), HasSubstr("scope.csv: "));
   ASSERT_EQ(view.result().parameters().topLevelItemCount(), 3);
@@ -170,7 +171,7 @@ TEST_F(IdentificationViewTest, ComparesModelsByHowWellTheyExplain) {
   view.identify();
   ASSERT_TRUE(wait());
   QTreeWidget& models = view.result().models();
-  ASSERT_EQ(models.topLevelItemCount(), 2) << view.state().toStdString();
+  ASSERT_EQ(models.topLevelItemCount(), 2) << view.message().toStdString();
   EXPECT_THAT(models.topLevelItem(0)->text(0).toStdString(), HasSubstr("LinuxCNC"));
   EXPECT_EQ(models.topLevelItem(0)->text(3), "yes");
   EXPECT_EQ(models.topLevelItem(1)->text(3), "no");
@@ -191,11 +192,81 @@ TEST_F(IdentificationViewTest, TakesTimesOfSectionsInsteadOfATrace) {
   look_for({"X.acceleration", "Y.acceleration"});
   view.identify();
   ASSERT_TRUE(wait());
-  ASSERT_NE(view.result().chosen(), nullptr) << view.state().toStdString();
+  ASSERT_NE(view.result().chosen(), nullptr) << view.message().toStdString();
   EXPECT_NEAR(found(0).section(' ', 0, 0).toDouble(), 1.3, 0.026) << found(0).toStdString();
   view.add_table(files.write("few.csv", "section,seconds\n1,2\n"));
-  EXPECT_THAT(view.state().toStdString(), HasSubstr("at least 4"));
+  EXPECT_THAT(view.message().toStdString(), HasSubstr("at least 4"));
   EXPECT_EQ(view.recordings().list().count(), 1);
+}
+
+TEST_F(IdentificationViewTest, AnotherPanelShowsWhatWasChosenAndFound) {
+  model.show(start);
+  open_trace(test::trace_table(truth));
+  view.add_table(files.write("times.csv", "section,seconds\n2-2,1\n4-4,1\n6-6,1\n8-8,1.5\n"));
+  view.recordings().list().item(1)->setCheckState(Qt::Unchecked);
+  tick_model("cam");
+  look_for({"X.acceleration", "Y.acceleration"});
+  view.identify();
+  ASSERT_TRUE(wait());
+  view.result().choose(1);
+  IdentificationView other(model);
+  other.set_state(view.state());
+  ASSERT_NE(other.result().chosen(), nullptr);
+  EXPECT_EQ(other.result().verdict(), view.result().verdict()) << "of the model that was chosen";
+  EXPECT_EQ(other.result().parameters().topLevelItem(0)->text(2), found(0));
+  EXPECT_TRUE(other.result().parameters().isEnabled());
+  EXPECT_EQ(other.choice().starts(), view.choice().starts());
+  EXPECT_EQ(other.recordings().list().count(), 2);
+  EXPECT_EQ(other.recordings().list().item(1)->text(), "times.csv: 4 section times");
+  EXPECT_EQ(other.recordings().list().item(1)->checkState(), Qt::Unchecked);
+  other.recordings().list().item(1)->setCheckState(Qt::Checked);
+  EXPECT_FALSE(other.result().parameters().isEnabled()) << "it was found without the table";
+}
+
+/// As a session gives it back: before the trace has been read.
+TEST_F(IdentificationViewTest, AKeptResultIsUpToDateIfItsRecordingIsStillTheSame) {
+  model.show(start);
+  open_trace(test::trace_table(truth));
+  look_for({"X.acceleration"});
+  view.identify();
+  ASSERT_TRUE(wait());
+  const IdentificationState kept = view.state();
+  EXPECT_FALSE(kept.result.stale);
+  for (const bool same : {true, false}) {
+    Workbench later{shipped_machines(), start.setup};
+    later.show(start);
+    const feedscope::Run other = run_of({"X.acceleration=1.2"});
+    later.traces().add(files.write("scope.csv", test::trace_table(same ? truth : other)));
+    IdentificationView panel(later);
+    panel.set_state(kept);
+    EXPECT_TRUE(panel.result().parameters().isEnabled()) << "it is not known yet that it is another one";
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !later.traces().busy(); }, patience));
+    EXPECT_EQ(panel.result().parameters().isEnabled(), same);
+    EXPECT_EQ(panel.state().result.stale, !same);
+    panel.set_state(panel.state());
+    EXPECT_EQ(panel.result().parameters().isEnabled(), same) << "out of date stays out of date";
+    later.setup().set("X.acceleration", 0.5);
+    EXPECT_FALSE(panel.result().parameters().isEnabled()) << "it begins with another machine";
+  }
+}
+
+TEST_F(IdentificationViewTest, DrawsWhatIsLeftOverOfEachRecording) {
+  EXPECT_TRUE(view.result().residuals().isHidden());
+  model.show(start);
+  open_trace(test::trace_table(truth));
+  look_for({"X.acceleration", "Y.acceleration"});
+  view.identify();
+  ASSERT_TRUE(wait());
+  EXPECT_FALSE(view.result().residuals().isHidden());
+  const std::vector<ResidualCurves>& curves = view.result().residuals().curves();
+  ASSERT_EQ(curves.size(), 1U);
+  EXPECT_EQ(curves[0].recording, "scope.csv");
+  ASSERT_EQ(curves[0].models.size(), 1U);
+  const std::vector<QPointF>& points = curves[0].models[0].points;
+  EXPECT_NEAR(points.back().x(), truth.trajectory->duration(), 0.1);
+  for (const QPointF& point : points) {
+    EXPECT_LT(std::abs(point.y()), 5e-3) << "at " << point.x() << " s";
+  }
 }
 
 TEST_F(IdentificationViewTest, SaysWhatIsWrongWithATrace) {
@@ -206,7 +277,7 @@ TEST_F(IdentificationViewTest, SaysWhatIsWrongWithATrace) {
   view.identify();
   ASSERT_TRUE(wait());
   EXPECT_EQ(view.result().chosen(), nullptr);
-  EXPECT_THAT(view.state().toStdString(), HasSubstr("does not belong to its program"));
+  EXPECT_THAT(view.message().toStdString(), HasSubstr("does not belong to its program"));
 }
 
 TEST_F(IdentificationViewTest, TheWheelOnItsWayChoosesNoMachine) {
@@ -241,7 +312,7 @@ TEST_F(IdentificationViewTest, CanBeCancelledAndBegunAgain) {
   ASSERT_TRUE(view.busy());
   view.identify_button().click();
   ASSERT_TRUE(wait());
-  EXPECT_EQ(view.state(), "Cancelled.");
+  EXPECT_EQ(view.message(), "Cancelled.");
   EXPECT_EQ(view.result().chosen(), nullptr);
   EXPECT_TRUE(view.identify_button().isEnabled());
 }
@@ -256,7 +327,7 @@ TEST_F(IdentificationViewTest, ForgetsWithTheProgram) {
   model.open(files.write("other.nc", "G21 G90\nG1 X5 Y90 F6000\nM30\n"));
   EXPECT_EQ(view.result().chosen(), nullptr);
   ASSERT_TRUE(wait());
-  EXPECT_THAT(view.state().toStdString(), HasSubstr("Step 1"));
+  EXPECT_THAT(view.message().toStdString(), HasSubstr("Step 1"));
 }
 
 /// A trace of LinuxCNC itself.
@@ -272,7 +343,7 @@ TEST_F(IdentificationViewTest, FindsTheMachineOfLinuxCncsTrace) {
   view.identify();
   ASSERT_TRUE(wait());
   const Identification* found = view.result().chosen();
-  ASSERT_NE(found, nullptr) << view.state().toStdString();
+  ASSERT_NE(found, nullptr) << view.message().toStdString();
   EXPECT_TRUE(found->explains);
   const auto y = std::ranges::find(found->parameters, "Y.acceleration",
                                    [](const IdentifiedParameter& one) { return one.parameter.key; });

@@ -82,6 +82,19 @@ TEST_F(SessionFile, HashesBytes) {
   EXPECT_TRUE(hash_of(in_folder("none.nc")).isEmpty());
 }
 
+/// The schema is compared with this file.
+TEST_F(SessionFile, IsAsTheOneThatIsHeldAgainstItsSchema) {
+  const std::filesystem::path folder = FEEDSCOPE_SOURCE_DIR "/tests/ui/session";
+  std::ifstream in(folder / "everything.feedscope");
+  const std::string held{std::istreambuf_iterator<char>(in), {}};
+  const std::string now = session_bytes(test::some_session(folder / "part.nc"), folder).toStdString();
+  if (now != held) {
+    std::ofstream("everything.feedscope") << now;
+  }
+  EXPECT_TRUE(now == held) << "compare it with " << std::filesystem::absolute("everything.feedscope")
+                           << ", written by this test";
+}
+
 /// One file for each version is kept as it was written then.
 TEST_F(SessionFile, OfEveryVersionIsReadWhole) {
   const std::filesystem::path folder = FEEDSCOPE_SOURCE_DIR "/tests/ui/session/versions";
@@ -89,6 +102,7 @@ TEST_F(SessionFile, OfEveryVersionIsReadWhole) {
   // These came later.
   expected.load = {};
   expected.traces.clear();
+  expected.identification = {};
   expected.lessons = {};
   expected.charts.hidden_charts.clear();
   expected.charts.shown_charts.clear();

@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <QJsonArray>
+#include <functional>
 
 #include "core/base/error.h"
 #include "tests/ui/session/some_session.h"
+#include "ui/session/identification_json.h"
 
 namespace feedscope::ui {
 namespace {
@@ -19,6 +21,14 @@ Session read_back(const Session& session) {
   ReadSession read = read_session(to_json(session, folder), folder, shipped_machines());
   EXPECT_TRUE(read.notes.isEmpty()) << read.notes.join('\n').toStdString();
   return read.session;
+}
+
+void set_in_first(QJsonObject& json, const QString& list, const QString& key, const QJsonValue& value) {
+  QJsonArray items = json[list].toArray();
+  QJsonObject first = items[0].toObject();
+  first[key] = value;
+  items[0] = first;
+  json[list] = items;
 }
 
 void expect_same(const Session& a, const Session& b) {
@@ -34,6 +44,8 @@ void expect_same(const Session& a, const Session& b) {
   EXPECT_EQ(a.load, b.load);
   EXPECT_EQ(a.annotations, b.annotations);
   EXPECT_EQ(a.traces, b.traces);
+  EXPECT_EQ(to_json(a.identification, folder, shipped_machines()),
+            to_json(b.identification, folder, shipped_machines()));
   EXPECT_EQ(a.layout, b.layout);
   EXPECT_EQ(a.presentation, b.presentation);
   EXPECT_EQ(a.theme, b.theme);
@@ -83,6 +95,107 @@ TEST(SessionJson, ColoursHaveNoTransparencyAndEightBits) {
     EXPECT_EQ(session.runs[0].colour.alpha(), 255) << colour;
     expect_same(read_back(session), session);
   }
+}
+
+TEST(SessionJson, WhatWasIdentifiedComesBackWithItsMachines) {
+  const Session session = test::some_session("/parts/pocket.nc");
+  const IdentificationState read = read_back(session).identification;
+  EXPECT_EQ(read.unused_traces, std::vector<std::size_t>{1});
+  EXPECT_EQ(read.choice, session.identification.choice);
+  ASSERT_EQ(read.tables.size(), 1U);
+  EXPECT_FALSE(read.tables[0].used);
+  EXPECT_EQ(read.tables[0].table->name, "/parts/traces/times.csv");
+  ASSERT_EQ(read.tables[0].table->times.size(), 3U);
+  EXPECT_EQ(read.tables[0].table->times[2].section, "4-7");
+  EXPECT_EQ(read.tables[0].table->times[2].seconds, 1.234);
+  EXPECT_EQ(read.tables[0].table->times[2].resolution, 0.001);
+  EXPECT_EQ(read.tables[0].table->times[2].row, 5U);
+  ASSERT_NE(read.result.outcome, nullptr);
+  EXPECT_EQ(read.result.chosen, 1U);
+  EXPECT_TRUE(read.result.stale);
+  const IdentificationOutcome& saved = *session.identification.result.outcome;
+  const IdentificationOutcome& outcome = *read.result.outcome;
+  EXPECT_EQ(outcome.date, "2026-11-27");
+  EXPECT_EQ(outcome.program, saved.program);
+  EXPECT_EQ(outcome.recordings, saved.recordings);
+  EXPECT_EQ(outcome.unfitted, saved.unfitted);
+  ASSERT_EQ(outcome.models.size(), 2U);
+  const Identification& best = outcome.models[0];
+  EXPECT_EQ(best.setup, saved.models[0].setup) << "with the source of the number that was found";
+  EXPECT_TRUE(best.explains);
+  EXPECT_EQ(best.residual, 1.25);
+  EXPECT_EQ(best.feed_error, 0.0123);
+  EXPECT_EQ(best.simulations, 321U);
+  EXPECT_TRUE(best.parameters[0].told);
+  EXPECT_EQ(best.parameters[0].value, 1.30021);
+  EXPECT_EQ(best.parameters[0].uncertainty, 0.0123);
+  EXPECT_FALSE(best.parameters[1].told);
+  EXPECT_EQ(best.parameters[1].at_least, 0.5);
+  EXPECT_EQ(best.parameters[1].told_by, "SINGLE MOVES OF Z");
+  EXPECT_DOUBLE_EQ(best.agreements[0].simulated_time, 4.002);
+  EXPECT_DOUBLE_EQ(best.agreements[0].feed_rms, 1.5);
+  ASSERT_EQ(best.agreements[0].cells.size(), 4U);
+  EXPECT_EQ(best.agreements[0].cells[3].simulated_time, 1.0005);
+  ASSERT_EQ(best.sections[1].size(), 4U);
+  EXPECT_EQ(best.sections[1][3].section, "4-7");
+}
+
+/// A curve of a page's width: what is kept does not grow with the recording.
+TEST(SessionJson, OfALongRecordingAtMost200StretchesAreKept) {
+  Session session = test::some_session("/a.nc");
+  auto outcome = std::make_shared<IdentificationOutcome>(*session.identification.result.outcome);
+  Agreement& agreement = outcome->models[0].agreements[0];
+  agreement.cells.clear();
+  for (int i = 0; i < 1501; ++i) {
+    agreement.cells.push_back({0, 0, 0.25, i < 700 ? 0.25 : 0.5});
+  }
+  session.identification.result.outcome = outcome;
+  const auto read = read_back(session).identification.result.outcome;
+  const std::vector<AgreementCell>& cells = read->models[0].agreements[0].cells;
+  EXPECT_LE(cells.size(), 200U);
+  double measured = 0;
+  double simulated = 0;
+  for (const AgreementCell& cell : cells) {
+    measured += cell.measured_time;
+    simulated += cell.simulated_time;
+  }
+  EXPECT_DOUBLE_EQ(measured, 1501 * 0.25);
+  EXPECT_DOUBLE_EQ(simulated, 700 * 0.25 + 801 * 0.5);
+}
+
+/// The rest of the session is worth more than a result that can be found again.
+TEST(SessionJson, AResultThatCannotBeUsedIsOmittedWithANote) {
+  const QJsonObject good = to_json(test::some_session("/a.nc"), "/");
+  const auto note_of = [&](const std::function<void(QJsonObject&)>& spoil) {
+    QJsonObject json = good;
+    QJsonObject identification = json["identification"].toObject();
+    QJsonObject result = identification["result"].toObject();
+    spoil(result);
+    identification["result"] = result;
+    json["identification"] = identification;
+    const ReadSession read = read_session(json, "/", shipped_machines());
+    EXPECT_EQ(read.session.identification.result.outcome, nullptr);
+    EXPECT_EQ(read.session.identification.tables.size(), 1U);
+    return read.notes.join('\n').toStdString();
+  };
+  EXPECT_THAT(
+      note_of([](QJsonObject& result) { result["models"] = QJsonArray(); }),
+      HasSubstr("what was identified is omitted: \"result\" of \"identification\" has no \"models\""));
+  EXPECT_THAT(note_of([](QJsonObject& result) { result["recordings"] = QJsonArray{QJsonObject()}; }),
+              HasSubstr("model 1 has 2 \"agreements\" for 1 recordings"));
+  EXPECT_THAT(note_of([](QJsonObject& result) { set_in_first(result, "models", "model", "linuxcnk"); }),
+              HasSubstr("model 1: "));
+}
+
+TEST(SessionJson, SectionTimesThatAreNoneAreOmittedWithANote) {
+  QJsonObject json = to_json(test::some_session("/a.nc"), "/");
+  QJsonObject identification = json["identification"].toObject();
+  set_in_first(identification, "section_times", "resolution_s", 0);
+  json["identification"] = identification;
+  const ReadSession read = read_session(json, "/", shipped_machines());
+  EXPECT_TRUE(read.session.identification.tables.empty());
+  EXPECT_THAT(read.notes.join('\n').toStdString(),
+              HasSubstr("section times \"traces/times.csv\" are omitted"));
 }
 
 TEST(SessionJson, RefusesReadingOptionsThatAreNone) {
@@ -142,14 +255,6 @@ void PrintTo(const Fault& fault, std::ostream* out) {
   *out << fault.name;
 }
 
-void set_in_first(QJsonObject& json, const QString& list, const QString& key, const QJsonValue& value) {
-  QJsonArray items = json[list].toArray();
-  QJsonObject first = items[0].toObject();
-  first[key] = value;
-  items[0] = first;
-  json[list] = items;
-}
-
 class SessionFaults : public testing::TestWithParam<Fault> {};
 
 TEST_P(SessionFaults, AreNamedWithThingAndValue) {
@@ -206,6 +311,34 @@ TEST(SessionJson, UnknownKeysAreNotedWithTheNearestOne) {
   EXPECT_THAT(notes, HasSubstr("did you mean \"annotations\""));
   EXPECT_THAT(notes, HasSubstr("run 1 has an unknown key \"color\""));
   EXPECT_THAT(notes, HasSubstr("did you mean \"colour\""));
+}
+
+TEST(SessionJson, WhateverTheTypesInTheIdentificationNothingCrashes) {
+  const QJsonObject good = to_json(test::some_session("/a.nc"), "/");
+  const QJsonObject identification = good["identification"].toObject();
+  const QJsonObject result = identification["result"].toObject();
+  const QJsonValue wrong[] = {QJsonValue(), 1e300, -1, "text", QJsonArray{1, "a"}, QJsonObject{{"a", 1}}};
+  const auto read = [&](const QJsonObject& spoiled) {
+    QJsonObject json = good;
+    json["identification"] = spoiled;
+    const Session session = read_session(json, "/", shipped_machines()).session;
+    const IdentificationResult& found = session.identification.result;
+    EXPECT_TRUE(found.outcome == nullptr || found.chosen < found.outcome->models.size());
+  };
+  for (const QJsonValue& value : wrong) {
+    for (const QString& key : identification.keys()) {
+      QJsonObject spoiled = identification;
+      spoiled[key] = value;
+      read(spoiled);
+    }
+    for (const QString& key : result.keys()) {
+      QJsonObject spoiled_result = result;
+      spoiled_result[key] = value;
+      QJsonObject spoiled = identification;
+      spoiled["result"] = spoiled_result;
+      read(spoiled);
+    }
+  }
 }
 
 TEST(SessionJson, WhateverTheTypesNothingCrashes) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "tests/ui/identification_fixture.h"
 #include "ui/session/session.h"
 
 namespace feedscope::ui::test {
@@ -63,6 +64,8 @@ inline Session some_session(const std::filesystem::path& program) {
   session.traces = {{0, program.parent_path() / "traces" / "first.csv", "time=1,x=2,y=3", "first part",
                      QColor(0, 0x9e, 0x73), false},
                     {0, program.parent_path() / "scope.xml", "", "scope.xml", QColor(1, 2, 3), true}};
+  session.identification =
+      feedscope::test::some_identification(program.parent_path() / "traces" / "times.csv");
   session.lessons[{"04_small_circle", 2}] = {QStringLiteral("Les axes,\n\"eux-mêmes\""),
                                              "curvilinear_jerk_m_s3",
                                              "peak_feed_m_min_line_7",

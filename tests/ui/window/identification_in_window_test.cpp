@@ -5,13 +5,17 @@
 #include <QDockWidget>
 #include <QListWidget>
 #include <QTest>
+#include <QTreeWidget>
 
 #include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
 #include "tests/ui/trace_fixture.h"
+#include "ui/identification/fit_choice.h"
 #include "ui/identification/identification_view.h"
 #include "ui/identification/recordings_box.h"
+#include "ui/identification/result_box.h"
 #include "ui/identification/test_program_dialog.h"
+#include "ui/session/session_file.h"
 #include "ui/shared/panel_action.h"
 #include "ui/shared/paths.h"
 #include "ui/window/main_window.h"
@@ -64,7 +68,54 @@ TEST_F(IdentificationInWindow, EscCancelsTheSearch) {
   ASSERT_TRUE(panel().busy());
   emit window.cancel_wanted();
   wait();
-  EXPECT_EQ(panel().state(), "Cancelled.");
+  EXPECT_EQ(panel().message(), "Cancelled.");
+}
+
+/// A search takes minutes: its result is worth the question whether to save it.
+TEST_F(IdentificationInWindow, ItsResultComesBackWithTheSession) {
+  model.traces().add(files.write("scope.csv", test::trace_table(model.shown()->run)));
+  wait();
+  panel().choice().tick_none();
+  panel().choice().parameters().topLevelItem(0)->setCheckState(0, Qt::Checked);
+  QCoreApplication::processEvents();
+  panel().identify();
+  wait();
+  ASSERT_NE(panel().result().chosen(), nullptr) << panel().message().toStdString();
+  panel().add_table(files.write("times.csv", "section,seconds\n2-2,1\n3-3,1\n4-4,1\n5-5,1.5\n"));
+  panel().recordings().list().item(1)->setCheckState(Qt::Unchecked);
+  EXPECT_TRUE(window.session().changed());
+  const std::filesystem::path file = files.write("part.feedscope", "");
+  write_session(window.session().capture(), file);
+  const QString found = panel().result().verdict();
+
+  Workbench other{shipped_machines(), make_setup({})};
+  MainWindow again(other, RenderBackend::software);
+  again.open(file);
+  const auto rest = [&] {
+    return QTest::qWaitFor([&] { return !other.busy() && !again.busy() && !other.traces().busy(); },
+                           patience);
+  };
+  ASSERT_TRUE(rest());
+  IdentificationView& shown = again.part<IdentificationView>();
+  ASSERT_NE(shown.result().chosen(), nullptr);
+  EXPECT_EQ(shown.result().verdict(), found);
+  EXPECT_TRUE(shown.result().parameters().isEnabled()) << "of the same recording";
+  ASSERT_EQ(shown.recordings().list().count(), 2);
+  EXPECT_EQ(shown.recordings().list().item(1)->checkState(), Qt::Unchecked);
+  EXPECT_EQ(shown.choice().starts()[0].keys.size(), 1U);
+  EXPECT_FALSE(again.session().changed());
+  shown.show_as_run();
+  ASSERT_TRUE(rest());
+  EXPECT_EQ(other.runs().items().size(), 2U) << "what was found can still be run";
+
+  // As the language or the units are changed.
+  MainWindow remade(other, RenderBackend::software);
+  remade.take_over(again.hand_over());
+  IdentificationView& kept = remade.part<IdentificationView>();
+  ASSERT_NE(kept.result().chosen(), nullptr);
+  EXPECT_TRUE(kept.result().parameters().isEnabled());
+  EXPECT_EQ(kept.recordings().list().count(), 2);
+  EXPECT_EQ(kept.choice().starts()[0].keys, shown.choice().starts()[0].keys);
 }
 
 TEST_F(IdentificationInWindow, EverydayWordsFindIt) {

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <QColor>
+#include <QFont>
+#include <QPointF>
+#include <QRectF>
+#include <QString>
+#include <vector>
+
+#include "ui/identification/identification_outcome.h"
+#include "ui/shared/plot_grid.h"
+#include "ui/theme/theme.h"
+
+class QPainter;
+
+namespace feedscope::ui {
+
+/// What a model leaves over of a recording.
+struct ResidualCurve {
+  QString name;  ///< of the model
+  QColor colour;
+  /// Recorded time [s] and by how much the simulation is behind it [s]; of a table the number of each section
+  /// and what the simulation is longer [s].
+  std::vector<QPointF> points;
+};
+
+/// What the models leave over of one recording.
+struct ResidualCurves {
+  QString recording;  ///< name of its file
+  bool of_sections = false;
+  std::vector<ResidualCurve> models;  ///< the chosen one first
+};
+
+/// Of every recording. `chosen`: row of the model that is looked at.
+std::vector<ResidualCurves> residual_curves(const IdentificationOutcome& outcome, std::size_t chosen);
+
+/// The residuals of one recording as curves over its time, or as bars by section. The scale is that of the
+/// chosen model; others that are much farther off leave the plot.
+class ResidualPlot {
+ public:
+  /// Laid out in `area`; `curves` outlives this.
+  ResidualPlot(const ResidualCurves& curves, const QRectF& area, const QFont& font,
+               const ThemeColours& colours);
+
+  void draw(QPainter& painter) const;
+  const QRectF& plot() const { return plot_; }
+  double lowest() const { return lowest_; }    ///< residual at the bottom [s]
+  double highest() const { return highest_; }  ///< at the top [s]
+
+ private:
+  void lay_out_legend(const QRectF& area);
+  void choose_scales();
+  QPointF place_of(const QPointF& point) const;
+  bool in_milliseconds() const;
+  void draw_titles(QPainter& painter) const;
+  void draw_legend(QPainter& painter) const;
+  void draw_scales(QPainter& painter) const;
+  void draw_curve(QPainter& painter, std::size_t model) const;
+  void draw_bars(QPainter& painter, std::size_t model) const;
+
+  const ResidualCurves& curves_;
+  QFont font_;
+  const ThemeColours& colours_;
+  QRectF area_;
+  double line_;  ///< height of a line of text
+  std::vector<QRectF> legend_;
+  QRectF plot_;
+  double first_ = 0;
+  double last_ = 1;
+  double lowest_ = 0;
+  double highest_ = 0;
+};
+
+}  // namespace feedscope::ui

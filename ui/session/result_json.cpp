@@ -1,0 +1,261 @@
+#include "ui/session/result_json.h"
+
+#include <QJsonArray>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/session/session_json.h"
+#include "ui/session/setup_json.h"
+
+namespace feedscope::ui {
+namespace {
+
+constexpr std::size_t most_stretches = 200;
+const QString trace_kind = QStringLiteral("trace");
+const QString table_kind = QStringLiteral("section_times");
+
+QString as_text(const std::string& text) {
+  return QString::fromStdString(text);
+}
+
+/// A count or row; 0 for what is none.
+std::size_t count_of(const QJsonValue& json) {
+  constexpr double most = 1e15;  // a double holds it exactly
+  const double number = json.toDouble();
+  return number >= 0 && number <= most ? static_cast<std::size_t>(number) : 0;
+}
+
+// ---- Recordings
+
+QJsonObject to_json(const UsedRecording& recording) {
+  return {{"name", recording.name},
+          {"kind", recording.is_table ? table_kind : trace_kind},
+          {"size", static_cast<double>(recording.size)},
+          {"seconds", recording.seconds},
+          {"sum", recording.sum}};
+}
+
+UsedRecording read_recording(const QJsonObject& json, const QString& place, QStringList& notes) {
+  note_unknown(json, {"name", "kind", "size", "seconds", "sum"}, place, notes);
+  return {json["name"].toString(), json["kind"] == table_kind, count_of(json["size"]),
+          json["seconds"].toDouble(), json["sum"].toDouble()};
+}
+
+// ---- What a model says of a recording
+
+/// Times of the cells, several together where there are many.
+void add_stretches(const std::vector<AgreementCell>& cells, QJsonObject& json) {
+  const std::size_t together = (cells.size() + most_stretches - 1) / most_stretches;
+  QJsonArray recorded;
+  QJsonArray simulated;
+  for (std::size_t i = 0; i < cells.size(); i += together) {
+    double recorded_time = 0;
+    double simulated_time = 0;
+    for (std::size_t k = i; k < std::min(i + together, cells.size()); ++k) {
+      recorded_time += cells[k].measured_time;
+      simulated_time += cells[k].simulated_time;
+    }
+    recorded.append(recorded_time);
+    simulated.append(simulated_time);
+  }
+  json["stretches_recorded_s"] = recorded;
+  json["stretches_simulated_s"] = simulated;
+}
+
+QJsonObject to_json(const Agreement& agreement, const std::vector<SectionAgreement>& sections) {
+  QJsonObject json{{"measured_s", agreement.measured_time},
+                   {"cycle_time_s", agreement.simulated_time},
+                   {"feed_rms_mm_s", agreement.feed_rms},
+                   {"distance_mm", agreement.distance},
+                   {"simulated_distance_mm", agreement.simulated_distance}};
+  if (!agreement.cells.empty()) {
+    add_stretches(agreement.cells, json);
+  }
+  if (!sections.empty()) {
+    QJsonArray rows;
+    for (const SectionAgreement& one : sections) {
+      rows.append(QJsonObject{{"section", as_text(one.section)},
+                              {"measured_s", one.measured_time},
+                              {"simulated_s", one.simulated_time}});
+    }
+    json["sections"] = rows;
+  }
+  return json;
+}
+
+Agreement read_agreement(const QJsonObject& json, const QString& place, QStringList& notes) {
+  note_unknown(json,
+               {"measured_s", "cycle_time_s", "feed_rms_mm_s", "distance_mm", "simulated_distance_mm",
+                "stretches_recorded_s", "stretches_simulated_s", "sections"},
+               place, notes);
+  Agreement agreement;
+  agreement.measured_time = json["measured_s"].toDouble();
+  agreement.simulated_time = json["cycle_time_s"].toDouble();
+  agreement.feed_rms = json["feed_rms_mm_s"].toDouble();
+  agreement.distance = json["distance_mm"].toDouble();
+  agreement.simulated_distance = json["simulated_distance_mm"].toDouble();
+  const QJsonArray recorded = json["stretches_recorded_s"].toArray();
+  const QJsonArray simulated = json["stretches_simulated_s"].toArray();
+  for (qsizetype i = 0; i < std::min(recorded.size(), simulated.size()); ++i) {
+    agreement.cells.push_back({0, 0, recorded[i].toDouble(), simulated[i].toDouble()});
+  }
+  return agreement;
+}
+
+std::vector<SectionAgreement> read_sections(const QJsonArray& json) {
+  std::vector<SectionAgreement> sections;
+  for (const QJsonValue& one : json) {
+    sections.push_back({one["section"].toString().toStdString(), one["measured_s"].toDouble(),
+                        one["simulated_s"].toDouble()});
+  }
+  return sections;
+}
+
+// ---- Numbers
+
+QJsonObject to_json(const IdentifiedParameter& one) {
+  QJsonObject json{{"key", as_text(one.parameter.key)},
+                   {"unit", as_text(one.parameter.unit)},
+                   {"start", one.start},
+                   {"value", one.value},
+                   {"told", one.told}};
+  if (one.told) {
+    json["uncertainty"] = one.uncertainty;
+  } else {
+    json["reason"] = as_text(one.reason);
+    json["told_by"] = as_text(one.told_by);
+  }
+  if (one.at_least) {
+    json["at_least"] = *one.at_least;
+  }
+  return json;
+}
+
+IdentifiedParameter read_parameter(const QJsonObject& json, const QString& place, QStringList& notes) {
+  note_unknown(json,
+               {"key", "unit", "start", "value", "told", "uncertainty", "reason", "told_by", "at_least"},
+               place, notes);
+  IdentifiedParameter one;
+  one.parameter.key = json["key"].toString().toStdString();
+  one.parameter.unit = json["unit"].toString().toStdString();
+  one.start = json["start"].toDouble();
+  one.value = json["value"].toDouble();
+  one.told = json["told"].toBool();
+  one.uncertainty = json["uncertainty"].toDouble();
+  one.reason = json["reason"].toString().toStdString();
+  one.told_by = json["told_by"].toString().toStdString();
+  if (json["at_least"].isDouble()) {
+    one.at_least = json["at_least"].toDouble();
+  }
+  return one;
+}
+
+// ---- Models
+
+QJsonObject to_json(const Identification& found, const MachineLibrary& machines) {
+  QJsonObject json = to_json(SetupState(found.setup), machines);
+  QJsonArray parameters;
+  for (const IdentifiedParameter& one : found.parameters) {
+    parameters.append(to_json(one));
+  }
+  QJsonArray agreements;
+  for (std::size_t i = 0; i < found.agreements.size(); ++i) {
+    agreements.append(to_json(found.agreements[i], found.sections[i]));
+  }
+  json["explains"] = found.explains;
+  json["residual"] = found.residual;
+  json["feed_error"] = found.feed_error;
+  json["simulations"] = static_cast<double>(found.simulations);
+  json["parameters"] = parameters;
+  json["agreements"] = agreements;
+  return json;
+}
+
+Identification read_model(const QJsonObject& json, const QString& place, std::size_t recordings,
+                          const MachineLibrary& machines, QStringList& notes) {
+  note_unknown(json,
+               {"machine", "machine_file", "model", "set", "explains", "residual", "feed_error",
+                "simulations", "parameters", "agreements"},
+               place, notes);
+  Identification found;
+  found.setup = read_setup(json, place, machines).setup();
+  found.explains = json["explains"].toBool();
+  found.residual = json["residual"].toDouble();
+  found.feed_error = json["feed_error"].toDouble();
+  found.simulations = count_of(json["simulations"]);
+  for (const QJsonValue& one : json["parameters"].toArray()) {
+    found.parameters.push_back(
+        read_parameter(one.toObject(), place + QStringLiteral(", \"parameters\""), notes));
+  }
+  const QJsonArray agreements = json["agreements"].toArray();
+  if (static_cast<std::size_t>(agreements.size()) != recordings) {
+    throw input_error(QStringLiteral("%1 has %2 \"agreements\" for %3 recordings")
+                          .arg(place)
+                          .arg(agreements.size())
+                          .arg(recordings));
+  }
+  for (const QJsonValue& one : agreements) {
+    found.agreements.push_back(
+        read_agreement(one.toObject(), place + QStringLiteral(", \"agreements\""), notes));
+    found.sections.push_back(read_sections(one["sections"].toArray()));
+  }
+  return found;
+}
+
+}  // namespace
+
+QJsonObject to_json(const IdentificationResult& result, const MachineLibrary& machines) {
+  const IdentificationOutcome& outcome = *result.outcome;
+  QJsonArray recordings;
+  for (const UsedRecording& recording : outcome.recordings) {
+    recordings.append(to_json(recording));
+  }
+  QJsonArray models;
+  for (const Identification& found : outcome.models) {
+    models.append(to_json(found, machines));
+  }
+  QJsonObject json{{"date", as_text(outcome.date)},
+                   {"program_sha256", QString::fromLatin1(outcome.program)},
+                   {"recordings", recordings},
+                   {"models", models},
+                   {"chosen", static_cast<double>(result.chosen)},
+                   {"stale", result.stale}};
+  QJsonArray unfitted;
+  for (const UnfittedModel& one : outcome.unfitted) {
+    unfitted.append(QJsonObject{{"title", as_text(one.title)}, {"reason", as_text(one.reason)}});
+  }
+  if (!unfitted.isEmpty()) {
+    json["unfitted"] = unfitted;
+  }
+  return json;
+}
+
+IdentificationResult read_result(const QJsonObject& json, const MachineLibrary& machines,
+                                 QStringList& notes) {
+  const QString whole = QStringLiteral("\"result\" of \"identification\"");
+  note_unknown(json, {"date", "program_sha256", "recordings", "models", "chosen", "stale", "unfitted"}, whole,
+               notes);
+  auto outcome = std::make_shared<IdentificationOutcome>();
+  outcome->date = json["date"].toString().toStdString();
+  outcome->program = json["program_sha256"].toString().toLatin1();
+  for (const QJsonValue& recording : json["recordings"].toArray()) {
+    outcome->recordings.push_back(
+        read_recording(recording.toObject(), whole + QStringLiteral(", \"recordings\""), notes));
+  }
+  for (const QJsonValue& model : json["models"].toArray()) {
+    const QString place = QStringLiteral("%1, model %2").arg(whole).arg(outcome->models.size() + 1);
+    outcome->models.push_back(
+        read_model(model.toObject(), place, outcome->recordings.size(), machines, notes));
+  }
+  if (outcome->models.empty() || outcome->recordings.empty()) {
+    throw input_error(whole + QStringLiteral(" has no \"models\" or no \"recordings\""));
+  }
+  for (const QJsonValue& one : json["unfitted"].toArray()) {
+    outcome->unfitted.push_back(
+        {one["title"].toString().toStdString(), one["reason"].toString().toStdString()});
+  }
+  const std::size_t chosen = std::min(count_of(json["chosen"]), outcome->models.size() - 1);
+  return {std::move(outcome), chosen, json["stale"].toBool()};
+}
+
+}  // namespace feedscope::ui
