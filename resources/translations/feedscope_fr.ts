@@ -328,10 +328,6 @@
         <translation>Le modèle %1 explique ce qui a été enregistré.</translation>
     </message>
     <message>
-        <source>The model %1 does not explain what was recorded: it misses more than 5 % of the feed or 1 % of the time, so its numbers would say nothing of your machine. Tick other models in step 2.</source>
-        <translation>Le modèle %1 n&apos;explique pas ce qui a été enregistré&#xa0;: il manque plus de 5&#xa0;% de l&apos;avance ou 1&#xa0;% du temps, ses nombres ne diraient donc rien de votre machine. Cocher d&apos;autres modèles à l&apos;étape 2.</translation>
-    </message>
-    <message>
         <source>%1: %2 recorded, %3 simulated (%4 %)</source>
         <translation>%1&#xa0;: %2 enregistrés, %3 simulés (%4&#xa0;%)</translation>
     </message>
@@ -354,6 +350,10 @@
     <message>
         <source>The others keep the value that explains the recording as well.</source>
         <translation>Les autres gardent la valeur qui explique aussi bien l&apos;enregistrement.</translation>
+    </message>
+    <message>
+        <source>The model %1 does not explain what was recorded: it misses more than 5 % of the feed or 1 % of the time, so its numbers would say nothing of your machine.</source>
+        <translation>Le modèle %1 n&apos;explique pas ce qui a été enregistré&#xa0;: il manque plus de 5&#xa0;% de l&apos;avance ou 1&#xa0;% du temps, ses nombres ne diraient donc rien de votre machine.</translation>
     </message>
 </context>
 <context>
@@ -658,6 +658,10 @@
     <message>
         <source>Agreement with the control</source>
         <translation>Accord avec la commande</translation>
+    </message>
+    <message>
+        <source>Identification</source>
+        <translation>Identification</translation>
     </message>
 </context>
 <context>
@@ -1508,6 +1512,161 @@
     <message>
         <source>Rotary axes, and X, Y and Z of the machine that hold the tip on its path while they turn, with the share of the limit; above are those of the tip. The lean is that of the tool from its programmed direction.</source>
         <translation>Axes rotatifs, et X, Y et Z de la machine qui tiennent la pointe sur sa trajectoire pendant leur rotation, avec la part de la limite ; ci-dessus ceux de la pointe. L&apos;écart d&apos;orientation est l&apos;angle entre l&apos;outil et sa direction programmée.</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Enregistrement</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Nature</translation>
+    </message>
+    <message>
+        <source>Recorded time</source>
+        <translation>Temps enregistré</translation>
+    </message>
+    <message>
+        <source>Simulated time</source>
+        <translation>Temps simulé</translation>
+    </message>
+    <message>
+        <source>Difference [%]</source>
+        <translation>Écart [%]</translation>
+    </message>
+    <message>
+        <source>Feeds (rms)</source>
+        <translation>Avances (moy. quadr.)</translation>
+    </message>
+    <message>
+        <source>section times</source>
+        <translation>temps de sections</translation>
+    </message>
+    <message>
+        <source>trace</source>
+        <translation>trace</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Résidu</translation>
+    </message>
+    <message>
+        <source>Feed error [%]</source>
+        <translation>Erreur d&apos;avance [%]</translation>
+    </message>
+    <message>
+        <source>Time error [%]</source>
+        <translation>Erreur de temps [%]</translation>
+    </message>
+    <message>
+        <source>Explains the recordings</source>
+        <translation>Explique les enregistrements</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>oui</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>non</translation>
+    </message>
+    <message>
+        <source>not fitted</source>
+        <translation>non ajusté</translation>
+    </message>
+    <message>
+        <source>identified from %1, %2</source>
+        <translation>identifié d&apos;après %1, %2</translation>
+    </message>
+    <message>
+        <source>Begun with</source>
+        <translation>Départ</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Trouvé</translation>
+    </message>
+    <message>
+        <source>± (95 %)</source>
+        <translation>± (95&#xa0;%)</translation>
+    </message>
+    <message>
+        <source>Source, or why it is not told</source>
+        <translation>Source, ou pourquoi il n&apos;est pas révélé</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Section</translation>
+    </message>
+    <message>
+        <source>Recorded</source>
+        <translation>Enregistré</translation>
+    </message>
+    <message>
+        <source>Simulated</source>
+        <translation>Simulé</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Écart</translation>
+    </message>
+    <message>
+        <source>%1: the %2 of %3 sections that differ most.</source>
+        <translation>%1&#xa0;: les %2 sections sur %3 qui diffèrent le plus.</translation>
+    </message>
+    <message>
+        <source>Program, recordings, models or machine have changed since.</source>
+        <translation>Programme, enregistrements, modèles ou machine ont changé depuis.</translation>
+    </message>
+    <message>
+        <source>Residual of %1: %2, root mean square of what it leaves over; 1 is noise and sampling alone. A model explains the recordings if it is within 5 % of the feed and 1 % of the time.</source>
+        <translation>Résidu de %1&#xa0;: %2, moyenne quadratique de ce qu&apos;il laisse de côté&#xa0;; 1&#xa0;: bruit et échantillonnage seuls. Un modèle explique les enregistrements s&apos;il est à moins de 5&#xa0;% de l&apos;avance et 1&#xa0;% du temps.</translation>
+    </message>
+    <message>
+        <source>What is left over: how far the simulation is behind the recording as it goes on, or what it is longer in each section. A level curve: feed and time agree there.</source>
+        <translation>Ce qui reste&#xa0;: de combien la simulation prend du retard sur l&apos;enregistrement à mesure qu&apos;il avance, ou de combien elle est plus longue dans chaque section. Une courbe horizontale&#xa0;: avance et temps y concordent.</translation>
+    </message>
+    <message>
+        <source>The first %1 of %2 recordings.</source>
+        <translation>Les %1 premiers enregistrements sur %2.</translation>
+    </message>
+    <message>
+        <source>Residuals of the identification</source>
+        <translation>Résidus de l&apos;identification</translation>
+    </message>
+    <message>
+        <source>Identification</source>
+        <translation>Identification</translation>
+    </message>
+    <message>
+        <source>Limits and settings of the machine, found from what it recorded.</source>
+        <translation>Limites et réglages de la machine, trouvés d&apos;après ce qu&apos;elle a enregistré.</translation>
+    </message>
+    <message>
+        <source>The search began with the machine %1.</source>
+        <translation>La recherche est partie de la machine %1.</translation>
+    </message>
+    <message>
+        <source>Limit or setting</source>
+        <translation>Limite ou réglage</translation>
+    </message>
+</context>
+<context>
+    <name>ResidualPlot</name>
+    <message>
+        <source>Simulated − recorded [ms]</source>
+        <translation>Simulé − enregistré [ms]</translation>
+    </message>
+    <message>
+        <source>Simulated − recorded [s]</source>
+        <translation>Simulé − enregistré [s]</translation>
+    </message>
+    <message>
+        <source>Section, by row of the table</source>
+        <translation>Section, par ligne du tableau</translation>
+    </message>
+    <message>
+        <source>Recorded time [s]</source>
+        <translation>Temps enregistré [s]</translation>
     </message>
 </context>
 <context>
@@ -8059,6 +8218,17 @@ Ensemble&#xa0;: %4</translation>
     </message>
 </context>
 <context>
+    <name>feedscope::ui::ResidualChart</name>
+    <message>
+        <source>What the models leave over of the recordings</source>
+        <translation>Ce que les modèles laissent de côté des enregistrements</translation>
+    </message>
+    <message>
+        <source>How far the simulation is behind the recording as it goes on, or what it is longer in each section. A level curve: feed and time agree there; a step: a place that takes longer or shorter</source>
+        <translation>De combien la simulation prend du retard sur l&apos;enregistrement à mesure qu&apos;il avance, ou de combien elle est plus longue dans chaque section. Une courbe horizontale&#xa0;: avance et temps y concordent&#xa0;; une marche&#xa0;: un endroit qui prend plus ou moins de temps</translation>
+    </message>
+</context>
+<context>
     <name>feedscope::ui::ResultBox</name>
     <message>
         <source>Models by how well they explain the recording</source>
@@ -8147,6 +8317,10 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>%1: %2</source>
         <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Tick other models in step 2.</source>
+        <translation>Cocher d&apos;autres modèles à l&apos;étape 2.</translation>
     </message>
 </context>
 <context>
@@ -10369,8 +10543,8 @@ Ensemble&#xa0;: %4</translation>
         <translation>Des réponses aux leçons ne sont pas enregistrées.</translation>
     </message>
     <message>
-        <source>Runs, annotations or answers to lessons with %1 have not been saved.</source>
-        <translation>Des simulations, annotations ou réponses aux leçons avec %1 ne sont pas enregistrées.</translation>
+        <source>Runs, annotations, what was identified or answers to lessons with %1 have not been saved.</source>
+        <translation>Des simulations, annotations, identifications ou réponses aux leçons avec %1 ne sont pas enregistrées.</translation>
     </message>
     <message>
         <source>Keep what was done in other lessons?</source>

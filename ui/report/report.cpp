@@ -11,6 +11,7 @@
 #include "ui/report/report_circles.h"
 #include "ui/report/report_contour.h"
 #include "ui/report/report_html.h"
+#include "ui/report/report_identification.h"
 #include "ui/report/report_load.h"
 #include "ui/report/report_numbers.h"
 #include "ui/report/report_tables.h"
@@ -112,6 +113,8 @@ const std::vector<Block>& blocks() {
       {"circles", plain(circles_block)},
       {"circle_plots", circle_plots_block},
       {"traces", plain(traces_block)},
+      {"identification", plain(identification_block)},
+      {"identification_charts", identification_charts_block},
       {"load", plain(load_block)},
       {"load_view", load_view_block},
       {"notes", plain(notes_block)},

@@ -12,6 +12,7 @@
 #include "core/analysis/contour/contour_report.h"
 #include "core/analysis/time_use/time_report.h"
 #include "ui/charts/charts_state.h"
+#include "ui/identification/identification_state.h"
 #include "ui/scene/scene_state.h"
 #include "ui/scene/scene_style.h"
 #include "ui/workbench/annotation.h"
@@ -45,9 +46,10 @@ struct ReportInput {
   std::vector<ReportRun> runs;  ///< of one program, at least one
   std::size_t current = 0;      ///< the one that 3D view, charts and worst places show
   std::vector<ReportTrace> traces;
-  SceneState scene;              ///< how the 3D view looks
-  SceneTexts texts;              ///< that stand in it; at first English
-  std::optional<double> cursor;  ///< where the stretch of `scene` ends that is drawn up to it [s]
+  IdentificationResult identification;  ///< of a machine from recordings of the program; may be none
+  SceneState scene;                     ///< how the 3D view looks
+  SceneTexts texts;                     ///< that stand in it; at first English
+  std::optional<double> cursor;         ///< where the stretch of `scene` ends that is drawn up to it [s]
   /// Run that the colours of `scene` compare with; none: the first other one than what is shown.
   std::optional<std::size_t> reference;
   /// Looks from there at the whole path, instead of with the camera of `scene`.

@@ -65,6 +65,8 @@ constexpr auto translated = std::to_array<const char*>({
     QT_TRANSLATE_NOOP(
         "ReportWords",
         "What the control recorded, beside %1; the feeds of both stand in the charts along the path."),
+    QT_TRANSLATE_NOOP("ReportWords", "Identification"),
+    QT_TRANSLATE_NOOP("ReportWords", "Limits and settings of the machine, found from what it recorded."),
     QT_TRANSLATE_NOOP("ReportWords", "Circular test"),
     QT_TRANSLATE_NOOP("ReportWords", "Full circles of the program as %1 makes them, evaluated by ISO 230-4."),
     QT_TRANSLATE_NOOP("ReportWords", "Cutting load"),

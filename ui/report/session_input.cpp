@@ -17,6 +17,7 @@ ReportInput report_input(const Session& session,
   input.view.reset();
   input.charts = session.charts;
   input.annotations = session.annotations;
+  input.identification = session.identification.result;
   return input;
 }
 

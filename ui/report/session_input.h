@@ -6,8 +6,8 @@
 namespace feedscope::ui {
 
 /// What pictures, sheet and report of a session show: its runs with their names and colours, its camera,
-/// charts and annotations. `results`: of its runs, in their order. Title, author, date and commands are left
-/// to the caller.
+/// charts, annotations and what was identified. `results`: of its runs, in their order. Title, author, date
+/// and commands are left to the caller.
 ReportInput report_input(const Session& session, const std::vector<std::shared_ptr<const ShownRun>>& results);
 
 }  // namespace feedscope::ui

@@ -33,6 +33,8 @@ std::vector<ReportPart> report_parts() {
        {QStringLiteral("contour_histogram"), QStringLiteral("contour_places"),
         QStringLiteral("contour_place_views")}},
       {Parts::tr("Agreement with the control"), {QStringLiteral("traces")}},
+      {Parts::tr("Identification"),
+       {QStringLiteral("identification"), QStringLiteral("identification_charts")}},
       {Parts::tr("Circular test"), {QStringLiteral("circles"), QStringLiteral("circle_plots")}},
       {Parts::tr("Cutting load"), {QStringLiteral("load"), QStringLiteral("load_view")}},
       {Parts::tr("Program"), {QStringLiteral("program_facts")}},
@@ -76,6 +78,7 @@ Session with_runs(Session session, const std::vector<bool>& wanted) {
   session.current_run = now(session.current_run).value_or(0);
   session.scenes.other = now(session.scenes.other);
   session.scenes.reference = now(session.scenes.reference);
+  session.identification.choice.run = now(session.identification.choice.run);
   session.runs = std::move(runs);
   return session;
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/ui/identification_fixture.h"
 #include "tests/ui/report/report_fixture.h"
 #include "ui/report/pictures.h"
 #include "ui/report/scene_picture.h"
@@ -26,8 +27,11 @@ TEST(SessionInput, ShowsWhatTheSessionHolds) {
   Session session = session_of(two);
   session.scene.colouring = Colouring::cause;
   session.scene.camera = {Vec3(10, 5, 0), 0.3, 0.9, 12, false, false};
+  session.identification.result = {test::some_outcome(), 1, false};
   const ReportInput input = report_input(session, {two.runs[0].shown, two.runs[1].shown});
   EXPECT_EQ(input.run().name, "roughing");
+  EXPECT_EQ(input.identification.outcome, session.identification.result.outcome);
+  EXPECT_EQ(input.identification.chosen, 1U);
   EXPECT_EQ(input.runs[0].name, "essid, 0.01 mm");
   EXPECT_EQ(input.annotations.size(), 1U);
   ScenePicture picture(input, input.current, ThemeKind::light);

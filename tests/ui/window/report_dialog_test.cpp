@@ -12,6 +12,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "tests/ui/identification_fixture.h"
 #include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
 #include "ui/language/language.h"
@@ -117,6 +118,21 @@ TEST_F(ReportDialogTest, WritesInTheLanguageThatIsChosen) {
   EXPECT_THAT(html, HasSubstr("essid, 0,01 mm"));
 }
 
+/// It travels with the session that the report is made of.
+TEST_F(ReportDialogTest, WhatWasIdentifiedGoesInUnlessItIsNotTicked) {
+  subject_.session.identification.result.outcome = test::some_outcome();
+  ReportDialog dialog(subject_, FEEDSCOPE_EXECUTABLE);
+  dialog.save(folder_.filePath("with.html"));
+  ASSERT_TRUE(rests(dialog));
+  EXPECT_THAT(contents("with.html"), HasSubstr("Limits and settings of the machine, found from what it"));
+  const QList<QListWidgetItem*> parts = dialog.parts().findItems("Identification", Qt::MatchExactly);
+  ASSERT_EQ(parts.size(), 1);
+  parts[0]->setCheckState(Qt::Unchecked);
+  dialog.save(folder_.filePath("without.html"));
+  ASSERT_TRUE(rests(dialog));
+  EXPECT_THAT(contents("without.html"), Not(HasSubstr("Limits and settings of the machine")));
+}
+
 TEST_F(ReportDialogTest, SaysWhyNothingIsWritten) {
   ReportDialog dialog(subject_, FEEDSCOPE_EXECUTABLE);
   QSignalSpy saved(&dialog, &ReportDialog::saved);
@@ -146,12 +162,14 @@ TEST(ReportWish, RunsThatAreLeftOutKeepTheOthersInTheirPlace) {
   session.current_run = 2;
   session.scenes.other = 3;
   session.scenes.reference = 1;
+  session.identification.choice.run = 3;
   const Session some = with_runs(session, {true, false, true, true});
   ASSERT_EQ(some.runs.size(), 3U);
   EXPECT_EQ(some.runs[some.current_run].id, 2);
   ASSERT_TRUE(some.scenes.other.has_value());
   EXPECT_EQ(some.runs[*some.scenes.other].id, 3);
   EXPECT_FALSE(some.scenes.reference.has_value());
+  EXPECT_EQ(some.identification.choice.run, 2U);
   EXPECT_EQ(with_runs(session, {false, true}).current_run, 0U);
 }
 
