@@ -21,6 +21,9 @@
 #include "core/identification/recordings.h"
 #include "core/trace/read_trace.h"
 #ifdef FEEDSCOPE_WITH_UI
+#include "app/commands/language_option.h"
+#include "app/identification_report.h"
+#include "app/several_runs.h"
 #include "ui/report/picture_file.h"
 #endif
 
@@ -38,6 +41,8 @@ struct IdentifyCommandOptions {
   std::string columns;
   std::string out;
   std::string json;
+  std::string report;              ///< PDF or HTML
+  std::string language;            ///< of the report
   std::string picture;             ///< of the test program
   std::optional<double> size;      ///< of the test program [mm]
   std::optional<double> feed_max;  ///< of the test program [mm/min]
@@ -69,11 +74,18 @@ void check(const IdentifyCommandOptions& options) {
     throw InputError("identify needs the model that is fitted: --model ID, see feedscope models");
   }
   for (const std::string& input : options.traces) {
-    check_outputs(input, {options.out, options.json}, "a trace");
+    check_outputs(input, {options.out, options.json, options.report}, "a trace");
   }
   for (const std::string& input : options.programs) {
-    check_outputs(input, {options.out, options.json});
+    check_outputs(input, {options.out, options.json, options.report});
   }
+#ifdef FEEDSCOPE_WITH_UI
+  if (!options.report.empty()) {
+    check_report_name(options.report);
+  } else if (options.language != usual_language()) {
+    throw InputError("--language has no effect without --report; give --report FILE.pdf too");
+  }
+#endif
 }
 
 /// The recordings and their programs as the command line names them.
@@ -89,14 +101,18 @@ class Work {
       programs_.push_back(load_program(std::make_shared<const SourceText>(SourceText::from_file(file)),
                                        watch.stage("programs"), reading));
     }
+    traces_.resize(options.traces.size());
+    tables_.resize(options.traces.size());
     for (std::size_t i = 0; i < options.traces.size(); ++i) {
       const std::string& file = options.traces[i];
       const LoadedProgram& program = programs_[programs_.size() == 1 ? 0 : i];
       if (is_section_times_file(file)) {
-        recordings_.add(read_section_times(file), file, program);
+        tables_[i] = read_section_times(file);
+        recordings_.add(tables_[i], file, program);
       } else {
         const auto trace = std::make_shared<const Trace>(read_trace(file, columns, watch.stage("traces")));
         notes_.push_back({file, trace->notes});
+        traces_[i] = trace;
         recordings_.add(trace, program);
       }
     }
@@ -122,19 +138,63 @@ class Work {
   const std::vector<LoadedProgram>& programs() const { return programs_; }
   /// What is wrong with each trace on its program; known after fit().
   const std::vector<std::vector<Diagnostic>>& remarks() const { return recordings_.remarks(); }
+  /// By recording; null and empty where it is of the other kind.
+  const std::vector<std::shared_ptr<const Trace>>& traces() const { return traces_; }
+  const std::vector<std::vector<SectionTime>>& tables() const { return tables_; }
 
  private:
   const IdentifyCommandOptions& options_;
   Watch& watch_;
   std::vector<std::pair<std::string, std::vector<Diagnostic>>> notes_;
   std::vector<LoadedProgram> programs_;
+  std::vector<std::shared_ptr<const Trace>> traces_;
+  std::vector<std::vector<SectionTime>> tables_;
   Recordings recordings_;
 };
+
+#ifdef FEEDSCOPE_WITH_UI
+
+std::string command_of(const IdentifyCommandOptions& options) {
+  std::string command = "feedscope identify";
+  const auto add = [&](const char* name, const std::string& value) {
+    command += value.empty() ? "" : fmt::format(" {} {}", name, in_quotes(value));
+  };
+  for (const std::string& file : options.traces) {
+    command += ' ' + in_quotes(file);
+  }
+  for (const auto& [name, values] :
+       {std::pair("--program", &options.programs), std::pair("--model", &options.models),
+        std::pair("--fit", &options.fit), std::pair("--set", &options.set)}) {
+    for (const std::string& value : *values) {
+      add(name, value);
+    }
+  }
+  add("--machine", options.machine);
+  add("--dialect", options.dialect);
+  add("--columns", options.columns);
+  add("--out", options.out);
+  add("--language", options.language == usual_language() ? "" : options.language);
+  add("--report", options.report);
+  return command;
+}
+
+std::string report_of(const IdentifyCommandOptions& options, const Work& work,
+                      const std::vector<Identification>& found, Watch& watch) {
+  IdentificationReport report{
+      found, {}, options.out == "-" ? "" : options.out, command_of(options), options.language};
+  for (std::size_t i = 0; i < options.traces.size(); ++i) {
+    report.recordings.push_back(
+        {options.traces[i], work.traces()[i], work.tables()[i], i == 0 || options.programs.size() == 1});
+  }
+  return identification_report(report, options.report, watch);
+}
+
+#endif
 
 /// The program for the machine, when no trace is given.
 int write_program(const IdentifyCommandOptions& options) {
   if (!options.programs.empty() || !options.json.empty() || !options.columns.empty() ||
-      !options.fit.empty()) {
+      !options.fit.empty() || !options.report.empty()) {
     throw InputError(
         "identify needs traces: feedscope identify TRACE... --program FILE... --model ID; for the test "
         "program "
@@ -209,6 +269,9 @@ int identify_machine(const IdentifyCommandOptions& options) {
   OutputFiles files;
   std::ostream* out = options.out.empty() ? nullptr : &files.add(options.out);
   std::ostream* json = options.json.empty() ? nullptr : &files.add(options.json);
+#ifdef FEEDSCOPE_WITH_UI
+  std::ostream* report = options.report.empty() ? nullptr : &files.add(options.report);
+#endif
   std::vector<Identification> found;
   bool wrong_programs = false;
   {
@@ -227,8 +290,13 @@ int identify_machine(const IdentifyCommandOptions& options) {
     for (std::size_t i = 0; i < options.traces.size(); ++i) {
       print_diagnostics(work.remarks()[i], options.traces[i]);
     }
+    sort_by_explanation(found);
+#ifdef FEEDSCOPE_WITH_UI
+    if (report != nullptr) {
+      *report << report_of(options, work, found, watch);
+    }
+#endif
   }
-  sort_by_explanation(found);
   if (out != nullptr) {
     *out << write_machine(identified_machine(found.front(), options.out));
   }
@@ -236,7 +304,7 @@ int identify_machine(const IdentifyCommandOptions& options) {
     *json << identification_json(found, options.traces);
   }
   files.commit();
-  if (options.out != "-" && options.json != "-") {
+  if (options.out != "-" && options.json != "-" && options.report != "-") {
     fmt::print("{}", identification_text(found, options.traces));
     if (!options.out.empty()) {
       fmt::print("{}: machine file; see: feedscope machines {}\n", options.out, options.out);
@@ -291,6 +359,11 @@ Command add_identify_command(CLI::App& app) {
       "Without traces: largest feed of the test program, in mm/min [15000]")
       ->type_name("MM_MIN");
 #ifdef FEEDSCOPE_WITH_UI
+  command
+      ->add_option("--report", options->report,
+                   "Write a report of the first program on the machine that was found, with its traces")
+      ->type_name("FILE.pdf|FILE.html");
+  add_language_option(*command, options->language);
   command
       ->add_option("--picture", options->picture,
                    "Without traces: draw the test program from above, coloured by its feed")

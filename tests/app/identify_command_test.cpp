@@ -56,6 +56,28 @@ TEST_F(IdentifyCommand, ComparesModelsByHowWellTheyExplain) {
   EXPECT_EQ(report["models"].size(), 2U);
 }
 
+#ifdef FEEDSCOPE_WITH_UI
+TEST_F(IdentifyCommand, WritesAReportOnTheMachineThatWasFound) {
+  const std::string identify =
+      "identify trace.csv --program moves.nc --model linuxcnc --fit X.acceleration,Y.acceleration ";
+  const Result result = run(identify + "--out mine.toml --report report.html");
+  EXPECT_EQ(result.code, 0) << result.err;
+  const std::string report = contents(folder_ / "report.html");
+  EXPECT_THAT(report, HasSubstr("Limits and settings of the machine, found from what it recorded."));
+  EXPECT_THAT(report, HasSubstr("identified from trace.csv, "));
+  EXPECT_THAT(report, HasSubstr("moves.nc on mine")) << "the run is on the machine that was found";
+  EXPECT_THAT(report, HasSubstr("Agreement with the control"));
+  EXPECT_THAT(report, HasSubstr("feedscope identify trace.csv --program moves.nc --model linuxcnc --fit"));
+  EXPECT_EQ(report.find("have changed since"), std::string::npos);
+  EXPECT_EQ(run(identify + "--language fr --report report.pdf").code, 0);
+  EXPECT_EQ(contents(folder_ / "report.pdf").substr(0, 4), "%PDF");
+  expect_wrong_use(identify + "--report report.doc", "report.doc");
+  expect_wrong_use(identify + "--report trace.csv", "trace.csv");
+  expect_wrong_use(identify + "--language fr", "--language has no effect without --report");
+  expect_wrong_use("identify --program --dialect iso --report report.pdf", "identify needs traces");
+}
+#endif
+
 TEST_F(IdentifyCommand, WritesTheTestProgramAndWhatItsPartsTell) {
   const Result result =
       run("identify --program --dialect heidenhain --size 100 --feed-max 6000 --out test.h");

@@ -7,24 +7,6 @@
 namespace feedscope::ui {
 namespace {
 
-UsedRecording used(const Trace& trace) {
-  UsedRecording recording{QString::fromStdString(trace.name).section('/', -1), false, trace.size(),
-                          trace.duration()};
-  for (const std::vector<double>& axis : trace.place) {
-    recording.sum = std::accumulate(axis.begin(), axis.end(), recording.sum);
-  }
-  return recording;
-}
-
-UsedRecording used(const SectionTable& table) {
-  UsedRecording recording{table.name.section('/', -1), true, table.times.size()};
-  for (const SectionTime& time : table.times) {
-    recording.seconds += time.seconds;
-  }
-  recording.sum = recording.seconds;
-  return recording;
-}
-
 bool begins_with(const Identification& found, const IdentificationStart& start) {
   return found.setup.model == start.setup.model && found.parameters.size() == start.keys.size() &&
          std::equal(found.parameters.begin(), found.parameters.end(), start.keys.begin(),
@@ -42,13 +24,31 @@ QByteArray program_mark(const LoadedProgram& program) {
       .toHex();
 }
 
+UsedRecording used_recording(const Trace& trace) {
+  UsedRecording recording{QString::fromStdString(trace.name).section('/', -1), false, trace.size(),
+                          trace.duration()};
+  for (const std::vector<double>& axis : trace.place) {
+    recording.sum = std::accumulate(axis.begin(), axis.end(), recording.sum);
+  }
+  return recording;
+}
+
+UsedRecording used_recording(const SectionTable& table) {
+  UsedRecording recording{table.name.section('/', -1), true, table.times.size()};
+  for (const SectionTime& time : table.times) {
+    recording.seconds += time.seconds;
+  }
+  recording.sum = recording.seconds;
+  return recording;
+}
+
 std::vector<UsedRecording> used_recordings(const IdentificationRequest& request) {
   std::vector<UsedRecording> recordings;
   for (const auto& trace : request.traces) {
-    recordings.push_back(used(*trace));
+    recordings.push_back(used_recording(*trace));
   }
   for (const auto& table : request.tables) {
-    recordings.push_back(used(*table));
+    recordings.push_back(used_recording(*table));
   }
   return recordings;
 }

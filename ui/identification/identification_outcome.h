@@ -60,16 +60,18 @@ struct UnfittedModel {
 /// What was identified. One that a session kept has no Identification::runs, of the agreements only times,
 /// feeds, distances and the times of cells, and of each FitParameter only key and unit.
 struct IdentificationOutcome {
-  std::string date;                       ///< "2026-11-27"
-  QByteArray program;                     ///< program_mark() of the one that was recorded
-  std::vector<UsedRecording> recordings;  ///< traces, then tables
-  std::vector<Identification> models;     ///< the one that explains best first; at least one
+  std::string date;    ///< "2026-11-27"
+  QByteArray program;  ///< program_mark() of the one that was recorded
+  std::vector<UsedRecording> recordings;
+  std::vector<Identification> models;  ///< the one that explains best first; at least one
   std::vector<UnfittedModel> unfitted;
 };
 
 /// SHA-256 of the program's text, in hex.
 QByteArray program_mark(const LoadedProgram& program);
 
+UsedRecording used_recording(const Trace& trace);
+UsedRecording used_recording(const SectionTable& table);
 /// Those of a request, in the order in which agreements stand.
 std::vector<UsedRecording> used_recordings(const IdentificationRequest& request);
 
