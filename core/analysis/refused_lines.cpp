@@ -10,7 +10,8 @@ std::vector<Diagnostic> refused_lines(const LoadedProgram& program, const Setup&
 }
 
 bool is_refused(const Run& run) {
-  return !run.input.lines_not_run.empty() && !(run.summary.cycle_time > 0);
+  const bool cuts = !run.input.feed_controls.empty();  // as it was read, whatever is refused
+  return cuts && !run.input.lines_not_run.empty() && !(run.summary.cycle_time > 0);
 }
 
 std::string line_list(const std::vector<Diagnostic>& lines) {

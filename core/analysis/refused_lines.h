@@ -11,7 +11,7 @@ namespace feedscope {
 /// input of a run with this setup.
 std::vector<Diagnostic> refused_lines(const LoadedProgram& program, const Setup& setup);
 
-/// Whether the control refuses lines of the program and nothing is left that takes time.
+/// Whether the program has feed motions, and the control refuses so many lines that nothing takes time.
 bool is_refused(const Run& run);
 
 /// "5, 9, 20 to 22 and 7 more": numbers of the first of these lines.
