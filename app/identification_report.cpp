@@ -44,9 +44,8 @@ void check_report_name(const std::string& file) {
 std::string identification_report(const IdentificationReport& made, const std::string& file, Watch& watch) {
   const Identification& found = made.models.front();
   Run run = found.runs.front();
-  if (!made.machine_file.empty()) {
-    run.setup.machine = identified_machine(found, made.machine_file);
-  }
+  run.setup.machine =
+      made.machine_file.empty() ? found.setup.machine : identified_machine(found, made.machine_file);
   ui::ReportInput input;
   input.runs = ui::report_runs({ui::make_shown(std::move(run))});
   for (const ReportedRecording& recording : made.recordings) {

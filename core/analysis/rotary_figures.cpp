@@ -86,14 +86,20 @@ RotaryFigures rotary_figures(const std::shared_ptr<const RotaryCourse>& course, 
   RotaryFigures figures;
   const RotaryWalk::Source source(course);
   for (RotaryWalk walk(source, 0); !walk.done(); walk.next()) {
-    const RotaryLooks looks = walk.looks();
-    for (int i = 0; i < looks.count(); ++i) {
-      const RotarySample sample = walk.sample(looks.at(i));
+    const auto look = [&](double time) {
+      const RotarySample sample = walk.sample(time);
       add_all(sample.rotary, figures.rotary);
       if (!std::isnan(sample.linear.front().velocity)) {
         figures.linear = figures.linear.value_or(std::array<AxisPeaks, 3>{});
         add_all(sample.linear, *figures.linear);
       }
+    };
+    const RotaryLooks looks = walk.looks();
+    for (int i = 0; i < looks.count(); ++i) {
+      look(looks.at(i));
+    }
+    for (const double time : walk.reach_ends()) {
+      look(time);
     }
   }
   for (const RotaryTurn& turn : course->trajectory().path().programmed()->rotary_turns) {

@@ -8,7 +8,6 @@
 #include "core/analysis/refused_lines.h"
 #include "core/analysis/unadvised_tolerance.h"
 #include "core/base/translatable.h"
-#include "core/toolpath/joint_shape.h"
 #include "core/toolpath/rotary_resolver.h"
 
 namespace feedscope {
@@ -101,16 +100,6 @@ const char* tip_note(const Toolpath& path) {
                    "the part; where rotary axes turn, the axes of the machine move otherwise.");
 }
 
-namespace {
-
-/// It rounds an end of a segment and leaves most of it.
-bool is_short(const Toolpath& path, const TurnJoint& joint) {
-  return joint.before > 0 && !(shapes_segment(joint.before, path.segments[joint.segment].length) &&
-                               shapes_segment(joint.behind, path.segments[joint.segment + 1].length));
-}
-
-}  // namespace
-
 const char* rotary_limits_note(const Toolpath& path, const Setup& setup) {
   if (path.segment_turns.empty()) {
     return nullptr;
@@ -121,12 +110,13 @@ const char* rotary_limits_note(const Toolpath& path, const Setup& setup) {
         "This model does not hold the limits of rotary axes in full: their largest values may be "
         "above what the machine allows.");
   }
-  return std::ranges::none_of(path.turn_joints, [&](const TurnJoint& joint) { return is_short(path, joint); })
+  return path.turn_joints.empty()
              ? nullptr
              : QT_TRANSLATE_NOOP(
                    "core",
-                   "Where rotary axes turn along a long block, the jerk of axes may be above its limit near "
-                   "its ends: rounding of the angles and ramps add up there.");
+                   "Where blocks meet along which rotary axes turn, acceleration and jerk of axes may be "
+                   "above their limits for a short time: rounding of the angles, corners and ramps add up "
+                   "there.");
 }
 
 const char* missing_axes_note(const Toolpath& path, const Machine& machine) {

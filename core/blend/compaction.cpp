@@ -65,7 +65,8 @@ class Compactor {
   bool is_short(std::size_t i) const {
     const Segment& segment = toolpath_.segments[i];
     return segment.kind == SegmentKind::line && !segment.rapid && segment.length < longest_ &&
-           toolpath_.segment_turn(i) == nullptr;
+           toolpath_.segment_turn(i) == nullptr && toolpath_.turn_joint(i) == nullptr &&
+           (i == 0 || toolpath_.turn_joint(i - 1) == nullptr);
   }
 
   const Toolpath& toolpath_;

@@ -20,7 +20,11 @@ class PlanElement {
   PlanElement(double length, const MotionLimits& limits) : length(length) { set_limits(limits); }
 
   SpeedBound speed() const { return {speed_, speed_cause_}; }
-  AxisBound acceleration() const { return {acceleration_, acceleration_axis_}; }
+  AxisBound acceleration() const {
+    const bool by_jerk = acceleration_axis_ >= by_jerk_from;
+    return {acceleration_, static_cast<std::int8_t>(acceleration_axis_ - (by_jerk ? by_jerk_step : 0)),
+            by_jerk};
+  }
   AxisBound jerk() const { return {jerk_, jerk_axis_}; }
   MotionLimits limits() const { return {speed(), acceleration(), jerk()}; }
   void set_limits(const MotionLimits& limits) {
@@ -30,7 +34,8 @@ class PlanElement {
   }
   void set_ramps(const AxisBound& acceleration, const AxisBound& jerk) {
     acceleration_ = acceleration.value;
-    acceleration_axis_ = acceleration.axis;
+    acceleration_axis_ =
+        static_cast<std::int8_t>(acceleration.axis + (acceleration.by_jerk ? by_jerk_step : 0));
     jerk_ = jerk.value;
     jerk_axis_ = jerk.axis;
   }
@@ -39,8 +44,12 @@ class PlanElement {
   std::uint32_t order = 0;  ///< number of the block as a look-ahead counts
 
  private:
+  /// AxisBound::by_jerk in the number of the axis.
+  static constexpr std::int8_t by_jerk_step = 64;
+  static constexpr std::int8_t by_jerk_from = by_jerk_step - 1;  // no axis
+
   Cause speed_cause_;
-  std::int8_t acceleration_axis_ = -1;
+  std::int8_t acceleration_axis_ = -1;  ///< and by_jerk_step more if its jerk says so
   std::int8_t jerk_axis_ = -1;
   double speed_ = 0;
   double acceleration_ = 0;

@@ -11,6 +11,7 @@ namespace feedscope {
 struct AxisBound {
   double value = 0;
   std::int8_t axis = -1;  ///< place in known_axes
+  bool by_jerk = false;   ///< of an acceleration: the axis' jerk allows no more, as where its course bends
 };
 
 /// Least of limit_j / |d_j| over the axes: what a motion along `direction` may reach (core/models/README.md).

@@ -51,7 +51,8 @@ AxisBound lower_of(const AxisBound& a, const AxisBound& b) {
 }
 
 void lower_ramp(MotionLimits& limits, const TurnRamp& ramp) {
-  limits.acceleration = lower_of(limits.acceleration, {ramp.acceleration, ramp.acceleration_axis});
+  limits.acceleration =
+      lower_of(limits.acceleration, {ramp.acceleration, ramp.acceleration_axis, ramp.acceleration_by_jerk});
   limits.jerk = lower_of(limits.jerk, {ramp.jerk, ramp.jerk_axis});
 }
 

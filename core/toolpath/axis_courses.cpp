@@ -95,15 +95,18 @@ TurnRamp AxisCourses::ramp(double speed, double reach) const {
   for (std::size_t i = 0; i < count; ++i) {
     const Course& axis = axes_[i];
     double acceleration = HUGE_VAL;
+    bool by_jerk = false;
     if (axis.first > 0) {
       const double left = std::max(axis.acceleration - speed * speed * axis.second,
                                    (1 - turning_acceleration) * axis.acceleration);
       acceleration = left / (axis.first + 2 * reach * axis.second);
     }
     if (axis.second > 0 || axis.third > 0) {
-      acceleration = std::min(acceleration, axis.acceleration_in_bend(speed, reach));
+      const double in_bend = axis.acceleration_in_bend(speed, reach);
+      by_jerk = in_bend < acceleration;
+      acceleration = std::min(acceleration, in_bend);
     }
-    lower(least, {acceleration, HUGE_VAL, static_cast<std::int8_t>(i), -1});
+    lower(least, {acceleration, HUGE_VAL, static_cast<std::int8_t>(i), by_jerk, -1});
   }
   const double along = least.acceleration < HUGE_VAL ? least.acceleration : 0;
   const double fastest = faster(speed, along, reach);
@@ -112,7 +115,7 @@ TurnRamp AxisCourses::ramp(double speed, double reach) const {
     if (axis.first > 0) {
       const double left = std::max(axis.jerk - axis.jerk_in_bend(fastest, along),
                                    (1 - across) * (1 - turning_jerk) * axis.jerk);
-      lower(least, {HUGE_VAL, left / axis.first, -1, static_cast<std::int8_t>(i)});
+      lower(least, {HUGE_VAL, left / axis.first, -1, false, static_cast<std::int8_t>(i)});
     }
   }
   return least;
@@ -128,6 +131,7 @@ void lower(TurnRamp& ramp, const TurnRamp& other) {
   if (other.acceleration < ramp.acceleration) {
     ramp.acceleration = other.acceleration;
     ramp.acceleration_axis = other.acceleration_axis;
+    ramp.acceleration_by_jerk = other.acceleration_by_jerk;
   }
   if (other.jerk < ramp.jerk) {
     ramp.jerk = other.jerk;

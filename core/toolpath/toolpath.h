@@ -69,6 +69,7 @@ struct TurnRamp {
   double acceleration = std::numeric_limits<double>::infinity();  ///< along the path [mm/s2]
   double jerk = std::numeric_limits<double>::infinity();          ///< [mm/s3]
   std::int8_t acceleration_axis = -1;
+  bool acceleration_by_jerk = false;  ///< its jerk says so: 3 q2 v v' of it
   std::int8_t jerk_axis = -1;
 };
 
@@ -102,7 +103,7 @@ struct TurnJoint {
   double before = 0;             ///< how far it reaches; 0: the slopes jump [mm]
   double behind = 0;             ///< [mm]
   TurnLimit limit;
-  TurnRamp ramp;     ///< within its reach
+  TurnRamp ramp;     ///< on the segments that it shapes (joint_shape.h)
   double tilt = -1;  ///< as SegmentTurn::tilt, at the place
 };
 

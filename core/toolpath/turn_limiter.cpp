@@ -182,7 +182,7 @@ TurnLimiter::Meeting TurnLimiter::meeting_of(const Toolpath& path, const Segment
     const CurvePoint place = point_at(path, side.segment, comes ? 1 : 0);
     side.speed_up = speed_up(place, side.turn);
     side.ramp_up = ramp_up(place, side.turn);
-    side.held_from = side.turn != nullptr ? least_shaping_reach(side.length) : HUGE_VAL;
+    side.held_from = least_shaping_reach(side.length);
     meeting.at_tip = meeting.at_tip || (side.turn != nullptr && side.turn->at_tip);
   }
   meeting.angles = before != nullptr ? before->to : behind->from;
@@ -275,8 +275,9 @@ double TurnLimiter::ramp_up(const CurvePoint& at, const SegmentTurn* turn) const
   return jerk;
 }
 
-/// The derivatives of all axes within the reach of a joint: they are largest at its place or at an end of the
-/// reach, if not at the place of the joint beside it.
+/// The derivatives of all axes within the reach of a joint: third ones are largest at its place or at an end
+/// of the reach, if not at the place of the joint beside it; second ones at its place too, or, where it
+/// reaches farther to one side, near the middle of the shorter one.
 AxisCourses TurnLimiter::bend_of(const Toolpath& path, const Meeting& meeting, const Neighbours& beside,
                                  const TurnJoint& joint) const {
   constexpr double within = 1 - 1e-6;
@@ -300,8 +301,9 @@ AxisCourses TurnLimiter::bend_of(const Toolpath& path, const Meeting& meeting, c
         add_linear(point_at(path, side.segment, s / side.length), angles, courses);
       }
     };
-    look(0);
     const double reach = reach_of(joint, i);
+    look(0);
+    look(reach / 2);
     const bool goes_on = other != nullptr && reach_of(*other, 1 - i) > 0;
     if (!goes_on || reach < within * side.length) {
       look(within * reach);
@@ -374,7 +376,7 @@ double TurnLimiter::speed_for_velocity(const Meeting& meeting, const TurnJoint& 
   const auto slope_at = [&](double away) {
     return std::abs(flat.slopes[i] + joint_turn(joint, i, to_side(k, away)).d1());
   };
-  if (reach >= flat.held_from) {
+  if (flat.turn != nullptr && reach >= flat.held_from) {  // hold_beside()
     return slope_at(0) > 0 ? velocity / slope_at(0) : HUGE_VAL;
   }
   double least = HUGE_VAL;  // square of the speed

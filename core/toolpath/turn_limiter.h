@@ -76,8 +76,7 @@ class TurnLimiter {
     std::array<double, 3> slopes{};     ///< of A, B and C at the place [rad/mm]
     double speed_up = 0;                ///< along it [mm/s2]
     double ramp_up = 0;                 ///< how fast that begins [mm/s3]
-    /// From which reach on hold_beside() counts; infinite without a turn [mm].
-    double held_from = 0;
+    double held_from = 0;  ///< the reach from which on the joint holds the ramps on all of it [mm]
   };
   /// Where two segments meet: the one before, and the one behind.
   struct Meeting {

@@ -380,7 +380,8 @@ class ProfileLayer {
 };
 
 Cause acceleration_cause(const SpanLimits& span) {
-  return {CauseKind::axis_acceleration, span.acceleration.axis};
+  return {span.acceleration.by_jerk ? CauseKind::axis_jerk : CauseKind::axis_acceleration,
+          span.acceleration.axis};
 }
 
 /// What limits the rise of the acceleration: where it may jump, nothing but the acceleration itself.

@@ -2467,14 +2467,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>L&apos;axe rotatif %1 tourne le long de ce bloc aussi vite que le permet sa limite de vitesse.</translation>
     </message>
     <message>
-        <source>Rotary axis %1 turns along this block: its acceleration limit holds the change of speed.</source>
-        <translation>L&apos;axe rotatif %1 tourne le long de ce bloc : sa limite d&apos;accélération retient la variation de vitesse.</translation>
-    </message>
-    <message>
-        <source>Rotary axis %1 turns along this block: its jerk limit holds the change of speed.</source>
-        <translation>L&apos;axe rotatif %1 tourne le long de ce bloc : sa limite de jerk retient la variation de vitesse.</translation>
-    </message>
-    <message>
         <source>Rotary axis %1 turns while the tool stands: it takes what the limits of this axis allow, or the programmed feed if that is lower.</source>
         <translation>L&apos;axe rotatif %1 tourne pendant que l&apos;outil s&apos;arrête : cela prend ce que permettent les limites de cet axe, ou l&apos;avance programmée si elle est plus basse.</translation>
     </message>
@@ -2489,6 +2481,14 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>The tool is %1 from the first rotary axis, near the singular position, where that axis turns by 1/sin of this angle.</source>
         <translation>L&apos;outil est à %1 du premier axe rotatif, près de la position singulière, où cet axe tourne de 1/sin de cet angle.</translation>
+    </message>
+    <message>
+        <source>Rotary axis %1 turns along this block or beside it: its acceleration limit holds the change of speed.</source>
+        <translation>L&apos;axe rotatif %1 tourne le long de ce bloc ou à côté : sa limite d&apos;accélération retient la variation de vitesse.</translation>
+    </message>
+    <message>
+        <source>Rotary axis %1 turns along this block or beside it: its jerk limit holds the change of speed.</source>
+        <translation>L&apos;axe rotatif %1 tourne le long de ce bloc ou à côté : sa limite de jerk retient la variation de vitesse.</translation>
     </message>
 </context>
 <context>
@@ -4558,8 +4558,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>%1:%2&#xa0;: %3 n&apos;a pas de section «&#xa0;%4&#xa0;»&#xa0;; une section est marquée par les commentaires SECTION 12 BEGINS et SECTION 12 ENDS, ou donnée par ses lignes, par exemple 40-55</translation>
     </message>
     <message>
-        <source>Where rotary axes turn along a long block, the jerk of axes may be above its limit near its ends: rounding of the angles and ramps add up there.</source>
-        <translation>Là où des axes rotatifs tournent le long d&apos;un long bloc, le jerk d&apos;axes peut dépasser sa limite près de ses extrémités : l&apos;arrondi des angles et les rampes s&apos;y ajoutent.</translation>
+        <source>Where blocks meet along which rotary axes turn, acceleration and jerk of axes may be above their limits for a short time: rounding of the angles, corners and ramps add up there.</source>
+        <translation>Là où se rejoignent des blocs le long desquels des axes rotatifs tournent, accélération et jerk d&apos;axes peuvent dépasser leurs limites pendant un court instant : l&apos;arrondi des angles, les coins et les rampes s&apos;y ajoutent.</translation>
     </message>
 </context>
 <context>

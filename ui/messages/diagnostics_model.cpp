@@ -57,8 +57,8 @@ QString DiagnosticsModel::message_text(int row) const {
   const auto i = static_cast<std::size_t>(row);
   return i < rows_.size() && rows_[i].more > 0
              ? tr("%1 (%2 more up to line %3)")
-                   .arg(text, QLocale().toString(static_cast<qulonglong>(rows_[i].more)))
-                   .arg(rows_[i].last_line)
+                   .arg(text, QLocale().toString(static_cast<qulonglong>(rows_[i].more)),
+                        QString::number(rows_[i].last_line))
              : text;
 }
 

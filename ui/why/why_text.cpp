@@ -44,10 +44,10 @@ QString turn_kind_sentence(Cause cause) {
           ? WhyText::tr("Rotary axis %1 turns along this block as fast as its velocity limit allows.")
       : cause.kind == CauseKind::axis_acceleration
           ? WhyText::tr(
-                "Rotary axis %1 turns along this block: its acceleration limit holds the "
+                "Rotary axis %1 turns along this block or beside it: its acceleration limit holds the "
                 "change of speed.")
           : WhyText::tr(
-                "Rotary axis %1 turns along this block: its jerk limit holds the change of "
+                "Rotary axis %1 turns along this block or beside it: its jerk limit holds the change of "
                 "speed.");
   return text.arg(axis_text(cause));
 }

@@ -1,5 +1,7 @@
 #include "core/analysis/envelope/rotary_walk.h"
 
+#include "core/base/roots.h"
+
 namespace feedscope {
 
 int RotaryLooks::first_after(double time) const {
@@ -37,6 +39,37 @@ void RotaryWalk::add(Band& band, double time) {
 
 RotarySample RotaryWalk::sample(double time) {
   return course_.at(motion().state(time - begin()));
+}
+
+std::vector<double> RotaryWalk::reach_ends() {
+  constexpr int halvings = 50;
+  std::vector<double> ends;
+  const BlendedPath& path = course_.trajectory().path();
+  const std::uint32_t segment = path.segment(walk_.part().element);
+  const Toolpath& programmed = *path.programmed();
+  if (programmed.turn_joints.empty() || path.kind(walk_.part().element) != ElementKind::line) {
+    return ends;
+  }
+  const double length = programmed.segments[segment].length;
+  const Vec3& start = programmed.start_of(segment);
+  const Vec3 direction = (programmed.segments[segment].end - start) / length;
+  const auto add = [&](double at, bool from_there_on) {
+    const auto before = [&](double tau) {
+      return (motion().kinematics(tau).position - start).dot(direction) <= at;
+    };
+    const double duration = walk_.part().duration;
+    if (at > 0 && at < length && before(0) && !before(duration)) {
+      const Bracket passed = halve({0, duration}, halvings, before);
+      ends.push_back(begin() + (from_there_on ? passed.high : passed.low));
+    }
+  };
+  if (const TurnJoint* joint = segment > 0 ? course_.joint_behind(segment - std::size_t{1}) : nullptr) {
+    add(joint->behind, false);
+  }
+  if (const TurnJoint* joint = course_.joint_behind(segment)) {
+    add(length - joint->before, true);
+  }
+  return ends;
 }
 
 void RotaryWalk::next() {

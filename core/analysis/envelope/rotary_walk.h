@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "core/analysis/envelope/band.h"
 #include "core/analysis/envelope/part_looks.h"
@@ -56,6 +57,9 @@ class RotaryWalk {
   void add(Band& band, double time);
   /// At an instant of the part [s].
   RotarySample sample(double time);
+  /// Where on a line the tip passes the end of the reach of a joint in this part: the jerk of rotary axes
+  /// jumps there [s].
+  std::vector<double> reach_ends();
   void next();
 
  private:

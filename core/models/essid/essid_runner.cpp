@@ -111,7 +111,8 @@ void EssidRunner::hold_turns_by_parameter(const BlendShape& shape, std::size_t s
   const AxisBound held = with_turns_in_corner({{}, free, free}, toolpath_, segment, range.first, range.last,
                                               piece.transition, piece.length)
                              .acceleration;
-  piece.limits.speed.lower(std::sqrt(held.value / change), {CauseKind::axis_acceleration, held.axis});
+  piece.limits.speed.lower(std::sqrt(held.value / change),
+                           {held.by_jerk ? CauseKind::axis_jerk : CauseKind::axis_acceleration, held.axis});
 }
 
 EssidRunner::Blend EssidRunner::blend_of(std::size_t element) const {

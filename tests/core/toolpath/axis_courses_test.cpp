@@ -40,6 +40,7 @@ TEST(AxisCourses, GiveHalfOfTheJerkThatIsLeftToTheRampInABend) {
   const double left = axis_of(machine).jerk - speed * speed * speed * 0.001;
   EXPECT_NEAR(courses.ramp(speed, 0).acceleration, left / 2 / (3 * 0.02 * speed), 1e-9);
   EXPECT_EQ(courses.ramp(speed, 0).acceleration_axis, 5);
+  EXPECT_TRUE(courses.ramp(speed, 0).acceleration_by_jerk);
   EXPECT_EQ(courses.ramp(speed, 0).jerk, std::numeric_limits<double>::infinity()) << "its slope is zero";
 }
 

@@ -142,5 +142,56 @@ TEST(TurnJoints, OfUnevenBlocksRunAsTheCurveThatTheBlocksStandFor) {
   }
 }
 
+/// On blocks that are twice as long by turns the second derivative is largest between the places. At the
+/// speed of the nearer joint the axis stays within its acceleration everywhere.
+TEST(TurnJoints, KeepTheAccelerationBetweenPlacesOfUnevenBlocks) {
+  Machine machine = table_machine();
+  for (RotaryAxis& axis : machine.kinematics.rotary) {
+    axis.jerk *= 100;  // else it holds the tip before
+  }
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> slope(-3, 3);
+  std::string text = "TRAORI\nG0 X0 Y0 Z0\nG1 F60000\n";
+  double x = 0, c = 0;
+  for (int i = 0; i < 200; ++i) {
+    const double length = i % 2 == 0 ? 1 : 2;
+    x += length;
+    c += length * slope(random);
+    text += fmt::format("X{:.3f} C{:.6f}\n", x, c);
+  }
+  const auto path = path_of(text, with({{"orientation_tolerance_deg", 20}}), machine);
+  ASSERT_EQ(path->turn_joints.size(), 199);
+  double largest = 0;
+  for (std::size_t i = 1; i < path->turn_joints.size(); ++i) {
+    const TurnJoint& before = path->turn_joints[i - 1];
+    const TurnJoint& behind = path->turn_joints[i];
+    const double length = path->segments[behind.segment].length;
+    for (int k = 0; k <= 20; ++k) {
+      const double at = length * k / 20;
+      const double speed = (at < length / 2 ? before : behind).limit.speed;
+      const double second = joint_turn(before, 2, at).d2() + joint_turn(behind, 2, at - length).d2();
+      largest = std::max(largest, std::abs(second) * speed * speed);
+    }
+  }
+  EXPECT_LE(largest, 1440 * deg);
+  EXPECT_GT(largest, 0.7 * 1440 * deg);
+}
+
+/// Beside blocks that do not turn a joint that reaches over all of its blocks holds their ramps, whatever
+/// their length: none is cut short so that nothing would hold.
+TEST(TurnJoints, ReachOverAllOfDenseBlocksBesideThoseThatDoNotTurn) {
+  for (const double length : {0.8, 0.85, 0.9, 1.0, 1.3}) {
+    std::string text = "TRAORI\nG0 X0 Y0 Z0\nG1 F3000\n";
+    for (int i = 1; i <= 12; ++i) {
+      text += fmt::format("X{:.3f} C{:.4f}\n", i * length, 3 * length * std::min(i, 4));
+    }
+    const auto path = path_of(text, with({{"orientation_tolerance_deg", 10}}));
+    const TurnJoint* joint = path->turn_joint(3);
+    ASSERT_NE(joint, nullptr);
+    EXPECT_NEAR(joint->before, length, 1e-9);
+    EXPECT_NEAR(joint->behind, length, 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace feedscope
