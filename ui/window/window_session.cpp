@@ -91,7 +91,7 @@ Session WindowSession::view() const {
 }
 
 IdentificationState WindowSession::identification() const {
-  return pending_ ? pending_->identification : window_.part<IdentificationView>().state();
+  return window_.part<IdentificationView>().state();
 }
 
 LessonDesk& WindowSession::desk() const {
@@ -109,6 +109,7 @@ void WindowSession::show_contents(const Session& session) {
   workbench_.open(session.program, session.runs, session.current_run, session.reading, session.load);
   workbench_.annotations().replace(session.annotations);
   workbench_.traces().replace(session.traces);
+  window_.part<IdentificationView>().set_state(session.identification);  // it needs no run
   pending_ = session;
 }
 
@@ -170,6 +171,7 @@ void WindowSession::take_over(const Kept& kept) {
   window_.part<LoadView>().set_setup(kept.view.load);
   desk().set_all_work(kept.view.lessons);
   saved_answers_ = kept.answers;
+  window_.part<IdentificationView>().set_state(kept.view.identification);
   pending_ = kept.view;
   apply_to_run();
   emit file_changed();
@@ -185,7 +187,6 @@ void WindowSession::apply_to_run() {
   window_.scenes().set_state(session.scenes);
   window_.part<ChartsPanel>().set_state(session.charts);
   window_.part<CircularView>().set_state(session.circular);
-  window_.part<IdentificationView>().set_state(session.identification);
   workbench_.cursor().set_time(session.cursor);
 }
 

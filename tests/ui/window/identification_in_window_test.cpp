@@ -118,6 +118,30 @@ TEST_F(IdentificationInWindow, ItsResultComesBackWithTheSession) {
   EXPECT_EQ(kept.choice().starts()[0].keys, shown.choice().starts()[0].keys);
 }
 
+/// The first simulation of a long program takes its time, or fails.
+TEST_F(IdentificationInWindow, ATableThatIsOpenedBeforeTheRunIsThereStays) {
+  const std::filesystem::path file = files.write("part.feedscope", "");
+  write_session(window.session().capture(), file);
+  const std::filesystem::path times =
+      files.write("times.csv", "section,seconds\n2-2,1\n3-3,1\n4-4,1\n5-5,1.5\n");
+  Workbench other{shipped_machines(), make_setup({})};
+  MainWindow again(other, RenderBackend::software);
+  IdentificationView& shown = again.part<IdentificationView>();
+  std::size_t saved = 0;
+  QObject::connect(&other, &Workbench::program_changed, &again, [&] {
+    if (other.program() != nullptr && other.shown() == nullptr && saved == 0) {
+      shown.add_table(times);
+      saved = again.session().capture().identification.tables.size();
+    }
+  });
+  again.open(file);
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return other.shown() != nullptr && !other.busy() && !again.busy(); }, patience));
+  EXPECT_EQ(saved, 1U) << "a session that is saved in that time has it";
+  EXPECT_EQ(shown.recordings().list().count(), 1);
+  EXPECT_TRUE(again.session().changed());
+}
+
 TEST_F(IdentificationInWindow, EverydayWordsFindIt) {
   const QString words = panel().panel_actions().first()->property(everyday_words_property).toString();
   for (const char* word : {"identify", "machine", "parameters", "trace"}) {
