@@ -125,6 +125,18 @@ QString sections_tables(const IdentificationOutcome& outcome, const Identificati
   return html;
 }
 
+/// Whether a file that was searched holds another trace now. One that the report does not show is unknown.
+bool has_another_recording(const std::vector<ReportTrace>& traces, const IdentificationOutcome& outcome) {
+  std::vector<UsedRecording> now;
+  for (const ReportTrace& trace : traces) {
+    now.push_back(used_recording(*trace.shown->trace));
+  }
+  return std::ranges::any_of(outcome.recordings, [&](const UsedRecording& used) {
+    return !used.is_table && std::ranges::find(now, used.name, &UsedRecording::name) != now.end() &&
+           std::ranges::find(now, used) == now.end();
+  });
+}
+
 QString paragraphs_of(const QString& text) {
   QString html;
   for (const QString& line : text.split('\n', Qt::SkipEmptyParts)) {
@@ -143,7 +155,8 @@ QString identification_block(const ReportInput& input) {
   const IdentificationOutcome& outcome = *result.outcome;
   const Identification& found = chosen_of(result);
   QString html;
-  if (result.stale || outcome.program != program_mark(input.program())) {
+  if (result.stale || outcome.program != program_mark(input.program()) ||
+      has_another_recording(input.traces, outcome)) {
     html += QStringLiteral("<p><b>%1</b></p>\n")
                 .arg(ReportWords::tr("Program, recordings, models or machine have changed since."));
   }

@@ -2,9 +2,11 @@
 
 #include <gmock/gmock.h>
 
+#include "core/trace/read_trace.h"
 #include "tests/ui/identification_fixture.h"
 #include "tests/ui/report/pdf_reading.h"
 #include "tests/ui/report/report_fixture.h"
+#include "tests/ui/trace_fixture.h"
 #include "ui/report/report.h"
 
 namespace feedscope::ui {
@@ -90,6 +92,23 @@ TEST_F(ReportIdentification, SaysIfSomethingHasChangedSince) {
   input.identification.stale = false;
   outcome->program = "of another program";
   EXPECT_THAT(block(), HasSubstr("have changed since"));
+}
+
+/// A session keeps where its traces are, not what was in them.
+TEST_F(ReportIdentification, SaysIfTheFileOfARecordingHoldsAnotherOne) {
+  const test::WrittenFiles files;
+  const auto show_trace_of = [&](const ReportRun& run) {
+    const auto trace = std::make_shared<const Trace>(
+        read_trace(files.write("scope.csv", test::trace_table(run.shown->run)), {}));
+    input.traces = {{lay_beside(trace, input.run().shown), "scope.csv", QColor(0, 0x9e, 0x73)}};
+  };
+  show_trace_of(input.runs[0]);
+  outcome->recordings[0] = used_recording(*input.traces[0].shown->trace);
+  EXPECT_THAT(block(), Not(HasSubstr("have changed since")));
+  show_trace_of(input.runs[1]);
+  EXPECT_THAT(block(), HasSubstr("have changed since"));
+  outcome->recordings[0].name = "another.csv";
+  EXPECT_THAT(block(), Not(HasSubstr("have changed since"))) << "a trace that was not used";
 }
 
 TEST_F(ReportIdentification, SectionIsThereWhereAResultIs) {
