@@ -2,17 +2,47 @@
 
 #include <QCryptographicHash>
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace feedscope::ui {
 namespace {
+
+/// Of numbers but for the rounding of a file that they went through.
+bool is_same(const SettingValue& a, const SettingValue& b) {
+  constexpr double rounding = 1e-9;
+  const auto* number = std::get_if<double>(&a);
+  const auto* other = std::get_if<double>(&b);
+  return number == nullptr || other == nullptr
+             ? a == b
+             : std::abs(*number - *other) <= rounding * std::max(std::abs(*number), std::abs(*other));
+}
+
+/// Whether both have the same axes, limits and settings, whatever their sources, but for `fitted`. Of the
+/// same model.
+bool is_same_but_for(const std::vector<std::string>& fitted, const Setup& a, const Setup& b) {
+  const std::string axes = axis_names(a.machine);
+  const std::vector<std::string> keys = assignable_keys(*a.model);
+  return axes == axis_names(b.machine) && std::ranges::all_of(keys, [&](const std::string& key) {
+           if (std::ranges::find(fitted, key) != fitted.end()) {
+             return true;
+           }
+           if (key.size() < 3 || key[1] != '.') {
+             return is_same(a.settings.value(key), b.settings.value(key));
+           }
+           const std::string limit = key.substr(2);
+           return axes.find(key[0]) == std::string::npos ||
+                  is_same(axis_value(a.machine, key[0], limit), axis_value(b.machine, key[0], limit));
+         });
+}
 
 bool begins_with(const Identification& found, const IdentificationStart& start) {
   return found.setup.model == start.setup.model && found.parameters.size() == start.keys.size() &&
          std::equal(found.parameters.begin(), found.parameters.end(), start.keys.begin(),
                     [&](const IdentifiedParameter& one, const std::string& key) {
                       return one.parameter.key == key && one.start == fit_value(start.setup, one.parameter);
-                    });
+                    }) &&
+         is_same_but_for(start.keys, found.setup, start.setup);
 }
 
 }  // namespace
