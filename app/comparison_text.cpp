@@ -176,7 +176,7 @@ std::string causes_table(std::span<const ComparedRun> runs) {
   table.add_head({"of the cycle time, largest first"});
   for (const ComparedRun& run : runs) {
     const std::vector<std::string> lines =
-        run.refused ? std::vector<std::string>{"refused by the control: none of its motions is run"}
+        run.refused ? std::vector<std::string>{"refused by the control: none of its feed motions is run"}
                     : causes_text(run.summary);
     table.add_run(run, {lines.front()});
     for (std::size_t i = 1; i < lines.size(); ++i) {

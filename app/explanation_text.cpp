@@ -9,6 +9,7 @@
 
 #include "app/print.h"
 #include "core/analysis/not_counted.h"
+#include "core/analysis/refused_lines.h"
 #include "core/base/clock_text.h"
 #include "core/base/units.h"
 #include "core/machine/contour_tolerance.h"
@@ -32,8 +33,15 @@ std::string mean_feed_text(const TimeUse& use) {
 }
 
 /// "57.5 s more than programmed (2.3 times). Most is lost in corners, to ...".
-std::string conclusion(const TimeReport& report) {
+std::string conclusion(const Run& run, const TimeReport& report) {
   const TimeUse& use = report.use;
+  const std::string refused = refused_note(run.input.lines_not_run);
+  if (is_refused(run)) {
+    return wrapped(
+               fmt::format("No feed motion is run, so that there is no cycle time to explain. {}", refused),
+               0) +
+           "\n";
+  }
   std::string text = fmt::format("{} for {} programmed: {} {} than the programmed feeds give",
                                  time_text(use.cycle_time), time_text(use.programmed_time),
                                  seconds_text(std::abs(use.lost())), use.lost() >= 0 ? "more" : "less");
@@ -53,6 +61,9 @@ std::string conclusion(const TimeReport& report) {
                         percent(use.cycle_time - best.cycle_time, use.cycle_time));
   } else if (!report.changes.tried.empty()) {
     text += "None of the changes that were simulated helps.";
+  }
+  if (!refused.empty()) {
+    text += fmt::format(" {} The times are those of the other lines.", refused);
   }
   return wrapped(text, 0) + "\n";
 }
@@ -280,7 +291,10 @@ std::string explanation_text(const Run& run, const TimeReport& report) {
   const TimeUse& use = report.use;
   std::string out =
       fmt::format("{} on {} ({}), model {}\n\n{}", run.input.program->source->name(), run.setup.machine.name,
-                  run.setup.machine.control, run.setup.model->info().id, conclusion(report));
+                  run.setup.machine.control, run.setup.model->info().id, conclusion(run, report));
+  if (is_refused(run)) {
+    return out;
+  }
   if (const std::string missing = describe(run.summary.not_counted); !missing.empty()) {
     out += fmt::format("Not in the cycle time: {}\n", missing);
   }

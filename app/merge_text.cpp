@@ -52,9 +52,9 @@ std::string fastest_text(const MergedComparison& merged) {
     return fmt::format("\nNo value has a contour error within {} mm in all {} programs.\n", *merged.within,
                        merged.programs.size());
   }
-  return fmt::format("\n* Fastest within {} mm. Of all {} programs: {} on {}, {}, {}.\n", *merged.within,
+  return fmt::format("\n* Fastest within {} mm. Of all {} programs: {} on {}, {}, {}.{}\n", *merged.within,
                      merged.programs.size(), best->run.model, best->run.machine, best->run.setting,
-                     time_text(best->run.cycle_time));
+                     time_text(best->run.cycle_time), not_run_text(best->run.lines_not_run));
 }
 
 }  // namespace

@@ -354,6 +354,12 @@ std::string figure_notes_text(const Run& run) {
 
 }  // namespace
 
+std::string not_run_text(std::size_t lines) {
+  return lines == 0   ? ""
+         : lines == 1 ? " The control refuses 1 line of the program; it is not run."
+                      : fmt::format(" The control refuses {} lines of the program; they are not run.", lines);
+}
+
 std::string summary_text(const Run& run) {
   const Summary& s = run.summary;
   const Program& program = *run.input.program;
@@ -361,7 +367,7 @@ std::string summary_text(const Run& run) {
                                 run.setup.machine.control, run.setup.model->info().id);
   TextTable figures;
   figures.add({"cycle time", is_refused(run)
-                                 ? "none: the control refuses the program, none of its motions is run"
+                                 ? "none: the control refuses the program, none of its feed motions is run"
                                  : time_text(s.cycle_time)});
   if (const std::string missing = describe(s.not_counted); !missing.empty()) {
     figures.add({"not in the cycle time", missing});

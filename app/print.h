@@ -40,6 +40,8 @@ std::string without_pauses_text(double pauses);
 
 /// What stands in place of the cycle time of a program that the control refuses as a whole.
 inline constexpr const char* refused_word = "refused";
+/// " The control refuses 4 lines of the program; they are not run."; empty for none.
+std::string not_run_text(std::size_t lines);
 
 /// How tables of runs have a figure: "actual error", "[mm]", "0.0125"; "-" where a run has none.
 std::string figure_title(const SourceFigure& figure);

@@ -65,7 +65,7 @@ std::string program_difference_text(const Run& old, const Run& now, const Progra
   for (const Run* run : {&old, &now}) {
     if (is_refused(*run)) {
       refused = true;
-      text += fmt::format("The control refuses {}: none of its motions is run.\n",
+      text += fmt::format("The control refuses {}: none of its feed motions is run.\n",
                           run->input.program->source->name());
     }
   }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "app/print.h"
 #include "core/analysis/slower_tolerance.h"
@@ -97,16 +98,17 @@ std::string curve_table(const Study& study, std::span<const StudyRun> curve, con
   return table.text("lrrrrr" + std::string(figures.size(), 'r') + "l");
 }
 
-constexpr const char* refused_text = "The control refuses the program: none of its motions is run.";
+constexpr const char* refused_text = "The control refuses the program: none of its feed motions is run.";
 
 bool all_refused(std::span<const StudyRun> runs) {
   return std::ranges::all_of(runs, &StudyRun::refused);
 }
 
-/// Of `runs`, one of which is not refused.
+/// Of `runs`, one of which is not refused; of those of which most lines are run.
 const StudyRun& min_error(std::span<const StudyRun> runs) {
-  return *std::ranges::min_element(
-      runs, {}, [](const StudyRun& run) { return std::pair(run.refused, run.summary.max_contour_error); });
+  return *std::ranges::min_element(runs, {}, [](const StudyRun& run) {
+    return std::tuple(run.refused, run.lines_not_run, run.summary.max_contour_error);
+  });
 }
 
 std::string optimum_text(const Study& study, std::span<const StudyRun> runs) {
@@ -124,10 +126,10 @@ std::string optimum_text(const Study& study, std::span<const StudyRun> runs) {
   if (summary.max_contour_error > 0) {
     where = fmt::format(" (line {}, at {:.3f} s)", summary.worst_place.line, summary.worst_place.time);
   }
-  return fmt::format("Fastest{}: {} with {}, contour error {:.4f} mm{}.",
+  return fmt::format("Fastest{}: {} with {}, contour error {:.4f} mm{}.{}",
                      study.within ? fmt::format(" within {} mm", *study.within) : "",
                      setting_text(study, *best), time_text(summary.cycle_time), summary.max_contour_error,
-                     where);
+                     where, not_run_text(best->lines_not_run));
 }
 
 /// Empty where an end is refused.
@@ -178,8 +180,8 @@ std::string fastest_text(const Study& study) {
     return fmt::format("No run has a contour error within {} mm; the smallest is {:.4f} mm: {}.\n",
                        *study.within, least.summary.max_contour_error, curve_title(study, least));
   }
-  return fmt::format("Fastest within {} mm: {}, {}.\n", *study.within, curve_title(study, *best),
-                     time_text(best->summary.cycle_time));
+  return fmt::format("Fastest within {} mm: {}, {}.{}\n", *study.within, curve_title(study, *best),
+                     time_text(best->summary.cycle_time), not_run_text(best->lines_not_run));
 }
 
 std::string study_text(const LoadedProgram& program, const Study& study,

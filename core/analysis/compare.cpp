@@ -64,7 +64,8 @@ ComparedRun figures_of(const Run& run) {
           run.trajectory->blend_count(),
           run.simulate_time,
           tolerance_in_force(run.input.feed_controls, run.setup),
-          is_refused(run)};
+          is_refused(run),
+          run.input.lines_not_run.size()};
 }
 
 std::vector<Setup> setups_to_compare(const std::vector<std::string>& machines,

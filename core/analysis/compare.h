@@ -17,8 +17,9 @@ struct ComparedRun {
   std::size_t blends = 0;    ///< corners that the control rounds
   double simulate_time = 0;  ///< wall clock [s]
   std::optional<ToleranceInForce> tolerance = std::nullopt;
-  /// The control refuses the program: nothing of it is run, and the figures mean nothing.
+  /// The control refuses the program: no feed motion of it is run, and the figures mean nothing.
   bool refused = false;
+  std::size_t lines_not_run = 0;  ///< that the control refuses: the figures are those of the others
 
   /// Cycle time over that of the model `cam`, which is the programmed time; 1 for an empty program.
   double against_cam() const {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace feedscope {
 
 std::vector<Diagnostic> refused_lines(const LoadedProgram& program, const Setup& setup) {
@@ -11,7 +13,11 @@ std::vector<Diagnostic> refused_lines(const LoadedProgram& program, const Setup&
 
 bool is_refused(const Run& run) {
   const bool cuts = !run.input.feed_controls.empty();  // as it was read, whatever is refused
-  return cuts && !run.input.lines_not_run.empty() && !(run.summary.cycle_time > 0);
+  const auto is_feed_motion = [](const Segment& segment) {
+    return segment.kind != SegmentKind::dwell && !segment.rapid;
+  };
+  return cuts && !run.input.lines_not_run.empty() &&
+         std::ranges::none_of(run.input.toolpath->segments, is_feed_motion);
 }
 
 std::string line_list(const std::vector<Diagnostic>& lines) {

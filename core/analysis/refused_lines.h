@@ -11,7 +11,8 @@ namespace feedscope {
 /// input of a run with this setup.
 std::vector<Diagnostic> refused_lines(const LoadedProgram& program, const Setup& setup);
 
-/// Whether the program has feed motions, and the control refuses so many lines that nothing takes time.
+/// Whether the program has feed motions, and the control refuses so many lines that none of them is run,
+/// whatever time rapids and dwells take.
 bool is_refused(const Run& run);
 
 /// "5, 9, 20 to 22 and 7 more": numbers of the first of these lines.

@@ -271,6 +271,7 @@ Json run_json(const LoadedProgram& program, const ComparedRun& run) {
           {"tolerance_in_force_mm", tolerance_json(run.tolerance)},
           {"tolerance_set_by", run.tolerance ? Json(to_string(run.tolerance->set_by)) : Json()},
           {"notes", run_notes(program, run.setup)},
+          {"lines_not_run", run.lines_not_run},
           {"cycle_time_s", figure(finite(summary.cycle_time))},
           {"programmed_time_s", figure(finite(summary.programmed_time))},
           {"against_cam", figure(finite(run.against_cam()))},

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
@@ -110,6 +111,9 @@ MergedRun run_of(const Place& run) {
   merged.key = fmt::format("{}\n{}\n{}\n{}", merged.machine, merged.model, run.at("settings").json().dump(),
                            run.at("limits").json().dump());
   merged.refused = run.at("cycle_time_s").json().is_null();
+  if (run.json().contains("lines_not_run")) {  // files of before have none
+    merged.lines_not_run = run.at("lines_not_run").count();
+  }
   if (merged.refused) {
     return merged;
   }
@@ -213,6 +217,7 @@ void add_to_sums(std::vector<MergedSum>& sums, const MergedRun& run) {
     sum = sums.insert(sum, {run, 0});
     sum->run.cycle_time = sum->run.max_contour_error = sum->run.mean_feed = 0;
     sum->run.refused = true;
+    sum->run.lines_not_run = 0;
   }
   if (sum->run.setting != run.setting) {
     sum->run.setting = "tolerance=program or setting";
@@ -221,6 +226,7 @@ void add_to_sums(std::vector<MergedSum>& sums, const MergedRun& run) {
     return;
   }
   sum->run.refused = false;
+  sum->run.lines_not_run += run.lines_not_run;
   sum->run.cycle_time += run.cycle_time;
   sum->run.max_contour_error = std::max(sum->run.max_contour_error, run.max_contour_error);
   ++sum->programs;
@@ -234,9 +240,14 @@ bool MergedComparison::keeps(const MergedRun& run) const {
 }
 
 const MergedRun* MergedComparison::fastest(const MergedProgram& program) const {
+  std::size_t least_not_run = std::numeric_limits<std::size_t>::max();
+  for (const MergedRun& run : program.runs) {
+    least_not_run = run.refused ? least_not_run : std::min(least_not_run, run.lines_not_run);
+  }
   const MergedRun* best = nullptr;
   for (const MergedRun& run : program.runs) {
-    if (within && program.segments > 0 && keeps(run) && (best == nullptr || is_faster(run, *best))) {
+    if (within && program.segments > 0 && run.lines_not_run == least_not_run && keeps(run) &&
+        (best == nullptr || is_faster(run, *best))) {
       best = &run;
     }
   }
@@ -244,10 +255,16 @@ const MergedRun* MergedComparison::fastest(const MergedProgram& program) const {
 }
 
 const MergedSum* MergedComparison::fastest_sum() const {
+  std::size_t least_not_run = std::numeric_limits<std::size_t>::max();
+  for (const MergedSum& sum : sums) {
+    const bool of_all = sum.programs == programs.size();
+    least_not_run = of_all ? std::min(least_not_run, sum.run.lines_not_run) : least_not_run;
+  }
   const MergedSum* best = nullptr;
   for (const MergedSum& sum : sums) {
     const bool of_all = sum.programs == programs.size();
-    if (within && of_all && keeps(sum.run) && (best == nullptr || is_faster(sum.run, best->run))) {
+    if (within && of_all && sum.run.lines_not_run == least_not_run && keeps(sum.run) &&
+        (best == nullptr || is_faster(sum.run, best->run))) {
       best = &sum;
     }
   }

@@ -14,10 +14,11 @@ struct MergedRun {
   std::string setting;  ///< "tolerance=0.02 X.jerk=20"; what was swept, or the tolerance: "tolerance=program"
                         ///< where that of the program is in force
   std::string key;      ///< everything that runs of the same setting share
-  bool refused = false;          ///< by the control: nothing of the program is run, and there are no figures
-  double cycle_time = 0;         ///< [s]
-  double mean_feed = 0;          ///< [mm/min]
-  double max_contour_error = 0;  ///< [mm]
+  bool refused = false;  ///< by the control: no feed motion of the program is run, and there are no figures
+  std::size_t lines_not_run = 0;  ///< that the control refuses
+  double cycle_time = 0;          ///< [s]
+  double mean_feed = 0;           ///< [mm/min]
+  double max_contour_error = 0;   ///< [mm]
 };
 
 struct MergedProgram {
@@ -41,7 +42,8 @@ struct MergedComparison {
   /// Whether a run keeps the bound; true where there is none, never of one that is refused.
   bool keeps(const MergedRun& run) const;
   /// The fastest run of a program with motion that keeps the bound, the fastest sum over all programs that
-  /// does; nullptr where none keeps it or there is no bound.
+  /// does; never one of which the control refuses more lines than of another. nullptr where none keeps it or
+  /// there is no bound.
   const MergedRun* fastest(const MergedProgram& program) const;
   const MergedSum* fastest_sum() const;
 };

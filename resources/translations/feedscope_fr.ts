@@ -1649,6 +1649,18 @@
         <source>Limit or setting</source>
         <translation>Limite ou réglage</translation>
     </message>
+    <message>
+        <source>Lines that the control refuses and that are not run: %1.</source>
+        <translation>Lignes que la commande refuse et qui ne sont pas exécutées&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>The control refuses the program: &lt;b&gt;%1&lt;/b&gt; on %2 runs none of its feed motions.</source>
+        <translation>La commande refuse le programme&#xa0;: &lt;b&gt;%1&lt;/b&gt; sur %2 n&apos;exécute aucun de ses déplacements en avance.</translation>
+    </message>
+    <message>
+        <source>Runs of which the control refuses more lines, and that are not compared: %1.</source>
+        <translation>Simulations dont la commande refuse davantage de lignes, et qui ne sont pas comparées&#xa0;: %1.</translation>
+    </message>
 </context>
 <context>
     <name>ResidualPlot</name>
@@ -1700,7 +1712,7 @@
     </message>
     <message>
         <source>Lines that the control refuses are not run: %1.</source>
-        <translation>Les lignes que la commande refuse ne sont pas exécutées : %1.</translation>
+        <translation>Les lignes que la commande refuse ne sont pas exécutées&#xa0;: %1.</translation>
     </message>
     <message>
         <source>%1 to %2</source>
@@ -9722,8 +9734,12 @@ Ensemble&#xa0;: %4</translation>
         <translation>Étude</translation>
     </message>
     <message>
-        <source>The control refuses the program: none of its motions is run.</source>
-        <translation>La commande refuse le programme : aucun de ses mouvements n&apos;est exécuté.</translation>
+        <source>The control refuses the program: none of its feed motions is run.</source>
+        <translation>La commande refuse le programme : aucun de ses déplacements en avance n&apos;est exécuté.</translation>
+    </message>
+    <message>
+        <source>Lines that the control refuses and that are not run: %1.</source>
+        <translation>Lignes que la commande refuse et qui ne sont pas exécutées&#xa0;: %1.</translation>
     </message>
 </context>
 <context>

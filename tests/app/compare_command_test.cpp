@@ -62,7 +62,7 @@ TEST_F(CompareCommand, SaysThatAControlRefusesTheProgramInsteadOfATime) {
   const std::string arguments = "compare no_feed.nc --machine grbl-router --model grbl --model cam";
   const Result result = run(arguments + " --json part.json --csv part.csv");
   EXPECT_THAT(result.out, AllOf(HasSubstr("grbl            -      refused         -"),
-                                HasSubstr("refused by the control: none of its motions is run"),
+                                HasSubstr("refused by the control: none of its feed motions is run"),
                                 HasSubstr("cam             -        0.240"), Not(HasSubstr(" 0.000 "))));
   const json runs = json::parse(contents(folder_ / "part.json"))["runs"];
   for (const char* key : {"cycle_time_s", "programmed_time_s", "against_cam", "mean_feed_mm_min",
@@ -89,6 +89,46 @@ TEST_F(CompareCommand, SaysThatAControlRefusesTheProgramInsteadOfATime) {
   EXPECT_EQ(sums[0]["model"], "grbl");
   EXPECT_EQ(sums[0]["programs"], 1);
   EXPECT_EQ(sums[1]["fastest"], true) << "only the model that runs both can be the fastest of all";
+}
+
+/// Rapids and dwells that are left of it take time, but nothing is made.
+TEST_F(CompareCommand, AControlThatRunsNoFeedMotionRefusesTheProgram) {
+  write("dwell.nc", "G21 G90\nG4 P2\nG1 X10\nG1 Y10\n");
+  write("rapid.nc", "G21 G90\nG0 X10\nG1 X100\nG1 Y100\nG1 X0\nG1 Y0\n");
+  for (const std::string program : {"dwell.nc", "rapid.nc"}) {
+    const std::string arguments = "compare " + program + " --machine grbl-router --model grbl --model cam";
+    EXPECT_THAT(run(arguments).out, HasSubstr("grbl            -      refused         -")) << program;
+    EXPECT_THAT(run(arguments + " --within 0.1").out, HasSubstr("Fastest within 0.1 mm: cam on")) << program;
+  }
+}
+
+/// What is not run takes no time.
+TEST_F(CompareCommand, ARunOfAPartIsNotTheFastestOfTheWhole) {
+  write("part.nc", "G21 G90\nG1 X10 F1000\nM6\nG1 X200 H1\nX10\n");
+  const std::string arguments = "compare part.nc --machine grbl-router --within 1 --model grbl";
+  EXPECT_THAT(run(arguments + " --model cam").out, HasSubstr("Fastest within 1 mm: cam on"));
+  EXPECT_THAT(run(arguments).out, AllOf(HasSubstr("Fastest within 1 mm: grbl on"),
+                                        HasSubstr("lines of the program; they are not run.")));
+  run("compare part.nc --machine grbl-router --model grbl --model cam --json part.json");
+  const json runs = json::parse(contents(folder_ / "part.json"))["runs"];
+  EXPECT_GT(runs[0]["lines_not_run"], 0);
+  EXPECT_EQ(runs[1]["lines_not_run"], 0);
+  run("compare corner.nc --machine grbl-router --model grbl --model cam --json other.json");
+  run("compare --merge part.json other.json --within 1 --json merged.json");
+  const json merged = json::parse(contents(folder_ / "merged.json"));
+  EXPECT_EQ(merged["programs"][0]["runs"][0]["fastest"], false);
+  EXPECT_EQ(merged["programs"][0]["runs"][1]["fastest"], true);
+  EXPECT_EQ(merged["sums"][1]["fastest"], true);
+}
+
+TEST_F(CompareCommand, ExplainSaysWhatIsRefusedBeforeItsTimes) {
+  write("rapid.nc", "G21 G90\nG0 X10\nG1 X100\n");
+  const std::string machine = " --machine grbl-router --model grbl";
+  EXPECT_THAT(run("explain rapid.nc" + machine).out,
+              AllOf(HasSubstr("No feed motion is run"), HasSubstr("1 line of the program is refused"),
+                    Not(HasSubstr("None of the changes"))));
+  write("part.nc", "G21 G90\nG1 X10 F1000\nG1 X200 H1\nX10\n");
+  EXPECT_THAT(run("explain part.nc" + machine).out, HasSubstr("1 line of the program is refused"));
 }
 
 TEST_F(CompareCommand, WritesItsFiles) {

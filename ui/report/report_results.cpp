@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "core/analysis/not_counted.h"
+#include "core/analysis/refused_lines.h"
 #include "core/analysis/run_notes.h"
 #include "core/base/units.h"
 #include "ui/charts/cause_strip.h"
@@ -45,15 +46,30 @@ QString main_causes(const Summary& summary) {
   return parts.join(QStringLiteral(", "));
 }
 
+/// Behind the sentence that gives its time; empty where all of the program is run.
+QString not_run_sentence(const ReportRun& run) {
+  const std::size_t lines = run.shown->run.input.lines_not_run.size();
+  return lines == 0
+             ? QString()
+             : ' ' + ReportWords::tr("Lines that the control refuses and that are not run: %1.").arg(lines);
+}
+
 QString one_run_sentence(const ReportRun& run) {
   const Summary& summary = summary_of(run);
-  return ReportWords::tr(
-             "<b>%1</b> on %2 takes <b>%3</b>, %4 times the programmed time of %5, at a mean feed of "
-             "%6; the path stays within <b>%7</b> of the programmed path.")
-      .arg(html_text(run.name), html_text(run.shown->run.setup.machine.name), clock_text(summary.cycle_time),
-           significant(against_programmed(summary), 3), clock_text(summary.programmed_time),
-           fixed(summary.mean_feed, Dimension::feed) + ' ' + unit_of(Dimension::feed),
-           error_number(summary.max_contour_error) + ' ' + unit_of(Dimension::error));
+  if (is_refused(run.shown->run)) {
+    return ReportWords::tr("The control refuses the program: <b>%1</b> on %2 runs none of its feed motions.")
+        .arg(html_text(run.name), html_text(run.shown->run.setup.machine.name));
+  }
+  const QString sentence =
+      ReportWords::tr(
+          "<b>%1</b> on %2 takes <b>%3</b>, %4 times the programmed time of %5, at a mean feed of "
+          "%6; the path stays within <b>%7</b> of the programmed path.")
+          .arg(html_text(run.name), html_text(run.shown->run.setup.machine.name),
+               clock_text(summary.cycle_time), significant(against_programmed(summary), 3),
+               clock_text(summary.programmed_time),
+               fixed(summary.mean_feed, Dimension::feed) + ' ' + unit_of(Dimension::feed),
+               error_number(summary.max_contour_error) + ' ' + unit_of(Dimension::error));
+  return sentence + not_run_sentence(run);
 }
 
 /// A sentence for each different set of events that cycle times do not contain.
@@ -80,23 +96,58 @@ QString not_counted_sentences(const ReportInput& input) {
   return html;
 }
 
-QString fastest_sentence(const ReportInput& input) {
+/// Those of which the control refuses the fewest lines: what is not run takes no time.
+std::vector<ReportRun> comparable_runs(const std::vector<ReportRun>& runs) {
+  std::vector<ReportRun> comparable;
+  for (const ReportRun& run : runs) {
+    const std::size_t lines = run.shown->run.input.lines_not_run.size();
+    const std::size_t least =
+        comparable.empty() ? lines : comparable.front().shown->run.input.lines_not_run.size();
+    if (is_refused(run.shown->run) || lines > least) {
+      continue;
+    }
+    if (lines < least) {
+      comparable.clear();
+    }
+    comparable.push_back(run);
+  }
+  return comparable;
+}
+
+/// Of several runs, one of which at least is not refused.
+QString fastest_sentence(const std::vector<ReportRun>& runs) {
   const auto time = [](const ReportRun& run) { return summary_of(run).cycle_time; };
   const auto error = [](const ReportRun& run) {
     return error_number(summary_of(run).max_contour_error) + ' ' + unit_of(Dimension::error);
   };
-  const ReportRun& fastest = *std::ranges::min_element(input.runs, {}, time);
-  const ReportRun& slowest = *std::ranges::max_element(input.runs, {}, time);
+  const ReportRun& fastest = *std::ranges::min_element(runs, {}, time);
+  const ReportRun& slowest = *std::ranges::max_element(runs, {}, time);
   if (!(time(slowest) > time(fastest))) {
-    return ReportWords::tr("All runs take %1.").arg(clock_text(time(fastest)));
+    return ReportWords::tr("All runs take %1.").arg(clock_text(time(fastest))) + not_run_sentence(fastest);
   }
   return ReportWords::tr(
              "<b>%1</b> is the fastest of %2 runs: <b>%3</b> at a contour error of %4, "
              "<b>%5 % less time</b> than %6 (%7, %8).")
-      .arg(html_text(fastest.name))
-      .arg(input.runs.size())
-      .arg(clock_text(time(fastest)), error(fastest), percent(1 - time(fastest) / time(slowest), 1),
-           html_text(slowest.name), clock_text(time(slowest)), error(slowest));
+             .arg(html_text(fastest.name))
+             .arg(runs.size())
+             .arg(clock_text(time(fastest)), error(fastest), percent(1 - time(fastest) / time(slowest), 1),
+                  html_text(slowest.name), clock_text(time(slowest)), error(slowest)) +
+         not_run_sentence(fastest);
+}
+
+QString times_sentence(const ReportInput& input) {
+  const std::vector<ReportRun> comparable = comparable_runs(input.runs);
+  if (comparable.empty()) {
+    return one_run_sentence(input.run());
+  }
+  const QString sentence =
+      comparable.size() > 1 ? fastest_sentence(comparable) : one_run_sentence(comparable.front());
+  return comparable.size() == input.runs.size()
+             ? sentence
+             : sentence + ' ' +
+                   ReportWords::tr(
+                       "Runs of which the control refuses more lines, and that are not compared: %1.")
+                       .arg(input.runs.size() - comparable.size());
 }
 
 QString swatch(CauseKind kind) {
@@ -197,8 +248,9 @@ QString summary_block(const ReportInput& input) {
     html += QStringLiteral("<p style=\"color:#c62818\">%1</p>\n")
                 .arg(ReportWords::tr("<b>%1.</b> The messages are listed under Program.").arg(faults));
   }
-  html += paragraph(input.runs.size() > 1 ? fastest_sentence(input) : one_run_sentence(input.run()));
-  const QString causes = main_causes(summary_of(input.run()));
+  html += paragraph(times_sentence(input));
+  const QString causes =
+      is_refused(input.run().shown->run) ? QString() : main_causes(summary_of(input.run()));
   if (!causes.isEmpty()) {
     html += paragraph(ReportWords::tr("Most of the time of %1 is limited by: %2.")
                           .arg(html_text(input.run().name), html_text(causes)));

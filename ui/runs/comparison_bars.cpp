@@ -59,11 +59,14 @@ ComparisonBar bar_of(const ComparedRun& run, const KindFlags& told) {
   const Summary& summary = run.summary;
   ComparisonBar bar{run.setup.model->info().id,
                     run.tolerance,
-                    summary.cycle_time,
+                    run.refused ? 0 : summary.cycle_time,  // rapids and dwells are no run of it
                     run.against_cam(),
                     summary.max_contour_error,
                     run.refused,
                     {}};
+  if (run.refused) {
+    return bar;
+  }
   double rest = 0;
   for (std::size_t i = 0; i < summary.time_by_cause.size(); ++i) {
     const double time = summary.time_by_cause[i];

@@ -329,7 +329,7 @@ QString StudyView::verdict() const {
     return tr("Which value of a setting is the fastest, and what contour error does it cause?");
   }
   if (std::ranges::all_of(study_->runs, &StudyRun::refused)) {
-    return tr("The control refuses the program: none of its motions is run.");
+    return tr("The control refuses the program: none of its feed motions is run.");
   }
   const QLocale locale;
   const StudyRun* best = fastest(study_->runs, study_->within);
@@ -346,7 +346,11 @@ QString StudyView::verdict() const {
       .arg(lead, key,
            (locale.toString(best->swept.front() * unit.factor, 'g', 5) + ' ' + unit.text).trimmed(),
            clock_text(best->summary.cycle_time),
-           amount_text(best->summary.max_contour_error, Dimension::error), ends_text());
+           amount_text(best->summary.max_contour_error, Dimension::error),
+           best->lines_not_run == 0
+               ? ends_text()
+               : tr("Lines that the control refuses and that are not run: %1.").arg(best->lines_not_run) +
+                     QLatin1Char(' ') + ends_text());
 }
 
 QString StudyView::ends_text() const {

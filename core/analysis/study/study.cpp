@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
@@ -152,9 +153,14 @@ std::vector<std::span<const StudyRun>> Study::curves() const {
 
 const StudyRun* fastest(std::span<const StudyRun> runs, std::optional<double> within) {
   constexpr double rounding = 1e-9;  // mm
+  std::size_t least_not_run = std::numeric_limits<std::size_t>::max();
+  for (const StudyRun& run : runs) {
+    least_not_run = run.refused ? least_not_run : std::min(least_not_run, run.lines_not_run);
+  }
   const StudyRun* best = nullptr;
   for (const StudyRun& run : runs) {
-    const bool keeps = !run.refused && (!within || run.summary.max_contour_error <= *within + rounding);
+    const bool keeps = !run.refused && run.lines_not_run == least_not_run &&
+                       (!within || run.summary.max_contour_error <= *within + rounding);
     const auto rank = [](const StudyRun& of) {
       return std::pair(of.summary.cycle_time, of.summary.max_contour_error);
     };

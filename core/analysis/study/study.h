@@ -58,7 +58,8 @@ struct Study {
 Study run_study(const LoadedProgram& program, const StudyRequest& request, Progress* progress = nullptr);
 
 /// The fastest run whose largest contour error is at most `within` [mm], of equally fast ones the one with
-/// the least error; none if none keeps it. Without a bound the fastest of all. Never a run that is refused.
+/// the least error; none if none keeps it. Without a bound the fastest of all. Never a run that is refused,
+/// nor one of which the control refuses more lines than of another: what is not run takes no time.
 const StudyRun* fastest(std::span<const StudyRun> runs, std::optional<double> within);
 
 }  // namespace feedscope

@@ -161,6 +161,7 @@ class Files {
                               "tolerance_in_force_mm",
                               "tolerance_set_by",
                               "notes",
+                              "lines_not_run",
                               "cycle_time_s",
                               "programmed_time_s",
                               "against_cam",

@@ -97,6 +97,7 @@ TEST(ComparisonBars, KnowWhatAControlRefuses) {
   runs.front().summary.programmed_time = 0;
   const ComparisonBars bars = comparison_bars(runs);
   EXPECT_TRUE(bars.machines.front().bars.front().refused);
+  EXPECT_TRUE(bars.machines.front().bars.front().parts.empty()) << "rapids and dwells make no bar";
   EXPECT_FALSE(bars.machines.front().bars.back().refused);
   EXPECT_EQ(bars.machines.front().programmed_time, 2) << "that of the run that there is";
 }

@@ -1,0 +1,41 @@
+#include <gmock/gmock.h>
+
+#include "tests/ui/report/report_fixture.h"
+#include "ui/report/report_tables.h"
+
+namespace feedscope::ui {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+/// The summary of a program on a machine of grbl, by each of these models.
+std::string summary_of_models(const std::string& text, const std::vector<std::string>& models) {
+  QLocale::setDefault(QLocale::c());
+  const LoadedProgram program = load_program(std::make_shared<const SourceText>("part.nc", text));
+  std::vector<std::shared_ptr<const ShownRun>> shown;
+  for (const std::string& model : models) {
+    shown.push_back(make_shown(simulate_run(program, make_setup({"grbl-router", model, {}, {}}))));
+  }
+  ReportInput input;
+  input.runs = report_runs(shown);
+  return summary_block(input).remove("<wbr>").toStdString();
+}
+
+TEST(ReportRefused, AProgramWithoutAFeedMotionHasNoTime) {
+  const std::string program = "G21 G90\nG0 X10\nG1 X100\nG1 Y100\n";  // grbl wants a feed
+  EXPECT_THAT(summary_of_models(program, {"grbl"}),
+              AllOf(HasSubstr("The control refuses the program"), Not(HasSubstr(" takes "))));
+  EXPECT_THAT(summary_of_models(program, {"grbl", "cam"}),
+              AllOf(HasSubstr("<b>cam"), HasSubstr(" takes "), HasSubstr("that are not compared: 1.")))
+      << "what is not run takes no time";
+}
+
+TEST(ReportRefused, TheTimeOfAPartSaysHowMuchOfItIsNotRun) {
+  EXPECT_THAT(summary_of_models("G21 G90\nG1 X10 F1000\nG1 X200 H1\nX10\n", {"grbl"}),
+              AllOf(HasSubstr(" takes "), HasSubstr("and that are not run: 1.")));
+}
+
+}  // namespace
+}  // namespace feedscope::ui
