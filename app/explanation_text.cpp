@@ -37,9 +37,7 @@ std::string conclusion(const Run& run, const TimeReport& report) {
   const TimeUse& use = report.use;
   const std::string refused = refused_note(run.input.lines_not_run);
   if (is_refused(run)) {
-    return wrapped(
-               fmt::format("No feed motion is run, so that there is no cycle time to explain. {}", refused),
-               0) +
+    return wrapped(fmt::format("No feed motion is run: there is no cycle time to explain. {}", refused), 0) +
            "\n";
   }
   std::string text = fmt::format("{} for {} programmed: {} {} than the programmed feeds give",

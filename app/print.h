@@ -38,7 +38,7 @@ std::string time_text(double seconds);
 /// Behind a mean feed: ", without pauses of 4.000 s"; empty where there are none.
 std::string without_pauses_text(double pauses);
 
-/// What stands in place of the cycle time of a program that the control refuses as a whole.
+/// Shown instead of the cycle time of a program that the control refuses.
 inline constexpr const char* refused_word = "refused";
 /// " The control refuses 4 lines of the program; they are not run."; empty for none.
 std::string not_run_text(std::size_t lines);

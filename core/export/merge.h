@@ -42,8 +42,8 @@ struct MergedComparison {
   /// Whether a run keeps the bound; true where there is none, never of one that is refused.
   bool keeps(const MergedRun& run) const;
   /// The fastest run of a program with motion that keeps the bound, the fastest sum over all programs that
-  /// does; never one of which the control refuses more lines than of another. nullptr where none keeps it or
-  /// there is no bound.
+  /// does; never one of which the control refuses more lines than of another. nullptr where no run keeps
+  /// the bound, and without a bound.
   const MergedRun* fastest(const MergedProgram& program) const;
   const MergedSum* fastest_sum() const;
 };

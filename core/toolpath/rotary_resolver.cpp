@@ -187,7 +187,8 @@ class RotaryResolver {
       const bool goes_on = k + 1 < joints.size() && joints[k].segment + 1 == joints[k + 1].segment;
       return TurnLimiter::Neighbours{follows ? &joints[k - 1] : nullptr, goes_on ? &joints[k + 1] : nullptr};
     };
-    // What a joint is best is up to those beside it: the last ones to choose know those before them.
+    // The best reach of a joint depends on those beside it: it knows the final reach of the one before it,
+    // and the longest one of the one behind it.
     for (std::size_t k = 0; k < joints.size(); ++k) {
       limiter_.choose_reach(path_, between[k].before, between[k].behind, beside(k), joints[k]);
     }

@@ -96,7 +96,7 @@ void ResidualPlot::lay_out_legend(const QRectF& area) {
 void ResidualPlot::choose_scales() {
   constexpr double farthest = 4;  // that others reach, times the chosen model
   constexpr double least = 1e-4;  // [s]
-  constexpr double most = 1e9;    // of what is no number any more
+  constexpr double most = 1e9;    // of a value that is drawn [s]
   constexpr double head_room = 0.08;
   double bound = most;
   for (const ResidualCurve& curve : curves_.models) {
@@ -121,7 +121,7 @@ void ResidualPlot::choose_scales() {
 }
 
 QPointF ResidualPlot::place_of(const QPointF& point) const {
-  constexpr double farthest = 1e4;  // from the plot, whatever stands in a file [pixels]
+  constexpr double farthest = 1e4;  // from the plot, against extreme values of a file [pixels]
   const double x = (point.x() - first_) / (last_ - first_) * plot_.width();
   const double y = (point.y() - lowest_) / (highest_ - lowest_) * plot_.height();
   return {plot_.left() + std::clamp(x, -farthest, farthest),
@@ -209,7 +209,7 @@ void ResidualPlot::draw_curve(QPainter& painter, std::size_t model) const {
   painter.drawPolyline(line);
 }
 
-/// Those of the models beside each other.
+/// One bar for each section; those of the other models stand beside it.
 void ResidualPlot::draw_bars(QPainter& painter, std::size_t model) const {
   constexpr double share = 0.8;  // of the width of a section that its bars take
   const double width = share / static_cast<double>(curves_.models.size());

@@ -7,7 +7,7 @@
 
 namespace feedscope::ui {
 
-/// A message as it stands in a list.
+/// One row of the list of messages.
 struct DiagnosticRow {
   std::uint32_t index = 0;      ///< among the diagnostics
   std::uint64_t more = 0;       ///< places that it stands for beside its own

@@ -13,7 +13,7 @@ namespace {
 
 const QString typical_start = QStringLiteral("typical");
 
-/// A row that a file names; none for what is no row.
+/// The number of a table row; none if the value is not a whole number from 0 on.
 std::optional<std::size_t> row_of(const QJsonValue& json) {
   constexpr int none = -1;
   const int row = json.toInt(none);
