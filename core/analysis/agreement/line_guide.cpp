@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <vector>
 
 namespace feedscope {
 
@@ -12,14 +13,15 @@ LineGuide::LineGuide(const ProgrammedCourse& course, const std::vector<std::uint
     return;
   }
   constexpr double most = 0.8;
-  const std::uint32_t last = course.segment_at(course.length());
-  for (std::uint32_t segment = 0; segment <= last; ++segment) {
+  std::vector<std::uint32_t> run;  // lines, in order
+  for (std::uint32_t segment = 0; segment < course.segments(); ++segment) {
     const double from = course.start_of(segment);
     const double to = course.start_of(segment + 1);
+    const std::uint32_t line = course.line_of(segment);
+    run.push_back(line);
     if (!(to > from)) {
       continue;
     }
-    const std::uint32_t line = course.line_at((from + to) / 2);
     if (!stretches_.empty() && stretches_.back().line == line && stretches_.back().to == from) {
       stretches_.back().to = to;
     } else {
@@ -27,13 +29,14 @@ LineGuide::LineGuide(const ProgrammedCourse& course, const std::vector<std::uint
     }
   }
   std::ranges::stable_sort(stretches_, {}, &Stretch::line);
+  std::ranges::sort(run);
   std::size_t given = 0;
   std::size_t known = 0;
   std::uint32_t before = 0;
   bool is_known = false;
   for (const std::uint32_t line : lines) {
     if (line != before) {
-      is_known = std::ranges::binary_search(stretches_, line, {}, &Stretch::line);
+      is_known = std::ranges::binary_search(run, line);
       before = line;
     }
     given += line > 0 ? 1 : 0;

@@ -15,7 +15,7 @@ class LineGuide {
   LineGuide(const ProgrammedCourse& course, const std::vector<std::uint32_t>& lines,
             const std::vector<double>& time);
 
-  /// Whether most of the lines move something in the program; if not they are of another program, or block
+  /// Whether most of the lines move or dwell in the program; if not they are of another program, or block
   /// numbers, and say nothing.
   bool usable() const { return usable_; }
   /// Programmed path length, from and to [mm].

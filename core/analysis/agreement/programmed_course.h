@@ -32,7 +32,9 @@ class ProgrammedCourse {
   std::uint32_t segment_at(double s) const;
   /// Of the program, at `s` [mm]; the earlier one at a border; 0 without segments.
   std::uint32_t line_at(double s) const { return lines_.empty() ? 0 : lines_[segment_at(s)]; }
-  double start_of(std::uint32_t segment) const { return starts_[segment]; }  ///< [mm]
+  std::size_t segments() const { return lines_.size(); }  ///< those without length, such as dwells, too
+  std::uint32_t line_of(std::uint32_t segment) const { return lines_[segment]; }  ///< of the program
+  double start_of(std::uint32_t segment) const { return starts_[segment]; }       ///< [mm]
 
  private:
   void add(const Vec3& place, double length);

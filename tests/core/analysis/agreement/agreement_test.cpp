@@ -372,6 +372,21 @@ TEST_F(RepeatedRounds, AreMatchedByPositionWhereTheLinesAreOfAnotherProgram) {
   EXPECT_NEAR(found(whole_).share, 1, 1e-3);
 }
 
+/// A control stays on the line of a dwell as long as it lasts, here for most of the time.
+TEST(FindOnProgram, LinesOfDwellsAreLinesOfTheProgram) {
+  const auto run = run_of("G21 G90 G17 F6000\nG1 X20\nG4 P1\nX0\nG4 P1\nX20\nG4 P1\nX0\nM30\n");
+  const ProgrammedCourse course(*run.input.toolpath, {true, true, true});
+  Trace trace = trace_of(run, 1e-3);
+  for (const double time : trace.time) {
+    trace.line.push_back(run.trajectory->state(time).line);
+  }
+  EXPECT_GT(std::ranges::count_if(trace.line, [](std::uint32_t line) { return line % 2 == 1; }),
+            static_cast<std::ptrdiff_t>(trace.size() / 2));
+  for (const Diagnostic& remark : find_on_program(trace, course, 0.02).remarks) {
+    EXPECT_NE(remark.code, "trace-lines") << remark.message;
+  }
+}
+
 TEST(TraceAlignment, OfATraceWithItsOwnRunIsTheSameInstantPausesIncluded) {
   const auto run = run_of(program_text);
   Trace trace = trace_of(run, 1e-3);
