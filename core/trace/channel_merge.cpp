@@ -48,25 +48,7 @@ void add_channels(const std::vector<TraceChannel>& channels, TraceBuilder& build
     sample.time = base.time[i];
     for (std::size_t c = 0; c < channels.size(); ++c) {
       const double value = &channels[c] == &base ? base.value[i] : walks[c].at(sample.time);
-      switch (channels[c].quantity) {
-        case TraceQuantity::x:
-          sample.place[0] = value;
-          break;
-        case TraceQuantity::y:
-          sample.place[1] = value;
-          break;
-        case TraceQuantity::z:
-          sample.place[2] = value;
-          break;
-        case TraceQuantity::feed:
-          sample.feed = value;
-          break;
-        case TraceQuantity::line:
-          sample.line = value;
-          break;
-        default:
-          break;
-      }
+      sample.set(channels[c].quantity, value);
     }
     builder.add(sample, i < base.line.size() ? base.line[i] : 0);
   }

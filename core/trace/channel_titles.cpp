@@ -19,20 +19,15 @@ std::vector<UsedChannel> used_channels(const std::vector<std::string>& titles, c
   wanted.period = 1;  // these formats have times of their own
   const FoundColumns found = find_columns(head, wanted, name, builder);
   std::vector<UsedChannel> used;
-  for (const TraceQuantity quantity :
-       {TraceQuantity::x, TraceQuantity::y, TraceQuantity::z, TraceQuantity::feed, TraceQuantity::line}) {
-    if (const auto& column = found.of(quantity)) {
+  for (std::size_t q = 0; q < trace_quantity_count; ++q) {
+    const auto quantity = static_cast<TraceQuantity>(q);
+    const auto& column = found.of(quantity);
+    if (column && quantity != TraceQuantity::time && quantity != TraceQuantity::number) {
       used.push_back({column->place, quantity, column->factor});
-      if (quantity == TraceQuantity::feed) {
-        builder.has_feed();
-      } else if (quantity == TraceQuantity::line) {
-        builder.has_line();
-      } else {
-        builder.has_axis(static_cast<std::size_t>(quantity) - static_cast<std::size_t>(TraceQuantity::x));
-      }
+      builder.has(quantity);
     }
   }
-  if (!builder.axis(0) && !builder.axis(1) && !builder.axis(2)) {
+  if (!builder.has_place()) {
     throw InputError(fmt::format(
         "'{}' has no signal that is known as the position of X, Y or Z; it has {}; say which, as --columns "
         "x=1:mm,y=2:mm",

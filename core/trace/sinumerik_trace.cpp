@@ -139,23 +139,11 @@ class SinumerikReader {
       }
       for (std::size_t c = 0; c < names_.size(); ++c) {
         if (name == names_[c]) {
-          set(sample, (*used_)[c], *number);
+          sample.set((*used_)[c].quantity, *number * (*used_)[c].factor);
         }
       }
     }
     builder_.add(sample, line());
-  }
-
-  static void set(TraceSample& sample, const UsedChannel& channel, double number) {
-    const double value = number * channel.factor;
-    if (channel.quantity == TraceQuantity::feed) {
-      sample.feed = value;
-    } else if (channel.quantity == TraceQuantity::line) {
-      sample.line = value;
-    } else {
-      sample.place[static_cast<std::size_t>(channel.quantity) - static_cast<std::size_t>(TraceQuantity::x)] =
-          value;
-    }
   }
 
   TraceText& text_;

@@ -121,6 +121,11 @@ class ColumnFinder {
     builder_.note_column(text + std::string(why));
   }
 
+  /// Of x, y or z.
+  static std::size_t axis_of(TraceQuantity place) {
+    return static_cast<std::size_t>(place) - static_cast<std::size_t>(TraceQuantity::x);
+  }
+
   std::size_t place_of(TraceQuantity quantity, const std::string& column) const {
     const TypedNumber number = typed_number(column);
     std::size_t widest = head_.titles.size();
@@ -160,22 +165,27 @@ class ColumnFinder {
       NamedColumn named;
     };
     std::array<std::optional<Candidate>, trace_quantity_count> best;
+    std::array<std::optional<Candidate>, actual_quantities.size()> measured;
     for (std::size_t i = 0; i < head_.titles.size(); ++i) {
       const NamedColumn named = recognise_column(head_.titles[i]);
       if (!named.quantity) {
         continue;
       }
-      auto& held = best[static_cast<std::size_t>(*named.quantity)];
+      auto& held =
+          named.actual ? measured[axis_of(*named.quantity)] : best[static_cast<std::size_t>(*named.quantity)];
       if (!held || named.rank > held->named.rank) {
         held = Candidate{i, named};
       }
+    }
+    for (std::size_t axis = 0; axis < measured.size(); ++axis) {
+      auto& place = best[static_cast<std::size_t>(place_quantities[axis])];
+      (place ? best[static_cast<std::size_t>(actual_quantities[axis])] : place) = measured[axis];
     }
     const bool places_asked =
         asked_.of(TraceQuantity::x) || asked_.of(TraceQuantity::y) || asked_.of(TraceQuantity::z);
     for (std::size_t q = 0; q < trace_quantity_count; ++q) {
       const auto quantity = static_cast<TraceQuantity>(q);
-      const bool is_place =
-          quantity == TraceQuantity::x || quantity == TraceQuantity::y || quantity == TraceQuantity::z;
+      const bool is_place = is_position(quantity);
       const bool time_asked =
           quantity == TraceQuantity::time && (asked_.period > 0 || asked_.of(TraceQuantity::number));
       if (!best[q] || found_.columns[q] || (is_place && places_asked) || time_asked) {
@@ -202,8 +212,7 @@ class ColumnFinder {
     }
     std::size_t axis = 0;
     for (; axis < 3 && next < widest; ++axis, ++next) {
-      take(static_cast<TraceQuantity>(static_cast<std::size_t>(TraceQuantity::x) + axis), next, 1, "mm",
-           ", assumed");
+      take(place_quantities[axis], next, 1, "mm", ", assumed");
     }
     if (next < widest && are_whole(values_of(head_, next))) {
       take(TraceQuantity::line, next++, 1, "", ", whole numbers");

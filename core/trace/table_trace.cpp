@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/error.h"
@@ -13,8 +14,6 @@
 namespace feedscope {
 namespace {
 
-constexpr std::array places{TraceQuantity::x, TraceQuantity::y, TraceQuantity::z};
-
 class TableReader {
  public:
   TableReader(TraceText& text, const TraceColumns& columns)
@@ -24,18 +23,13 @@ class TableReader {
                                   ? "LinuxCNC halsampler"
                                   : QT_TRANSLATE_NOOP("core", "table of samples")),
         found_(find_columns(head_, columns, text.name(), builder_)) {
-    for (std::size_t axis = 0; axis < places.size(); ++axis) {
-      if (found_.of(places[axis])) {
-        builder_.has_axis(axis);
+    for (std::size_t q = 0; q < trace_quantity_count; ++q) {
+      if (const auto quantity = static_cast<TraceQuantity>(q); found_.of(quantity)) {
+        quantities_.push_back(quantity);
+        builder_.has(quantity);
       }
     }
-    if (found_.of(TraceQuantity::feed)) {
-      builder_.has_feed();
-    }
-    if (found_.of(TraceQuantity::line)) {
-      builder_.has_line();
-    }
-    if (!builder_.axis(0) && !builder_.axis(1) && !builder_.axis(2) && !head_.titles.empty()) {
+    if (!builder_.has_place() && !head_.titles.empty()) {
       throw InputError(fmt::format(
           "'{}' has no column that is known as the position of X, Y or Z; it has {}; say which, as --columns "
           "x=2:mm,y=3:mm",
@@ -76,14 +70,11 @@ class TableReader {
   void read_row(std::string_view line) {
     split_row(line, head_.style.separator, fields_);
     TraceSample sample;
-    bool any = false;
-    for (std::size_t axis = 0; axis < places.size(); ++axis) {
-      sample.place[axis] = value(places[axis]);
-      any = any || std::isfinite(sample.place[axis]);
+    for (const TraceQuantity quantity : quantities_) {
+      sample.set(quantity, value(quantity));
     }
+    const bool any = std::ranges::any_of(sample.place, [](double place) { return std::isfinite(place); });
     sample.time = any ? time_of_row() : TraceSample::missing;
-    sample.feed = value(TraceQuantity::feed);
-    sample.line = value(TraceQuantity::line);
     if (std::isfinite(sample.time)) {
       builder_.add(sample, text_.line_number());
     } else {
@@ -95,6 +86,7 @@ class TableReader {
   TableHead head_;
   TraceBuilder builder_;
   FoundColumns found_;
+  std::vector<TraceQuantity> quantities_;  ///< that the table has
   std::vector<std::string_view> fields_;
   std::size_t rows_ = 0;
 };

@@ -47,9 +47,39 @@ void cut(std::vector<Number>& values, std::size_t begin, std::size_t end) {
 
 }  // namespace
 
+void TraceSample::set(TraceQuantity quantity, double value) {
+  switch (quantity) {
+    case TraceQuantity::time:
+      time = value;
+      break;
+    case TraceQuantity::number:
+      break;
+    case TraceQuantity::x:
+    case TraceQuantity::y:
+    case TraceQuantity::z:
+      place[static_cast<std::size_t>(quantity) - static_cast<std::size_t>(TraceQuantity::x)] = value;
+      break;
+    case TraceQuantity::line:
+      line = value;
+      break;
+    case TraceQuantity::feed:
+      feed = value;
+      break;
+    case TraceQuantity::actual_x:
+    case TraceQuantity::actual_y:
+    case TraceQuantity::actual_z:
+      actual[static_cast<std::size_t>(quantity) - static_cast<std::size_t>(TraceQuantity::actual_x)] = value;
+      break;
+  }
+}
+
 TraceBuilder::TraceBuilder(std::string name, std::string format) {
   trace_.name = std::move(name);
   trace_.format = std::move(format);
+}
+
+bool TraceBuilder::has_place() const {
+  return std::ranges::any_of(place_quantities, [&](TraceQuantity quantity) { return is_there(quantity); });
 }
 
 void TraceBuilder::note(Severity severity, std::uint32_t source_line, std::string code, std::string message,
@@ -105,16 +135,19 @@ void TraceBuilder::add(const TraceSample& sample, std::uint32_t source_line) {
   }
   last_source_line_ = source_line;
   trace_.time.push_back(sample.time);
-  for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
-    if (axes_[axis]) {
-      const double place = sample.place[axis];
-      trace_.place[axis].push_back(std::abs(place) < farthest ? place : TraceSample::missing);
+  const auto known = [](double place) { return std::abs(place) < farthest ? place : TraceSample::missing; };
+  for (std::size_t axis = 0; axis < place_quantities.size(); ++axis) {
+    if (is_there(place_quantities[axis])) {
+      trace_.place[axis].push_back(known(sample.place[axis]));
+    }
+    if (is_there(actual_quantities[axis])) {
+      trace_.actual[axis].push_back(known(sample.actual[axis]));
     }
   }
-  if (feed_) {
+  if (is_there(TraceQuantity::feed)) {
     trace_.feed.push_back(static_cast<float>(sample.feed));
   }
-  if (line_) {
+  if (is_there(TraceQuantity::line)) {
     lines_.push_back(static_cast<float>(sample.line));
   }
 }
@@ -152,8 +185,10 @@ void TraceBuilder::keep_longest_part() {
 
 void TraceBuilder::keep(std::size_t begin, std::size_t end) {
   cut(trace_.time, begin, end);
-  for (auto& values : trace_.place) {
-    cut(values, begin, end);
+  for (auto* places : {&trace_.place, &trace_.actual}) {
+    for (auto& values : *places) {
+      cut(values, begin, end);
+    }
   }
   cut(trace_.feed, begin, end);
   cut(lines_, begin, end);
@@ -164,8 +199,10 @@ void TraceBuilder::keep(std::size_t begin, std::size_t end) {
 
 void TraceBuilder::fill_missing() {
   std::size_t filled = 0;
-  for (auto& values : trace_.place) {
-    filled += fill_between(trace_.time, values, false);
+  for (auto* places : {&trace_.place, &trace_.actual}) {
+    for (auto& values : *places) {
+      filled += fill_between(trace_.time, values, false);
+    }
   }
   fill_between(trace_.time, trace_.feed, false);
   fill_between(trace_.time, lines_, true);
@@ -178,8 +215,8 @@ void TraceBuilder::fill_missing() {
 
 void TraceBuilder::drop_unknown_ends() {
   const auto known = [&](std::size_t i) {
-    return std::ranges::all_of(
-        trace_.place, [&](const auto& values) { return values.empty() || std::isfinite(values[i]); });
+    const auto is_known = [&](const auto& values) { return values.empty() || std::isfinite(values[i]); };
+    return std::ranges::all_of(trace_.place, is_known) && std::ranges::all_of(trace_.actual, is_known);
   };
   std::size_t begin = 0;
   std::size_t end = trace_.time.size();
@@ -258,7 +295,7 @@ Trace TraceBuilder::finish() {
          fmt::format("{} samples at the time of the one before are skipped", repeated_),
          "record the time with more digits");
   }
-  if (std::ranges::none_of(axes_, [](bool has) { return has; })) {
+  if (!has_place()) {
     throw InputError(
         fmt::format("'{}' has no position of X, Y or Z; name their columns, as --columns "
                     "x=2:mm,y=3:mm",
@@ -278,7 +315,7 @@ Trace TraceBuilder::finish() {
   for (double& time : trace_.time) {
     time -= first;
   }
-  if (line_) {
+  if (is_there(TraceQuantity::line)) {
     trace_.line.reserve(lines_.size());
     constexpr float largest = 16'777'216;  // whole numbers of a float end there
     for (const float line : lines_) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/trace/trace.h"
+#include "core/trace/trace_columns.h"
 
 namespace feedscope {
 
@@ -16,8 +17,12 @@ struct TraceSample {
   static constexpr double missing = std::numeric_limits<double>::quiet_NaN();
   double time = missing;
   std::array<double, 3> place{missing, missing, missing};
+  std::array<double, 3> actual{missing, missing, missing};
   double feed = missing;
   double line = missing;
+
+  /// Of all quantities but the number of a sample.
+  void set(TraceQuantity quantity, double value);
 };
 
 /// Makes a trace of samples in the order of a file: times that go back part it (the longest part is kept),
@@ -27,10 +32,9 @@ class TraceBuilder {
   TraceBuilder(std::string name, std::string format);
 
   /// Which of the quantities the file has.
-  void has_axis(std::size_t axis) { axes_[axis] = true; }
-  void has_feed() { feed_ = true; }
-  void has_line() { line_ = true; }
-  bool axis(std::size_t i) const { return axes_[i]; }
+  void has(TraceQuantity quantity) { has_[static_cast<std::size_t>(quantity)] = true; }
+  /// Whether a position of any axis is among them.
+  bool has_place() const;
   void note_column(std::string text) { trace_.columns.push_back(std::move(text)); }
 
   /// `source_line`: of the file, for messages. Throws InputError beyond 200 million samples.
@@ -53,15 +57,14 @@ class TraceBuilder {
   void keep_longest_part();
   /// Forgets the samples outside of [begin, end).
   void keep(std::size_t begin, std::size_t end);
+  bool is_there(TraceQuantity quantity) const { return has_[static_cast<std::size_t>(quantity)]; }
   void fill_missing();
   void drop_unknown_ends();
   void look_at_times();
   std::uint32_t line_of(std::size_t sample) const;
 
   Trace trace_;
-  std::array<bool, 3> axes_{};
-  bool feed_ = false;
-  bool line_ = false;
+  std::array<bool, trace_quantity_count> has_{};
   std::vector<float> lines_;  ///< as they stand in the file
   std::vector<Part> parts_;
   std::vector<std::pair<std::size_t, std::uint32_t>> lines_of_samples_;  ///< where rows and samples part

@@ -13,8 +13,8 @@
 namespace feedscope {
 namespace {
 
-constexpr std::array<std::string_view, trace_quantity_count> quantity_names{"time", "number", "x",   "y",
-                                                                            "z",    "line",   "feed"};
+constexpr std::array<std::string_view, trace_quantity_count> quantity_names{
+    "time", "number", "x", "y", "z", "line", "feed", "actual_x", "actual_y", "actual_z"};
 
 struct Unit {
   std::string_view name;
@@ -226,6 +226,11 @@ std::string_view to_string(TraceQuantity quantity) {
   return quantity_names[static_cast<std::size_t>(quantity)];
 }
 
+bool is_position(TraceQuantity quantity) {
+  return std::ranges::find(place_quantities, quantity) != place_quantities.end() ||
+         std::ranges::find(actual_quantities, quantity) != actual_quantities.end();
+}
+
 bool TraceColumns::any() const {
   return std::ranges::any_of(columns, [](const auto& column) { return column.has_value(); });
 }
@@ -262,13 +267,12 @@ std::optional<double> trace_unit(TraceQuantity quantity, std::string_view unit) 
   switch (quantity) {
     case TraceQuantity::time:
       return factor_in(time_units, unit);
-    case TraceQuantity::x:
-    case TraceQuantity::y:
-    case TraceQuantity::z:
-      return factor_in(length_units, unit);
     case TraceQuantity::feed:
       return factor_in(feed_units, unit);
     default:
+      if (is_position(quantity)) {
+        return factor_in(length_units, unit);
+      }
       return unit.empty() ? std::optional(1.0) : std::nullopt;
   }
 }
@@ -279,12 +283,8 @@ std::string trace_units(TraceQuantity quantity) {
       return names_of(time_units);
     case TraceQuantity::feed:
       return names_of(feed_units);
-    case TraceQuantity::x:
-    case TraceQuantity::y:
-    case TraceQuantity::z:
-      return names_of(length_units);
     default:
-      return "none";
+      return is_position(quantity) ? names_of(length_units) : "none";
   }
 }
 
@@ -299,8 +299,8 @@ NamedColumn recognise_column(std::string_view title) {
     named.quantity = axis;
     const bool set = any_of(words, {"set", "setpoint", "setpt", "cmd", "command", "nominal", "soll",
                                     "sollwert", "desval", "desired"});
-    const bool actual = any_of(words, {"act", "actual", "ist", "istwert", "measured", "fb", "encoder"});
-    named.rank = set ? 2 : actual ? 0 : 1;
+    named.actual = !set && any_of(words, {"act", "actual", "ist", "istwert", "measured", "fb", "encoder"});
+    named.rank = set ? 2 : named.actual ? 0 : 1;
   } else if (any_of(words, {"time", "t", "zeit", "temps", "sampletime", "timestamp"})) {
     named.quantity = TraceQuantity::time;
   } else if (any_of(words,

@@ -10,9 +10,18 @@
 namespace feedscope {
 
 /// What a column of a trace can hold that is of use here.
-enum class TraceQuantity : std::uint8_t { time, number, x, y, z, line, feed };
-inline constexpr std::size_t trace_quantity_count = 7;
+///
+/// x, y and z are the positions that are laid beside the program; actual_x and its kin those that encoders
+/// measured, of a trace that has both.
+enum class TraceQuantity : std::uint8_t { time, number, x, y, z, line, feed, actual_x, actual_y, actual_z };
+inline constexpr std::size_t trace_quantity_count = 10;
+/// By axis.
+inline constexpr std::array place_quantities{TraceQuantity::x, TraceQuantity::y, TraceQuantity::z};
+inline constexpr std::array actual_quantities{TraceQuantity::actual_x, TraceQuantity::actual_y,
+                                              TraceQuantity::actual_z};
 
+/// Whether it is a set or actual position of an axis.
+bool is_position(TraceQuantity quantity);
 /// "time", "number", ... as in column specifications.
 std::string_view to_string(TraceQuantity quantity);
 
@@ -62,8 +71,9 @@ std::string trace_units(TraceQuantity quantity);
 /// What a column of a head like "X_mm", "Feed [mm/min]" or "Axis X actual position" is, judged by its words.
 struct NamedColumn {
   std::optional<TraceQuantity> quantity;
-  std::string unit;  ///< as it stands there
-  int rank = 0;      ///< of several columns for one quantity the one of the highest rank is used
+  std::string unit;     ///< as it stands there
+  int rank = 0;         ///< of several columns for one quantity the one of the highest rank is used
+  bool actual = false;  ///< a position that its title calls measured
 };
 NamedColumn recognise_column(std::string_view title);
 

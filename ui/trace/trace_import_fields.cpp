@@ -61,6 +61,9 @@ TraceImportFields::TraceImportFields(QWidget* parent)
   add_row(TraceQuantity::z, QStringLiteral("Z"), *grid);
   add_row(TraceQuantity::line, tr("Program line"), *grid);
   add_row(TraceQuantity::feed, tr("Feed"), *grid);
+  add_row(TraceQuantity::actual_x, tr("X actual"), *grid);
+  add_row(TraceQuantity::actual_y, tr("Y actual"), *grid);
+  add_row(TraceQuantity::actual_z, tr("Z actual"), *grid);
   grid->setColumnStretch(1, 1);
 
   auto* form = new QGridLayout;
@@ -115,7 +118,7 @@ void TraceImportFields::add_row(TraceQuantity quantity, const QString& title, QG
     row.unit->setAccessibleName(tr("Unit of %1").arg(title));
     grid.addWidget(row.unit, at, 2);
   }
-  if (quantity == TraceQuantity::x || quantity == TraceQuantity::y || quantity == TraceQuantity::z) {
+  if (is_position(quantity)) {
     row.mirrored = new QCheckBox(tr("mirrored"), this);
     row.mirrored->setToolTip(tr("The trace counts this axis in the other direction; needs a unit"));
     row.mirrored->setAccessibleName(tr("%1 mirrored").arg(title));

@@ -66,6 +66,34 @@ TEST(ReadTrace, FindsSeparatorDecimalMarkAndUnits) {
   EXPECT_THAT(parse_trace(table("time_s,x_mm,y_mm\n", "{t},{x},{y}\n"), "t.csv").notes, IsEmpty());
 }
 
+TEST(ReadTrace, KeepsActualPositionsBesideSetOnes) {
+  const Trace both = parse_trace(
+      table("time_s,x_mm,actual_x_mm,Y actual [um],following_error_x_um\n", "{t},{x},{y},{y},{x}\n"),
+      "t.csv");
+  ASSERT_TRUE(both.has_drive(0));
+  EXPECT_NEAR(both.place[0][19], 10.25 * 19, 1e-9);
+  EXPECT_EQ(both.actual[0][19], 1e3 * both.place[1][19]);
+  // An axis whose actual position alone is recorded is laid beside the program.
+  EXPECT_TRUE(both.has(1));
+  EXPECT_FALSE(both.has_drive(1));
+  EXPECT_THAT(both.columns, Contains("actual_x: column 3 'actual_x_mm' [mm]"));
+}
+
+TEST(ReadTrace, TakesActualPositionsAsAsked) {
+  const Trace trace = parse_trace(table("time_s,a,b\n", "{t},{x},{y}\n"), "t.csv",
+                                  parse_trace_columns("x=a:mm,actual_x=b:-um"));
+  ASSERT_TRUE(trace.has_drive(0));
+  EXPECT_NEAR(trace.actual[0][19], -1e-3 * parse_trace(table("time_s,y_mm\n", "{t},{y}\n"), "t").place[1][19],
+              1e-12);
+}
+
+TEST(ReadTrace, CutsActualPositionsWithTheOthers) {
+  const Trace trace = parse_trace(
+      table(table("time_s,x_mm,actual_x_mm\n", "{t},{x},{y}\n"), "{t},{x},{y}\n", "0.020,3,4\n"), "t.csv");
+  EXPECT_EQ(trace.size(), 21U);
+  EXPECT_EQ(trace.actual[0].size(), 21U);
+}
+
 TEST(ReadTrace, ConvertsInches) {
   const Trace trace = parse_trace(table("time_s,x_inch\n", "{t},{x}\n"), "t.csv");
   EXPECT_NEAR(trace.place[0][19], 25.4 * 10.25 * 19, 1e-9);
