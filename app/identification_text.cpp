@@ -41,6 +41,21 @@ std::string traces_text(const Identification& found, const std::vector<std::stri
   return table.text("lrrrr");
 }
 
+/// Drives that were looked for, and what of the following errors they explain.
+std::string drives_text(const Identification& found) {
+  if (found.drives.empty()) {
+    return "";
+  }
+  TextTable table;
+  table.add({"drive", "samples", "following error rms um", "left over rms um", "explained"});
+  for (const DriveFit& drive : found.drives) {
+    table.add({std::string(1, drive.axis), fmt::format("{}", drive.samples),
+               fmt::format("{:.2f}", units::to_um(drive.following_error)),
+               fmt::format("{:.2f}", units::to_um(drive.left)), drive.explains ? "yes" : "no"});
+  }
+  return table.text("lrrrl");
+}
+
 /// The sections that a run misses most, of each table.
 std::string sections_text(const Identification& found) {
   constexpr std::size_t most = 5;
@@ -82,7 +97,7 @@ std::string identification_text(const std::vector<Identification>& models,
   }
   const Identification& best = models.front();
   text += fmt::format("model {}, {} simulations\n", best.setup.model->info().id, best.simulations);
-  text += parameters_text(best) + traces_text(best, traces) + sections_text(best);
+  text += parameters_text(best) + traces_text(best, traces) + drives_text(best) + sections_text(best);
   text +=
       best.explains
           ? ""

@@ -127,10 +127,10 @@ class Work {
     const Setup start = make_setup(request);
     IdentifyOptions how;
     how.date = date_of_today();
-    return recordings_.fit(
-        start,
-        options_.fit.empty() ? usual_fit_parameters(start) : fit_parameters_of(start, keys_of(options_.fit)),
-        how, [this](const char* title) { return watch_.stage(title); });
+    return recordings_.fit(start,
+                           options_.fit.empty() ? recordings_.usual_parameters(start)
+                                                : fit_parameters_of(start, keys_of(options_.fit)),
+                           how, [this](const char* title) { return watch_.stage(title); });
   }
 
   /// What is wrong with each trace that was read.
@@ -335,8 +335,8 @@ Command add_identify_command(CLI::App& app) {
   command
       ->add_option(
           "--fit", options->fit,
-          "What is to be found, such as X.acceleration,jerk,blend_tolerance_mm [limits of the axes, and "
-          "settings with a unit]")
+          "What is to be found, such as X.acceleration,jerk,blend_tolerance_mm,X.kv [limits of the axes, "
+          "settings with a unit, and drives whose set and actual positions are recorded]")
       ->type_name("KEY,...")
       ->allow_extra_args(false);
   command

@@ -18,6 +18,18 @@ Json parameters_json(const Identification& found) {
   return parameters;
 }
 
+Json drives_json(const Identification& found) {
+  Json drives = Json::array();
+  for (const DriveFit& drive : found.drives) {
+    drives.push_back({{"axis", std::string(1, drive.axis)},
+                      {"explains", drive.explains},
+                      {"samples", drive.samples},
+                      {"following_error_um", finite(units::to_um(drive.following_error))},
+                      {"left_um", finite(units::to_um(drive.left))}});
+  }
+  return drives;
+}
+
 Json agreement_json(const Agreement& agreement) {
   return {{"cycle_time_s", finite(agreement.simulated_time)},
           {"measured_s", finite(agreement.measured_time)},
@@ -41,13 +53,10 @@ Json model_json(const Identification& found, const std::vector<std::string>& tra
     one["sections"] = std::move(sections);
     by_trace.push_back(std::move(one));
   }
-  return {{"id", found.setup.model->info().id},
-          {"explains", found.explains},
-          {"residual", finite(found.residual)},
-          {"feed_error", finite(found.feed_error)},
-          {"simulations", found.simulations},
-          {"parameters", parameters_json(found)},
-          {"traces", by_trace}};
+  return {{"id", found.setup.model->info().id}, {"explains", found.explains},
+          {"residual", finite(found.residual)}, {"feed_error", finite(found.feed_error)},
+          {"simulations", found.simulations},   {"parameters", parameters_json(found)},
+          {"drives", drives_json(found)},       {"traces", by_trace}};
 }
 
 }  // namespace

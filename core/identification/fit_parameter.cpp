@@ -63,8 +63,25 @@ std::vector<FitParameter> usual_fit_parameters(const Setup& setup) {
   return all;
 }
 
+FitParameter drive_parameter(char axis, std::size_t i) {
+  const SettingSpec& spec = axis_drive_specs()[i];
+  return {fmt::format("{}.{}", axis, spec.key), spec.unit, spec.minimum, std::min(spec.maximum, most_value)};
+}
+
+bool is_drive_parameter(const FitParameter& parameter) {
+  const auto dot = parameter.key.find('.');
+  return dot != std::string::npos &&
+         std::any_of(axis_drive_specs().begin(), axis_drive_specs().begin() + drive_parameter_count,
+                     [&](const SettingSpec& spec) { return spec.key == parameter.key.substr(dot + 1); });
+}
+
 std::vector<FitParameter> fit_parameters_of(const Setup& setup, const std::vector<std::string>& keys) {
-  const std::vector<FitParameter> all = fit_parameters(setup);
+  std::vector<FitParameter> all = fit_parameters(setup);
+  for (const auto& [axis, kind] : setup.machine.axes.axes()) {
+    for (std::size_t i = 0; i < drive_parameter_count; ++i) {
+      all.push_back(drive_parameter(axis, i));
+    }
+  }
   std::vector<std::string> known;
   for (const FitParameter& parameter : all) {
     known.push_back(parameter.key);
@@ -94,7 +111,10 @@ std::vector<FitParameter> fit_parameters_of(const Setup& setup, const std::vecto
 double fit_value(const Setup& setup, const FitParameter& parameter) {
   const auto dot = parameter.key.find('.');
   if (dot != std::string::npos) {
-    return axis_limit(setup.machine, parameter.key.front(), parameter.key.substr(dot + 1));
+    const SettingValue value =
+        axis_value(setup.machine, parameter.key.front(), parameter.key.substr(dot + 1));
+    const double* number = std::get_if<double>(&value);
+    return number != nullptr ? *number : 0;
   }
   return setup.settings.has(parameter.key) ? setup.settings.number(parameter.key) : 0;
 }
@@ -103,7 +123,7 @@ void set_fit_value(Setup& setup, const FitParameter& parameter, double value) {
   const double allowed = std::clamp(value, parameter.least, parameter.most);
   const auto dot = parameter.key.find('.');
   if (dot != std::string::npos) {
-    set_axis_limit(setup.machine, parameter.key.front(), parameter.key.substr(dot + 1), allowed);
+    set_axis_value(setup.machine, parameter.key.front(), parameter.key.substr(dot + 1), allowed);
   } else {
     setup.settings.set(parameter.key, allowed);
   }

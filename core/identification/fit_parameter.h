@@ -7,7 +7,7 @@
 
 namespace feedscope {
 
-/// A number of a machine or of a control's settings that is to be found: never 0 or below.
+/// A number of a machine or of a control's settings that is to be found: never below 0.
 struct FitParameter {
   std::string key;   ///< as --set takes it: "X.acceleration"
   std::string unit;  ///< of the key: "m/s2"
@@ -21,7 +21,15 @@ std::vector<FitParameter> fit_parameters(const Setup& setup);
 /// are no sampling period; no jerk where the model limits none. Settings without a value in `setup` are no
 /// part of them.
 std::vector<FitParameter> usual_fit_parameters(const Setup& setup);
-/// Those with these keys. Throws InputError with the nearest key.
+/// Of the drive of a linear axis: position gain, velocity feed-forward, lag, in the order of
+/// axis_drive_specs(). They are found from set and actual positions (drive_fit.h), not by simulations, and
+/// are no part of fit_parameters(); feed-forward and lag can be 0.
+constexpr std::size_t drive_parameter_count = 3;
+FitParameter drive_parameter(char axis, std::size_t i);
+bool is_drive_parameter(const FitParameter& parameter);
+
+/// Those of fit_parameters() and of the drives of X, Y and Z with these keys. Throws InputError with the
+/// nearest key.
 std::vector<FitParameter> fit_parameters_of(const Setup& setup, const std::vector<std::string>& keys);
 
 /// In the unit of the key; 0 where it has no value.

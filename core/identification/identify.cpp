@@ -227,21 +227,32 @@ void write_sources(Setup& setup, const std::vector<IdentifiedParameter>& paramet
       setup.machine.settings.set(key, setup.settings.value(key));
     }
     if (one.told) {
-      setup.machine.provenance.insert_or_assign(
-          key, Provenance{fmt::format("identified from {}, {:.4g} ± {:.2g} {}", from, one.value,
-                                      one.uncertainty, one.parameter.unit),
-                          false});
+      setup.machine.provenance.insert_or_assign(key, identified_source(one, from));
     } else if (one.value != one.start) {
-      setup.machine.provenance.insert_or_assign(
-          key,
-          Provenance{
-              one.at_least
-                  ? fmt::format("not told by {}: at least {:.4g} {}, this explains them as well as others",
-                                from, *one.at_least, one.parameter.unit)
-                  : fmt::format("not told by {}: this explains them as well as others", from),
-              true});
+      setup.machine.provenance.insert_or_assign(key, untold_source(one, from));
     }
   }
+}
+
+/// Simulates what was found, and lays it beside what was recorded.
+void lay_beside(const FitCases& cases, Identification& found) {
+  found.explains = true;
+  for (const auto& one : cases) {
+    Run run = simulate_run(one->program(), found.setup);
+    FitResult result = one->result(run);
+    found.feed_error = std::max(found.feed_error, result.feed_error);
+    found.explains = found.explains && result.feed_error <= most_feed_error &&
+                     std::abs(result.agreement.time_error()) <= most_time_error;
+    found.runs.push_back(std::move(run));
+    found.agreements.push_back(std::move(result.agreement));
+    found.sections.push_back(std::move(result.sections));
+  }
+}
+
+/// What is left over by the setup where the search stands.
+double residual_of(ParameterSearch& search) {
+  const Eigen::VectorXd residuals = search.evaluate(search.logarithms());
+  return std::sqrt(residuals.squaredNorm() / static_cast<double>(residuals.size()));
 }
 
 }  // namespace
@@ -249,8 +260,17 @@ void write_sources(Setup& setup, const std::vector<IdentifiedParameter>& paramet
 Identification identify(const FitCases& cases, const Setup& start,
                         const std::vector<FitParameter>& parameters, const IdentifyOptions& options,
                         Progress* progress) {
-  if (cases.empty() || parameters.empty()) {
-    throw InputError("identification needs at least one trace and one parameter");
+  if (cases.empty()) {
+    throw InputError("identification needs at least one trace");
+  }
+  if (parameters.empty()) {
+    ParameterSearch search(cases, start, {}, progress);
+    Identification found;
+    found.setup = start;
+    found.residual = residual_of(search);
+    lay_beside(cases, found);
+    found.simulations = search.simulations();
+    return found;
   }
   std::vector<double> begun;
   for (const FitParameter& parameter : parameters) {
@@ -288,19 +308,8 @@ Identification identify(const FitCases& cases, const Setup& start,
   found.parameters = judge_parameters(search, begun, without);
   take_back(search, found.parameters);
   found.setup = search.setup();
-  const Eigen::VectorXd residuals = search.evaluate(search.logarithms());
-  found.residual = std::sqrt(residuals.squaredNorm() / static_cast<double>(residuals.size()));
-  found.explains = true;
-  for (const auto& one : cases) {
-    Run run = simulate_run(one->program(), found.setup);
-    FitResult result = one->result(run);
-    found.feed_error = std::max(found.feed_error, result.feed_error);
-    found.explains = found.explains && result.feed_error <= most_feed_error &&
-                     std::abs(result.agreement.time_error()) <= most_time_error;
-    found.runs.push_back(std::move(run));
-    found.agreements.push_back(std::move(result.agreement));
-    found.sections.push_back(std::move(result.sections));
-  }
+  found.residual = residual_of(search);
+  lay_beside(cases, found);
   if (found.explains) {
     say_what_tells(found.setup, found.parameters);
   } else {

@@ -4,22 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "core/identification/drive_fit.h"
 #include "core/identification/fit_case.h"
 #include "core/identification/fit_parameter.h"
+#include "core/identification/identified_parameter.h"
 
 namespace feedscope {
-
-/// What was found out about one number.
-struct IdentifiedParameter {
-  FitParameter parameter;
-  double start = 0;        ///< of the machine that was begun with, in the unit of the key
-  double value = 0;        ///< that explains the traces best; of one that is not told what stays in use
-  double uncertainty = 0;  ///< that the value is within with 95 % probability; 0 if it is not told
-  bool told = false;       ///< the traces say it
-  std::string reason;      ///< why it is not told
-  std::optional<double> at_least;  ///< not told, but smaller ones would show
-  std::string told_by;             ///< not told: the part of the test program that tells it; "" if none does
-};
 
 /// A model fitted to traces.
 struct Identification {
@@ -32,6 +22,7 @@ struct Identification {
   double residual = 0;    ///< root mean square of the residuals, in units of noise and sampling
   double feed_error = 0;  ///< largest FitResult::feed_error
   bool explains = false;  ///< the model says what the traces show: within 5 % of the feed and 1 % of the time
+  std::vector<DriveFit> drives;  ///< by axis, of those that were looked for; also part of `parameters`
   std::size_t simulations = 0;
 };
 
@@ -49,7 +40,8 @@ struct IdentifyOptions {
 /// uncertainty is twice the standard deviation, the larger one of what the residuals at the optimum and what
 /// leaving out each twelfth of the traces in turn say. A parameter whose uncertainty exceeds a fifth of it,
 /// or that can be half or double without showing, is not told. If the model does not explain the traces, none
-/// is. On several threads. Throws InputError, Cancelled.
+/// is. Without `parameters` the start is laid beside the traces as it is. On several threads. Throws
+/// InputError, Cancelled.
 Identification identify(const FitCases& cases, const Setup& start,
                         const std::vector<FitParameter>& parameters, const IdentifyOptions& options = {},
                         Progress* progress = nullptr);

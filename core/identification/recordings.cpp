@@ -6,6 +6,7 @@
 #include <chrono>
 #include <fstream>
 
+#include "core/base/error.h"
 #include "core/identification/section_case.h"
 #include "core/identification/trace_case.h"
 #include "core/machine/file_text.h"
@@ -18,6 +19,78 @@ void Recordings::add(std::shared_ptr<const Trace> trace, const LoadedProgram& pr
 
 void Recordings::add(std::vector<SectionTime> times, const std::string& name, const LoadedProgram& program) {
   items_.push_back({nullptr, std::move(times), name, program});
+}
+
+std::vector<const Trace*> Recordings::traces() const {
+  std::vector<const Trace*> traces;
+  for (const Item& item : items_) {
+    if (item.trace != nullptr) {
+      traces.push_back(item.trace.get());
+    }
+  }
+  return traces;
+}
+
+std::vector<FitParameter> Recordings::usual_parameters(const Setup& start) const {
+  std::vector<FitParameter> usual = usual_fit_parameters(start);
+  for (const char axis : axes_with_drives(traces())) {
+    for (std::size_t i = 0; i < drive_parameter_count && start.machine.axes.axes().find(axis); ++i) {
+      usual.push_back(drive_parameter(axis, i));
+    }
+  }
+  return usual;
+}
+
+/// Of the axes that a drive parameter is of, put into the machine of `setup`.
+std::vector<DriveFit> Recordings::fit_drives(const std::vector<FitParameter>& parameters, Setup& setup,
+                                             Progress* progress) const {
+  std::vector<DriveFit> drives;
+  const std::vector<const Trace*> all = traces();
+  const std::string recorded = axes_with_drives(all);
+  for (const FitParameter& parameter : parameters) {
+    const char axis = parameter.key.front();
+    if (!is_drive_parameter(parameter) || std::ranges::find(drives, axis, &DriveFit::axis) != drives.end()) {
+      continue;
+    }
+    if (recorded.empty()) {
+      throw InputError(fmt::format(
+          "{} is told by set and actual positions of {}; no trace has both: record the actual position too, "
+          "and name it if need be, as --columns actual_{}=5:mm",
+          parameter.key, axis, static_cast<char>(axis - 'X' + 'x')));
+    }
+    const AxisDrive* held = setup.machine.drives.find(axis);
+    const AxisDrive start = held == nullptr ? AxisDrive() : *held;
+    drives.push_back(fit_drive(all, axis, start, progress));
+    const AxisDrive found = found_drive(drives.back(), start);
+    for (std::size_t i = 0; i < drive_parameter_count; ++i) {
+      set_axis_value(setup.machine, axis, axis_drive_specs()[i].key, drive_value(found, i));
+    }
+  }
+  return drives;
+}
+
+/// With the sources of its values.
+void Recordings::add_drive(Identification& found, const DriveFit& drive, const std::string& date) const {
+  std::string from;
+  for (const Trace* trace : traces()) {
+    if (trace->has_drive(static_cast<std::size_t>(drive.axis - 'X'))) {
+      from += (from.empty() ? "" : ", ") + trace->name;
+    }
+  }
+  from += date.empty() ? "" : ", " + date;
+  auto& sources = found.setup.machine.provenance;
+  for (const IdentifiedParameter& one : drive.parameters) {
+    if (one.told) {
+      sources.insert_or_assign(one.parameter.key, identified_source(one, from));
+    } else if (drive.explains && one.value > 0) {
+      sources.insert_or_assign(one.parameter.key, untold_source(one, from));
+    }
+    found.parameters.push_back(one);
+    if (!one.told) {
+      found.parameters.back().told_by = fmt::format("SINGLE MOVES OF {}", drive.axis);
+    }
+  }
+  found.drives.push_back(drive);
 }
 
 Identification Recordings::fit(const Setup& start, const std::vector<FitParameter>& parameters,
@@ -35,7 +108,16 @@ Identification Recordings::fit(const Setup& start, const std::vector<FitParamete
     remarks_[i] = found->found().remarks;
     cases.push_back(found);
   }
-  return identify(cases, start, parameters, options, begin("fitting"));
+  Setup begun = start;
+  Progress* fitting = begin("fitting");
+  const std::vector<DriveFit> drives = fit_drives(parameters, begun, fitting);
+  std::vector<FitParameter> simulated = parameters;
+  std::erase_if(simulated, is_drive_parameter);
+  Identification found = identify(cases, begun, simulated, options, fitting);
+  for (const DriveFit& drive : drives) {
+    add_drive(found, drive, options.date);
+  }
+  return found;
 }
 
 bool is_section_times_file(const std::filesystem::path& file) {

@@ -22,9 +22,13 @@ class Recordings {
   void add(std::shared_ptr<const Trace> trace, const LoadedProgram& program);
   void add(std::vector<SectionTime> times, const std::string& name, const LoadedProgram& program);
   std::size_t size() const { return items_.size(); }
+  /// What is looked for without being asked for: usual_fit_parameters(), and the drives of the axes whose set
+  /// and actual positions are recorded.
+  std::vector<FitParameter> usual_parameters(const Setup& start) const;
 
-  /// The `parameters` of `start` with which its model explains all of them best. Throws InputError for a
-  /// recording that is not of its program or holds too little of it, and what identify() throws.
+  /// The `parameters` of `start` with which its model explains all of them best; those of drives by
+  /// fit_drive(). Throws InputError for a recording that is not of its program or holds too little of it, for
+  /// a drive without set and actual positions, and what identify() throws.
   Identification fit(const Setup& start, const std::vector<FitParameter>& parameters,
                      const IdentifyOptions& options = {}, const Stage& stage = {});
   /// What is wrong with each of them on its program: known after fit(), of tables nothing.
@@ -37,6 +41,11 @@ class Recordings {
     std::string name;  ///< of the table
     LoadedProgram program;
   };
+
+  std::vector<const Trace*> traces() const;
+  std::vector<DriveFit> fit_drives(const std::vector<FitParameter>& parameters, Setup& setup,
+                                   Progress* progress) const;
+  void add_drive(Identification& found, const DriveFit& drive, const std::string& date) const;
 
   std::vector<Item> items_;
   std::vector<std::vector<Diagnostic>> remarks_;

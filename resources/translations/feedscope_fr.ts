@@ -355,6 +355,22 @@
         <source>The model %1 does not explain what was recorded: it misses more than 5 % of the feed or 1 % of the time, so its numbers would say nothing of your machine.</source>
         <translation>Le modèle %1 n&apos;explique pas ce qui a été enregistré&#xa0;: il manque plus de 5&#xa0;% de l&apos;avance ou 1&#xa0;% du temps, ses nombres ne diraient donc rien de votre machine.</translation>
     </message>
+    <message>
+        <source>With 95 % probability the true value is %1, if the drive is linear.</source>
+        <translation>Avec une probabilité de 95 %, la vraie valeur est %1, si l’entraînement est linéaire.</translation>
+    </message>
+    <message>
+        <source>Drive of %1: not told.</source>
+        <translation>Entraînement de %1&#xa0;: non révélé.</translation>
+    </message>
+    <message>
+        <source>Drive of %1: following error %2 (rms), %3 of it unexplained</source>
+        <translation>Entraînement de %1&#xa0;: écart de poursuite %2 (moyenne quadratique), dont %3 inexpliqué</translation>
+    </message>
+    <message>
+        <source>%1: too much for its numbers to be told.</source>
+        <translation>%1&#xa0;: trop pour que ses nombres soient révélés.</translation>
+    </message>
 </context>
 <context>
     <name>KinematicCharts</name>
@@ -4573,6 +4589,22 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <source>Where blocks meet along which rotary axes turn, acceleration and jerk of axes may be above their limits for a short time: rounding of the angles, corners and ramps add up there.</source>
         <translation>Là où se rejoignent des blocs le long desquels des axes rotatifs tournent, accélération et jerk d&apos;axes peuvent dépasser leurs limites pendant un court instant : l&apos;arrondi des angles, les coins et les rampes s&apos;y ajoutent.</translation>
     </message>
+    <message>
+        <source>No trace has both the set and the actual position of the axis.</source>
+        <translation>Aucune trace ne contient à la fois la consigne et la position réelle de l’axe.</translation>
+    </message>
+    <message>
+        <source>The axis hardly moves in these traces.</source>
+        <translation>L’axe bouge à peine dans ces traces.</translation>
+    </message>
+    <message>
+        <source>Set and actual positions do not differ by more than noise: no following error tells it.</source>
+        <translation>Consigne et position réelle ne diffèrent que par le bruit : aucun écart de poursuite ne le révèle.</translation>
+    </message>
+    <message>
+        <source>A linear drive leaves more than a third of the following error unexplained: friction, elasticity, or positions that were not recorded at the same time.</source>
+        <translation>Un entraînement linéaire laisse plus d’un tiers de l’écart de poursuite inexpliqué : frottement, élasticité, ou positions qui n’ont pas été enregistrées au même instant.</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ActionTable</name>
@@ -6185,10 +6217,6 @@ max. : %1 %</translation>
         <translation>Habituels</translation>
     </message>
     <message>
-        <source>Tick the limits of the axes and the settings with a unit</source>
-        <translation>Cocher les limites des axes et les réglages qui ont une unité</translation>
-    </message>
-    <message>
         <source>None</source>
         <translation>Aucun</translation>
     </message>
@@ -6219,6 +6247,10 @@ max. : %1 %</translation>
     <message>
         <source>Control mo&amp;dels: tick several to see which one explains the recording best</source>
         <translation>Mo&amp;dèles de commande&#xa0;: en cocher plusieurs pour voir lequel explique le mieux l&apos;enregistrement</translation>
+    </message>
+    <message>
+        <source>Tick the limits of the axes, the settings with a unit, and the drives whose set and actual positions are recorded</source>
+        <translation>Cocher les limites des axes, les réglages qui ont une unité et les entraînements dont la consigne et la position réelle sont enregistrées</translation>
     </message>
 </context>
 <context>
@@ -6984,12 +7016,12 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <translation>Temps que la simulation courante a perdu sur les autres depuis le début, au même endroit de la trajectoire ; sous 0, elle est en avance</translation>
     </message>
     <message>
-        <source>%1%2 s</source>
-        <translation>%1%2 s</translation>
-    </message>
-    <message>
         <source>Time lost against</source>
         <translation>Temps perdu sur</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -10072,6 +10104,18 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>%1 mirrored</source>
         <translation>%1 inversé</translation>
+    </message>
+    <message>
+        <source>X actual</source>
+        <translation>X réel</translation>
+    </message>
+    <message>
+        <source>Y actual</source>
+        <translation>Y réel</translation>
+    </message>
+    <message>
+        <source>Z actual</source>
+        <translation>Z réel</translation>
     </message>
 </context>
 <context>

@@ -46,6 +46,30 @@ TEST_F(IdentifyCommand, WritesAMachineFileWithTheSourceOfEachNumber) {
   EXPECT_THAT(run("trace trace.csv moves.nc --machine mine.toml").out, HasSubstr("cycle time"));
 }
 
+TEST_F(IdentifyCommand, FindsDrivesFromSetAndActualPositions) {
+  run("simulate moves.nc --machine linuxcnc-mill --set X.kv=40 --set X.velocity_lag=4 --csv drives.csv "
+      "--step "
+      "0.001");
+  const Result result = run(
+      "identify drives.csv --program moves.nc --model linuxcnc --fit X.kv --fit Y.kv --out mine.toml --json "
+      "mine.json");
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("following error rms um"));
+  const json report = json::parse(contents(folder_ / "mine.json"));
+  EXPECT_NEAR(report["parameters"]["X.kv"]["value"].get<double>(), 40, 0.4);
+  EXPECT_NEAR(report["parameters"]["X.velocity_lag"]["value"].get<double>(), 4, 0.1);
+  EXPECT_FALSE(report["parameters"]["Y.kv"]["told"].get<bool>()) << "Y follows exactly";
+  const json& drives = report["models"][0]["drives"];
+  ASSERT_EQ(drives.size(), 2U);
+  EXPECT_EQ(drives[0]["axis"], "X");
+  EXPECT_TRUE(drives[0]["explains"].get<bool>());
+  EXPECT_LT(drives[0]["left_um"].get<double>(), 0.01 * drives[0]["following_error_um"].get<double>());
+  EXPECT_FALSE(drives[1]["explains"].get<bool>());
+  const std::string machine = contents(folder_ / "mine.toml");
+  EXPECT_THAT(machine, HasSubstr("kv_1_s"));
+  EXPECT_THAT(run("simulate moves.nc --machine mine.toml").out, HasSubstr("Drives, largest values"));
+}
+
 TEST_F(IdentifyCommand, ComparesModelsByHowWellTheyExplain) {
   const Result result =
       run("identify trace.csv --program moves.nc --model klipper --model linuxcnc --fit "

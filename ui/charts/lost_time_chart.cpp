@@ -7,6 +7,7 @@
 
 #include "core/base/ticks.h"
 #include "ui/charts/plot_margins.h"
+#include "ui/language/signed_number.h"
 #include "ui/shared/plot_grid.h"
 #include "ui/theme/theme.h"
 #include "ui/theme/type_size.h"
@@ -90,10 +91,7 @@ QString LostTimeChart::value_text(std::size_t other) const {
   const bool at_cursor =
       cursor_time_ && *cursor_time_ >= lost_.times.front() && *cursor_time_ <= lost_.times.back();
   const double value = at_cursor ? value_at(lost_.times, lost, *cursor_time_) : lost.back();
-  const double size = std::abs(value);
-  const QString number = QLocale().toString(size, 'f', 3);
-  const bool nothing = number == QLocale().toString(0.0, 'f', 3);
-  return tr("%1%2 s").arg(nothing ? QString() : QString(QChar(value < 0 ? 0x2212 : '+')), number);
+  return tr("%1 s").arg(signed_number(value, 3));
 }
 
 Interval LostTimeChart::values() const {

@@ -78,7 +78,9 @@ FitChoice::FitChoice(Workbench& workbench, QWidget* parent)
   parameters_label->setWordWrap(true);
   auto* usual = new QToolButton(this);
   usual->setText(tr("Usual ones"));
-  usual->setToolTip(tr("Tick the limits of the axes and the settings with a unit"));
+  usual->setToolTip(tr(
+      "Tick the limits of the axes, the settings with a unit, and the drives whose set and actual positions "
+      "are recorded"));
   auto* none = new QToolButton(this);
   none->setText(tr("None"));
   none->setToolTip(tr("Tick no number"));
@@ -277,6 +279,23 @@ void FitChoice::refresh() {
   emit changed();
 }
 
+void FitChoice::set_recorded_drives(const std::string& axes) {
+  if (axes != recorded_drives_) {
+    recorded_drives_ = axes;
+    refresh();
+  }
+}
+
+std::vector<FitParameter> FitChoice::offered(const Setup& setup, bool usual) const {
+  std::vector<FitParameter> all = usual ? usual_fit_parameters(setup) : fit_parameters(setup);
+  for (const char axis : recorded_drives_) {
+    for (std::size_t i = 0; i < drive_parameter_count; ++i) {
+      all.push_back(drive_parameter(axis, i));
+    }
+  }
+  return all;
+}
+
 /// Those of all models that are ticked; each start gets what is wanted of its own.
 void FitChoice::list_parameters() {
   const QSignalBlocker quiet(parameters_);
@@ -285,8 +304,8 @@ void FitChoice::list_parameters() {
   parameters_->clear();
   std::map<std::string, QTreeWidgetItem*> rows;
   for (IdentificationStart& start : starts_) {
-    const std::vector<FitParameter> usual = usual_fit_parameters(start.setup);
-    for (const FitParameter& parameter : fit_parameters(start.setup)) {
+    const std::vector<FitParameter> usual = offered(start.setup, true);
+    for (const FitParameter& parameter : offered(start.setup, false)) {
       const bool is_usual = std::ranges::find(usual, parameter.key, &FitParameter::key) != usual.end();
       const bool wanted = is_wanted(parameter.key, is_usual);
       if (wanted) {

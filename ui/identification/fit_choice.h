@@ -38,6 +38,8 @@ class FitChoice : public QWidget {
   FitChoiceState state() const;
   /// A run that is not there any more: the current one.
   void set_state(const FitChoiceState& state);
+  /// The axes whose set and actual positions are recorded: their drives can be found, too.
+  void set_recorded_drives(const std::string& axes);
   /// Offers the machines that there are now.
   void read_machines();
 
@@ -63,6 +65,8 @@ class FitChoice : public QWidget {
   void choose_machine(int index);
   void refresh();
   void list_parameters();
+  /// What can be found on a setup; `usual`: of these what is found unasked.
+  std::vector<FitParameter> offered(const Setup& setup, bool usual) const;
   void fit_heights();
   std::vector<std::string> ticked_models() const;
   Setup setup_of(const std::string& model) const;
@@ -79,6 +83,7 @@ class FitChoice : public QWidget {
   bool typical_ = false;                ///< a typical machine of each model
   bool own_models_ = false;             ///< ticked by the user
   std::map<std::string, bool> wanted_;  ///< keys that the user has ticked or not
+  std::string recorded_drives_;         ///< names of axes
   std::vector<IdentificationStart> starts_;
   QString problem_;
   std::vector<MachineChoice> choices_;

@@ -9,6 +9,7 @@
 #include "ui/identification/identification_outcome.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
+#include "ui/language/signed_number.h"
 #include "ui/language/significant.h"
 #include "ui/language/texts.h"
 
@@ -67,7 +68,9 @@ QString IdentificationTexts::found(const IdentifiedParameter& parameter) {
 
 QString IdentificationTexts::explanation(const IdentifiedParameter& parameter, bool explains) {
   if (parameter.told) {
-    return tr("With 95 % probability the true value is %1, if the control is of this model.")
+    return (is_drive_parameter(parameter.parameter)
+                ? tr("With 95 % probability the true value is %1, if the drive is linear.")
+                : tr("With 95 % probability the true value is %1, if the control is of this model."))
         .arg(found(parameter));
   }
   const QString reason = core_text(parameter.reason);
@@ -89,9 +92,7 @@ QString IdentificationTexts::judgement(const Identification& found) {
 }
 
 QString IdentificationTexts::time_error(const Agreement& agreement) {
-  constexpr double unit = 100;  // of what is shown of a percent
-  const double percent = std::round(100 * unit * agreement.time_error()) / unit + 0.0;  // never -0
-  return (percent > 0 ? "+" : "") + QLocale().toString(percent, 'f', 2);
+  return signed_number(100 * agreement.time_error(), 2);
 }
 
 QStringList IdentificationTexts::agreements(const IdentificationOutcome& outcome,
@@ -105,6 +106,22 @@ QStringList IdentificationTexts::agreements(const IdentificationOutcome& outcome
     lines.append(found.sections[i].empty() ? tr("%1; the feeds differ by %2 (rms).")
                                                  .arg(times, amount_text(agreement.feed_rms, Dimension::feed))
                                            : times + '.');
+  }
+  return lines;
+}
+
+QStringList IdentificationTexts::drives(const Identification& found) {
+  QStringList lines;
+  for (const DriveFit& drive : found.drives) {
+    const QString axis(QLatin1Char(drive.axis));
+    if (drive.samples == 0 || !(drive.following_error > 0)) {
+      lines.append(tr("Drive of %1: not told.").arg(axis));
+      continue;
+    }
+    const QString errors = tr("Drive of %1: following error %2 (rms), %3 of it unexplained")
+                               .arg(axis, amount_text(drive.following_error, Dimension::error),
+                                    amount_text(drive.left, Dimension::error));
+    lines.append(drive.explains ? errors + '.' : tr("%1: too much for its numbers to be told.").arg(errors));
   }
   return lines;
 }

@@ -32,6 +32,8 @@ class IdentificationTexts {
   static QString judgement(const Identification& found);
   /// Times and feeds of each recording, a line each.
   static QStringList agreements(const IdentificationOutcome& outcome, const Identification& found);
+  /// What the drives that were looked for explain of the following errors, a line each.
+  static QStringList drives(const Identification& found);
   /// "+0.12", without the sign of percent.
   static QString time_error(const Agreement& agreement);
   /// "3 of 14 numbers are told", and which parts of the test program would tell how many of the others.

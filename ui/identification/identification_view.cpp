@@ -69,7 +69,7 @@ IdentificationView::IdentificationView(Workbench& workbench, QWidget* parent)
   make_actions();
   make_layout();
   connect(identify_, &QPushButton::clicked, this, [this] { busy() ? cancel() : identify(); });
-  connect(recordings_, &RecordingsBox::changed, this, &IdentificationView::follow_input);
+  connect(recordings_, &RecordingsBox::changed, this, &IdentificationView::follow_recordings);
   connect(choice_, &FitChoice::changed, this, &IdentificationView::follow_input);
   connect(result_, &ResultBox::model_chosen, this, &IdentificationView::follow_input);
   connect(&workbench_, &Workbench::program_changed, this, &IdentificationView::follow_program);
@@ -172,6 +172,16 @@ void IdentificationView::set_on_screen(bool on_screen) {
   if (on_screen) {
     choice_->read_machines();
   }
+}
+
+void IdentificationView::follow_recordings() {
+  const std::vector<std::shared_ptr<const Trace>> held = recordings_->traces();
+  std::vector<const Trace*> traces;
+  for (const auto& trace : held) {
+    traces.push_back(trace.get());
+  }
+  choice_->set_recorded_drives(axes_with_drives(traces));
+  follow_input();
 }
 
 IdentificationRequest IdentificationView::request() const {

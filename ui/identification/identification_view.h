@@ -74,6 +74,7 @@ class IdentificationView : public Panel {
   IdentificationRequest request() const;
   QString missing(const IdentificationRequest& asked) const;
   void follow_program();
+  void follow_recordings();
   void follow_input();
   void settle(const IdentificationRequest& asked);
   void take(std::shared_ptr<const IdentificationOutcome> outcome);

@@ -189,7 +189,9 @@ void ResultBox::show_chosen() {
   if (!found->explains) {
     verdict += ' ' + tr("Tick other models in step 2.");
   }
-  verdict_->setText((QStringList{verdict} + IdentificationTexts::agreements(*outcome_, *found)).join('\n'));
+  verdict_->setText((QStringList{verdict} + IdentificationTexts::agreements(*outcome_, *found) +
+                     IdentificationTexts::drives(*found))
+                        .join('\n'));
   summary_->setText(IdentificationTexts::summary(*found));
   show_explanation();
 }

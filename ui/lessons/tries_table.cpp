@@ -13,6 +13,7 @@
 #include "core/base/typed_number.h"
 #include "ui/fields/focus_outline.h"
 #include "ui/language/core_texts.h"
+#include "ui/language/signed_number.h"
 #include "ui/language/texts.h"
 #include "ui/lessons/lesson_tries.h"
 #include "ui/shared/row_copy.h"
@@ -41,13 +42,7 @@ QString heading(const QString& title, const QString& unit) {
 }
 
 QString change_text(const std::optional<double>& percent) {
-  if (!percent) {
-    return QStringLiteral("–");
-  }
-  const QString size = QLocale().toString(std::abs(*percent), 'f', 1);
-  return size == QLocale().toString(0.0, 'f', 1)
-             ? size
-             : (*percent < 0 ? QStringLiteral("−") : QStringLiteral("+")) + size;
+  return percent ? signed_number(*percent, 1) : QStringLiteral("–");
 }
 
 /// Below a number the change against the first one, where its own column has no room.

@@ -2,6 +2,7 @@
 
 #include <QPainter>
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "core/base/units.h"
@@ -20,26 +21,29 @@ namespace {
 constexpr std::size_t max_circle_rows = 24;
 constexpr std::size_t max_circle_plots = 4;
 
-/// No minus in front of what is written as 0.
-double without_small(double value, double shown_as_zero) {
-  return std::abs(value) < shown_as_zero ? 0 : value;
+QString deviation(const std::optional<double>& value, int decimals) {
+  return value ? fixed(*value, Dimension::error, decimals) : QStringLiteral("–");
 }
 
-QString deviation(double value) {
-  constexpr double shown_as_zero = 5e-6;  // [mm]
-  return fixed(without_small(value, shown_as_zero), Dimension::error, 2);
-}
-
-QString deviation(const std::optional<double>& value) {
-  return value ? deviation(*value) : QStringLiteral("–");
+/// Behind the point of all deviations, so that the largest fits into its column.
+int deviation_decimals(const ProgramCircles& circles) {
+  constexpr double hundred = 0.1;  // [um]
+  constexpr double thousand = 1;
+  double largest = 0;
+  for (const CircularTest& test : circles.tests) {
+    for (const CirclePass& pass : test.passes) {
+      const Circularity& found = pass.circularity;
+      largest = std::max({largest, found.zone, std::abs(found.largest), std::abs(found.smallest)});
+    }
+  }
+  return largest < hundred ? 2 : largest < thousand ? 1 : 0;
 }
 
 QString place(double value) {
-  constexpr double shown_as_zero = 5e-4;  // [mm]
-  return fixed(without_small(value, shown_as_zero), Dimension::length);
+  return fixed(value, Dimension::length);
 }
 
-QStringList row_of(int number, const CircularTest& test, const CirclePass& pass) {
+QStringList row_of(int number, const CircularTest& test, const CirclePass& pass, int decimals) {
   const Circularity& found = pass.circularity;
   return {QString::number(number),
           circle_lines(pass),
@@ -50,13 +54,13 @@ QStringList row_of(int number, const CircularTest& test, const CirclePass& pass)
           ReportWords::tr("%1 of %2")
               .arg(fixed(pass.reached_feed, Dimension::feed), fixed(test.request.feed, Dimension::feed)),
           pass.counter_clockwise ? ReportWords::tr("ccw") : ReportWords::tr("cw"),
-          deviation(found.zone),
-          deviation(found.by_squares),
-          deviation(found.largest),
-          deviation(found.smallest),
-          deviation(test.mean_deviation(pass)),
-          deviation(test.g_b()),
-          deviation(test.d())};
+          deviation(found.zone, decimals),
+          deviation(found.by_squares, decimals),
+          deviation(found.largest, decimals),
+          deviation(found.smallest, decimals),
+          deviation(test.mean_deviation(pass), decimals),
+          deviation(test.g_b(), decimals),
+          deviation(test.d(), decimals)};
 }
 
 }  // namespace
@@ -85,13 +89,14 @@ QString circles_block(const ReportInput& input) {
                   ReportWords::tr("F<sub>max</sub>") + unit, ReportWords::tr("F<sub>min</sub>") + unit,
                   ReportWords::tr("F<sub>mean</sub>") + unit, QStringLiteral("G(b)") + unit,
                   QStringLiteral("D") + unit});
+  const int decimals = deviation_decimals(circles);
   std::size_t rows = 0;
   int number = 0;
   for (const CircularTest& test : circles.tests) {
     ++number;
     for (const CirclePass& pass : test.passes) {
       if (rows++ < max_circle_rows) {
-        table.add(row_of(number, test, pass));
+        table.add(row_of(number, test, pass, decimals));
       }
     }
   }

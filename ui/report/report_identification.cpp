@@ -171,6 +171,7 @@ QString identification_block(const ReportInput& input) {
                       "time.")
           .arg(html_text(core_text(found.setup.model->info().title)), fixed(found.residual, 2)));
   html += numbers_table(outcome, found);
+  html += paragraphs_of(IdentificationTexts::drives(found).join('\n'));
   if (found.explains) {
     html += paragraphs_of(IdentificationTexts::summary(found));
   }

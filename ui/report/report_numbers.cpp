@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/language/signed_number.h"
 #include "ui/report/report_words.h"
 
 namespace feedscope::ui {
@@ -55,11 +56,7 @@ QString error_number(double millimetres) {
 }
 
 QString signed_percent(double share) {
-  const QString size = fixed(std::abs(100 * share), 1);
-  if (size == fixed(0, 1)) {
-    return size;
-  }
-  return (share < 0 ? QStringLiteral("−") : QStringLiteral("+")) + size;
+  return signed_number(100 * share, 1);
 }
 
 QString date_text(const QDateTime& date) {

@@ -7,6 +7,7 @@
 #include "core/base/units.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
+#include "ui/language/signed_number.h"
 #include "ui/language/texts.h"
 #include "ui/shared/paths.h"
 #include "ui/workbench/tolerance_text.h"
@@ -141,7 +142,7 @@ QString RunTable::figure(std::size_t row, int column) const {
         return {};
       }
       const double percent = 100 * (figures->cycle_time / summary(*fastest)->cycle_time - 1);
-      return QStringLiteral("%1%2").arg(percent < 0 ? "" : "+", number(percent, 1));
+      return signed_number(percent, 1);
     }
     case mean_feed:
       return number_text(figures->mean_feed, Dimension::feed);
@@ -240,7 +241,7 @@ QString RunTable::trace_text(std::size_t trace, int column) const {
         return {};
       }
       const double percent = 100 * (shown->agreement.measured_time / summary(*fastest)->cycle_time - 1);
-      return QStringLiteral("%1%2").arg(percent < 0 ? "" : "+", number(percent, 1));
+      return signed_number(percent, 1);
     }
     case contour_error:
       return shown == nullptr ? QStringLiteral("…")

@@ -150,6 +150,32 @@ IdentifiedParameter read_parameter(const QJsonObject& json, const QString& place
   return one;
 }
 
+// ---- Drives
+
+QJsonObject to_json(const DriveFit& drive) {
+  return {{"axis", QString(QLatin1Char(drive.axis))},
+          {"explains", drive.explains},
+          {"samples", static_cast<double>(drive.samples)},
+          {"following_error_mm", drive.following_error},
+          {"left_mm", drive.left}};
+}
+
+/// Its numbers are among those of the model. Throws InputError if it is of no linear axis.
+DriveFit read_drive(const QJsonObject& json, const QString& place, QStringList& notes) {
+  note_unknown(json, {"axis", "explains", "samples", "following_error_mm", "left_mm"}, place, notes);
+  const QString axis = json["axis"].toString();
+  if (axis.size() != 1 || !QStringLiteral("XYZ").contains(axis)) {
+    throw input_error(QStringLiteral("%1: \"axis\" is \"%2\"; it must be X, Y or Z").arg(place, axis));
+  }
+  DriveFit drive;
+  drive.axis = axis.front().toLatin1();
+  drive.explains = json["explains"].toBool();
+  drive.samples = count_of(json["samples"]);
+  drive.following_error = json["following_error_mm"].toDouble();
+  drive.left = json["left_mm"].toDouble();
+  return drive;
+}
+
 // ---- Models
 
 QJsonObject to_json(const Identification& found, const MachineLibrary& machines) {
@@ -167,6 +193,13 @@ QJsonObject to_json(const Identification& found, const MachineLibrary& machines)
   json["feed_error"] = found.feed_error;
   json["simulations"] = static_cast<double>(found.simulations);
   json["parameters"] = parameters;
+  if (!found.drives.empty()) {
+    QJsonArray drives;
+    for (const DriveFit& drive : found.drives) {
+      drives.append(to_json(drive));
+    }
+    json["drives"] = drives;
+  }
   json["agreements"] = agreements;
   return json;
 }
@@ -175,7 +208,7 @@ Identification read_model(const QJsonObject& json, const QString& place, std::si
                           const MachineLibrary& machines, QStringList& notes) {
   note_unknown(json,
                {"machine", "machine_file", "model", "set", "explains", "residual", "feed_error",
-                "simulations", "parameters", "agreements"},
+                "simulations", "parameters", "drives", "agreements"},
                place, notes);
   Identification found;
   found.setup = read_setup(json, place, machines).setup();
@@ -186,6 +219,9 @@ Identification read_model(const QJsonObject& json, const QString& place, std::si
   for (const QJsonValue& one : json["parameters"].toArray()) {
     found.parameters.push_back(
         read_parameter(one.toObject(), place + QStringLiteral(", \"parameters\""), notes));
+  }
+  for (const QJsonValue& one : json["drives"].toArray()) {
+    found.drives.push_back(read_drive(one.toObject(), place + QStringLiteral(", \"drives\""), notes));
   }
   const QJsonArray agreements = json["agreements"].toArray();
   if (static_cast<std::size_t>(agreements.size()) != recordings) {

@@ -9,6 +9,7 @@
 #include "core/base/units.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
+#include "ui/language/signed_number.h"
 #include "ui/language/texts.h"
 #include "ui/workbench/trace_messages.h"
 
@@ -24,10 +25,6 @@ constexpr std::size_t most_corners = 200;
 
 QString plain(double value, int decimals) {
   return QLocale().toString(value, 'f', decimals);
-}
-
-QString with_sign(double value, int decimals) {
-  return (value > 0 ? QStringLiteral("+") : QString()) + plain(value, decimals);
 }
 
 QList<QStandardItem*> cells(const QStringList& texts) {
@@ -114,12 +111,13 @@ void fill_figures(QStandardItemModel& table, const ShownTrace& shown) {
   add_row(table,
           {agreement.whole ? TraceTables::tr("Cycle time") : TraceTables::tr("Time of the part compared"),
            clock_text(agreement.measured_time), clock_text(agreement.simulated_time),
-           TraceTables::tr("%1 %").arg(with_sign(100 * agreement.time_error(), 2))});
+           TraceTables::tr("%1 %").arg(signed_number(100 * agreement.time_error(), 2))});
   for (const OperationAgreement& operation : agreement.operations) {
-    add_row(table,
-            {TraceTables::tr("Line %1: %2").arg(operation.line).arg(QString::fromStdString(operation.title)),
-             clock_text(operation.measured_time), clock_text(operation.simulated_time),
-             TraceTables::tr("%1 s").arg(with_sign(operation.simulated_time - operation.measured_time, 3))});
+    add_row(
+        table,
+        {TraceTables::tr("Line %1: %2").arg(operation.line).arg(QString::fromStdString(operation.title)),
+         clock_text(operation.measured_time), clock_text(operation.simulated_time),
+         TraceTables::tr("%1 s").arg(signed_number(operation.simulated_time - operation.measured_time, 3))});
   }
   add_row(table, {TraceTables::tr("Feed (rms)"), {}, {}, amount_text(agreement.feed_rms, Dimension::feed)},
           TraceTables::tr("Root mean square of the difference of the feeds over the path"));
@@ -144,10 +142,11 @@ void fill_worst_places(QStandardItemModel& table, const ShownTrace& shown) {
   constexpr double shown_around = 2;  // [mm]
   begin_places(table);
   for (const WorstPlace& place : shown.agreement.worst) {
-    add_place(table,
-              {QString::number(place.line), number_text(place.measured_feed, Dimension::feed),
-               number_text(place.simulated_feed, Dimension::feed), with_sign(units::to_ms(place.lost), 2)},
-              place.s, shown_around);
+    add_place(
+        table,
+        {QString::number(place.line), number_text(place.measured_feed, Dimension::feed),
+         number_text(place.simulated_feed, Dimension::feed), signed_number(units::to_ms(place.lost), 2)},
+        place.s, shown_around);
   }
 }
 
@@ -165,7 +164,7 @@ void fill_corners(QStandardItemModel& table, const ShownTrace& shown) {
     add_place(table,
               {QString::number(corner->line), plain(units::to_deg(corner->turn), 1),
                number_text(corner->measured_feed, Dimension::feed),
-               number_text(corner->simulated_feed, Dimension::feed), with_sign(100 * corner->error(), 1)},
+               number_text(corner->simulated_feed, Dimension::feed), signed_number(100 * corner->error(), 1)},
               corner->s, shown_around * corner->reach);
   }
 }

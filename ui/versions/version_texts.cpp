@@ -6,6 +6,7 @@
 
 #include "core/base/diagnostic.h"
 #include "ui/language/shown_numbers.h"
+#include "ui/language/signed_number.h"
 #include "ui/shared/paths.h"
 
 namespace feedscope::ui {
@@ -13,12 +14,6 @@ namespace feedscope::ui {
 namespace {
 
 constexpr int decimals = 3;
-
-QString signed_number(double value, int digits) {
-  const QString number = QLocale().toString(std::abs(value), 'f', digits);
-  const bool none = QLocale().toDouble(number) == 0;
-  return (none ? QString() : value < 0 ? QStringLiteral("−") : QStringLiteral("+")) + number;
-}
 
 QString signed_seconds(double time) {
   return QStringLiteral("%1 s").arg(signed_number(time, decimals));

@@ -7,12 +7,16 @@
 
 #include "core/analysis/line_times.h"
 #include "core/base/error.h"
+#include "core/drives/drive_response.h"
 
 namespace feedscope {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsSupersetOf;
+using testing::Not;
 
 LoadedProgram moves() {
   return load_program(std::make_shared<const SourceText>(SourceText(
@@ -38,6 +42,19 @@ std::shared_ptr<const Trace> trace_of(const Run& run, bool mirrored = false) {
       trace.place[static_cast<std::size_t>(axis)].push_back(mirrored && axis == 0 ? -place[axis]
                                                                                   : place[axis]);
     }
+  }
+  return std::make_shared<const Trace>(std::move(trace));
+}
+
+/// With drives, of which X and Y are recorded.
+std::shared_ptr<const Trace> trace_with_drives(const Run& run) {
+  const DriveResponse response(run.trajectory, run.setup.machine);
+  ActualWalk walk(response);
+  Trace trace = *trace_of(run);
+  for (const double time : trace.time) {
+    const Vec3 actual = walk.at(time).position;
+    trace.actual[0].push_back(actual.x());
+    trace.actual[1].push_back(actual.y());
   }
   return std::make_shared<const Trace>(std::move(trace));
 }
@@ -74,6 +91,69 @@ TEST(Recordings, OfTracesAndSectionTimesAreExplainedTogether) {
   EXPECT_EQ(found.sections[1].size(), sections.size());
   EXPECT_THAT(found.setup.machine.provenance.at("X.acceleration").source,
               HasSubstr("identified from scope.csv, times.csv"));
+}
+
+TEST(Recordings, WithActualPositionsTellTheDrivesToo) {
+  const LoadedProgram program = moves();
+  std::vector<std::string> settings = truth;
+  settings.insert(settings.end(), {"X.kv=40", "X.velocity_feedforward=0.5", "X.velocity_lag=4", "Y.kv=55"});
+  Recordings recordings;
+  recordings.add(trace_with_drives(simulate_run(program, mill(settings))), program);
+  const auto start = mill({"Y.kv=30"});
+  std::vector<std::string> keys;
+  for (const FitParameter& one : recordings.usual_parameters(start)) {
+    keys.push_back(one.key);
+  }
+  EXPECT_THAT(keys,
+              IsSupersetOf({"X.acceleration", "X.kv", "X.velocity_feedforward", "X.velocity_lag", "Y.kv"}));
+  EXPECT_THAT(keys, Not(Contains("Z.kv")));
+  IdentifyOptions options;
+  options.date = "2026-11-27";
+  const Identification found = recordings.fit(
+      start, fit_parameters_of(start, {"X.acceleration", "Y.acceleration", "X.kv", "Y.kv"}), options);
+  ASSERT_EQ(found.drives.size(), 2U);
+  ASSERT_EQ(found.parameters.size(), 8U);
+  EXPECT_EQ(found.parameters[0].parameter.key, "X.acceleration");
+  EXPECT_NEAR(found.parameters[0].value, 1.3, 0.013);
+  EXPECT_EQ(found.parameters[2].parameter.key, "X.kv");
+  EXPECT_NEAR(found.parameters[2].value, 40, 0.4);
+  EXPECT_NEAR(found.parameters[3].value, 0.5, 0.01);
+  EXPECT_NEAR(found.parameters[4].value, 4, 0.1);
+  EXPECT_EQ(found.parameters[5].start, 30);
+  EXPECT_NEAR(found.parameters[5].value, 55, 0.5);
+  EXPECT_FALSE(found.parameters[6].told) << "there is none";
+  EXPECT_EQ(found.parameters[6].told_by, "SINGLE MOVES OF Y");
+  const Machine& machine = found.setup.machine;
+  EXPECT_NEAR(*machine.drives.find('Y')->gain, 55, 0.5);
+  EXPECT_FALSE(machine.drives.find('Y')->feedforward);
+  EXPECT_THAT(machine.provenance.at("X.kv").source, HasSubstr("identified from scope.csv, 2026-11-27, 40"));
+  EXPECT_FALSE(machine.provenance.at("X.kv").assumed);
+  EXPECT_TRUE(has_drives(found.runs.front().setup.machine)) << "the run has the drives that were found";
+}
+
+TEST(Recordings, TellDrivesAloneWithoutAnySearch) {
+  const LoadedProgram program = moves();
+  Recordings recordings;
+  recordings.add(trace_with_drives(simulate_run(program, mill({"X.kv=40", "Y.kv=40"}))), program);
+  const auto start = mill({});
+  const Identification found = recordings.fit(start, fit_parameters_of(start, {"kv"}));
+  EXPECT_NEAR(found.parameters.front().value, 40, 0.4);
+  EXPECT_TRUE(found.explains);
+  EXPECT_EQ(found.agreements.size(), 1U);
+}
+
+TEST(Recordings, WithoutActualPositionsTellNoDrive) {
+  const LoadedProgram program = moves();
+  Recordings recordings;
+  recordings.add(trace_of(simulate_run(program, mill({}))), program);
+  const auto start = mill({});
+  try {
+    recordings.fit(start, fit_parameters_of(start, {"X.kv"}));
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("X.kv is told by set and actual positions of X"));
+    EXPECT_THAT(error.what(), HasSubstr("--columns actual_x="));
+  }
 }
 
 TEST(Recordings, SayWhatIsWrongWithATraceOnItsProgram) {

@@ -49,6 +49,25 @@ TEST_F(IdentificationTextsTest, WhatIsNotToldSaysWhatWouldTellIt) {
       << "a model that does not explain the recording says nothing of other recordings";
 }
 
+TEST_F(IdentificationTextsTest, ADriveSaysWhatOfTheFollowingErrorItExplains) {
+  Identification found;
+  found.drives = {
+      {'X', {}, 4000, 0.0412, 0.00041, true}, {'Y', {}, 4000, 0.02, 0.011, false}, {'Z', {}, 0, 0, 0, false}};
+  EXPECT_EQ(IdentificationTexts::drives(found).join('\n').toStdString(),
+            "Drive of X: following error 41.2 µm (rms), 0.4 µm of it unexplained.\n"
+            "Drive of Y: following error 20.0 µm (rms), 11.0 µm of it unexplained: too much for its numbers to "
+            "be told.\n"
+            "Drive of Z: not told.");
+  IdentifiedParameter gain;
+  gain.parameter = drive_parameter('X', 0);
+  gain.value = 60;
+  gain.uncertainty = 0.12;
+  gain.told = true;
+  EXPECT_EQ(IdentificationTexts::title(gain.parameter), "X Position gain Kv [1/s]");
+  EXPECT_THAT(IdentificationTexts::explanation(gain, false).toStdString(),
+              HasSubstr("if the drive is linear"));
+}
+
 TEST_F(IdentificationTextsTest, ANumberWithoutAValueIsADash) {
   EXPECT_EQ(IdentificationTexts::title({"X.jerk", "m/s3", 0, 1}), "X Jerk [m/s³]");
   EXPECT_EQ(IdentificationTexts::value(0, {"X.jerk", "m/s3", 0, 1}), "–");

@@ -15,6 +15,7 @@
 #include <sstream>
 
 #include "core/analysis/line_times.h"
+#include "core/drives/drive_response.h"
 #include "tests/support/folders.h"
 #include "tests/ui/patience.h"
 #include "tests/ui/trace_fixture.h"
@@ -27,6 +28,7 @@ namespace feedscope::ui {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr const char* moves =
     "G21 G90\nG1 X30 F6000\nG4 P0.1\nX0\nG4 P0.1\nY30\nG4 P0.1\nX20 Y0\nG4 P0.1\nX0\nM30\n";
@@ -121,6 +123,46 @@ TEST_F(IdentificationViewTest, FindsTheMachineThatATraceWasRecordedOn) {
   EXPECT_EQ(found(2), "not told");
   view.result().parameters().setCurrentItem(view.result().parameters().topLevelItem(2));
   EXPECT_THAT(view.result().explanation().toStdString(), HasSubstr("part SINGLE MOVES OF Z"));
+}
+
+/// What a control with drives records: set and actual position of X.
+std::string table_with_drive(const feedscope::Run& run) {
+  const DriveResponse response(run.trajectory, run.setup.machine);
+  ActualWalk walk(response);
+  std::string text = "time [s],x set [mm],y [mm],x actual [mm]\n";
+  const MotionRecord record = record_of(*run.trajectory, 2e-3);
+  for (std::size_t i = 0; i < record.time.size(); ++i) {
+    const Vec3& place = record.place[i];
+    text += fmt::format("{:.6f},{:.5f},{:.5f},{:.5f}\n", record.time[i], place.x(), place.y(),
+                        walk.at(record.time[i]).position.x());
+  }
+  return text;
+}
+
+TEST_F(IdentificationViewTest, OffersTheDrivesWhosePositionsAreRecorded) {
+  model.show(start);
+  const auto offered = [&] {
+    QStringList titles;
+    for (int row = 0; row < view.choice().parameters().topLevelItemCount(); ++row) {
+      titles.append(view.choice().parameters().topLevelItem(row)->text(0));
+    }
+    return titles.join('\n').toStdString();
+  };
+  EXPECT_THAT(offered(), Not(HasSubstr("Kv")));
+  open_trace(table_with_drive(run_of({"X.acceleration=1.3", "X.kv=40", "X.velocity_lag=5"})));
+  EXPECT_THAT(offered(), HasSubstr("X Position gain Kv"));
+  EXPECT_THAT(offered(), Not(HasSubstr("Y Position gain Kv")));
+  look_for({"X.acceleration", "X.kv"});
+  view.identify();
+  ASSERT_TRUE(wait());
+  ASSERT_NE(view.result().chosen(), nullptr) << view.message().toStdString();
+  ASSERT_EQ(view.result().parameters().topLevelItemCount(), 4);
+  EXPECT_EQ(found(1, 0), "X Position gain Kv [1/s]");
+  EXPECT_EQ(found(1, 1), "–");
+  EXPECT_NEAR(found(1).section(' ', 0, 0).toDouble(), 40, 0.4) << found(1).toStdString();
+  EXPECT_EQ(found(2), "not told") << "there is no feed-forward";
+  EXPECT_NEAR(found(3).section(' ', 0, 0).toDouble(), 5, 0.1) << found(3).toStdString();
+  EXPECT_THAT(view.result().verdict().toStdString(), HasSubstr("Drive of X: following error"));
 }
 
 TEST_F(IdentificationViewTest, WhatWasFoundBecomesARunAndAMachineFile) {

@@ -132,6 +132,12 @@ TEST(SessionJson, WhatWasIdentifiedComesBackWithItsMachines) {
   EXPECT_FALSE(best.parameters[1].told);
   EXPECT_EQ(best.parameters[1].at_least, 0.5);
   EXPECT_EQ(best.parameters[1].told_by, "SINGLE MOVES OF Z");
+  ASSERT_EQ(best.drives.size(), 1U);
+  EXPECT_EQ(best.drives[0].axis, 'Y');
+  EXPECT_EQ(best.drives[0].samples, 4000U);
+  EXPECT_EQ(best.drives[0].following_error, 0.0412);
+  EXPECT_EQ(best.drives[0].left, 0.00041);
+  EXPECT_TRUE(best.drives[0].explains);
   EXPECT_DOUBLE_EQ(best.agreements[0].simulated_time, 4.002);
   EXPECT_DOUBLE_EQ(best.agreements[0].feed_rms, 1.5);
   ASSERT_EQ(best.agreements[0].cells.size(), 4U);
@@ -183,6 +189,10 @@ TEST(SessionJson, AResultThatCannotBeUsedIsOmittedWithANote) {
       HasSubstr("what was identified is omitted: \"result\" of \"identification\" has no \"models\""));
   EXPECT_THAT(note_of([](QJsonObject& result) { result["recordings"] = QJsonArray{QJsonObject()}; }),
               HasSubstr("model 1 has 2 \"agreements\" for 1 recordings"));
+  EXPECT_THAT(note_of([](QJsonObject& result) {
+                set_in_first(result, "models", "drives", QJsonArray{QJsonObject{{"axis", "A"}}});
+              }),
+              HasSubstr("\"axis\" is \"A\"; it must be X, Y or Z"));
   EXPECT_THAT(note_of([](QJsonObject& result) { set_in_first(result, "models", "model", "linuxcnk"); }),
               HasSubstr("model 1: "));
 }

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/identification/identified_parameter.h"
+#include "core/machine/axis_drive.h"
+#include "core/trace/trace.h"
+
+namespace feedscope {
+
+/// What set and actual positions say of the drive of one axis: position gain, velocity feed-forward and lag
+/// of the velocity loop, in this order.
+struct DriveFit {
+  char axis = 'X';
+  std::array<IdentifiedParameter, 3> parameters;
+  std::size_t samples = 0;     ///< that were compared; 0: the axis stands, or its positions are not recorded
+  double following_error = 0;  ///< root mean square, less its mean [mm]
+  double left = 0;             ///< the same of what the drive that was found does not explain [mm]
+  bool explains = false;       ///< the drive explains the following errors
+};
+
+/// The axes whose drives traces can tell, in the order X, Y, Z: those with set and actual positions.
+std::string axes_with_drives(const std::vector<const Trace*>& traces);
+
+/// Finds the drive of one axis from its recorded positions, whatever control made the set ones. The set
+/// positions are answered by drives of many gains, shares of feed-forward and lags; the best ones are refined
+/// by Levenberg-Marquardt steps. Lag or feed-forward that make no difference are taken as none.
+///
+/// The uncertainty is twice the standard deviation, the larger one of what the residuals, taken as
+/// correlated from sample to sample, and what leaving out each twelfth in turn say. Nothing is told if the
+/// axis hardly moves, or if more than a third of the following error is left over: a linear drive is then not
+/// what moves it. A delay between the recording of set and actual positions counts as following error.
+///
+/// `start`: what a machine file has of the drive; it stays where nothing is told. Throws Cancelled.
+DriveFit fit_drive(const std::vector<const Trace*>& traces, char axis, const AxisDrive& start,
+                   Progress* progress = nullptr);
+
+/// The drive with the values that were found.
+AxisDrive found_drive(const DriveFit& fit, const AxisDrive& start);
+
+}  // namespace feedscope

@@ -1,0 +1,178 @@
+#include "core/identification/drive_record.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/drives/drive_law.h"
+#include "core/drives/drive_step.h"
+
+namespace feedscope {
+namespace {
+
+constexpr std::size_t degree = 3;
+constexpr std::size_t around = 4;      // samples that make a cubic
+constexpr double gap_share = 1.75;     // of the period, as TraceBuilder has it
+constexpr double same_time = 1e-3;     // share of the period: rounding of written times
+constexpr double settling_time = 0.3;  // [s]: several time constants of the softest drives
+constexpr double window_time = 8;      // [s] of the parts that are taken of long traces
+constexpr double standing = 1e-9;      // [mm]
+constexpr std::size_t standing_samples = 5;
+constexpr std::size_t least_samples = 50;  // of a stretch
+
+/// Derivatives at `t[at]` of the cubic through four places.
+std::array<double, 3> cubic_derivatives(const double* t, const double* x, std::size_t at) {
+  // Newton's form about the samples in their order, then expanded at t[at].
+  std::array<double, around> c{x[0], x[1], x[2], x[3]};
+  for (std::size_t order = 1; order < around; ++order) {
+    for (std::size_t i = around - 1; i >= order; --i) {
+      c[i] = (c[i] - c[i - 1]) / (t[i] - t[i - order]);
+    }
+  }
+  const double a = t[at] - t[0];
+  const double b = t[at] - t[1];
+  const double d = t[at] - t[2];
+  return {c[1] + c[2] * (a + b) + c[3] * (a * b + a * d + b * d), 2 * c[2] + 2 * c[3] * (a + b + d),
+          6 * c[3]};
+}
+
+}  // namespace
+
+DriveRecord::DriveRecord(const std::vector<const Trace*>& traces, std::size_t axis, std::size_t most,
+                         Progress* progress) {
+  std::size_t all = 0;
+  for (const Trace* trace : traces) {
+    all += trace->has_drive(axis) ? trace->size() : 0;
+  }
+  for (std::size_t i = 0; i < traces.size(); ++i) {
+    if (progress != nullptr && progress->cancelled()) {
+      throw Cancelled();
+    }
+    if (const Trace& trace = *traces[i]; trace.has_drive(axis)) {
+      const auto share = static_cast<double>(trace.size()) / static_cast<double>(all);
+      add(trace, axis, traces_++, static_cast<std::size_t>(share * static_cast<double>(most)));
+    }
+  }
+  measured_.reserve(steps_.size());
+  trace_of_.reserve(steps_.size());
+  for (const Stretch& stretch : stretches_) {
+    for (std::size_t i = stretch.first + stretch.settling; i < stretch.last; ++i) {
+      measured_.push_back(steps_[i].error);
+      trace_of_.push_back(static_cast<std::uint32_t>(stretch.trace));
+    }
+  }
+}
+
+void DriveRecord::add(const Trace& trace, std::size_t axis, std::size_t number, std::size_t most) {
+  const auto [low, high] = std::ranges::minmax_element(trace.place[axis]);
+  reach_ = std::max(reach_, *high - *low);
+  const std::size_t window =
+      std::max(least_samples, static_cast<std::size_t>(window_time / std::max(trace.period, 1e-6)));
+  const std::size_t pitch =  // of the windows: all of a short trace
+      most == 0 || trace.size() <= most ? window : window * trace.size() / most;
+  std::size_t begin = 0;
+  for (std::size_t i = 1; i <= trace.size(); ++i) {
+    const bool ends = i == trace.size() || trace.time[i] - trace.time[i - 1] > gap_share * trace.period;
+    if (ends) {
+      if (pitch == window) {
+        add_stretch(trace, axis, number, begin, i);
+      } else {
+        for (std::size_t from = begin; from < i; from += pitch) {
+          add_stretch(trace, axis, number, from, std::min(i, from + window));
+        }
+      }
+      begin = i;
+    }
+  }
+}
+
+void DriveRecord::add_stretch(const Trace& trace, std::size_t axis, std::size_t number, std::size_t begin,
+                              std::size_t end) {
+  if (end - begin < least_samples) {
+    return;
+  }
+  const std::vector<double>& set = trace.place[axis];
+  Stretch stretch{steps_.size(), 0, 0, number};
+  for (std::size_t i = begin; i + 1 < end; ++i) {
+    const std::size_t first = std::min(std::max(i, begin + 1) - 1, end - around);
+    double time = trace.time[i + 1] - trace.time[i];
+    std::array<double, around> times{};
+    if (std::abs(time - trace.period) <= same_time * trace.period) {
+      time = trace.period;
+    }
+    for (std::size_t k = 0; k < around; ++k) {
+      const double at = trace.time[first + k] - trace.time[i];
+      const double even = (static_cast<double>(first + k) - static_cast<double>(i)) * trace.period;
+      times[k] = std::abs(at - even) <= 2 * same_time * trace.period ? even : at;
+    }
+    Step step;
+    step.time = time;
+    step.error = set[i + 1] - trace.actual[axis][i + 1];
+    step.derivative = cubic_derivatives(times.data(), &set[first], i - first);
+    speed_ = std::max(speed_, std::abs(set[i + 1] - set[i]) / time);
+    steps_.push_back(step);
+  }
+  const auto stands = [&](std::size_t i) { return std::abs(set[i] - set[begin]) <= standing; };
+  bool at_rest = true;
+  for (std::size_t i = begin; i < begin + standing_samples; ++i) {
+    at_rest = at_rest && stands(i);
+  }
+  stretch.last = steps_.size();
+  if (!at_rest) {
+    stretch.settling = std::min(static_cast<std::size_t>(std::ceil(settling_time / trace.period)),
+                                stretch.last - stretch.first);
+  }
+  stretches_.push_back(stretch);
+}
+
+Eigen::VectorXd DriveRecord::without_means(Eigen::VectorXd values) const {
+  std::vector<double> sum(traces_);
+  std::vector<double> count(traces_);
+  for (std::size_t i = 0; i < trace_of_.size(); ++i) {
+    sum[trace_of_[i]] += values[static_cast<Eigen::Index>(i)];
+    ++count[trace_of_[i]];
+  }
+  for (std::size_t i = 0; i < trace_of_.size(); ++i) {
+    values[static_cast<Eigen::Index>(i)] -= sum[trace_of_[i]] / count[trace_of_[i]];
+  }
+  return values;
+}
+
+Eigen::VectorXd DriveRecord::following_errors() const {
+  return without_means(
+      Eigen::Map<const Eigen::VectorXd>(measured_.data(), static_cast<Eigen::Index>(measured_.size())));
+}
+
+Eigen::VectorXd DriveRecord::residuals(const AxisDrive& drive) const {
+  const DriveLaw law(drive, '?');
+  Eigen::VectorXd left(static_cast<Eigen::Index>(measured_.size()));
+  DriveStep response;
+  SetCourse course;
+  course.degree = degree;
+  Eigen::Index next = 0;
+  for (const Stretch& stretch : stretches_) {
+    MotorMotion motor;
+    if (stretch.settling > 0) {
+      // As if the set position had gone on like this for ever.
+      const auto& [v, a, j] = steps_[stretch.first].derivative;
+      const double gain = *drive.gain;
+      const double slow = (1 - drive.feedforward.value_or(0)) / gain;
+      motor = {-(slow * v + (drive.lag.value_or(0) / gain - slow / gain) * a), v - slow * a};
+    }
+    for (std::size_t i = stretch.first; i < stretch.last; ++i) {
+      const Step& step = steps_[i];
+      if (response.time() != step.time) {
+        response = DriveStep(law, step.time, degree);
+      }
+      std::ranges::copy(step.derivative, course.derivative.begin() + 1);
+      const DriveStep::Answer answer = response.answer(course, motor);
+      motor = answer.next_start();
+      if (i >= stretch.first + stretch.settling) {
+        left[next++] = step.error - answer.error;
+      }
+    }
+  }
+  return without_means(std::move(left));
+}
+
+}  // namespace feedscope

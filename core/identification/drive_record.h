@@ -1,0 +1,63 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/drives/set_course.h"
+#include "core/machine/axis_drive.h"
+#include "core/trace/trace.h"
+
+namespace feedscope {
+
+/// Set and actual positions of one axis, prepared so that the answers of many drives can be laid beside the
+/// actual ones. Between two samples the set position is the cubic through the four samples around them.
+/// Stretches without samples part a trace; of long ones parts are taken evenly. Traces can stand anywhere
+/// against each other: a constant distance of actual and set position, one a trace, counts as no error.
+class DriveRecord {
+ public:
+  /// `axis`: 0 to 2; traces that lack it, or its actual position, are omitted. `most`: samples that are
+  /// taken, about. Throws Cancelled.
+  DriveRecord(const std::vector<const Trace*>& traces, std::size_t axis, std::size_t most,
+              Progress* progress = nullptr);
+
+  std::size_t size() const { return measured_.size(); }  ///< samples that are compared
+  double reach() const { return reach_; }                ///< of the set positions, highest less lowest [mm]
+  double speed() const { return speed_; }                ///< largest of the set position [mm/s]
+  /// Measured following error less that of the drive, less its mean in each trace, by sample [mm].
+  Eigen::VectorXd residuals(const AxisDrive& drive) const;
+  /// The same for an axis that follows exactly.
+  Eigen::VectorXd following_errors() const;
+
+ private:
+  /// Samples in order without a gap.
+  struct Stretch {
+    std::size_t first = 0;     ///< step
+    std::size_t last = 0;      ///< behind the last step
+    std::size_t settling = 0;  ///< steps at its start that are not compared: it begins in motion
+    std::size_t trace = 0;
+  };
+  /// From one sample to the next.
+  struct Step {
+    double time = 0;                     ///< [s]
+    double error = 0;                    ///< measured following error at its end [mm]
+    std::array<double, 3> derivative{};  ///< of the set position at its start [mm/s^k]
+  };
+
+  void add(const Trace& trace, std::size_t axis, std::size_t number, std::size_t most);
+  void add_stretch(const Trace& trace, std::size_t axis, std::size_t number, std::size_t begin,
+                   std::size_t end);
+  Eigen::VectorXd without_means(Eigen::VectorXd values) const;
+
+  std::vector<Step> steps_;
+  std::vector<Stretch> stretches_;
+  std::vector<double> measured_;         ///< of the steps that are compared [mm]
+  std::vector<std::uint32_t> trace_of_;  ///< of the same
+  std::size_t traces_ = 0;
+  double reach_ = 0;
+  double speed_ = 0;
+};
+
+}  // namespace feedscope

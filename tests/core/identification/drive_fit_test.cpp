@@ -1,0 +1,227 @@
+#include "core/identification/drive_fit.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <random>
+
+#include "core/analysis/run.h"
+#include "core/drives/drive_response.h"
+#include "core/identification/identification_program.h"
+
+namespace feedscope {
+namespace {
+
+using testing::HasSubstr;
+
+/// How positions are recorded.
+struct Recording {
+  double period = 1e-3;  ///< [s]
+  double noise = 0;      ///< of the actual position [mm]
+  double step = 0;       ///< both are rounded to [mm]; 0: exact
+  double delay = 0;      ///< of the actual position [s]
+  double offset = 0;     ///< of the same [mm]
+};
+
+/// Runs the test program, and records set and actual positions of X.
+class Recorder {
+ public:
+  explicit Recorder(const std::vector<std::string>& settings, const std::string& machine = "spinner-mvc850") {
+    IdentificationProgramRequest request;
+    request.size = 100;
+    request.feed_max = 150;
+    SetupRequest asked;
+    asked.machine = machine;
+    asked.assignments = settings;
+    ReadOptions reading;
+    reading.dialect = Dialect::iso;
+    run_ = simulate_run(load_program(std::make_shared<const SourceText>(
+                                         SourceText("test", identification_program(request).text)),
+                                     nullptr, reading),
+                        make_setup(asked));
+  }
+
+  Trace record(const AxisDrive& drive, const Recording& how, unsigned seed = 1) const {
+    Machine machine = run_.setup.machine;
+    machine.drives = AxisVector<AxisDrive>(machine.axes.axes());
+    machine.drives[0] = drive;
+    const DriveResponse response(run_.trajectory, machine);
+    ActualWalk walk(response);
+    ActualWalk late_walk(response);
+    std::mt19937 random(seed);
+    std::normal_distribution<double> error(0, 1);
+    const auto rounded = [&](double x) { return how.step > 0 ? how.step * std::round(x / how.step) : x; };
+    Trace trace;
+    trace.name = "t.csv";
+    trace.period = how.period;
+    const double duration = run_.summary.cycle_time;
+    for (std::size_t i = 0; static_cast<double>(i) * how.period <= duration; ++i) {
+      const double time = static_cast<double>(i) * how.period;
+      const ActualMotion now = walk.at(time);
+      const double set = now.position.x() + now.following_error.x();
+      const double actual = late_walk.at(std::max(0.0, time - how.delay)).position.x();
+      trace.time.push_back(time);
+      trace.place[0].push_back(rounded(set));
+      trace.actual[0].push_back(rounded(actual + how.noise * error(random)) + how.offset);
+    }
+    return trace;
+  }
+
+ private:
+  Run run_;
+};
+
+AxisDrive drive_of(double gain, double feedforward, double lag) {
+  AxisDrive drive;
+  drive.gain = gain;
+  drive.feedforward = feedforward;
+  drive.lag = lag;
+  return drive;
+}
+
+TEST(DriveFit, FindsGainFeedForwardAndLagOfRandomDrives) {
+  const Recorder recorder({});
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> share(0, 1);
+  constexpr unsigned trials = 9;
+  std::size_t told = 0;
+  for (unsigned trial = 0; trial < trials; ++trial) {
+    const double gain = 20 * std::pow(6, share(random));
+    const double feedforward = share(random) < 0.3 ? 0 : share(random);
+    const double lag = share(random) < 0.2 ? 0 : 8e-3 * share(random);
+    Recording how;
+    how.period = std::array{1e-3, 2e-3, 4e-3}[trial % 3];
+    how.noise = 3e-4;
+    how.step = 1e-3;
+    how.offset = 12;
+    const Trace trace = recorder.record(drive_of(gain, feedforward, lag), how, trial);
+    const DriveFit fit = fit_drive({&trace}, 'X', {});
+    SCOPED_TRACE(fmt::format("Kv {:.4g} 1/s, f {:.4g}, Tv {:.4g} ms, each {} ms", gain, feedforward,
+                             1e3 * lag, 1e3 * how.period));
+    EXPECT_TRUE(fit.explains);
+    EXPECT_LT(fit.left, 6e-4);  // rounding of both and noise: 0.41 um and the noise of 0.3 um
+    const std::array<double, 3> truth{gain, feedforward, 1e3 * lag};
+    for (std::size_t p = 0; p < truth.size(); ++p) {
+      const IdentifiedParameter& one = fit.parameters[p];
+      told += one.told ? 1 : 0;
+      // A value without influence is one that is none.
+      const double allowed =
+          one.told ? std::max(p == 1 ? 0.01 : 0.02 * truth[p], one.uncertainty) : (p == 1 ? 0.01 : 0.05);
+      EXPECT_TRUE(one.told || !one.reason.empty());
+      EXPECT_NEAR(one.value, truth[p], allowed) << one.parameter.key << " +- " << one.uncertainty;
+    }
+  }
+  EXPECT_GT(told, trials * 2);
+}
+
+TEST(DriveFit, TellsADriveInAMachineFilesUnits) {
+  const Recorder recorder({});
+  const Trace trace = recorder.record(drive_of(50, 0.9, 4e-3), {});
+  const DriveFit fit = fit_drive({&trace}, 'X', {});
+  const AxisDrive found = found_drive(fit, {});
+  EXPECT_NEAR(*found.gain, 50, 0.01);
+  EXPECT_NEAR(*found.feedforward, 0.9, 1e-4);
+  EXPECT_NEAR(*found.lag, 4e-3, 1e-6);
+  EXPECT_EQ(fit.parameters[0].parameter.key, "X.kv");
+  EXPECT_EQ(fit.parameters[1].parameter.key, "X.velocity_feedforward");
+  EXPECT_EQ(fit.parameters[2].parameter.key, "X.velocity_lag");
+  EXPECT_EQ(fit.parameters[2].parameter.unit, "ms");
+}
+
+TEST(DriveFit, KeepsOtherValuesOfADrive) {
+  const Recorder recorder({});
+  const Trace trace = recorder.record(drive_of(50, 0.9, 4e-3), {});
+  AxisDrive start = drive_of(20, 0, 0);
+  start.backlash = 3e-3;
+  const DriveFit fit = fit_drive({&trace}, 'X', start);
+  EXPECT_EQ(fit.parameters[0].start, 20);
+  EXPECT_EQ(found_drive(fit, start).backlash, 3e-3);
+}
+
+TEST(DriveFit, CopesWithJitterAndGaps) {
+  const Recorder recorder({});
+  Trace trace = recorder.record(drive_of(60, 0.5, 3e-3), {});
+  Trace part;
+  part.period = trace.period;
+  std::mt19937 random(3);
+  std::uniform_int_distribution<int> any(0, 9);
+  for (std::size_t i = 0; i < trace.size(); ++i) {
+    const bool lost = (i > 9000 && i < 9800) || (i > 30000 && i < 34000);
+    if (!lost && any(random) > 0) {  // every tenth sample is missing, two stretches altogether
+      part.time.push_back(trace.time[i]);
+      part.place[0].push_back(trace.place[0][i]);
+      part.actual[0].push_back(trace.actual[0][i]);
+    }
+  }
+  part.period = 1.5e-3;
+  const DriveFit fit = fit_drive({&part}, 'X', {});
+  ASSERT_TRUE(fit.explains);
+  EXPECT_NEAR(fit.parameters[0].value, 60, 0.6);
+  EXPECT_NEAR(fit.parameters[1].value, 0.5, 0.01);
+  EXPECT_NEAR(fit.parameters[2].value, 3, 0.1);
+}
+
+TEST(DriveFit, TakesEvenlySpreadPartsOfLongTraces) {
+  const Recorder recorder({});
+  const Trace trace = recorder.record(drive_of(60, 0.5, 3e-3), {2e-4});
+  EXPECT_GT(trace.size(), 400'000);
+  const DriveFit fit = fit_drive({&trace}, 'X', {});
+  EXPECT_LT(fit.samples, 450'000);
+  EXPECT_NEAR(fit.parameters[0].value, 60, 0.1);
+}
+
+TEST(DriveFit, TellsNothingOfAnAxisThatStands) {
+  Trace trace;
+  trace.period = 1e-3;
+  for (int i = 0; i < 5000; ++i) {
+    trace.time.push_back(1e-3 * i);
+    trace.place[1].push_back(7);
+    trace.actual[1].push_back(7.001);
+  }
+  const DriveFit fit = fit_drive({&trace}, 'Y', drive_of(40, 0, 0));
+  for (const IdentifiedParameter& one : fit.parameters) {
+    EXPECT_FALSE(one.told);
+    EXPECT_THAT(one.reason, HasSubstr("hardly moves"));
+  }
+  EXPECT_EQ(found_drive(fit, drive_of(40, 0, 0)), drive_of(40, 0, 0));
+  EXPECT_THAT(fit_drive({&trace}, 'X', {}).parameters[0].reason, HasSubstr("No trace has both"));
+}
+
+TEST(DriveFit, TellsNothingOfAnAxisThatFollowsExactly) {
+  const Recorder recorder({});
+  Recording how;
+  how.noise = 5e-4;
+  how.step = 1e-3;
+  const Trace trace = recorder.record({}, how);
+  const DriveFit fit = fit_drive({&trace}, 'X', {});
+  EXPECT_FALSE(fit.explains);
+  EXPECT_THAT(fit.parameters[0].reason, HasSubstr("do not differ by more than noise"));
+}
+
+TEST(DriveFit, TellsNothingWhereFrictionMakesTheFollowingError) {
+  const Recorder recorder({});
+  AxisDrive drive = drive_of(80, 1, 0);
+  drive.friction_spike = 0.03;
+  drive.friction_time = 0.1;
+  const Trace trace = recorder.record(drive, {});
+  const DriveFit fit = fit_drive({&trace}, 'X', {});
+  EXPECT_FALSE(fit.explains);
+  EXPECT_GT(fit.left, 1e-3);
+  EXPECT_THAT(fit.parameters[0].reason, HasSubstr("more than a third"));
+}
+
+TEST(DriveFit, NamesTheAxesWithSetAndActualPositions) {
+  Trace trace;
+  trace.place[0] = trace.place[1] = {1, 2};
+  trace.actual[1] = {1, 2};
+  Trace other;
+  other.place[2] = other.actual[2] = {1, 2};
+  EXPECT_EQ(axes_with_drives({&trace}), "Y");
+  EXPECT_EQ(axes_with_drives({&trace, &other}), "YZ");
+}
+
+}  // namespace
+}  // namespace feedscope
