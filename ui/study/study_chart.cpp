@@ -152,10 +152,13 @@ struct StudyChart::Layout {
     const double at = logarithmic ? std::log(value) : value;
     return time.left() + (to > from ? (at - from) / (to - from) : 0.5) * time.width();
   }
-  QPointF place(const StudyPoint& point, bool is_error) const {
+  double y(double value, bool is_error) const {
     const QRectF& plot = is_error ? error : time;
-    const double share = is_error ? point.error / max_error : (point.time - min_time) / (max_time - min_time);
-    return {x(point.value), plot.bottom() - share * plot.height()};
+    const double share = is_error ? value / max_error : (value - min_time) / (max_time - min_time);
+    return plot.bottom() - share * plot.height();
+  }
+  QPointF place(const StudyPoint& point, bool is_error) const {
+    return {x(point.value), y(is_error ? point.error : point.time, is_error)};
   }
 };
 
@@ -167,6 +170,11 @@ void StudyChart::set_study(const QString& title, const QString& details, StudyCu
   title_ = title;
   details_ = details;
   study_ = std::move(study);
+  update();
+}
+
+void StudyChart::set_recorded(std::vector<RecordedTime> recorded) {
+  study_.recorded = std::move(recorded);
   update();
 }
 
@@ -226,6 +234,11 @@ StudyChart::Layout StudyChart::lay_out() const {
       least = std::min(least, point.time);
       error = std::max(error, point.error);
     }
+  }
+  for (const RecordedTime& recorded : study_.recorded) {
+    time = std::max(time, recorded.time);
+    least = std::min(least, recorded.time);
+    error = std::max(error, recorded.error);
   }
   if (from <= to) {
     const double pad = (to - from) * 0.04;
@@ -294,7 +307,7 @@ QString StudyChart::bound_text() const {
 
 QRectF StudyChart::bound_label(const Layout& layout) const {
   const QFontMetricsF metrics(font());
-  const double y = layout.error.bottom() - *study_.within / layout.max_error * layout.error.height();
+  const double y = layout.y(*study_.within, true);
   return {layout.error.left() + 6, y - metrics.height() - 2, metrics.horizontalAdvance(bound_text()) + 4,
           metrics.height()};
 }
@@ -318,15 +331,83 @@ void StudyChart::draw_plot(QPainter& painter, const Layout& layout, bool is_erro
                tick_text(ticks, i), ticks.values[i] == 0 ? GridLine::strong : GridLine::usual);
   }
   if (is_error && study_.within) {
-    const double y = plot.bottom() - in_shown_unit(*study_.within, Dimension::error) / most * plot.height();
+    const double y = layout.y(*study_.within, true);
     painter.setPen(QPen(theme_colours(palette()).text, 1.4, Qt::DashLine));
     painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
     painter.drawText(bound_label(layout), Qt::AlignLeft | Qt::AlignVCenter, bound_text());
   }
+  draw_recorded(painter, layout, is_error);
   for (std::size_t i = 0; i < study_.curves.size(); ++i) {
     draw_curve(painter, layout, i, is_error);
   }
   draw_labels(painter, layout, is_error);
+}
+
+QString StudyChart::recorded_text(std::size_t index, bool is_error) const {
+  const RecordedTime& recorded = study_.recorded[index];
+  return is_error ? QStringLiteral("%1: %2").arg(recorded.name,
+                                                 significant_text(recorded.error, Dimension::error, 4))
+                  : tr("%1: %2 s").arg(recorded.name, number(recorded.time, 5));
+}
+
+std::vector<QLineF> StudyChart::curve_lines(const Layout& layout, bool is_error) const {
+  std::vector<QLineF> lines;
+  for (const StudyCurve& curve : study_.curves) {
+    for (std::size_t i = 1; i < curve.points.size(); ++i) {
+      lines.emplace_back(layout.place(curve.points[i - 1], is_error),
+                         layout.place(curve.points[i], is_error));
+    }
+  }
+  return lines;
+}
+
+std::vector<QRectF> StudyChart::recorded_labels(const Layout& layout, bool is_error) const {
+  const QFontMetricsF metrics(font());
+  const QRectF& plot = is_error ? layout.error : layout.time;
+  const std::vector<QLineF> lines = curve_lines(layout, is_error);
+  std::vector<QRectF> taken;
+  if (is_error && study_.within) {
+    taken.push_back(bound_label(layout));
+  }
+  std::vector<QRectF> labels;
+  for (std::size_t i = 0; i < study_.recorded.size(); ++i) {
+    const RecordedTime& recorded = study_.recorded[i];
+    const double level = layout.y(is_error ? recorded.error : recorded.time, is_error);
+    const QSizeF size(metrics.horizontalAdvance(recorded_text(i, is_error)) + 4, metrics.height());
+    QRectF best;
+    auto least = std::numeric_limits<std::ptrdiff_t>::max();
+    for (const double top : {level - size.height() - 2, level + 2}) {
+      for (const double share : {1.0, 0.75, 0.5, 0.25, 0.0}) {
+        const QRectF label(
+            QPointF(plot.left() + 4 + share * std::max(0.0, plot.width() - size.width() - 8), top), size);
+        constexpr std::ptrdiff_t worse = 100;
+        const std::ptrdiff_t faults =
+            std::ranges::count_if(lines, [&](const QLineF& line) { return strikes(line, label); }) +
+            worse *
+                std::ranges::count_if(taken, [&](const QRectF& other) { return other.intersects(label); }) +
+            (plot.contains(label) ? 0 : worse);
+        if (faults < least) {
+          least = faults;
+          best = label;
+        }
+      }
+    }
+    labels.push_back(best);
+    taken.push_back(best);
+  }
+  return labels;
+}
+
+void StudyChart::draw_recorded(QPainter& painter, const Layout& layout, bool is_error) const {
+  const std::vector<QRectF> labels = recorded_labels(layout, is_error);
+  for (std::size_t i = 0; i < study_.recorded.size(); ++i) {
+    const RecordedTime& recorded = study_.recorded[i];
+    const double y = layout.y(is_error ? recorded.error : recorded.time, is_error);
+    painter.setPen(QPen(recorded.colour, 1.6, Qt::DotLine));
+    painter.drawLine(QPointF(layout.time.left(), y), QPointF(layout.time.right(), y));
+    painter.setPen(theme_colours(palette()).text);
+    painter.drawText(labels[i], Qt::AlignCenter, recorded_text(i, is_error));
+  }
 }
 
 void StudyChart::draw_curve(QPainter& painter, const Layout& layout, std::size_t index, bool is_error) const {
@@ -351,15 +432,13 @@ void StudyChart::draw_curve(QPainter& painter, const Layout& layout, std::size_t
 QRectF StudyChart::free_label(const Layout& layout, const QPointF& at, const QSizeF& size, bool is_error,
                               const std::vector<QRectF>& taken) const {
   const QRectF& plot = is_error ? layout.error : layout.time;
-  std::vector<QLineF> lines;
-  for (const StudyCurve& curve : study_.curves) {
-    for (std::size_t i = 1; i < curve.points.size(); ++i) {
-      lines.emplace_back(layout.place(curve.points[i - 1], is_error),
-                         layout.place(curve.points[i], is_error));
-    }
-  }
+  std::vector<QLineF> lines = curve_lines(layout, is_error);
   if (is_error && study_.within) {
     const double y = bound_label(layout).bottom() + 2;
+    lines.emplace_back(plot.left(), y, plot.right(), y);
+  }
+  for (const RecordedTime& recorded : study_.recorded) {
+    const double y = layout.y(is_error ? recorded.error : recorded.time, is_error);
     lines.emplace_back(plot.left(), y, plot.right(), y);
   }
   QRectF best;
@@ -391,6 +470,9 @@ void StudyChart::draw_labels(QPainter& painter, const Layout& layout, bool is_er
   std::vector<QRectF> taken;
   if (is_error && study_.within) {
     taken.push_back(bound_label(layout));
+  }
+  for (const QRectF& label : recorded_labels(layout, is_error)) {
+    taken.push_back(label);
   }
   for (const StudyCurve& curve : study_.curves) {
     if (!curve.fastest) {

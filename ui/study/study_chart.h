@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QColor>
 #include <QWidget>
 #include <optional>
 #include <vector>
@@ -21,6 +22,14 @@ struct StudyCurve {
   std::optional<std::size_t> fastest;  ///< within the bound
 };
 
+/// What a machine took for the program, drawn across the whole range of the setting.
+struct RecordedTime {
+  QString name;  ///< of the trace
+  QColor colour;
+  double time = 0;   ///< cycle time [s]
+  double error = 0;  ///< largest distance from the programmed path [mm]
+};
+
 /// What a StudyChart shows.
 struct StudyCurves {
   QString title;  ///< of the setting, in the window's language
@@ -28,12 +37,14 @@ struct StudyCurves {
   bool logarithmic = false;
   std::optional<double> within;  ///< bound of the contour error [mm]
   std::vector<StudyCurve> curves;
+  std::vector<RecordedTime> recorded = {};
 };
 
 StudyCurves study_curves(const Study& study);
 
 /// Cycle time and, below it over the same axis, contour error against a setting; the bound as a dashed line,
-/// the fastest run of each curve within it ringed and labelled. Curves differ in colour and in marker.
+/// the fastest run of each curve within it ringed and labelled. Curves differ in colour and in marker; what
+/// was recorded of the program is a dotted level.
 class StudyChart : public QWidget {
   Q_OBJECT
 
@@ -41,6 +52,8 @@ class StudyChart : public QWidget {
   explicit StudyChart(QWidget* parent = nullptr);
   void set_study(const QString& title, const QString& details, StudyCurves study);
   const StudyCurves& study() const { return study_; }
+  /// Traces of the whole program that the runs of the study can be compared with.
+  void set_recorded(std::vector<RecordedTime> recorded);
   /// The run whose marker is at most a few pixels away: number of its curve and of its point.
   struct Hit {
     std::size_t curve = 0;
@@ -69,6 +82,11 @@ class StudyChart : public QWidget {
   /// Above the line of the bound, where there is one.
   QRectF bound_label(const Layout& layout) const;
   QString bound_text() const;
+  void draw_recorded(QPainter& painter, const Layout& layout, bool is_error) const;
+  /// Above or below their levels, where they hide the least.
+  std::vector<QRectF> recorded_labels(const Layout& layout, bool is_error) const;
+  std::vector<QLineF> curve_lines(const Layout& layout, bool is_error) const;
+  QString recorded_text(std::size_t index, bool is_error) const;
   /// Names the fastest run of each curve.
   void draw_labels(QPainter& painter, const Layout& layout, bool is_error) const;
   /// Beside a marker, where it hides the least.

@@ -68,6 +68,19 @@ Sweep rounded(Sweep sweep) {
   return sweep;
 }
 
+/// Of the traces that are shown and cover the whole program.
+std::vector<RecordedTime> recorded_times(const TraceList& traces) {
+  std::vector<RecordedTime> recorded;
+  for (std::size_t row = 0; row < traces.items().size(); ++row) {
+    const TraceItem& item = traces.items()[row];
+    const auto shown = traces.result(row);
+    if (item.visible && shown != nullptr && shown->agreement.whole) {
+      recorded.push_back({item.name, item.colour, shown->agreement.measured_time, shown->agreement.distance});
+    }
+  }
+  return recorded;
+}
+
 }  // namespace
 
 StudyView::StudyView(Workbench& workbench, QWidget* parent)
@@ -111,6 +124,8 @@ StudyView::StudyView(Workbench& workbench, QWidget* parent)
   });
   connect(&workbench_.setup(), &SetupEdit::keys_changed, this, &StudyView::list_keys);
   connect(&workbench_, &Workbench::program_changed, this, &StudyView::forget);
+  connect(&workbench_.traces(), &TraceList::list_changed, this, &StudyView::follow_traces);
+  connect(&workbench_.traces(), &TraceList::changed, this, &StudyView::follow_traces);
   list_keys();
   show_idle();
 }
@@ -311,10 +326,17 @@ void StudyView::forget_results() {
   adopt_->setEnabled(false);
 }
 
+void StudyView::follow_traces() {
+  if (study_ != nullptr) {
+    chart_->set_recorded(recorded_times(workbench_.traces()));
+  }
+}
+
 void StudyView::take(std::shared_ptr<const Study> study) {
   study_ = std::move(study);
   results_->set_study(study_);
   StudyCurves curves = study_curves(*study_);
+  curves.recorded = recorded_times(workbench_.traces());
   chart_->set_study(to_qstring(workbench_.file().filename()), studied_name_, std::move(curves));
   const StudyRun* best = fastest(study_->runs, study_->within);
   if (best != nullptr) {

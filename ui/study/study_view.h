@@ -54,6 +54,7 @@ class StudyView : public Panel {
   void propose_range();
   /// In the unit shown; both in the unit of `key`.
   void show_range(double from, double to, const std::string& key);
+  void follow_traces();
   void take(std::shared_ptr<const Study> study);
   void forget();
   void forget_results();

@@ -11,6 +11,7 @@
 
 #include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
+#include "tests/ui/trace_fixture.h"
 #include "ui/fields/number_box.h"
 #include "ui/fields/whole_number_box.h"
 
@@ -85,6 +86,28 @@ TEST_F(StudyViewTest, DifferencesOfTheCycleTimeAreSeen) {
   open();
   study("tolerance", 0.005, 0.1, 6);
   EXPECT_GT(view.chart()->height_of_times(), 0.5);
+}
+
+TEST_F(StudyViewTest, WhatWasRecordedOfTheProgramIsDrawnAcross) {
+  open();
+  study("tolerance", 0.01, 0.04, 3);
+  EXPECT_TRUE(view.chart()->study().recorded.empty());
+  const test::WrittenFiles files;
+  model.traces().add(
+      files.write("scope.csv", test::trace_table(simulate_run(model.shown_program().input, make_setup({})))));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !model.traces().busy(); }, patience));
+  ASSERT_EQ(view.chart()->study().recorded.size(), 1U);
+  const RecordedTime recorded = view.chart()->study().recorded[0];
+  EXPECT_EQ(recorded.name, "scope.csv");
+  EXPECT_NEAR(recorded.time, simulate_run(model.shown_program().input, make_setup({})).summary.cycle_time,
+              5e-3);
+  EXPECT_LT(recorded.error, 0.2);
+  EXPECT_FALSE(view.chart()->grab().isNull());
+  model.traces().set_visible(0, false);
+  EXPECT_TRUE(view.chart()->study().recorded.empty());
+  model.traces().set_visible(0, true);
+  study("tolerance", 0.01, 0.05, 3);
+  EXPECT_EQ(view.chart()->study().recorded.size(), 1U) << "a new study keeps it";
 }
 
 TEST_F(StudyViewTest, AnyValueBecomesARun) {
