@@ -42,6 +42,7 @@ struct ChartSpec {
 inline constexpr std::size_t chart_count = 10;
 /// Places of charts among them.
 inline constexpr std::size_t acceleration_chart = 1;
+inline constexpr std::size_t following_error_chart = 3;
 inline constexpr std::size_t jerk_chart = 2;
 inline constexpr std::size_t force_chart = 4;
 inline constexpr std::size_t chip_chart = 5;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace feedscope::ui {
@@ -11,12 +12,16 @@ void OverlayCurves::set_runs(std::vector<RunOverlay> runs) {
   columns_.assign(runs_.size(), {});
 }
 
-void OverlayCurves::set_traces(std::vector<TraceOverlay> traces, std::size_t chart, const ChartSpec& spec) {
-  if (traces_.empty() && !traces.empty() && !chosen_[chart].has_value()) {
-    const auto found =
-        std::ranges::find(spec.curves, QuantityId::tangential_acceleration, &CurveSpec::quantity);
+void OverlayCurves::propose(std::size_t chart, const ChartSpec& spec, QuantityId quantity) {
+  const bool is_known = std::ranges::any_of(
+      traces_, [&](const TraceOverlay& trace) { return trace.shown->motion.knows(quantity); });
+  const auto found = std::ranges::find(spec.curves, quantity, &CurveSpec::quantity);
+  if (is_known && !chosen_[chart].has_value() && found != spec.curves.end()) {
     chosen_[chart] = static_cast<std::size_t>(found - spec.curves.begin());
   }
+}
+
+void OverlayCurves::set_traces(std::vector<TraceOverlay> traces) {
   traces_ = std::move(traces);
   trace_columns_.assign(traces_.size(), {});
 }
@@ -108,7 +113,9 @@ std::vector<LegendEntry> OverlayCurves::legend(std::size_t chart, const ChartSpe
     LegendEntry entry{trace.name, trace.color, false, {}};
     const double time = position.has_value() ? trace.time_at(range, *position) : MatchedRecord::unmatched;
     if (run != nullptr && !std::isnan(time)) {
-      entry.value = spec.convert(quantity.of(Instant(motion.state(time))));
+      const State state = motion.state(time);
+      const std::optional<ActualSample> drives = motion.drives(time);
+      entry.value = spec.convert(quantity.of(Instant(state, drives ? &*drives : nullptr)));
     }
     entries.push_back(std::move(entry));
   }

@@ -19,9 +19,11 @@ class OverlayCurves {
  public:
   void set_runs(std::vector<RunOverlay> runs);
   const std::vector<RunOverlay>& runs() const { return runs_; }
-  /// Drawn as runs are, but only in charts of quantities that a trace has. With the first trace `chart`,
-  /// whose spec is `spec`, shows the tangential acceleration too, unless another curve was chosen.
-  void set_traces(std::vector<TraceOverlay> traces, std::size_t chart, const ChartSpec& spec);
+  /// Drawn as runs are, but only in charts of quantities that a trace has.
+  void set_traces(std::vector<TraceOverlay> traces);
+  /// `chart`, whose spec is `spec`, shows `quantity` of the traces too, unless another curve was chosen, or
+  /// none of them has it.
+  void propose(std::size_t chart, const ChartSpec& spec, QuantityId quantity);
   const std::vector<TraceOverlay>& traces() const { return traces_; }
   /// The curve of a chart's spec that the other runs show in it; none: no curve. At first the achieved feed
   /// alone.

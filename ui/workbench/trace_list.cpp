@@ -32,7 +32,8 @@ std::shared_ptr<const ShownTrace> lay_beside(std::shared_ptr<const Trace> trace,
   const ProgrammedCourse course(*simulated.input.toolpath, seen);
   shown->found = find_on_program(*trace, course, deviation_of(*simulated.trajectory, course, step), progress);
   shown->agreement = agreement_of(shown->found, course, simulated, progress);
-  shown->motion = TraceMotion(shown->found.record, seen, shown->found.noise, trace->period, progress);
+  shown->motion = TraceMotion(shown->found.record, seen, shown->found.noise, trace->period,
+                              RecordedErrors(*trace, shown->found.pose), progress);
   shown->alignment = TraceAlignment(shown->found, shown->agreement);
   shown->samples = std::make_shared<const SampledPath>(
       sample_recorded(shown->found, course, *simulated.input.toolpath, default_max_points, progress));

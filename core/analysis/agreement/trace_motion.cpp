@@ -94,8 +94,8 @@ double mean_feed(const MotionRecord& record, std::size_t stride) {
 }  // namespace
 
 TraceMotion::TraceMotion(const MotionRecord& record, const SeenAxes& seen, double noise, double period,
-                         Progress* progress)
-    : record_(&record), seen_(seen), period_(period) {
+                         const RecordedErrors& errors, Progress* progress)
+    : record_(&record), seen_(seen), period_(period), errors_(errors) {
   if (empty() || !(period > 0)) {
     record_ = nullptr;
     return;
@@ -119,6 +119,25 @@ TraceMotion::TraceMotion(const MotionRecord& record, const SeenAxes& seen, doubl
     groups.back().add(Instant(sample(i)));
   }
   groups_ = Pyramid<MotionBand>(std::move(groups));
+  if (!errors_.empty()) {
+    std::vector<DriveBand> drives(record.time.size() / group + 1);
+    for (std::size_t i = 0; i < record.time.size(); ++i) {
+      add_drives(drives[i / group], i);
+    }
+    drive_groups_ = Pyramid<DriveBand>(std::move(drives));
+  }
+}
+
+ActualSample TraceMotion::drives_of(std::size_t i) const {
+  ActualSample sample;
+  sample.motion.position = record_->place[i];
+  sample.motion.velocity = Vec3::Zero();
+  sample.motion.following_error = errors_.at(i);
+  return sample;
+}
+
+std::optional<ActualSample> TraceMotion::drives(double time) const {
+  return errors_.empty() ? std::nullopt : std::optional(drives_of(nearest(time)));
 }
 
 State TraceMotion::sample(std::size_t i) const {
@@ -153,21 +172,53 @@ bool TraceMotion::knows(QuantityId id) const {
     case QuantityId::velocity_z:
     case QuantityId::acceleration_z:
       return seen_[2];
+    case QuantityId::following_error_x:
+      return errors_.has(0);
+    case QuantityId::following_error_y:
+      return errors_.has(1);
+    case QuantityId::following_error_z:
+      return errors_.has(2);
     default:
       return false;
   }
 }
 
-Band TraceMotion::known(const MotionBand& band) const {
+Band TraceMotion::known(const MotionBand& band, const DriveBand& drives) const {
   Band shown;
   shown.add(band);
-  for (std::size_t i = 0; i < charted_of_motion.count; ++i) {
-    const auto id = static_cast<QuantityId>(static_cast<std::size_t>(charted_of_motion.first) + i);
-    if (!knows(id)) {
-      shown[id] = Extent();
+  shown.add(drives);
+  for (const ChartedRange& range : {charted_of_motion, charted_of_drives}) {
+    for (std::size_t i = 0; i < range.count; ++i) {
+      const auto id = static_cast<QuantityId>(static_cast<std::size_t>(range.first) + i);
+      if (!knows(id)) {
+        shown[id] = Extent();
+      }
     }
   }
   return shown;
+}
+
+/// Of the samples [first, end): whole groups as they are kept, the others by `add`.
+template <typename Groups, typename AnyBand, typename Add>
+void TraceMotion::add_samples(const Groups& groups, std::size_t first, std::size_t end, AnyBand& band,
+                              Add add) {
+  const std::size_t first_group = (first + group - 1) / group;
+  const std::size_t end_group = end / group;
+  for (std::size_t k = first; k < std::min(end, first_group * group); ++k) {
+    add(band, k);
+  }
+  if (first_group < end_group) {
+    groups.add(band, first_group, end_group);
+  }
+  for (std::size_t k = std::max(first_group, end_group) * group; k < end; ++k) {
+    add(band, k);
+  }
+}
+
+void TraceMotion::add_drives(DriveBand& band, std::size_t i) const {
+  static const State still = Trajectory().state(0);
+  const ActualSample sample = drives_of(i);
+  band.add(Instant(still, &sample));
 }
 
 std::size_t TraceMotion::nearest(double time) const {
@@ -201,19 +252,14 @@ std::vector<Band> TraceMotion::columns(std::span<const double> times) const {
     if (record_->time[last] > to + period_ || record_->time[first] < from - period_) {
       continue;  // in a gap
     }
-    const std::size_t end = last + 1;
-    const std::size_t first_group = (first + group - 1) / group;
-    const std::size_t end_group = end / group;
-    for (std::size_t k = first; k < std::min(end, first_group * group); ++k) {
-      band.add(Instant(sample(k)));
+    add_samples(groups_, first, last + 1, band,
+                [this](MotionBand& sum, std::size_t k) { sum.add(Instant(sample(k))); });
+    DriveBand drives;
+    if (!errors_.empty()) {
+      add_samples(drive_groups_, first, last + 1, drives,
+                  [this](DriveBand& sum, std::size_t k) { add_drives(sum, k); });
     }
-    if (first_group < end_group) {
-      groups_.add(band, first_group, end_group);
-    }
-    for (std::size_t k = std::max(first_group, end_group) * group; k < end; ++k) {
-      band.add(Instant(sample(k)));
-    }
-    bands[i] = known(band);
+    bands[i] = known(band, drives);
   }
   return bands;
 }

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/analysis/agreement/path_matcher.h"
 #include "core/analysis/agreement/programmed_course.h"
+#include "core/analysis/agreement/recorded_errors.h"
 #include "core/analysis/envelope/band.h"
 #include "core/analysis/envelope/pyramid.h"
 #include "core/trajectory/trajectory.h"
@@ -17,19 +19,23 @@ namespace feedscope {
 /// A stretch has as many samples as it takes for the noise of the places to give no more than 0.5 % of the
 /// mean feed and 0.03 m/s2, but lasts no longer than 20 ms or three samples (feed), five (acceleration): what
 /// changes faster is smoothed, as is every differentiated record. Stretches do not reach across gaps.
+/// Following errors are those of the samples.
 class TraceMotion {
  public:
   TraceMotion() = default;
-  /// `record` outlives this. `noise`: of its places [mm]; `period`: between its samples [s]. Throws
-  /// Cancelled.
+  /// `record` outlives this. `noise`: of its places [mm]; `period`: between its samples [s]; `errors`: of the
+  /// same samples. Throws Cancelled.
   TraceMotion(const MotionRecord& record, const SeenAxes& seen, double noise, double period,
-              Progress* progress = nullptr);
+              const RecordedErrors& errors = {}, Progress* progress = nullptr);
 
   bool empty() const { return record_ == nullptr || record_->time.size() < 3; }
   /// At the nearest sample to `time` [s]: time, position, velocity, acceleration, speed and tangential
   /// acceleration; all else, and axes that are not seen, not a number or 0.
   State state(double time) const;
-  /// Whether a record knows a quantity at all: feeds and accelerations of the axes that are seen.
+  /// The following errors at the nearest sample to `time` [s]; none where none are recorded.
+  std::optional<ActualSample> drives(double time) const;
+  /// Whether a record knows a quantity at all: feeds and accelerations of the axes that are seen, following
+  /// errors of those with actual positions.
   bool knows(QuantityId id) const;
   /// One band for each pair of neighbours in `times` [s], of which any may be not a number: where one of a
   /// pair is, or nothing was recorded, the band is empty. Between two samples it is that of the nearest one.
@@ -41,7 +47,11 @@ class TraceMotion {
  private:
   double span_of(std::size_t half) const { return 2 * static_cast<double>(half) * period_; }
   State sample(std::size_t i) const;
-  Band known(const MotionBand& band) const;
+  ActualSample drives_of(std::size_t i) const;
+  Band known(const MotionBand& band, const DriveBand& drives) const;
+  void add_drives(DriveBand& band, std::size_t i) const;
+  template <typename Groups, typename AnyBand, typename Add>
+  static void add_samples(const Groups& groups, std::size_t first, std::size_t end, AnyBand& band, Add add);
   std::size_t nearest(double time) const;
 
   const MotionRecord* record_ = nullptr;
@@ -50,6 +60,8 @@ class TraceMotion {
   std::size_t feed_half_ = 1;  ///< samples on each side
   std::size_t acceleration_half_ = 2;
   Pyramid<MotionBand> groups_;
+  RecordedErrors errors_;
+  Pyramid<DriveBand> drive_groups_;  ///< empty without recorded errors
 };
 
 }  // namespace feedscope

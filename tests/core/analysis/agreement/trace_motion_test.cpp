@@ -81,6 +81,35 @@ TEST(TraceMotion, ColumnsHoldTheExtentsOfTheirSamples) {
   }
 }
 
+/// Encoders count from another zero point, and the trace is mirrored in X.
+TEST(TraceMotion, HasTheFollowingErrorsOfSamplesWithActualPositions) {
+  const MotionRecord record = circle(20, 100);
+  Trace trace;
+  trace.time = record.time;
+  for (std::size_t i = 0; i < record.time.size(); ++i) {
+    trace.place[0].push_back(-record.place[i].x());
+    trace.actual[0].push_back(-record.place[i].x() + 7 +
+                              1e-3 * std::min<double>(static_cast<double>(i), 500));
+    trace.place[1].push_back(record.place[i].y());
+  }
+  TracePose pose;
+  pose.mirror.x() = -1;
+  const TraceMotion motion(record, all, 0, period, RecordedErrors(trace, pose));
+  EXPECT_TRUE(motion.knows(QuantityId::following_error_x));
+  EXPECT_FALSE(motion.knows(QuantityId::following_error_y));
+  EXPECT_FALSE(motion.knows(QuantityId::actual_contour_error));
+  EXPECT_NEAR(motion.drives(record.time[400])->motion.following_error.x(), 0.4, 1e-9);
+  EXPECT_EQ(motion.drives(record.time[400])->motion.following_error.y(), 0);
+  const std::vector<Band> bands =
+      motion.columns(std::vector<double>{record.time[10], record.time[321], record.time.back()});
+  EXPECT_NEAR(bands[0][QuantityId::following_error_x].min, 0.01, 1e-6);
+  EXPECT_NEAR(bands[0][QuantityId::following_error_x].max, 0.321, 1e-6);
+  EXPECT_NEAR(bands[1][QuantityId::following_error_x].max, 0.5, 1e-6);
+  EXPECT_TRUE(bands[0][QuantityId::following_error_y].empty());
+  EXPECT_TRUE(bands[0][QuantityId::actual_contour_error].empty());
+  EXPECT_FALSE(TraceMotion(record, all, 0, period).drives(1).has_value());
+}
+
 TEST(TraceMotion, KnowsNothingOfAxesThatAreNotSeenOfGapsAndOfWhatWasNotRecorded) {
   MotionRecord record = circle(20, 100);
   const auto cut = [&](auto& list) { list.erase(list.begin() + 1000, list.begin() + 1500); };
