@@ -25,17 +25,18 @@ constexpr double lasting = 12;                 // change of the sum of squares t
 constexpr double told_deviations = 2;          // standard deviations
 constexpr double coarsest_value = 0.2;         // share of a value beyond which its uncertainty is no answer
 constexpr double coarsest_share = 0.05;        // the same of the feed-forward, which is a share itself
-constexpr std::array least_error{2e-3, 2e-3,
-                                 1e-2};     // shares, of the feed-forward absolute: never claimed less
+/// Shares of gain and lag, of the feed-forward itself: less is never claimed.
+constexpr std::array least_error{2e-3, 2e-3, 1e-2};
 constexpr std::size_t left_out_parts = 12;  // of the samples, that are left out in turn
-constexpr double place_step = 1e-3;         // for derivatives
+/// What the guess of the set position between samples leaves over, of one sign for long [mm], and as a share
+/// of the following error.
+constexpr double guessed = 2e-6;
+constexpr double guessed_share = 1e-5;
 
-constexpr double noticed = 3e-5;        // [mm] left over by a simpler drive, beside a share
-constexpr double noticed_share = 3e-4;  // of the following error: the set position between samples is a guess
-constexpr double least_gain = 1;        // [1/s]
-constexpr double most_gain = 3000;      // [1/s]
-constexpr double most_lag = 0.1;        // [s]
-constexpr double least_lag = 1e-3;      // [ms]: as good as none
+constexpr double least_gain = 1;    // [1/s]
+constexpr double most_gain = 3000;  // [1/s]
+constexpr double most_lag = 100;    // [ms]
+constexpr double place_step = 1e-3;
 
 constexpr const char* reason_unrecorded =
     QT_TRANSLATE_NOOP("core", "No trace has both the set and the actual position of the axis.");
@@ -46,170 +47,126 @@ constexpr const char* reason_unexplained = QT_TRANSLATE_NOOP(
     "core",
     "A linear drive leaves more than a third of the following error unexplained: friction, elasticity, or "
     "positions that were not recorded at the same time.");
+constexpr const char* reason_beyond = QT_TRANSLATE_NOOP(
+    "core",
+    "It would be outside 0 to 1: the positions were not recorded at the same time, or the drive has more "
+    "than a linear loop.");
 constexpr const char* reason_smaller =
     QT_TRANSLATE_NOOP("core", "These traces show the same with smaller values.");
 constexpr const char* reason_not_apart =
     QT_TRANSLATE_NOOP("core", "It cannot be told apart from the others by these traces.");
 
-/// Logarithm of the gain [1/s], feed-forward, lag [ms].
+/// Logarithm of the gain [1/s], feed-forward, lag [ms]. The feed-forward may leave 0 to 1 while it is looked
+/// for.
 using Place = Eigen::Vector3d;
 
-const Place& least_place() {
-  static const Place least(std::log(least_gain), 0, 0);
-  return least;
-}
-
-const Place& most_place() {
-  static const Place most(std::log(most_gain), 1, units::to_ms(most_lag));
-  return most;
-}
-
 AxisDrive drive_at(const Place& place) {
-  const Place inside = place.cwiseMax(least_place()).cwiseMin(most_place());
   AxisDrive drive;
-  drive.gain = std::exp(inside[0]);
-  drive.feedforward = inside[1];
-  drive.lag = units::from_ms(inside[2]);
+  drive.gain = std::clamp(std::exp(place[0]), least_gain, most_gain);
+  drive.feedforward = place[1];
+  drive.lag = units::from_ms(std::clamp(place[2], 0.0, most_lag));
   return drive;
 }
 
-using Free = std::array<bool, parameter_count>;
-
-/// Looks for the drive that explains a record best.
-class DriveSearch {
+/// The task as Eigen's Levenberg-Marquardt asks for it: by the root of the lag, which is then never below 0.
+class DriveTask {
  public:
-  explicit DriveSearch(const DriveRecord& record, Progress* progress)
-      : record_(record), progress_(progress) {}
+  DriveTask(const DriveRecord& record, Progress* progress) : record_(record), progress_(progress) {}
 
-  Eigen::VectorXd residuals(const Place& place) const {
+  static Eigen::VectorXd free_from(const Place& place) {
+    return Place(place[0], place[1], std::sqrt(place[2]));
+  }
+  static Place place_from(const Eigen::VectorXd& free) {
+    return {std::clamp(free[0], std::log(least_gain), std::log(most_gain)), free[1],
+            std::min(free[2] * free[2], most_lag)};
+  }
+
+  Eigen::Index values() const { return static_cast<Eigen::Index>(record_.size()); }
+  int operator()(const Eigen::VectorXd& at, Eigen::VectorXd& residuals) const {
     if (progress_ != nullptr && progress_->cancelled()) {
       throw Cancelled();
     }
-    return record_.residuals(drive_at(place));
+    residuals = record_.residuals(drive_at(place_from(at)));
+    return 0;
   }
-  double cost(const Place& place) const { return residuals(place).squaredNorm(); }
-
-  /// By the numbers that are `free`.
-  Eigen::MatrixXd slopes(const Place& place, const Free& free) const {
-    const Place inside = place.cwiseMax(least_place()).cwiseMin(most_place());
-    Eigen::MatrixXd found(static_cast<Eigen::Index>(record_.size()), std::ranges::count(free, true));
-    Eigen::Index column = 0;
-    for (Eigen::Index p = 0; p < inside.size(); ++p) {
-      if (free[static_cast<std::size_t>(p)]) {
-        Place above = inside;
-        Place below = inside;
-        above[p] = std::min(inside[p] + place_step, most_place()[p]);
-        below[p] = std::max(inside[p] - place_step, least_place()[p]);
-        found.col(column++) = (residuals(above) - residuals(below)) / (above[p] - below[p]);
-      }
+  int df(const Eigen::VectorXd& at, Eigen::MatrixXd& slopes) const {
+    Eigen::VectorXd above(at.size());
+    Eigen::VectorXd below(at.size());
+    for (Eigen::Index p = 0; p < at.size(); ++p) {
+      Eigen::VectorXd moved = at;
+      moved[p] = at[p] + place_step;
+      (*this)(moved, above);
+      moved[p] = at[p] - place_step;
+      (*this)(moved, below);
+      slopes.col(p) = (above - below) / (2 * place_step);
     }
-    return found;
+    return 0;
   }
-
-  /// Numbers that are `free` change from `start` on, so that the sum of squares becomes least.
-  Place refined(const Place& start, const Free& free, int most) const;
 
  private:
   const DriveRecord& record_;
   Progress* progress_;
 };
 
-/// The task as Eigen's Levenberg-Marquardt asks for it.
-class DriveTask {
- public:
-  DriveTask(const DriveSearch& search, const Place& start, const Free& free, Eigen::Index count)
-      : search_(search), start_(start), free_(free), count_(count) {}
-
-  Eigen::Index values() const { return count_; }
-  int operator()(const Eigen::VectorXd& at, Eigen::VectorXd& residuals) const {
-    residuals = search_.residuals(place_of(at));
-    return 0;
-  }
-  int df(const Eigen::VectorXd& at, Eigen::MatrixXd& slopes) const {
-    slopes = search_.slopes(place_of(at), free_);
-    return 0;
-  }
-  Place place_of(const Eigen::VectorXd& at) const {
-    Place place = start_;
-    Eigen::Index next = 0;
-    for (Eigen::Index p = 0; p < place.size(); ++p) {
-      if (free_[static_cast<std::size_t>(p)]) {
-        place[p] = at[next++];
-      }
-    }
-    return place;
-  }
-  Eigen::VectorXd free_part() const {
-    Eigen::VectorXd part(std::ranges::count(free_, true));
-    Eigen::Index next = 0;
-    for (Eigen::Index p = 0; p < start_.size(); ++p) {
-      if (free_[static_cast<std::size_t>(p)]) {
-        part[next++] = start_[p];
-      }
-    }
-    return part;
-  }
-
- private:
-  const DriveSearch& search_;
-  Place start_;
-  Free free_;
-  Eigen::Index count_;
-};
-
-Place DriveSearch::refined(const Place& start, const Free& free, int most) const {
-  // A number that steps beyond a bound stays there: it is held, and the others are looked for again.
-  Place at = start;
-  Free left = free;
-  for (std::size_t held = 0; held < parameter_count; ++held) {
-    DriveTask task(*this, at, left, static_cast<Eigen::Index>(record_.size()));
-    Eigen::LevenbergMarquardt<DriveTask> search(task);
-    search.parameters.maxfev = most;
-    search.parameters.xtol = 1e-9;
-    search.parameters.ftol = 1e-12;
-    Eigen::VectorXd part = task.free_part();
-    search.minimize(part);
-    const Place found = task.place_of(part);
-    at = found.cwiseMax(least_place()).cwiseMin(most_place());
-    bool beyond = false;
-    for (std::size_t p = 0; p < parameter_count; ++p) {
-      const auto i = static_cast<Eigen::Index>(p);
-      beyond = beyond || (left[p] && at[i] != found[i]);
-      left[p] = left[p] && at[i] == found[i];
-    }
-    if (!beyond || std::ranges::none_of(left, [](bool is_free) { return is_free; })) {
-      break;
-    }
-  }
-  return at;
+double cost_at(const DriveRecord& record, const Place& place) {
+  return record.residuals(drive_at(place)).squaredNorm();
 }
 
-/// The best of a grid over all that drives can be, a few of them refined.
-Place first_guess(const DriveRecord& record, Progress* progress) {
-  constexpr std::size_t gains = 16;
-  constexpr std::size_t refined_ones = 4;
-  constexpr int most = 60;
-  constexpr std::array feedforwards{0.0, 0.4, 0.7, 0.9, 1.0};
-  constexpr std::array lags{0.0, 1.0, 3.0, 8.0, 20.0};  // [ms]
+/// Where the sum of squares is least, from `start` on.
+Place refined(const DriveRecord& record, const Place& start, int most, Progress* progress) {
+  DriveTask task(record, progress);
+  Eigen::LevenbergMarquardt<DriveTask> search(task);
+  search.parameters.maxfev = most;
+  search.parameters.xtol = 1e-9;
+  search.parameters.ftol = 1e-12;
+  Eigen::VectorXd at = DriveTask::free_from(start);
+  search.minimize(at);
+  return DriveTask::place_from(at);
+}
+
+/// Drives of all kinds that lag behind by `lag_time` at constant velocity [s], which the record tells at
+/// once.
+std::vector<Place> drives_that_lag(double lag_time) {
+  constexpr std::array lags{0.1, 0.7, 2.0, 4.0, 8.0, 20.0};  // [ms]
+  constexpr std::array feedforwards{0.0, 0.15, 0.3, 0.45, 0.6, 0.7, 0.8, 0.87, 0.93, 0.97, 0.99};
+  constexpr std::array full_gains{5.0, 10.0, 20.0, 35.0, 60.0, 100.0, 170.0, 300.0};  // [1/s]
   std::vector<Place> places;
-  for (std::size_t i = 0; i < gains; ++i) {
-    const double share = static_cast<double>(i) / (gains - 1);
-    const double gain = std::lerp(std::log(4.0), std::log(800.0), share);
+  for (const double lag : lags) {
     for (const double feedforward : feedforwards) {
-      for (const double lag : lags) {
-        places.emplace_back(gain, feedforward, lag);
-      }
+      const double gain = (1 - feedforward) / std::max(lag_time, 1 / most_gain);
+      places.emplace_back(std::log(std::clamp(gain, least_gain, most_gain)), feedforward, lag);
+    }
+    for (const double gain : full_gains) {
+      places.emplace_back(std::log(gain), 1, lag);
     }
   }
-  const DriveSearch search(record, progress);
+  return places;
+}
+
+/// The best of many drives, a few of them, of different shares of feed-forward, refined.
+Place first_guess(const DriveRecord& record, Progress* progress) {
+  constexpr std::size_t refined_ones = 7;
+  constexpr std::size_t alike = 2;
+  constexpr int most = 60;
+  const std::vector<Place> places = drives_that_lag(record.lag_time());
   std::vector<std::pair<double, std::size_t>> costs(places.size());
-  in_parallel(places.size(), [&](std::size_t i) { costs[i] = {search.cost(places[i]), i}; });
-  std::ranges::partial_sort(costs, costs.begin() + refined_ones);
-  std::vector<Place> best;
-  for (std::size_t i = 0; i < refined_ones; ++i) {
-    best.push_back(search.refined(places[costs[i].second], {true, true, true}, most));
+  in_parallel(places.size(), [&](std::size_t i) {
+    if (progress != nullptr && progress->cancelled()) {
+      throw Cancelled();
+    }
+    costs[i] = {cost_at(record, places[i]), i};
+  });
+  std::ranges::sort(costs);
+  std::vector<Place> starts;
+  for (const auto& [cost, i] : costs) {
+    const auto same = std::ranges::count(starts, places[i][1], [](const Place& start) { return start[1]; });
+    if (starts.size() < refined_ones && static_cast<std::size_t>(same) < alike) {
+      starts.push_back(places[i]);
+    }
   }
-  return *std::ranges::min_element(best, {}, [&](const Place& place) { return search.cost(place); });
+  std::vector<Place> best(starts.size());
+  in_parallel(starts.size(), [&](std::size_t i) { best[i] = refined(record, starts[i], most, progress); });
+  return *std::ranges::min_element(best, {}, [&](const Place& place) { return cost_at(record, place); });
 }
 
 /// How many independent residuals there are, those one after the other being correlated.
@@ -222,47 +179,56 @@ double independent(const Eigen::VectorXd& residuals) {
   return std::max(1.0, static_cast<double>(n) * (1 - correlation) / (1 + correlation));
 }
 
-/// Standard deviations of the numbers of a place that are free; infinite where they show nothing.
-std::array<double, parameter_count> deviations_of(const DriveSearch& search, const Place& place,
-                                                  const Free& free) {
-  std::array<double, parameter_count> found{};
-  std::vector<Eigen::Index> used;
-  for (std::size_t p = 0; p < parameter_count; ++p) {
-    if (free[p]) {
-      used.push_back(static_cast<Eigen::Index>(p));
-    }
+/// Residuals by the numbers of a place.
+Eigen::MatrixXd slopes_at(const DriveRecord& record, const Place& place) {
+  Eigen::MatrixXd slopes(static_cast<Eigen::Index>(record.size()), place.size());
+  for (Eigen::Index p = 0; p < place.size(); ++p) {
+    Place above = place;
+    Place below = place;
+    above[p] += place_step;
+    below[p] = p == 2 ? std::max(0.0, place[p] - place_step) : place[p] - place_step;
+    slopes.col(p) =
+        (record.residuals(drive_at(above)) - record.residuals(drive_at(below))) / (above[p] - below[p]);
   }
-  const Eigen::VectorXd residuals = search.residuals(place);
-  const auto count = static_cast<Eigen::Index>(used.size());
-  const Eigen::MatrixXd slopes = search.slopes(place, free);
-  const Eigen::MatrixXd square = slopes.transpose() * slopes;
-  const Eigen::LDLT<Eigen::MatrixXd> whole(square);
-  const double rows = static_cast<double>(residuals.size());
-  const double noise = residuals.squaredNorm() / rows * rows / independent(residuals);
-  const Eigen::MatrixXd inverse = whole.solve(Eigen::MatrixXd::Identity(count, count));
-  Eigen::MatrixXd shifts(count, static_cast<Eigen::Index>(left_out_parts));
+  return slopes;
+}
+
+/// Standard deviations of the numbers of a place.
+Place deviations_at(const DriveRecord& record, const Place& place, double following_error) {
+  const Eigen::VectorXd residuals = record.residuals(drive_at(place));
+  const Eigen::MatrixXd slopes = slopes_at(record, place);
+  const Eigen::Matrix3d square = slopes.transpose() * slopes;
+  const Eigen::Matrix3d inverse = square.ldlt().solve(Eigen::Matrix3d::Identity());
+  const double guess = guessed + guessed_share * following_error;
+  const double noise =
+      std::max(residuals.squaredNorm() / independent(residuals),
+               guess * guess * static_cast<double>(residuals.size()) / static_cast<double>(left_out_parts));
+  Eigen::Matrix<double, 3, left_out_parts> shifts;
   for (std::size_t part = 0; part < left_out_parts; ++part) {
-    const auto first =
-        static_cast<Eigen::Index>(part * static_cast<std::size_t>(residuals.size()) / left_out_parts);
-    const auto last =
-        static_cast<Eigen::Index>((part + 1) * static_cast<std::size_t>(residuals.size()) / left_out_parts);
-    const auto rows_of = slopes.middleRows(first, last - first);
-    const Eigen::VectorXd pull = rows_of.transpose() * residuals.segment(first, last - first);
-    const Eigen::MatrixXd rest = square - rows_of.transpose() * rows_of;
+    const std::size_t size = record.size();
+    const auto first = static_cast<Eigen::Index>(part * size / left_out_parts);
+    const auto count = static_cast<Eigen::Index>((part + 1) * size / left_out_parts) - first;
+    const auto rows = slopes.middleRows(first, count);
+    const Eigen::Vector3d pull = rows.transpose() * residuals.segment(first, count);
+    const Eigen::Matrix3d rest = square - rows.transpose() * rows;
     shifts.col(static_cast<Eigen::Index>(part)) =
-        (rest + 1e-12 * square.trace() * Eigen::MatrixXd::Identity(count, count)).ldlt().solve(pull);
+        (rest + 1e-12 * square.trace() * Eigen::Matrix3d::Identity()).ldlt().solve(pull);
   }
-  const Eigen::VectorXd mean = shifts.rowwise().mean();
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const double formal = std::sqrt(std::max(0.0, noise * inverse(k, k)));
+  const Eigen::Vector3d mean = shifts.rowwise().mean();
+  Place found;
+  for (Eigen::Index p = 0; p < found.size(); ++p) {
+    const double formal = std::sqrt(std::max(0.0, noise * inverse(p, p)));
     const double left_out =
-        std::sqrt((static_cast<double>(left_out_parts) - 1) / static_cast<double>(left_out_parts) *
-                  (shifts.row(k).array() - mean[k]).square().sum());
+        std::sqrt((left_out_parts - 1.0) / left_out_parts * (shifts.row(p).array() - mean[p]).square().sum());
     const double larger = std::max(formal, left_out);
-    found[static_cast<std::size_t>(used[static_cast<std::size_t>(k)])] =
-        std::isfinite(larger) ? larger : std::numeric_limits<double>::infinity();
+    found[p] = std::isfinite(larger) ? larger : std::numeric_limits<double>::infinity();
   }
   return found;
+}
+
+/// In the unit of the key.
+double value_at(const Place& place, std::size_t parameter) {
+  return parameter == 0 ? std::exp(place[0]) : parameter == 1 ? std::clamp(place[1], 0.0, 1.0) : place[2];
 }
 
 double root_mean_square(const Eigen::VectorXd& values) {
@@ -277,30 +243,19 @@ void leave(DriveFit& fit, const char* reason) {
   }
 }
 
-/// Without lag, without feed-forward or without both, where that explains the record as well.
-struct Simplest {
-  Place place;
-  Free free{true, true, true};
-};
-
-Simplest simplest(const DriveSearch& search, const Place& best, double following_error) {
-  constexpr int most = 80;
-  const Eigen::VectorXd residuals = search.residuals(best);
-  const double cost = residuals.squaredNorm();
-  const double tolerable = noticed + noticed_share * following_error;
-  const double allowed = std::max(cost * (1 + lasting / independent(residuals)),
-                                  static_cast<double>(residuals.size()) * tolerable * tolerable);
-  for (const Free& free :
-       {std::array{true, false, false}, std::array{true, true, false}, std::array{true, false, true}}) {
-    Place start = best;
-    start[1] = free[1] ? start[1] : 0;
-    start[2] = free[2] ? start[2] : 0;
-    const Place found = search.refined(start, free, most);
-    if (search.cost(found) <= allowed) {
-      return {found, free};
-    }
+/// Of drives that explain the record as well as the one that was found the simplest: without lag and
+/// feed-forward where nothing of it is told, without lag, or itself. A drive whose feed-forward makes up for
+/// a part of its lag can move as one without either.
+Place simplest(const DriveRecord& record, const Place& found, bool any_told) {
+  const Eigen::VectorXd residuals = record.residuals(drive_at(found));
+  const double allowed = residuals.squaredNorm() * (1 + lasting / independent(residuals));
+  const double gain = std::exp(found[0]);
+  const Place simple(std::log(gain / std::max(1 - found[1], gain / most_gain)), 0, 0);
+  if (!any_told && cost_at(record, simple) <= allowed) {
+    return simple;
   }
-  return {best, {true, true, true}};
+  const Place without_lag(found[0], found[1], 0);
+  return cost_at(record, without_lag) <= allowed ? without_lag : found;
 }
 
 }  // namespace
@@ -335,33 +290,37 @@ DriveFit fit_drive(const std::vector<const Trace*>& traces, char axis, const Axi
   }
   fit.following_error = root_mean_square(record.following_errors());
   const Place guess = first_guess(DriveRecord(traces, index, first_samples, progress), progress);
-  const DriveSearch search(record, progress);
   constexpr int most = 200;
-  const Place best = search.refined(guess, {true, true, true}, most);
-  const Simplest found = simplest(search, best, fit.following_error);
-  fit.left = root_mean_square(record.residuals(drive_at(found.place)));
+  const Place found = refined(record, guess, most, progress);
+  fit.left = root_mean_square(record.residuals(drive_at(found)));
   fit.explains = fit.left <= most_left * fit.following_error;
   if (!fit.explains) {
     constexpr double noise = 2e-3;  // [mm]: steps of encoders
     leave(fit, fit.following_error <= noise ? reason_follows : reason_unexplained);
     return fit;
   }
-  const AxisDrive drive = drive_at(found.place);
-  const std::array<double, parameter_count> deviation = deviations_of(search, found.place, found.free);
+  const Place deviation = deviations_at(record, found, fit.following_error);
   for (std::size_t p = 0; p < parameter_count; ++p) {
+    const auto i = static_cast<Eigen::Index>(p);
     IdentifiedParameter& one = fit.parameters[p];
     const bool is_share = p == 1;
-    const double value = is_share ? *drive.feedforward : p == 0 ? *drive.gain : units::to_ms(*drive.lag);
-    // The logarithm of the gain is looked for, the others as they are.
-    const double scale = p == 2 ? std::max(value, least_lag) : 1;
-    one.value = value;
-    const double share = std::hypot(told_deviations * deviation[p] / scale, least_error[p]);
-    one.told = found.free[p] && share <= (is_share ? coarsest_share : coarsest_value);
+    one.value = value_at(found, p);
+    const double of = p == 2 ? std::max(found[i], std::numeric_limits<double>::min()) : 1;
+    const double share = std::hypot(told_deviations * deviation[i] / of, least_error[p]);
+    const bool is_possible = !is_share || std::abs(found[i] - one.value) <= share;
+    one.told = is_possible && share <= (is_share ? coarsest_share : coarsest_value);
     if (one.told) {
-      one.uncertainty = is_share ? share : share * value;
+      one.uncertainty = is_share ? share : share * one.value;
     } else {
-      one.reason = found.free[p] ? reason_not_apart : reason_smaller;
+      const bool can_be_none = p > 0 && found[i] <= told_deviations * deviation[i];
+      one.reason = !is_possible ? reason_beyond : can_be_none ? reason_smaller : reason_not_apart;
     }
+  }
+  const Place in_use =
+      simplest(record, found, std::ranges::any_of(fit.parameters, &IdentifiedParameter::told));
+  for (std::size_t p = 0; p < parameter_count; ++p) {
+    IdentifiedParameter& one = fit.parameters[p];
+    one.value = one.told ? one.value : value_at(in_use, p);
   }
   return fit;
 }

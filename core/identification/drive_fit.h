@@ -28,12 +28,13 @@ std::string axes_with_drives(const std::vector<const Trace*>& traces);
 
 /// Finds the drive of one axis from its recorded positions, whatever control made the set ones. The set
 /// positions are answered by drives of many gains, shares of feed-forward and lags; the best ones are refined
-/// by Levenberg-Marquardt steps. Lag or feed-forward that make no difference are taken as none.
+/// by Levenberg-Marquardt steps on the sum of squares.
 ///
-/// The uncertainty is twice the standard deviation, the larger one of what the residuals, taken as
-/// correlated from sample to sample, and what leaving out each twelfth in turn say. Nothing is told if the
-/// axis hardly moves, or if more than a third of the following error is left over: a linear drive is then not
-/// what moves it. A delay between the recording of set and actual positions counts as following error.
+/// The uncertainty is twice the standard deviation, the largest one of what the residuals, taken as
+/// correlated from sample to sample, what the guess of the set position between samples, and what leaving out
+/// each twelfth in turn say. A lag that makes no difference is taken as none. Nothing is told if the axis
+/// hardly moves, or if more than a third of the following error is left over: a linear drive is then not what
+/// moves it. A delay between the recording of set and actual positions counts as following error.
 ///
 /// `start`: what a machine file has of the drive; it stays where nothing is told. Throws Cancelled.
 DriveFit fit_drive(const std::vector<const Trace*>& traces, char axis, const AxisDrive& start,

@@ -143,6 +143,23 @@ Eigen::VectorXd DriveRecord::following_errors() const {
       Eigen::Map<const Eigen::VectorXd>(measured_.data(), static_cast<Eigen::Index>(measured_.size())));
 }
 
+double DriveRecord::lag_time() const {
+  double squares = 0;
+  double products = 0;
+  double velocities = 0;
+  double errors = 0;
+  for (const Step& step : steps_) {
+    const double velocity = step.derivative[0];
+    squares += velocity * velocity;
+    products += velocity * step.error;
+    velocities += velocity;
+    errors += step.error;
+  }
+  const auto count = static_cast<double>(steps_.size());
+  const double spread = squares - velocities * velocities / count;
+  return spread > 0 ? (products - velocities * errors / count) / spread : 0;
+}
+
 Eigen::VectorXd DriveRecord::residuals(const AxisDrive& drive) const {
   const DriveLaw law(drive, '?');
   Eigen::VectorXd left(static_cast<Eigen::Index>(measured_.size()));

@@ -26,6 +26,9 @@ class DriveRecord {
   std::size_t size() const { return measured_.size(); }  ///< samples that are compared
   double reach() const { return reach_; }                ///< of the set positions, highest less lowest [mm]
   double speed() const { return speed_; }                ///< largest of the set position [mm/s]
+  /// By how much the actual position lags at constant velocity: following error over velocity, by least
+  /// squares [s].
+  double lag_time() const;
   /// Measured following error less that of the drive, less its mean in each trace, by sample [mm].
   Eigen::VectorXd residuals(const AxisDrive& drive) const;
   /// The same for an axis that follows exactly.

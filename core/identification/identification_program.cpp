@@ -184,8 +184,8 @@ class ProgramMaker {
     writer_.comment("ZERO POINT: MIDDLE OF A FREE SQUARE, TOOL WHERE NOTHING IS BELOW OR AROUND IT");
     writer_.comment(
         fmt::format("KEEPS TO X AND Y +-{:.4g} MM, Z FROM 0 UP TO {:.4g} MM", size_ / 2, made_.height));
+    writer_.rapid(Vector2d::Zero());  // as high as the tool stands, then down
     writer_.upright(0, 0);
-    writer_.rapid(Vector2d::Zero());
     for (const int axis : {0, 1}) {
       single_moves(axis);
     }

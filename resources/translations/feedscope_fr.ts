@@ -4605,6 +4605,10 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <source>A linear drive leaves more than a third of the following error unexplained: friction, elasticity, or positions that were not recorded at the same time.</source>
         <translation>Un entraînement linéaire laisse plus d’un tiers de l’écart de poursuite inexpliqué : frottement, élasticité, ou positions qui n’ont pas été enregistrées au même instant.</translation>
     </message>
+    <message>
+        <source>It would be outside 0 to 1: the positions were not recorded at the same time, or the drive has more than a linear loop.</source>
+        <translation>Elle serait hors de 0 à 1 : les positions n’ont pas été enregistrées au même instant, ou l’entraînement a plus qu’une boucle linéaire.</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ActionTable</name>
@@ -9570,6 +9574,10 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>Largest contour error</source>
         <translation>Plus grande erreur de contour</translation>
+    </message>
+    <message>
+        <source>%1: %2 s</source>
+        <translation>%1&#xa0;: %2 s</translation>
     </message>
 </context>
 <context>

@@ -62,7 +62,7 @@ TEST_F(ReportIdentification, WhatIsNotToldSaysWhatWouldTellIt) {
 TEST_F(ReportIdentification, ComparesTheModelsAndSaysWhichCouldNotBeFitted) {
   const std::string html = block();
   EXPECT_THAT(html, HasSubstr("87.50"));
-  EXPECT_THAT(html, HasSubstr("-15.00")) << "of the table, which is farther off than the trace";
+  EXPECT_THAT(html, HasSubstr("−15.00")) << "of the table, which is farther off than the trace";
   EXPECT_THAT(html, HasSubstr("not fitted"));
   EXPECT_THAT(html, HasSubstr("holds too little of its program"));
   outcome->models.pop_back();

@@ -58,7 +58,7 @@ TEST_F(TraceViewTest, SaysHowWellTheRunAgrees) {
   ASSERT_TRUE(wait());
   EXPECT_THAT(view.verdict().toStdString(), HasSubstr("faster than the control"));
   EXPECT_EQ(cell(view.figures(), 0, 0), "Cycle time");
-  EXPECT_THAT(cell(view.figures(), 0, 3).toStdString(), testing::StartsWith("-"));
+  EXPECT_THAT(cell(view.figures(), 0, 3).toStdString(), testing::StartsWith("−"));
   ASSERT_GT(view.places().model()->rowCount(), 0);
   EXPECT_EQ(view.corners().model()->rowCount(), 3) << "the arc is left at a corner too";
 }
