@@ -135,7 +135,8 @@ int show_trace(const TraceOptions& options) {
       run = program->run(watch);
       const ProgrammedCourse course(*run->input.toolpath, {trace.has(0), trace.has(1), trace.has(2)});
       const double deviation = deviation_of(*run->trajectory, course, 1e-3);
-      found = find_on_program(trace, course, deviation, watch.stage("matching"));
+      found = find_on_program(trace, course, deviation, run->input.program->source.get(),
+                              watch.stage("matching"));
       agreement = agreement_of(*found, course, *run, watch.stage("comparing"));
     }
   }

@@ -4458,7 +4458,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>les lignes de programme de la trace ne sont pas celles de ce programme&#xa0;; elle est posée d&apos;après la position seule</translation>
     </message>
     <message>
-        <source>record the line of the file, not the block number N</source>
+        <source>record the line of the file, or number its blocks</source>
         <translation>enregistrer la ligne du fichier, non le numéro de bloc N</translation>
     </message>
     <message>

@@ -101,7 +101,7 @@ constexpr std::array sentences{
     QT_TRANSLATE_NOOP("core",
                       "the program lines of the trace are not those of this program; it is matched by "
                       "position alone"),
-    QT_TRANSLATE_NOOP("core", "record the line of the file, not the block number N"),
+    QT_TRANSLATE_NOOP("core", "record the line of the file, or number its blocks"),
     QT_TRANSLATE_NOOP("core", "the trace holds %1 passes through the program; the first is compared"),
     QT_TRANSLATE_NOOP("core",
                       "the trace is nowhere within %1 mm of the path of the program; it is of another "

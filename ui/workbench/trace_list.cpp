@@ -30,7 +30,8 @@ std::shared_ptr<const ShownTrace> lay_beside(std::shared_ptr<const Trace> trace,
   const Run& simulated = run->run;
   const SeenAxes seen{trace->has(0), trace->has(1), trace->has(2)};
   const ProgrammedCourse course(*simulated.input.toolpath, seen);
-  shown->found = find_on_program(*trace, course, deviation_of(*simulated.trajectory, course, step), progress);
+  shown->found = find_on_program(*trace, course, deviation_of(*simulated.trajectory, course, step),
+                                 simulated.input.program->source.get(), progress);
   shown->agreement = agreement_of(shown->found, course, simulated, progress);
   shown->motion = TraceMotion(shown->found.record, seen, shown->found.noise, trace->period,
                               RecordedErrors(*trace, shown->found.pose), progress);

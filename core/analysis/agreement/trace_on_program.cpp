@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/analysis/agreement/block_numbers.h"
 #include "core/analysis/agreement/line_guide.h"
 
 namespace feedscope {
@@ -175,7 +176,7 @@ MotionRecord record_of(const Trace& trace) {
 }
 
 TraceOnProgram find_on_program(const Trace& trace, const ProgrammedCourse& course, double deviation,
-                               Progress* progress) {
+                               const SourceText* source, Progress* progress) {
   constexpr double surely = 0.9;
   TraceOnProgram found;
   const MotionRecord recorded = record_of(trace);
@@ -185,16 +186,30 @@ TraceOnProgram find_on_program(const Trace& trace, const ProgrammedCourse& cours
     return MatchOptions{usual_deviation + 2 * deviation + 6 * pose.scale * noise, pose.scale * noise};
   };
   const LineGuide lines(course, trace.line, trace.time);
-  const LineGuide* guide = lines.usable() ? &lines : nullptr;
+  const std::vector<std::uint32_t> numbered_lines = source != nullptr && !trace.line.empty()
+                                                        ? BlockNumbers(*source).lines_of(trace.line)
+                                                        : std::vector<std::uint32_t>();
+  const LineGuide numbers(course, numbered_lines, trace.time);
+  std::vector<const LineGuide*> guides;  // the first one is in use
+  for (const LineGuide* one : {&lines, &numbers}) {
+    if (one->usable()) {
+      guides.push_back(one);
+    }
+  }
+  guides.push_back(nullptr);  // by position alone
   const auto place = [&](const TracePose& pose) {
     found.record = posed(pose, recorded);
-    Placement placed = placed_by(pose, course, found.record, options_at(pose), trace.period, progress, guide);
-    if (guide != nullptr && placed.fit.trace_share < surely) {
-      Placement by_place = placed_by(pose, course, found.record, options_at(pose), trace.period, progress);
-      if (by_place.fit.trace_share > placed.fit.trace_share + (1 - surely)) {
-        guide = nullptr;  // other lines than those of this program
-        placed = std::move(by_place);
+    const auto placed_with = [&](const LineGuide* guide) {
+      return placed_by(pose, course, found.record, options_at(pose), trace.period, progress, guide);
+    };
+    Placement placed = placed_with(guides.front());
+    while (guides.size() > 1 && placed.fit.trace_share < surely) {
+      Placement other = placed_with(guides[1]);
+      if (other.fit.trace_share <= placed.fit.trace_share + (1 - surely)) {
+        break;
       }
+      guides.erase(guides.begin());  // other lines than those of this program
+      placed = std::move(other);
     }
     return placed;
   };
@@ -255,17 +270,17 @@ TraceOnProgram find_on_program(const Trace& trace, const ProgrammedCourse& cours
     if (pass.arrival + 1 >= found.record.place.size()) {
       break;
     }
-    pass = match_record(course, found.record, options, {guide}, pass.arrival, progress);
+    pass = match_record(course, found.record, options, {guides.front()}, pass.arrival, progress);
   }
   found.remarks = remarks_on(found, trace, course);
-  if (!trace.line.empty() && guide == nullptr && found.belongs()) {
+  if (!trace.line.empty() && guides.front() == nullptr && found.belongs()) {
     found.remarks.push_back({.severity = Severity::info,
                              .line = 0,
                              .column = 0,
                              .code = "trace-lines",
                              .message = "the program lines of the trace are not those of this program; it is "
                                         "matched by position alone",
-                             .hint = "record the line of the file, not the block number N"});
+                             .hint = "record the line of the file, or number its blocks"});
   }
   return found;
 }

@@ -10,6 +10,7 @@
 #include "core/analysis/agreement/trace_fit.h"
 #include "core/analysis/agreement/trace_pose.h"
 #include "core/base/diagnostic.h"
+#include "core/program/text/source_text.h"
 #include "core/trace/trace.h"
 
 namespace feedscope {
@@ -54,10 +55,11 @@ struct TraceOnProgram {
 MotionRecord record_of(const Trace& trace);
 
 /// Finds a trace on the path of a run: unit, signs and offset of its axes, start and end, passes. Where only
-/// a small part of the trace would fit, it is not moved: it stays in its own coordinates. `deviation`: how
-/// far a control may leave the path here [mm]. Throws Cancelled.
+/// a small part of the trace would fit, it is not moved: it stays in its own coordinates. Lines that the
+/// trace holds are those of the file, or block numbers of `source`, whichever it fits by; null: no numbers
+/// are known. `deviation`: how far a control may leave the path here [mm]. Throws Cancelled.
 TraceOnProgram find_on_program(const Trace& trace, const ProgrammedCourse& course, double deviation,
-                               Progress* progress = nullptr);
+                               const SourceText* source = nullptr, Progress* progress = nullptr);
 
 /// What is to be known of a trace found on a program before its figures are trusted, each with what can still
 /// be learnt. `trace`: as it was recorded.

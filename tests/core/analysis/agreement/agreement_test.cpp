@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "core/analysis/agreement/block_numbers.h"
 #include "core/analysis/agreement/trace_alignment.h"
 #include "core/base/error.h"
 
@@ -370,6 +371,48 @@ TEST_F(RepeatedRounds, AreMatchedByPositionWhereTheLinesAreOfAnotherProgram) {
   }
   EXPECT_NEAR(found(trace).share, 1, 1e-3);
   EXPECT_NEAR(found(whole_).share, 1, 1e-3);
+}
+
+TEST(BlockNumbers, AreThoseThatLinesBeginWith) {
+  const BlockNumbers numbers(
+      SourceText("p", "N10 G0 X1\n  n20G1X2\n/2 N30 X3\n:40 X4\n50 L X5\n60X6\nG1 X7 N70\nN10 X8\n"));
+  EXPECT_EQ(numbers.line_of(20), 2U);
+  EXPECT_EQ(numbers.line_of(30), 3U);
+  EXPECT_EQ(numbers.line_of(40), 4U);
+  EXPECT_EQ(numbers.line_of(50), 5U);
+  EXPECT_EQ(numbers.line_of(60), 0U) << "digits and a word are no Heidenhain block";
+  EXPECT_EQ(numbers.line_of(70), 0U);
+  EXPECT_EQ(numbers.line_of(10), 0U) << "two lines have it";
+  EXPECT_THAT(numbers.lines_of({20, 20, 0, 50}), testing::ElementsAre(2, 2, 0, 5));
+  EXPECT_TRUE(BlockNumbers(SourceText("p", "G1 X1\n")).empty());
+}
+
+/// Two rounds along the same path; the trace is of the second one, with block numbers.
+TEST(FindOnProgram, ATraceWithBlockNumbersIsFoundByThem) {
+  const char* text =
+      "N100 G21 G90 G17 F3000\nN110 G1 X40\nN120 Y20\nN130 X0\nN140 Y0\nN150 X40\nN160 Y20\nN170 X0\nN180 "
+      "Y0\nM30\n";
+  const auto run = run_of(text);
+  const ProgrammedCourse course(*run.input.toolpath, {true, true, true});
+  const Trace whole = trace_of(run, 1e-3);
+  Trace second;
+  second.period = whole.period;
+  const double half = run.trajectory->duration() / 2;
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    if (whole.time[i] > half + 0.1 && whole.time[i] < 2 * half - 0.1) {
+      second.time.push_back(whole.time[i]);
+      second.line.push_back(90 + 10 * run.trajectory->state(whole.time[i]).line);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        second.place[axis].push_back(whole.place[axis][i]);
+      }
+    }
+  }
+  const SourceText& source = *run.input.program->source;
+  const TraceOnProgram by_number = find_on_program(second, course, 0.02, &source);
+  EXPECT_GT(by_number.law.first_s(), 120);
+  EXPECT_THAT(by_number.remarks, testing::Not(has_remark("trace-lines", "matched by position")));
+  const TraceOnProgram by_place = find_on_program(second, course, 0.02);
+  EXPECT_LT(by_place.law.first_s(), 120);
 }
 
 /// A control stays on the line of a dwell as long as it lasts, here for most of the time.
