@@ -4459,7 +4459,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>record the line of the file, or number its blocks</source>
-        <translation>enregistrer la ligne du fichier, non le numéro de bloc N</translation>
+        <translation>enregistrer la ligne du fichier, ou numéroter ses blocs</translation>
     </message>
     <message>
         <source>the trace is farther than %1 mm from the path of the program for %2 s from %3 s on at %4</source>
