@@ -129,19 +129,22 @@ Json changes_json(const TimeReport& report) {
 std::string explanation_json(const LoadedProgram& program, const ComparedRun& run, const TimeReport& report) {
   Json json = with_format("explanation");
   json.update(run_head_json(program, run));
-  json["lost_s"] = finite(report.use.lost());
-  json["saved_by_path_s"] = finite(report.use.saved_by_path);
-  json["time_by_kind"] = kinds_json(report.use);
-  json["causes"] = causes_json(report.use);
-  json["operations_by"] = report.use.operations.empty()              ? Json()
-                          : report.use.split == OperationSplit::tool ? Json("tool")
-                                                                     : Json("comment");
-  json["operations"] = operations_json(report.use);
-  json["slow_groups"] = groups_json(report.slow);
-  json["slow_other_s"] = finite(report.slow.other);
-  json["changes"] = changes_json(report);
-  json["changes_together"] =
-      report.changes.together ? change_json(*report.changes.together, report.use.cycle_time) : Json();
+  const auto figure = [&](double value) { return run.refused ? Json() : finite(value); };
+  const auto table = [&](const auto& make, const auto& of) { return run.refused ? Json::array() : make(of); };
+  json["lost_s"] = figure(report.use.lost());
+  json["saved_by_path_s"] = figure(report.use.saved_by_path);
+  json["time_by_kind"] = table(kinds_json, report.use);
+  json["causes"] = table(causes_json, report.use);
+  json["operations_by"] = run.refused || report.use.operations.empty() ? Json()
+                          : report.use.split == OperationSplit::tool   ? Json("tool")
+                                                                       : Json("comment");
+  json["operations"] = table(operations_json, report.use);
+  json["slow_groups"] = table(groups_json, report.slow);
+  json["slow_other_s"] = figure(report.slow.other);
+  json["changes"] = table(changes_json, report);
+  json["changes_together"] = report.changes.together && !run.refused
+                                 ? change_json(*report.changes.together, report.use.cycle_time)
+                                 : Json();
   json.update(run_end_json(program, run));
   return text_of(json);
 }

@@ -1677,6 +1677,10 @@
         <source>Runs of which the control refuses more lines, and that are not compared: %1.</source>
         <translation>Simulations dont la commande refuse davantage de lignes, et qui ne sont pas comparées&#xa0;: %1.</translation>
     </message>
+    <message>
+        <source>refused</source>
+        <translation>refusée</translation>
+    </message>
 </context>
 <context>
     <name>ResidualPlot</name>
@@ -2077,6 +2081,14 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>Mean feed %1.</source>
         <translation>Avance moyenne %1.</translation>
+    </message>
+    <message>
+        <source>Lines that the control refuses and that are not in these times: %1.</source>
+        <translation>Lignes que la commande refuse et qui ne sont pas comprises dans ces temps&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;The control refuses the program:&lt;/b&gt; none of its feed motions is run, and there is no cycle time to explain. Lines that are not run: %1.</source>
+        <translation>&lt;b&gt;La commande refuse le programme&#xa0;:&lt;/b&gt; aucun de ses déplacements en avance n’est exécuté, il n’y a pas de temps de cycle à expliquer. Lignes non exécutées&#xa0;: %1.</translation>
     </message>
 </context>
 <context>
@@ -8539,6 +8551,18 @@ Ensemble&#xa0;: %4</translation>
         <source>It covers %1 % of the path: a cycle time is not known.</source>
         <translation>Elle couvre %1 % de la trajectoire&#xa0;: le temps de cycle n&apos;est pas connu.</translation>
     </message>
+    <message>
+        <source>refused</source>
+        <translation>refusée</translation>
+    </message>
+    <message>
+        <source>The control refuses the program: none of its feed motions is run, and there is no cycle time.</source>
+        <translation>La commande refuse le programme&#xa0;: aucun de ses déplacements en avance n’est exécuté, il n’y a pas de temps de cycle.</translation>
+    </message>
+    <message>
+        <source>Lines that the control refuses and that are not run: %1.</source>
+        <translation>Lignes que la commande refuse et qui ne sont pas exécutées&#xa0;: %1.</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::RunsView</name>
@@ -8729,6 +8753,10 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>Colour of the current run in charts and 3D view, or of the selected trace in charts</source>
         <translation>Couleur de la simulation actuelle dans les graphiques et la vue 3D, ou de la trace sélectionnée dans les graphiques</translation>
+    </message>
+    <message>
+        <source>The control refuses the program in all runs.</source>
+        <translation>La commande refuse le programme dans toutes les simulations.</translation>
     </message>
 </context>
 <context>

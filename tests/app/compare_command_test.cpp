@@ -131,6 +131,20 @@ TEST_F(CompareCommand, ExplainSaysWhatIsRefusedBeforeItsTimes) {
   EXPECT_THAT(run("explain part.nc" + machine).out, HasSubstr("1 line of the program is refused"));
 }
 
+TEST_F(CompareCommand, ExplainHasNoNumbersOfARefusedProgramInJsonEither) {
+  write("rapid.nc", "G21 G90\nG0 X10\nG1 X100\n");
+  const json report = json::parse(run("explain rapid.nc --machine grbl-router --model grbl --json -").out);
+  for (const std::string key :
+       {"cycle_time_s", "lost_s", "saved_by_path_s", "slow_other_s", "operations_by", "changes_together"}) {
+    EXPECT_TRUE(report[key].is_null()) << key;
+  }
+  for (const std::string key : {"time_by_kind", "causes", "operations", "slow_groups", "changes"}) {
+    EXPECT_EQ(report[key], json::array()) << key;
+  }
+  EXPECT_EQ(report["lines_not_run"], 1);
+  EXPECT_THAT(report["notes"].dump(), HasSubstr("1 line of the program is refused"));
+}
+
 TEST_F(CompareCommand, WritesItsFiles) {
   EXPECT_EQ(
       run("compare wrong.nc --machine huron-kx10 --machine spinner-mvc850 --csv a.csv --json a.json").code,

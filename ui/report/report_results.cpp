@@ -27,11 +27,12 @@ double against_programmed(const Summary& summary) {
   return summary.programmed_time > 0 ? summary.cycle_time / summary.programmed_time : 1;
 }
 
-QString difference_to_first(const Summary& summary, const Summary& first) {
-  if (&summary == &first || !(first.cycle_time > 0)) {
+QString difference_to_first(const ReportRun& run, const ReportRun& first) {
+  const double of_first = summary_of(first).cycle_time;
+  if (&run == &first || !(of_first > 0) || is_refused(first.shown->run)) {
     return QStringLiteral("–");
   }
-  return signed_percent(summary.cycle_time / first.cycle_time - 1);
+  return signed_percent(summary_of(run).cycle_time / of_first - 1);
 }
 
 QString main_causes(const Summary& summary) {
@@ -162,7 +163,8 @@ std::vector<std::size_t> listed_causes(const ReportInput& input) {
   std::vector<double> shares(all_causes().size(), 0);
   for (const ReportRun& run : input.runs) {
     const Summary& summary = summary_of(run);
-    for (std::size_t i = 0; i < shares.size() && summary.cycle_time > 0; ++i) {
+    const bool has_time = summary.cycle_time > 0 && !is_refused(run.shown->run);
+    for (std::size_t i = 0; i < shares.size() && has_time; ++i) {
       shares[i] = std::max(shares[i], summary.time_by_cause[i] / summary.cycle_time);
     }
   }
@@ -194,7 +196,7 @@ QString causes_table(const ReportInput& input, const std::vector<std::size_t>& c
     QStringList cells{swatch(all_causes()[cause].kind) + html_text(cause_name(all_causes()[cause]))};
     for (std::size_t i = first; i < end; ++i) {
       const Summary& summary = summary_of(input.runs[i]);
-      const double time = summary.time_by_cause[cause];
+      const double time = is_refused(input.runs[i].shown->run) ? 0 : summary.time_by_cause[cause];
       cells << (time > 0 ? fixed(time, 3) : QStringLiteral("–"))
             << (time > 0 ? percent(time / summary.cycle_time, 1) : QStringLiteral("–"));
     }
@@ -266,12 +268,18 @@ QString comparison_block(const ReportInput& input) {
        with_unit_of(ReportWords::tr("Peak feed"), Dimension::feed),
        with_unit_of(ReportWords::tr("Contour error"), Dimension::error), ReportWords::tr("Corner blends")});
   for (const ReportRun& run : input.runs) {
+    if (is_refused(run.shown->run)) {
+      table.add({run_label(run), QStringLiteral("<b>%1</b>").arg(ReportWords::tr("refused")),
+                 QStringLiteral("–"), QStringLiteral("–"), QStringLiteral("–"), QStringLiteral("–"),
+                 QStringLiteral("–"), QStringLiteral("–")});
+      continue;
+    }
     const Summary& summary = summary_of(run);
-    table.add(
-        {run_label(run), QStringLiteral("<b>%1</b>").arg(fixed(summary.cycle_time, 3)),
-         fixed(against_programmed(summary), 3), difference_to_first(summary, summary_of(input.runs.front())),
-         fixed(summary.mean_feed, Dimension::feed), fixed(summary.peak_feed, Dimension::feed),
-         error_number(summary.max_contour_error), QString::number(run.shown->run.trajectory->blend_count())});
+    table.add({run_label(run), QStringLiteral("<b>%1</b>").arg(fixed(summary.cycle_time, 3)),
+               fixed(against_programmed(summary), 3), difference_to_first(run, input.runs.front()),
+               fixed(summary.mean_feed, Dimension::feed), fixed(summary.peak_feed, Dimension::feed),
+               error_number(summary.max_contour_error),
+               QString::number(run.shown->run.trajectory->blend_count())});
   }
   return table.html();
 }

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <vector>
 
+#include "core/analysis/refused_lines.h"
 #include "core/analysis/time_use/time_report.h"
 #include "core/base/units.h"
 #include "ui/language/remedy_text.h"
@@ -99,7 +100,7 @@ ReportInput with_time_report(ReportInput input, bool with_changes, Progress* pro
   TimeReport report;
   report.use = time_use(run, OperationSplit::none, progress);
   report.slow = find_slow_groups(*run.trajectory, progress);
-  if (with_changes && report.use.cycle_time > 0) {
+  if (with_changes && !is_refused(run) && report.use.cycle_time > 0) {
     report.changes = try_changes(run, changes_worth_trying(run, report.use), progress);
   }
   input.time = std::make_shared<const TimeReport>(std::move(report));
@@ -108,13 +109,21 @@ ReportInput with_time_report(ReportInput input, bool with_changes, Progress* pro
 
 QString time_use_block(const ReportInput& input) {
   const TimeReport& report = *input.time;
+  const Run& run = input.run().shown->run;
+  if (is_refused(run)) {
+    return paragraph(TimeTexts::refusal(run));
+  }
   if (!(report.use.cycle_time > 0)) {
     return {};
   }
-  return paragraph(TimeTexts::conclusion(report)) + kinds_table(report.use) + operations_table(report.use);
+  return paragraph(TimeTexts::conclusion(report, run)) + kinds_table(report.use) +
+         operations_table(report.use);
 }
 
 QString time_places_block(const ReportInput& input) {
+  if (is_refused(input.run().shown->run)) {
+    return {};
+  }
   const TimeReport& report = *input.time;
   HtmlTable table("llrrrr", {32, 32, 10, 9, 8, 9});
   table.add_head({ReportWords::tr("Places"), ReportWords::tr("In common"), ReportWords::tr("Lost [s]"),

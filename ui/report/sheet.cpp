@@ -11,6 +11,7 @@
 #include "core/analysis/control_dialect.h"
 #include "core/analysis/not_counted.h"
 #include "core/analysis/program_facts.h"
+#include "core/analysis/refused_lines.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "ui/charts/cause_strip.h"
@@ -136,15 +137,18 @@ class SheetPainter {
   void draw_figures(const QRectF& room) {
     const Summary& summary = input_.run().shown->run.summary;
     const double ratio = summary.programmed_time > 0 ? summary.cycle_time / summary.programmed_time : 1;
+    const bool refused = is_refused(input_.run().shown->run);
+    const auto shown = [&](const QString& figure) { return refused ? QStringLiteral("–") : figure; };
     const std::pair<QString, QString> figures[] = {
-        {ReportWords::tr("cycle time"), clock_text(summary.cycle_time)},
-        {ReportWords::tr("× programmed time"), significant(ratio, 3)},
+        {ReportWords::tr("cycle time"),
+         refused ? ReportWords::tr("refused") : clock_text(summary.cycle_time)},
+        {ReportWords::tr("× programmed time"), shown(significant(ratio, 3))},
         {ReportWords::tr("mean feed, %1").arg(unit_of(Dimension::feed)),
-         fixed(summary.mean_feed, Dimension::feed)},
+         shown(fixed(summary.mean_feed, Dimension::feed))},
         {ReportWords::tr("peak feed, %1").arg(unit_of(Dimension::feed)),
-         fixed(summary.peak_feed, Dimension::feed)},
+         shown(fixed(summary.peak_feed, Dimension::feed))},
         {ReportWords::tr("contour error, %1").arg(unit_of(Dimension::error)),
-         significant(summary.max_contour_error, Dimension::error, 3)}};
+         shown(significant(summary.max_contour_error, Dimension::error, 3))}};
     const double width = (room.width() - 4 * 8) / 5;
     double left = room.left();
     for (const auto& [name, value] : figures) {
@@ -208,14 +212,20 @@ class SheetPainter {
                     ReportWords::tr("To first [%]"),
                     with_unit_of(ReportWords::tr("Mean feed"), Dimension::feed),
                     with_unit_of(ReportWords::tr("Contour error"), Dimension::error)});
-    const double first = input_.runs.front().shown->run.summary.cycle_time;
+    const Run& first_run = input_.runs.front().shown->run;
+    const double first = is_refused(first_run) ? 0 : first_run.summary.cycle_time;
     for (std::size_t i = 0; i < std::min(input_.runs.size(), max_runs); ++i) {
+      if (is_refused(input_.runs[i].shown->run)) {
+        table.add({run_label(input_.runs[i]), ReportWords::tr("refused"), QStringLiteral("–"),
+                   QStringLiteral("–"), QStringLiteral("–")});
+        continue;
+      }
       const Summary& summary = input_.runs[i].shown->run.summary;
-      const double change = first > 0 ? summary.cycle_time / first - 1 : 0;
-      table.add({run_label(input_.runs[i]), fixed(summary.cycle_time, 3),
-                 i == 0 ? QStringLiteral("–") : signed_percent(change),
-                 fixed(summary.mean_feed, Dimension::feed),
-                 significant(summary.max_contour_error, Dimension::error, 3)});
+      table.add(
+          {run_label(input_.runs[i]), fixed(summary.cycle_time, 3),
+           i == 0 || !(first > 0) ? QStringLiteral("–") : signed_percent(summary.cycle_time / first - 1),
+           fixed(summary.mean_feed, Dimension::feed),
+           significant(summary.max_contour_error, Dimension::error, 3)});
     }
     if (input_.runs.size() > max_runs) {
       table.add({ReportWords::tr("and %1 more").arg(input_.runs.size() - max_runs)});
@@ -251,6 +261,9 @@ class SheetPainter {
 
   /// What limits the current run most.
   QString causes_html() const {
+    if (is_refused(input_.run().shown->run)) {
+      return {};
+    }
     constexpr qsizetype most = 5;
     const Summary& summary = input_.run().shown->run.summary;
     HtmlTable table("lrr", {64, 18, 18});

@@ -3,7 +3,9 @@
 #include <QFont>
 #include <QLocale>
 #include <algorithm>
+#include <limits>
 
+#include "core/analysis/refused_lines.h"
 #include "core/base/units.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
@@ -94,20 +96,47 @@ const Summary* RunTable::summary(std::size_t row) const {
   return result != nullptr ? &result->run.summary : nullptr;
 }
 
+bool RunTable::refused(std::size_t row) const {
+  const auto result = runs_.result(row);
+  return result != nullptr && is_refused(result->run);
+}
+
+std::size_t RunTable::lines_not_run(std::size_t row) const {
+  const auto result = runs_.result(row);
+  return result != nullptr ? result->run.input.lines_not_run.size() : 0;
+}
+
 bool RunTable::keeps_bound(const Summary& summary) const {
   return !bound_ || summary.max_contour_error <= *bound_ + rounding;
 }
 
 std::optional<std::size_t> RunTable::best() const {
+  std::size_t least_not_run = std::numeric_limits<std::size_t>::max();  // what is not run takes no time
+  for (std::size_t row = 0; row < runs_.items().size(); ++row) {
+    if (summary(row) != nullptr && !refused(row)) {
+      least_not_run = std::min(least_not_run, lines_not_run(row));
+    }
+  }
   std::optional<std::size_t> found;
   for (std::size_t row = 0; row < runs_.items().size(); ++row) {
     const Summary* figures = summary(row);
-    if (figures != nullptr && keeps_bound(*figures) &&
+    if (figures != nullptr && !refused(row) && lines_not_run(row) == least_not_run && keeps_bound(*figures) &&
         (!found || figures->cycle_time < summary(*found)->cycle_time)) {
       found = row;
     }
   }
   return found;
+}
+
+bool RunTable::all_refused() const {
+  bool some = false;
+  for (std::size_t row = 0; row < runs_.items().size(); ++row) {
+    if (summary(row) != nullptr && !refused(row)) {
+      return false;
+    }
+    some = some || summary(row) != nullptr;
+  }
+  return some;
 }
 
 int RunTable::rowCount(const QModelIndex& parent) const {
@@ -131,6 +160,9 @@ QString RunTable::figure(std::size_t row, int column) const {
         return QStringLiteral("…");
     }
   }
+  if (refused(row)) {
+    return column == cycle_time ? tr("refused") : QStringLiteral("–");
+  }
   switch (column) {
     case cycle_time:
       return best() == row && runs_.items().size() > 1
@@ -140,6 +172,9 @@ QString RunTable::figure(std::size_t row, int column) const {
       const auto fastest = best();
       if (!fastest || *fastest == row || !(summary(*fastest)->cycle_time > 0)) {
         return {};
+      }
+      if (lines_not_run(row) > lines_not_run(*fastest)) {
+        return QStringLiteral("–");
       }
       const double percent = 100 * (figures->cycle_time / summary(*fastest)->cycle_time - 1);
       return signed_number(percent, 1);
@@ -186,7 +221,14 @@ QString RunTable::explanation(std::size_t row) const {
   } else if (runs_.status(row) == RunStatus::failed) {
     lines.append(tr("It failed: %1").arg(runs_.failure(row).toHtmlEscaped()));
   }
-  const Summary* figures = summary(row);
+  if (refused(row)) {
+    lines.append(
+        tr("The control refuses the program: none of its feed motions is run, and there is no cycle time."));
+  }
+  if (const std::size_t not_run = lines_not_run(row); not_run > 0) {
+    lines.append(tr("Lines that the control refuses and that are not run: %1.").arg(not_run));
+  }
+  const Summary* figures = refused(row) ? nullptr : summary(row);
   if (figures != nullptr && !keeps_bound(*figures)) {
     lines.append(tr("Its contour error of %1 is above the bound of %2.")
                      .arg(amount_text(figures->max_contour_error, Dimension::error),
@@ -204,7 +246,7 @@ void RunTable::append_slower_tolerance(std::size_t row, QStringList& lines) cons
   std::vector<ToleranceRun> runs;
   std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < runs_.items().size(); ++i) {
-    if (const Summary* figures = summary(i)) {
+    if (const Summary* figures = summary(i); figures != nullptr && !refused(i)) {
       runs.push_back({&runs_.result(i)->run.setup, figures});
       rows.push_back(i);
     }
@@ -319,7 +361,8 @@ QVariant RunTable::data(const QModelIndex& index, int role) const {
       QFont font;
       font.setBold(row == runs_.current());
       const Summary* figures = summary(row);
-      font.setStrikeOut(index.column() == contour_error && figures != nullptr && !keeps_bound(*figures));
+      font.setStrikeOut(index.column() == contour_error && figures != nullptr && !refused(row) &&
+                        !keeps_bound(*figures));
       return font;
     }
     default:

@@ -32,8 +32,11 @@ class RunTable : public QAbstractTableModel {
 
   /// Largest contour error that counts [mm]; none: every run counts.
   void set_error_bound(std::optional<double> bound);
-  /// Row of the fastest run that keeps the bound; none while no result is there, or if none keeps it.
+  /// Row of the fastest run that keeps the bound, of those of which the control refuses the fewest lines;
+  /// none while no result is there, or if none keeps it or all are refused.
   std::optional<std::size_t> best() const;
+  /// Whether there are results, all of runs that the control refuses.
+  bool all_refused() const;
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
@@ -48,6 +51,9 @@ class RunTable : public QAbstractTableModel {
   QString explanation(std::size_t row) const;
   void append_slower_tolerance(std::size_t row, QStringList& lines) const;
   const Summary* summary(std::size_t row) const;
+  /// Whether the control refuses so much of the program that there is no cycle time; false without a result.
+  bool refused(std::size_t row) const;
+  std::size_t lines_not_run(std::size_t row) const;
   bool keeps_bound(const Summary& summary) const;
   QVariant trace_data(std::size_t trace, int column, int role) const;
   QString trace_text(std::size_t trace, int column) const;

@@ -289,8 +289,11 @@ QString RunsView::verdict() const {
           .arg(count)
           .arg(given_up);
     }
-    return done < count ? tr("%1 of %2 runs are simulated.").arg(done).arg(count)
-                        : tr("No run is within this bound.");
+    if (done < count) {
+      return tr("%1 of %2 runs are simulated.").arg(done).arg(count);
+    }
+    return model_->all_refused() ? tr("The control refuses the program in all runs.")
+                                 : tr("No run is within this bound.");
   }
   const QString lead =
       bounded_->isChecked()

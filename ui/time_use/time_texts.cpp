@@ -3,6 +3,7 @@
 #include <QLocale>
 #include <cmath>
 
+#include "core/analysis/refused_lines.h"
 #include "core/base/units.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
@@ -34,7 +35,13 @@ QString core_title(std::string_view text) {
 
 }  // namespace
 
-QString TimeTexts::conclusion(const TimeReport& report) {
+QString TimeTexts::refusal(const Run& run) {
+  return tr("<b>The control refuses the program:</b> none of its feed motions is run, and there is no cycle "
+            "time to explain. Lines that are not run: %1.")
+      .arg(QString::fromStdString(line_list(run.input.lines_not_run)));
+}
+
+QString TimeTexts::conclusion(const TimeReport& report, const Run& run) {
   const TimeUse& use = report.use;
   if (!(use.cycle_time > 0)) {
     return tr("Nothing in this program takes time.");
@@ -54,6 +61,10 @@ QString TimeTexts::conclusion(const TimeReport& report) {
     text +=
         QLatin1Char(' ') +
         tr("Most is lost here: <b>%1</b> (%2 s).").arg(group(most).toHtmlEscaped(), seconds_text(most.loss));
+  }
+  if (const std::string lines = line_list(run.input.lines_not_run); !lines.empty()) {
+    text += QLatin1Char(' ') + tr("Lines that the control refuses and that are not in these times: %1.")
+                                   .arg(QString::fromStdString(lines));
   }
   return text;
 }

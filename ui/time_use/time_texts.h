@@ -12,9 +12,11 @@ class TimeTexts {
   Q_DECLARE_TR_FUNCTIONS(TimeTexts)
 
  public:
-  /// Rich text in two or three sentences: cycle time against programmed time, where most is lost, what helps
-  /// most.
-  static QString conclusion(const TimeReport& report);
+  /// Rich text in two or three sentences: cycle time against programmed time, where most is lost, and how
+  /// many lines the control refuses. `report`: on `run`, which is not refused.
+  static QString conclusion(const TimeReport& report, const Run& run);
+  /// Why there is no cycle time of a run that the control refuses.
+  static QString refusal(const Run& run);
   static QString kind(TimeKind kind);
   /// "Jerk of axis X".
   static QString cause(Cause cause);

@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "core/analysis/refused_lines.h"
 #include "core/base/error.h"
 #include "ui/fields/focus_outline.h"
 #include "ui/shared/panel_action.h"
@@ -160,16 +161,20 @@ void TimeView::set_run(std::shared_ptr<const ShownRun> shown, const SetupState& 
   setup_ = setup;
   report_ = recall();
   tried_ = report_ != nullptr && !report_->changes.tried.empty();
-  wanted_ = shown_ != nullptr && !tried_ && shown_->run.simulate_time < longest_unasked;
+  wanted_ = has_time() && !tried_ && shown_->run.simulate_time < longest_unasked;
   if (wanted_ && follows) {
     pause_.start();
   }
   show_sections();
-  stale_ = shown_ != nullptr && !tried_;
+  stale_ = has_time() && !tried_;
   if (is_seen()) {
     catch_up();
   }
   show_state({});
+}
+
+bool TimeView::has_time() const {
+  return shown_ != nullptr && !is_refused(shown_->run);
 }
 
 void TimeView::cancel() {
@@ -205,7 +210,7 @@ void TimeView::catch_up() {
 
 void TimeView::try_changes() {
   emit attention_wanted();
-  if (shown_ == nullptr) {
+  if (!has_time()) {
     return;
   }
   pause_.stop();
@@ -279,9 +284,10 @@ std::shared_ptr<const TimeReport> TimeView::recall() const {
 void TimeView::show_sections() {
   tree_->clear();
   sections_ = report_ == nullptr ? std::vector<TimeSection>() : time_sections(*report_, shown_->run);
-  conclusion_->setText(report_ != nullptr  ? TimeTexts::conclusion(*report_)
-                       : shown_ == nullptr ? tr("Open a program to see where its time goes.")
-                                           : tr("Looking where the time goes …"));
+  conclusion_->setText(shown_ == nullptr    ? tr("Open a program to see where its time goes.")
+                       : !has_time()        ? TimeTexts::refusal(shown_->run)
+                       : report_ != nullptr ? TimeTexts::conclusion(*report_, shown_->run)
+                                            : tr("Looking where the time goes …"));
   for (const TimeSection& section : sections_) {
     auto* heading = new QTreeWidgetItem(tree_);
     QFont bold = tree_->font();
@@ -316,8 +322,8 @@ void TimeView::show_state(const QString& failure) {
   const bool trying = job_.busy() && report_ != nullptr;
   progress_->setVisible(job_.busy());
   state_->setText(!failure.isEmpty() ? failure : trying ? tr("Simulating what would help …") : QString());
-  try_->setVisible(shown_ != nullptr && !job_.busy() && !tried_);
-  try_action_->setEnabled(shown_ != nullptr);
+  try_->setVisible(has_time() && !job_.busy() && !tried_);
+  try_action_->setEnabled(has_time());
   paper_->setVisible(report_ != nullptr && !job_.busy());
   show_actions();
 }

@@ -57,6 +57,8 @@ class TimeView : public Panel {
 
  private:
   bool is_seen() const { return on_screen_ && isVisible(); }
+  /// Whether there is a run, and the control does not refuse it.
+  bool has_time() const;
   /// What is known of a run that was shown before.
   struct Known {
     std::weak_ptr<const Trajectory> run;

@@ -37,5 +37,17 @@ TEST(ReportRefused, TheTimeOfAPartSaysHowMuchOfItIsNotRun) {
               AllOf(HasSubstr(" takes "), HasSubstr("and that are not run: 1.")));
 }
 
+/// Rapids take time, but no part is made: no table has that time as a result.
+TEST(ReportRefused, TablesHaveNoFiguresOfIt) {
+  QLocale::setDefault(QLocale::c());
+  const LoadedProgram program = load_program(
+      std::make_shared<const SourceText>("part.nc", "G21 G90\nG0 X10\nG1 X100\nG1 Y100\nG0 X0\n"));
+  ReportInput input;
+  input.runs = report_runs({make_shown(simulate_run(program, make_setup({"grbl-router", "grbl", {}, {}})))});
+  ASSERT_GT(input.run().shown->run.summary.cycle_time, 0);
+  EXPECT_THAT(comparison_block(input).toStdString(), AllOf(HasSubstr("refused"), Not(HasSubstr("0.6"))));
+  EXPECT_EQ(causes_block(input), QString());
+}
+
 }  // namespace
 }  // namespace feedscope::ui

@@ -12,7 +12,9 @@
 namespace feedscope::ui {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 /// Three runs of one program with a contour tolerance of 0.1, 0.02 and 0.5 mm.
@@ -97,6 +99,50 @@ TEST_F(RunTableTest, TheToleranceIsTheOneInForce) {
 TEST_F(RunTableTest, NumbersFollowTheLocale) {
   const test::LocaleInForce locale(QLocale(QLocale::German));
   EXPECT_EQ(text(1, RunTable::tolerance), "0,02");
+}
+
+/// The same program on two models of a machine, of which grbl takes none or not all of its lines.
+class RefusedRunTest : public testing::Test {
+ protected:
+  RefusedRunTest() {
+    QLocale::setDefault(QLocale::c());
+    runs.duplicate_as(0, SetupState(make_setup({"grbl-router", "cam", {}, {}})));
+  }
+  void simulate(const std::string& program) {
+    const LoadedProgram input = load_program(std::make_shared<const SourceText>("part.nc", program));
+    for (const RunItem& item : runs.items()) {
+      runs.set_result(item.id, make_shown(simulate_run(input, item.setup.setup())));
+    }
+  }
+  std::string text(int row, int column) const {
+    return table.index(row, column).data().toString().toStdString();
+  }
+  std::string tip(int row) const {
+    return table.index(row, 0).data(Qt::ToolTipRole).toString().toStdString();
+  }
+
+  RunList runs{make_setup({"grbl-router", "grbl", {}, {}})};
+  RunTable table{runs};
+};
+
+TEST_F(RefusedRunTest, HasNoFiguresAndDoesNotCompete) {
+  simulate("G21 G90\nG0 X10\nG1 X100\nG1 Y100\n");  // grbl wants a feed
+  EXPECT_EQ(text(0, RunTable::cycle_time), "refused");
+  for (const int column : {RunTable::difference, RunTable::mean_feed, RunTable::contour_error}) {
+    EXPECT_EQ(text(0, column), "–");
+    EXPECT_NE(text(1, column), "–");
+  }
+  EXPECT_EQ(table.best(), 1U);
+  EXPECT_THAT(tip(0), AllOf(HasSubstr("The control refuses the program"), HasSubstr("are not run: 2.")));
+  EXPECT_FALSE(table.all_refused());
+}
+
+TEST_F(RefusedRunTest, WhatIsNotRunTakesNoTime) {
+  simulate("G21 G90\nG1 X10 F1000\nG1 X200 H1\nX10\n");
+  EXPECT_LT(runs.result(0)->run.summary.cycle_time, runs.result(1)->run.summary.cycle_time);
+  EXPECT_EQ(table.best(), 1U);
+  EXPECT_EQ(text(0, RunTable::difference), "–");
+  EXPECT_THAT(tip(0), AllOf(HasSubstr("are not run: 1."), Not(HasSubstr("refuses the program"))));
 }
 
 }  // namespace

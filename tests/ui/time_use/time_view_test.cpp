@@ -15,6 +15,7 @@
 namespace feedscope::ui {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 class TimeViewTest : public testing::Test {
@@ -95,6 +96,28 @@ TEST_F(TimeViewTest, AChangeBecomesARunThatTakesWhatWasSaid) {
     ++checked;
   }
   EXPECT_GE(checked, 1U);
+}
+
+/// Rapids and dwells that are left of it take time, but there is nothing to explain.
+TEST_F(TimeViewTest, OfARefusedProgramItSaysThatItIsRefused) {
+  set_run(run);
+  ASSERT_TRUE(finishes());
+  set_run(test::simulate_text("G21 G90\nG0 X10\nG1 X100\nG1 Y100\n", "grbl", "grbl-router"));
+  EXPECT_FALSE(view.busy());
+  EXPECT_EQ(view.report(), nullptr);
+  EXPECT_EQ(view.tree().topLevelItemCount(), 0);
+  EXPECT_THAT(view.conclusion().toStdString(), AllOf(HasSubstr("The control refuses the program"),
+                                                     HasSubstr("Lines that are not run: 3, 4.")));
+  EXPECT_FALSE(view.panel_actions().first()->isEnabled()) << "nothing to try changes of";
+  view.try_changes();
+  EXPECT_FALSE(view.busy());
+}
+
+TEST_F(TimeViewTest, SaysHowManyLinesAreNotInItsTimes) {
+  set_run(test::simulate_text("G21 G90\nG1 X10 F1000\nG1 X200 H1\nX10\n", "grbl", "grbl-router"));
+  ASSERT_TRUE(finishes());
+  EXPECT_THAT(view.conclusion().toStdString(),
+              AllOf(HasSubstr("programmed"), HasSubstr("not in these times: 3.")));
 }
 
 TEST_F(TimeViewTest, WorksOnlyWhileItCanBeSeen) {
