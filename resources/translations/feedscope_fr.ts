@@ -5074,10 +5074,6 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <source>Charts</source>
         <translation>Graphiques</translation>
     </message>
-    <message>
-        <source>jumps of the acceleration are not drawn</source>
-        <translation>sauts de l&apos;accélération non tracés</translation>
-    </message>
 </context>
 <context>
     <name>feedscope::ui::CircularTable</name>
@@ -6656,6 +6652,10 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>line: mean feed</source>
         <translation>trait : avance moyenne</translation>
+    </message>
+    <message>
+        <source>jumps of the acceleration are not drawn</source>
+        <translation>sauts de l&apos;accélération non tracés</translation>
     </message>
 </context>
 <context>

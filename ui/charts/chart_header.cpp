@@ -5,6 +5,7 @@
 #include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QResizeEvent>
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
@@ -76,11 +77,21 @@ void ChartHeader::set_runs(std::vector<LegendEntry> runs) {
   update();
 }
 
-void ChartHeader::set_note(const QString& note) {
-  if (note != note_) {
-    note_ = note;
+void ChartHeader::set_notes(std::vector<LimitLine> limits, QStringList notes) {
+  const int before = heightForWidth(width());
+  limits_ = std::move(limits);
+  notes_ = std::move(notes);
+  kept_height_ = std::max(kept_height_, lay_out(width()).curves_height);
+  if (heightForWidth(width()) != before) {
     updateGeometry();
-    update();
+  }
+  update();
+}
+
+void ChartHeader::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  if (event->size().width() != event->oldSize().width()) {
+    kept_height_ = 0;
   }
 }
 
@@ -142,15 +153,23 @@ ChartHeader::Layout ChartHeader::lay_out(int width) const {
     layout.curves.emplace_back(x, y, room, row_height());
     x += room + curve_gap;
   }
-  if (!note_.isEmpty()) {
-    const int room = metrics.horizontalAdvance(note_) + curve_gap;  // a printed font may be wider
+  QList<int> rooms;
+  for (const LimitLine& limit : limits_) {
+    rooms.append(swatch_width + name_gap + metrics.horizontalAdvance(limit.label));
+  }
+  for (const QString& note : notes_) {
+    rooms.append(metrics.horizontalAdvance(note) + curve_gap);  // a printed font may be wider
+  }
+  for (const int room : rooms) {
     if (x + room > width && x > plot_left_margin()) {
       x = plot_left_margin();
       y += row_height();
     }
-    layout.note = QRect(x, y, std::max(0, std::min(room, width - x)), row_height());
+    layout.notes.emplace_back(x, y, std::max(0, std::min(room, width - x)), row_height());
+    x += room + curve_gap;
   }
-  layout.curves_height = layout.height = y + row_height();
+  layout.curves_height = layout.height =
+      std::max(y + row_height(), width == this->width() ? kept_height_ : 0);
   if (!runs_.empty()) {
     add_runs(layout, width);
   }
@@ -195,8 +214,10 @@ QString ChartHeader::tip_at(const QPoint& place) const {
         .arg(spec_.title, spec_.curves[*curve].name, spec_.unit);
   }
   const Layout layout = lay_out(width());
-  if (layout.note.contains(place)) {
-    return note_;
+  for (std::size_t i = 0; i < layout.notes.size(); ++i) {
+    if (layout.notes[i].contains(place)) {
+      return i < limits_.size() ? limits_[i].label : notes_[static_cast<qsizetype>(i - limits_.size())];
+    }
   }
   if (place.y() < layout.curves_height) {
     return {};
@@ -250,15 +271,25 @@ void ChartHeader::draw(QPainter& painter) const {
       draw_curve(painter, i, layout.curves[i]);
     }
   }
-  draw_note(painter, layout.note);
+  draw_notes(painter, layout.notes);
   draw_runs(painter, layout);
 }
 
-void ChartHeader::draw_note(QPainter& painter, const QRect& place) const {
-  if (!note_.isEmpty()) {
-    painter.setPen(palette().color(QPalette::WindowText));
+void ChartHeader::draw_notes(QPainter& painter, const std::vector<QRect>& places) const {
+  const QColor text = palette().color(QPalette::WindowText);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    QRect place = places[i];
+    const bool limit = i < limits_.size();
+    if (limit) {
+      const int middle = place.center().y();
+      painter.setPen(QPen(colour_of(limits_[i], theme_colours(palette())), 1, Qt::DashLine));
+      painter.drawLine(place.left(), middle, place.left() + swatch_width, middle);
+      place.setLeft(place.left() + swatch_width + name_gap);
+    }
+    const QString& words = limit ? limits_[i].label : notes_[static_cast<qsizetype>(i - limits_.size())];
+    painter.setPen(text);
     painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter,
-                     painter.fontMetrics().elidedText(note_, Qt::ElideRight, place.width()));
+                     limit ? words : painter.fontMetrics().elidedText(words, Qt::ElideRight, place.width()));
   }
 }
 

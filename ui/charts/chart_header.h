@@ -1,10 +1,12 @@
 #pragma once
 
+#include <QStringList>
 #include <QWidget>
 #include <optional>
 #include <vector>
 
 #include "ui/charts/chart_spec.h"
+#include "ui/charts/limit_line.h"
 
 namespace feedscope::ui {
 
@@ -32,9 +34,13 @@ class ChartHeader : public QWidget {
   void set_available(std::vector<bool> available);
   void set_runs(std::vector<LegendEntry> runs);
   const std::vector<LegendEntry>& runs() const { return runs_; }
-  /// What the curves do not show, behind them; empty: nothing.
-  void set_note(const QString& note);
-  const QString& note() const { return note_; }
+  /// The limits that the plot shows, and notes on what it leaves out or adds: behind the curves. A line that
+  /// they once needed stays at this width, so that the plot below does not change its height while it is
+  /// read.
+  void set_notes(std::vector<LimitLine> limits, QStringList notes);
+  const QStringList& notes() const { return notes_; }
+  /// Where each limit stands, then each note.
+  std::vector<QRect> note_places() const { return lay_out(width()).notes; }
   /// Where a curve stands, value included; null of one that is not available.
   QRect item(std::size_t curve) const;
   QString tip_at(const QPoint& place) const;
@@ -51,14 +57,15 @@ class ChartHeader : public QWidget {
  protected:
   bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
 
  private:
   struct Layout {
     std::vector<QRect> curves;
-    QRect note;
-    std::vector<QRect> runs;  ///< those that there is room for
+    std::vector<QRect> notes;  ///< of the limits, then of the notes
+    std::vector<QRect> runs;   ///< those that there is room for
     int curves_height = 0;
     int height = 0;
   };
@@ -73,14 +80,16 @@ class ChartHeader : public QWidget {
   std::optional<std::size_t> curve_at(const QPoint& place) const;
   void draw_title(QPainter& painter) const;
   void draw_curve(QPainter& painter, std::size_t curve, const QRect& place) const;
-  void draw_note(QPainter& painter, const QRect& place) const;
+  void draw_notes(QPainter& painter, const std::vector<QRect>& places) const;
   void draw_runs(QPainter& painter, const Layout& layout) const;
 
   ChartSpec spec_;
   std::vector<bool> shown_;
   std::vector<bool> available_;
   std::vector<LegendEntry> runs_;
-  QString note_;
+  std::vector<LimitLine> limits_;
+  QStringList notes_;
+  int kept_height_ = 0;                        ///< of curves and notes [px], see set_notes()
   std::vector<std::optional<double>> values_;  ///< a curve each, in the chart's unit
 };
 

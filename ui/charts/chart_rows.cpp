@@ -35,6 +35,7 @@ void ChartRows::show_columns(const ChartColumns& columns, const OverlayCurves& o
   }
   lost->show_runs(none ? nullptr : columns.trajectory(), overlays.runs(), columns.times());
   shares->update();
+  show_notes();
 }
 
 void ChartRows::show_usual(const UsualMotion& usual, QVBoxLayout& layout) const {
@@ -44,6 +45,13 @@ void ChartRows::show_usual(const UsualMotion& usual, QVBoxLayout& layout) const 
   shares->set_feeds(usual.feeds);
   layout.setContentsMargins(0, 0, usual.feeds.empty() ? 0 : FeedShares::usual_width(), 0);
   place_shares();
+  show_notes();
+}
+
+void ChartRows::show_notes() const {
+  for (std::size_t i = 0; i < charts.size(); ++i) {
+    headers[i]->set_notes(charts[i]->limits_in_sight(), charts[i]->notes());
+  }
 }
 
 void ChartRows::place_shares() const {

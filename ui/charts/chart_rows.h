@@ -35,6 +35,8 @@ struct ChartRows {
   /// Where the curves usually are, and beside the first chart the time at each feed. `layout`: of the
   /// charts.
   void show_usual(const UsualMotion& usual, QVBoxLayout& layout) const;
+  /// Beside each chart what its plot leaves out or adds.
+  void show_notes() const;
   /// Beside the first chart, when that has moved.
   void place_shares() const;
   /// In the headers, at `state`; null: no values. `sources`: of its run.

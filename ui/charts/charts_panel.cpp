@@ -112,6 +112,7 @@ void ChartsPanel::connect_chart(KinematicChart& chart) {
   connect(&chart, &KinematicChart::plot_resized, &refresh_, qOverload<>(&QTimer::start));
   connect(&chart, &KinematicChart::plot_resized, this, [this] { rows_.place_shares(); });
   connect(&chart, &KinematicChart::values_chosen, this, &ChartsPanel::begin_rest);
+  connect(&chart, &KinematicChart::values_chosen, this, [this] { rows_.show_notes(); });
   connect(&chart, &KinematicChart::fit_requested, this, &ChartsPanel::fit);
   connect(&chart, &KinematicChart::menu_requested, this,
           [this](const QPoint& global) { commands_->menu().popup(global); });
@@ -244,6 +245,7 @@ void ChartsPanel::show_curve(std::size_t chart, std::size_t curve, bool shown) {
   rows_.charts[chart]->show_curve(curve, shown);
   rows_.headers[chart]->show_curve(curve, shown);
   commands_->set_curve_shown(chart, curve, shown);
+  rows_.show_notes();
 }
 
 void ChartsPanel::show_usual_curves() {
@@ -305,6 +307,9 @@ void ChartsPanel::refresh() {
   usual_.follow(columns_, range_.rapids_shown());
   rows_.charts.front()->set_cutting_feed(
       cutting_feed(columns_.envelope(), columns_.bands(), overlays_.runs()));
+  rows_.charts[jerk_chart]->set_jumps(
+      !sources_.limits_jerk ||
+      std::ranges::any_of(overlays_.runs(), [](const RunOverlay& run) { return !run.sources.limits_jerk; }));
   rows_.show_columns(columns_, overlays_);
   causes_->set_causes(columns_.dominating(), columns_.causes());
   show_cursor();
@@ -337,10 +342,6 @@ void ChartsPanel::show_other_runs() {
     rows_.headers[i]->set_runs(
         overlays_.legend(i, rows_.charts[i]->spec(), range_, trajectory_.get(), position));
   }
-  const bool smooth =
-      sources_.limits_jerk &&
-      std::ranges::all_of(overlays_.runs(), [](const RunOverlay& run) { return run.sources.limits_jerk; });
-  rows_.headers[jerk_chart]->set_note(smooth ? QString() : tr("jumps of the acceleration are not drawn"));
 }
 
 void ChartsPanel::zoom(double factor) {

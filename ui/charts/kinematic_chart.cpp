@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <numeric>
 
 #include "core/base/ticks.h"
@@ -25,7 +26,7 @@ namespace {
 constexpr int least_height = 50;
 constexpr int least_labelled_height = 80;
 constexpr int label_size = 11;
-constexpr int top_margin = 6;
+constexpr int top_margin = 7;
 constexpr int bottom_margin = 8;
 constexpr int labelled_bottom_margin = 36;
 constexpr int tick_distance = 14;  // [px]
@@ -233,7 +234,6 @@ void KinematicChart::fit() {
     limits.push_back(limit.value);
   }
   values_ = fit_values(curves, limits);
-  values_.upper += room_for_names(limits_, values_, font(), chart()->plotArea().height());
   double fastest = 0;
   for (const CurveReach& curve : curves) {
     fastest =
@@ -329,9 +329,8 @@ void KinematicChart::draw_picture(QPainter& painter) {
   draw_curves(painter);
   const ThemeColours& colours = theme_colours(palette());
   draw_mean_lines(painter, mean_lines(), curve_colour(CurveRole::path, colours), colours.plot);
-  draw_limit_lines(painter, chart()->plotArea(), limits_, colours, font(),
+  draw_limit_lines(painter, chart()->plotArea(), limits_, colours,
                    [this](double value) { return height_of(value); });
-  draw_notes(painter);
   painter.restore();
   painter.setFont(abscissa_->labelsFont());
   painter.setPen(theme_colours(palette()).text);
@@ -425,8 +424,7 @@ std::vector<QPolygonF> KinematicChart::mean_lines() const {
       shows_usual() && hidden_in_bars(columns));
 }
 
-/// What the chart leaves out or adds, in its upper left corner.
-void KinematicChart::draw_notes(QPainter& painter) const {
+QStringList KinematicChart::notes() const {
   QStringList notes;
   if (fastest_rapid_) {
     notes.append(tr("▴ rapids up to %1").arg(QLocale().toString(*fastest_rapid_, 'f', spec_.decimals)));
@@ -437,20 +435,18 @@ void KinematicChart::draw_notes(QPainter& painter) const {
   if (!mean_lines().empty()) {
     notes.append(shows_usual() ? tr("line: mean feed") : tr("line: mean of the columns"));
   }
-  if (notes.isEmpty()) {
-    return;
+  if (jumps_) {
+    notes.append(tr("jumps of the acceleration are not drawn"));
   }
-  const ThemeColours& colours = theme_colours(palette());
-  painter.setFont(chart_note_font(font()));
-  const QFontMetricsF metrics(painter.font());
-  const QString text = notes.join(QStringLiteral("   "));
-  const QRectF plot = chart()->plotArea();
-  const QRectF label(plot.left() + 4, plot.top() + 1, metrics.horizontalAdvance(text), metrics.height());
-  QColor behind = colours.plot;
-  behind.setAlpha(230);
-  painter.fillRect(label.adjusted(-2, 0, 2, 0), behind);
-  painter.setPen(colours.text);
-  painter.drawText(label, Qt::AlignCenter, text);
+  return notes;
+}
+
+std::vector<LimitLine> KinematicChart::limits_in_sight() const {
+  std::vector<LimitLine> seen;
+  std::ranges::copy_if(limits_, std::back_inserter(seen), [this](const LimitLine& limit) {
+    return limit.value > values_.lower && limit.value < values_.upper;
+  });
+  return seen;
 }
 
 void KinematicChart::draw_cursors(QPainter& painter) const {
@@ -491,7 +487,8 @@ void KinematicChart::resizeEvent(QResizeEvent* event) {
 void KinematicChart::lay_out() {
   const int bottom = abscissa_title_.isEmpty() ? bottom_margin : type_pixels(labelled_bottom_margin);
   chart()->setPlotArea(
-      QRectF(viewport()->rect()).adjusted(plot_left_margin(), top_margin, -plot_right_margin, -bottom));
+      QRectF(viewport()->rect())
+          .adjusted(plot_left_margin(), type_pixels(top_margin), -plot_right_margin, -bottom));
   picture_ = {};
   emit plot_resized();
 }

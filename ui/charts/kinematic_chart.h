@@ -4,6 +4,7 @@
 #include <QPixmap>
 #include <QPolygonF>
 #include <QString>
+#include <QStringList>
 #include <optional>
 #include <span>
 #include <vector>
@@ -55,6 +56,8 @@ class KinematicChart : public QChartView {
   /// pale. Empty: nothing is known of that.
   void set_usual(const std::vector<MotionBand>& ranges, std::size_t columns);
   bool shows_usual() const;
+  /// Whether the acceleration jumps, of which a chart of jerk shows nothing.
+  void set_jumps(bool jumps) { jumps_ = jumps; }
   /// Those that are drawn.
   std::vector<QPolygonF> mean_lines() const;
   void show_curve(std::size_t curve, bool shown);
@@ -74,6 +77,11 @@ class KinematicChart : public QChartView {
   const std::optional<Interval>& chosen_values() const { return chosen_values_; }
   /// An interval too narrow or too wide for numbers beside it is left alone.
   void choose_values(const std::optional<Interval>& values);
+
+  /// What the plot leaves out or adds, and the limits that are drawn in it: said beside it, where no curve
+  /// is.
+  QStringList notes() const;
+  std::vector<LimitLine> limits_in_sight() const;
 
   /// Place of a position in the viewport [px].
   double pixel_of(double position) const;
@@ -110,7 +118,6 @@ class KinematicChart : public QChartView {
   void draw_curves(QPainter& painter) const;
   void draw_extents(QPainter& painter, const std::vector<Extent>& extents, const QColor& color, double width,
                     bool dashed) const;
-  void draw_notes(QPainter& painter) const;
   void draw_cursors(QPainter& painter) const;
 
   ChartSpec spec_;
@@ -132,6 +139,7 @@ class KinematicChart : public QChartView {
   std::optional<double> cursor_;
   std::optional<double> second_cursor_;
   QPixmap picture_;  ///< the chart without cursors; null when it must be drawn again
+  bool jumps_ = false;
   double resolution_ = 1;
   ChartInput* input_;
 };

@@ -1,12 +1,10 @@
 #include "ui/charts/limit_line.h"
 
 #include <QCoreApplication>
-#include <QFontMetricsF>
 #include <QPainter>
 #include <algorithm>
 
 #include "core/analysis/load/limit_tracker.h"
-#include "ui/theme/type_size.h"
 
 namespace feedscope::ui {
 namespace {
@@ -74,55 +72,16 @@ std::vector<LimitLine> bound_lines(const ChartSpec& spec, const RunLoad& load) {
   return lines;
 }
 
-QFont chart_note_font(QFont font) {
-  font.setPixelSize(type_pixels(10));
-  return font;
-}
-
-double room_for_names(const std::vector<LimitLine>& limits, const Interval& values, const QFont& font,
-                      double plot) {
-  const double wanted = QFontMetricsF(chart_note_font(font)).height() + 2;
-  double highest = values.lower;
-  for (const LimitLine& limit : limits) {
-    highest = limit.value < values.upper ? std::max(highest, limit.value) : highest;
-  }
-  if (!(highest > values.lower) || plot < 2 * wanted) {
-    return 0;
-  }
-  // (upper - highest) / (upper - lower) * plot = wanted
-  const double share = wanted / plot;
-  const double upper = (highest - share * values.lower) / (1 - share);
-  return std::max(0.0, upper - values.upper);
+QColor colour_of(const LimitLine& limit, const ThemeColours& colours) {
+  return limit.axis ? colours.axes[*limit.axis % colours.axes.size()] : colours.shared;
 }
 
 void draw_limit_lines(QPainter& painter, const QRectF& plot, const std::vector<LimitLine>& limits,
-                      const ThemeColours& colours, const QFont& font,
-                      const std::function<double(double)>& height_of) {
-  painter.setFont(chart_note_font(font));
-  const QFontMetricsF metrics(painter.font());
-  QColor behind = colours.plot;
-  behind.setAlpha(230);
-  double label_right = plot.right() - 4;
-  double highest = plot.bottom();  // of the limits that are seen: their names are above it, where no curve is
+                      const ThemeColours& colours, const std::function<double(double)>& height_of) {
   for (const LimitLine& limit : limits) {
-    const double top = height_of(limit.value);
-    highest = top > plot.top() && top < highest ? top : highest;
-  }
-  const double above = highest - metrics.height() - 1;
-  for (const LimitLine& limit : limits) {
-    const double top = height_of(limit.value);
-    const double bottom = height_of(-limit.value);
-    painter.setPen(
-        QPen(limit.axis ? colours.axes[*limit.axis % colours.axes.size()] : colours.shared, 1, Qt::DashLine));
-    painter.drawLine(QPointF(plot.left(), top), QPointF(plot.right(), top));
-    painter.drawLine(QPointF(plot.left(), bottom), QPointF(plot.right(), bottom));
-    if (top > plot.top() && top < plot.bottom()) {
-      const double width = metrics.horizontalAdvance(limit.label);
-      const double label_top = above >= plot.top() ? above : top + 1;
-      const QRectF label(label_right - width, label_top, width, metrics.height());
-      painter.fillRect(label.adjusted(-2, 1, 2, -1), behind);
-      painter.drawText(label, Qt::AlignCenter, limit.label);
-      label_right -= width + 12;
+    painter.setPen(QPen(colour_of(limit, colours), 1, Qt::DashLine));
+    for (const double value : {limit.value, -limit.value}) {
+      painter.drawLine(QPointF(plot.left(), height_of(value)), QPointF(plot.right(), height_of(value)));
     }
   }
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <QFont>
+#include <QColor>
 #include <QRectF>
 #include <QString>
 #include <functional>
@@ -10,7 +10,6 @@
 #include "core/analysis/load/run_load.h"
 #include "core/machine/machine.h"
 #include "ui/charts/chart_spec.h"
-#include "ui/charts/value_fit.h"
 #include "ui/theme/theme.h"
 
 class QPainter;
@@ -35,15 +34,9 @@ std::vector<LimitLine> rotary_limit_lines(const ChartSpec& spec, const MachineKi
 /// Those of the operations in a chart of their quantities, each value once.
 std::vector<LimitLine> bound_lines(const ChartSpec& spec, const RunLoad& load);
 
-/// Of names and notes in a chart.
-QFont chart_note_font(QFont font);
-/// What must be above `values` so that the names of the limits in it do not lie over curves. `plot`: height
-/// [px].
-double room_for_names(const std::vector<LimitLine>& limits, const Interval& values, const QFont& font,
-                      double plot);
-/// Lines and names. `height_of`: place of a value [px].
+QColor colour_of(const LimitLine& limit, const ThemeColours& colours);
+/// Lines without names. `height_of`: place of a value [px].
 void draw_limit_lines(QPainter& painter, const QRectF& plot, const std::vector<LimitLine>& limits,
-                      const ThemeColours& colours, const QFont& font,
-                      const std::function<double(double)>& height_of);
+                      const ThemeColours& colours, const std::function<double(double)>& height_of);
 
 }  // namespace feedscope::ui

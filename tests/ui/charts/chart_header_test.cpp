@@ -84,5 +84,38 @@ TEST_F(ChartHeaderTest, OtherRunsTakeTwoLinesAtMostAndTheTipNamesAll) {
   EXPECT_TRUE(header.tip_at({2, alone + 2}).endsWith("run 19"));
 }
 
+TEST_F(ChartHeaderTest, NotesStandBehindTheCurvesAndInALineOfTheirOwnWhereThereIsNoRoom) {
+  const std::vector<LimitLine> limits{{5, "limit of X Y", {}}, {7, "limit of Z", 2}};
+  const QStringList notes{"bands: 5 to 95 % of the time, pale: extremes"};
+  for (int width = 1400; width >= header.minimumSizeHint().width(); width -= 50) {
+    header.set_notes({}, {});
+    give_width(width);
+    header.set_notes(limits, notes);
+    give_width(width);
+    const std::vector<QRect> places = header.note_places();
+    ASSERT_EQ(places.size(), 3U);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      EXPECT_TRUE(header.rect().contains(places[i])) << width << ' ' << i;
+      for (std::size_t k = 0; k < count(); ++k) {
+        EXPECT_FALSE(places[i].intersects(header.item(k))) << width << ' ' << i << ' ' << k;
+      }
+    }
+    EXPECT_EQ(header.tip_at(places[1].center()), "limit of Z");
+    EXPECT_EQ(header.tip_at(places[2].center()), notes[0]);
+  }
+}
+
+/// A note that comes and goes with the height of the plot would else make the plot jump without end.
+TEST_F(ChartHeaderTest, ALineThatNotesNeededStays) {
+  give_width(600);
+  const int before = header.height();
+  header.set_notes({}, QStringList(5, "bands: 5 to 95 % of the time, pale: extremes"));
+  const int with_note = header.heightForWidth(600);
+  EXPECT_GT(with_note, before);
+  header.set_notes({}, {});
+  EXPECT_EQ(header.heightForWidth(600), with_note);
+  EXPECT_LT(header.heightForWidth(1400), with_note);
+}
+
 }  // namespace
 }  // namespace feedscope::ui
