@@ -19,10 +19,18 @@ namespace feedscope::ui {
 
 namespace {
 
-constexpr int strip_height = 10;
-constexpr int swatch = 9;
-constexpr int swatch_gap = 4;
-constexpr int item_gap = 14;
+int strip_height() {
+  return type_pixels(10);
+}
+int swatch_side() {
+  return type_pixels(9);
+}
+int swatch_gap() {
+  return type_pixels(4);
+}
+int item_gap() {
+  return type_pixels(14);
+}
 constexpr double min_named_share = 0.0005;  // of the visible time; below, 0.0 % would stand there
 
 QColor colour_of(CauseKind kind) {
@@ -52,12 +60,12 @@ CauseStrip::CauseStrip(QWidget* parent) : QWidget(parent) {
 }
 
 QSize CauseStrip::sizeHint() const {
-  return {700, QFontMetrics(font()).height() + 4 + strip_height};
+  return {700, QFontMetrics(font()).height() + 4 + strip_height()};
 }
 
 QRect CauseStrip::strip() const {
-  return {plot_left_margin(), height() - strip_height, width() - plot_left_margin() - plot_right_margin,
-          strip_height};
+  return {plot_left_margin(), height() - strip_height(), width() - plot_left_margin() - plot_right_margin,
+          strip_height()};
 }
 
 void CauseStrip::set_causes(std::vector<std::optional<CauseKind>> columns, std::vector<double> times) {
@@ -86,17 +94,17 @@ void CauseStrip::lay_out() {
   QFont bold = font();
   bold.setBold(true);
   const int more = metrics.horizontalAdvance(tr("+ %1").arg(99));
-  const int row = height() - strip_height;
-  int x = 8 + QFontMetrics(bold).horizontalAdvance(tr("Limited by")) + item_gap;
+  const int row = height() - strip_height();
+  int x = type_pixels(8) + QFontMetrics(bold).horizontalAdvance(tr("Limited by")) + item_gap();
   listed_ = 0;
   for (Share& share : shares_) {
-    const int end = x + swatch + swatch_gap + metrics.horizontalAdvance(share.text);
+    const int end = x + swatch_side() + swatch_gap() + metrics.horizontalAdvance(share.text);
     const bool last = listed_ + 1 == shares_.size();
-    if (end + (last ? 0 : item_gap + more) > width() - plot_right_margin) {
+    if (end + (last ? 0 : item_gap() + more) > width() - plot_right_margin) {
       break;
     }
     share.place = QRect(x, 0, end - x, row);
-    x = end + item_gap;
+    x = end + item_gap();
     ++listed_;
   }
 }
@@ -201,27 +209,28 @@ void CauseStrip::draw(QPainter& painter) const {
 }
 
 void CauseStrip::draw_legend(QPainter& painter) const {
-  const int row = height() - strip_height;
+  const int row = height() - strip_height();
   const QColor text = palette().color(QPalette::WindowText);
   const QColor faint = palette().color(QPalette::Disabled, QPalette::WindowText);
   QFont bold = font();
   bold.setBold(true);
   painter.setFont(bold);
   painter.setPen(text);
-  painter.drawText(QRect(8, 0, width(), row), Qt::AlignLeft | Qt::AlignVCenter, tr("Limited by"));
+  painter.drawText(QRect(type_pixels(8), 0, width(), row), Qt::AlignLeft | Qt::AlignVCenter,
+                   tr("Limited by"));
   painter.setFont(font());
   int end = 0;
   for (std::size_t i = 0; i < listed_; ++i) {
     const Share& share = shares_[i];
     const bool shown = !highlighted_.has_value() || highlighted_ == share.kind;
-    const QRect box(share.place.left(), (row - swatch) / 2, swatch, swatch);
+    const QRect box(share.place.left(), (row - swatch_side()) / 2, swatch_side(), swatch_side());
     painter.fillRect(box, shown ? colour_of(share.kind) : faint);
     painter.setPen(theme_colours(palette()).frame);
     painter.drawRect(box.adjusted(0, 0, -1, -1));
     painter.setPen(shown ? text : faint);
-    painter.drawText(share.place.adjusted(swatch + swatch_gap, 0, 4, 0), Qt::AlignLeft | Qt::AlignVCenter,
-                     share.text);
-    end = share.place.right() + item_gap;
+    painter.drawText(share.place.adjusted(swatch_side() + swatch_gap(), 0, 4, 0),
+                     Qt::AlignLeft | Qt::AlignVCenter, share.text);
+    end = share.place.right() + item_gap();
   }
   if (listed_ < shares_.size()) {
     painter.setPen(faint);

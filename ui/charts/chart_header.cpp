@@ -16,11 +16,21 @@ namespace feedscope::ui {
 
 namespace {
 
-constexpr int left = 8;
-constexpr int swatch_width = 18;
-constexpr int name_gap = 5;
-constexpr int curve_gap = 10;
-constexpr int longest_run_name = 160;  // [px]
+int left_inset() {
+  return type_pixels(8);
+}
+int swatch_width() {
+  return type_pixels(18);
+}
+int name_gap() {
+  return type_pixels(5);
+}
+int curve_gap() {
+  return type_pixels(10);
+}
+int longest_run_name() {
+  return type_pixels(160);
+}
 constexpr int max_run_rows = 2;
 
 QFont bold(QFont font) {
@@ -104,7 +114,7 @@ int ChartHeader::value_width() const {
 }
 
 int ChartHeader::item_width(const QString& name) const {
-  return swatch_width + name_gap + QFontMetrics(font()).horizontalAdvance(name) + value_width();
+  return swatch_width() + name_gap() + QFontMetrics(font()).horizontalAdvance(name) + value_width();
 }
 
 QString ChartHeader::unit_text() const {
@@ -137,8 +147,8 @@ int ChartHeader::heightForWidth(int width) const {
 ChartHeader::Layout ChartHeader::lay_out(int width) const {
   const QFontMetrics metrics(font());
   Layout layout;
-  int x = left + QFontMetrics(bold(font())).horizontalAdvance(spec_.title) + name_gap +
-          metrics.horizontalAdvance(unit_text()) + curve_gap;
+  int x = left_inset() + QFontMetrics(bold(font())).horizontalAdvance(spec_.title) + name_gap() +
+          metrics.horizontalAdvance(unit_text()) + curve_gap();
   int y = 0;
   for (std::size_t i = 0; i < spec_.curves.size(); ++i) {
     if (!available_[i]) {
@@ -151,14 +161,14 @@ ChartHeader::Layout ChartHeader::lay_out(int width) const {
       y += row_height();
     }
     layout.curves.emplace_back(x, y, room, row_height());
-    x += room + curve_gap;
+    x += room + curve_gap();
   }
   QList<int> rooms;
   for (const LimitLine& limit : limits_) {
-    rooms.append(swatch_width + name_gap + metrics.horizontalAdvance(limit.label));
+    rooms.append(swatch_width() + name_gap() + metrics.horizontalAdvance(limit.label));
   }
   for (const QString& note : notes_) {
-    rooms.append(metrics.horizontalAdvance(note) + curve_gap);  // a printed font may be wider
+    rooms.append(metrics.horizontalAdvance(note) + curve_gap());  // a printed font may be wider
   }
   for (const int room : rooms) {
     if (x + room > width && x > plot_left_margin()) {
@@ -166,7 +176,7 @@ ChartHeader::Layout ChartHeader::lay_out(int width) const {
       y += row_height();
     }
     layout.notes.emplace_back(x, y, std::max(0, std::min(room, width - x)), row_height());
-    x += room + curve_gap;
+    x += room + curve_gap();
   }
   layout.curves_height = layout.height =
       std::max(y + row_height(), width == this->width() ? kept_height_ : 0);
@@ -182,9 +192,9 @@ void ChartHeader::add_runs(Layout& layout, int width) const {
   int x = plot_left_margin();
   int row = 0;
   for (std::size_t i = 0; i < runs_.size(); ++i) {
-    const int room = item_width(metrics.elidedText(runs_[i].name, Qt::ElideMiddle, longest_run_name));
+    const int room = item_width(metrics.elidedText(runs_[i].name, Qt::ElideMiddle, longest_run_name()));
     const bool last = i + 1 == runs_.size();
-    const int end = x + room + (last || row + 1 < max_run_rows ? 0 : curve_gap + more);
+    const int end = x + room + (last || row + 1 < max_run_rows ? 0 : curve_gap() + more);
     if (end > width && x > plot_left_margin()) {
       if (row + 1 == max_run_rows) {
         break;
@@ -193,7 +203,7 @@ void ChartHeader::add_runs(Layout& layout, int width) const {
       x = plot_left_margin();
     }
     layout.runs.emplace_back(x, layout.curves_height + row * row_height(), room, row_height());
-    x += room + curve_gap;
+    x += room + curve_gap();
   }
   layout.height += (row + 1) * row_height();
 }
@@ -282,9 +292,10 @@ void ChartHeader::draw_notes(QPainter& painter, const std::vector<QRect>& places
     const bool limit = i < limits_.size();
     if (limit) {
       const int middle = place.center().y();
-      painter.setPen(QPen(colour_of(limits_[i], theme_colours(palette())), 1, Qt::DashLine));
-      painter.drawLine(place.left(), middle, place.left() + swatch_width, middle);
-      place.setLeft(place.left() + swatch_width + name_gap);
+      painter.setPen(
+          QPen(colour_of(limits_[i], theme_colours(palette())), line_pixels(1, *this), Qt::DashLine));
+      painter.drawLine(place.left(), middle, place.left() + swatch_width(), middle);
+      place.setLeft(place.left() + swatch_width() + name_gap());
     }
     const QString& words = limit ? limits_[i].label : notes_[static_cast<qsizetype>(i - limits_.size())];
     painter.setPen(text);
@@ -297,9 +308,10 @@ void ChartHeader::draw_title(QPainter& painter) const {
   painter.setPen(palette().color(QPalette::WindowText));
   painter.setFont(bold(font()));
   const int title = QFontMetrics(painter.font()).horizontalAdvance(spec_.title);
-  painter.drawText(QRect(left, 0, title + name_gap, row_height()), Qt::AlignVCenter, spec_.title);
+  painter.drawText(QRect(left_inset(), 0, title + name_gap(), row_height()), Qt::AlignVCenter, spec_.title);
   painter.setFont(font());
-  painter.drawText(QRect(left + title + name_gap, 0, width(), row_height()), Qt::AlignVCenter, unit_text());
+  painter.drawText(QRect(left_inset() + title + name_gap(), 0, width(), row_height()), Qt::AlignVCenter,
+                   unit_text());
 }
 
 void ChartHeader::draw_curve(QPainter& painter, std::size_t curve, const QRect& place) const {
@@ -308,10 +320,10 @@ void ChartHeader::draw_curve(QPainter& painter, std::size_t curve, const QRect& 
   const QColor faint = palette().color(QPalette::Disabled, QPalette::WindowText);
   const QColor color = shown ? curve_colour(spec.role, theme_colours(palette())) : faint;
   const int middle = place.center().y();
-  painter.setPen(QPen(color, shown ? spec.width + 1 : 1));
-  painter.drawLine(place.left(), middle, place.left() + swatch_width, middle);
+  painter.setPen(QPen(color, line_pixels(shown ? spec.width + 1 : 1, *this)));
+  painter.drawLine(place.left(), middle, place.left() + swatch_width(), middle);
   painter.setPen(shown ? palette().color(QPalette::WindowText) : faint);
-  const QRect words = place.adjusted(swatch_width + name_gap, 0, 0, 0);
+  const QRect words = place.adjusted(swatch_width() + name_gap(), 0, 0, 0);
   painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter, spec.name);
   if (shown && curve < values_.size() && values_[curve]) {
     painter.drawText(words, Qt::AlignRight | Qt::AlignVCenter, number(*values_[curve]));
@@ -323,19 +335,20 @@ void ChartHeader::draw_runs(QPainter& painter, const Layout& layout) const {
   for (std::size_t i = 0; i < layout.runs.size(); ++i) {
     const LegendEntry& run = runs_[i];
     const QRect& place = layout.runs[i];
-    painter.setPen(QPen(run.color, 2, run.dashed ? Qt::DashLine : Qt::SolidLine, Qt::FlatCap));
-    painter.drawLine(place.left(), place.center().y(), place.left() + swatch_width, place.center().y());
+    painter.setPen(
+        QPen(run.color, line_pixels(2, *this), run.dashed ? Qt::DashLine : Qt::SolidLine, Qt::FlatCap));
+    painter.drawLine(place.left(), place.center().y(), place.left() + swatch_width(), place.center().y());
     painter.setPen(palette().color(QPalette::WindowText));
-    const QRect words = place.adjusted(swatch_width + name_gap, 0, 0, 0);
+    const QRect words = place.adjusted(swatch_width() + name_gap(), 0, 0, 0);
     painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter,
-                     metrics.elidedText(run.name, Qt::ElideMiddle, longest_run_name));
+                     metrics.elidedText(run.name, Qt::ElideMiddle, longest_run_name()));
     if (run.value.has_value()) {
       painter.drawText(words, Qt::AlignRight | Qt::AlignVCenter, number(*run.value));
     }
   }
   if (layout.runs.size() < runs_.size()) {
     painter.setPen(palette().color(QPalette::Disabled, QPalette::WindowText));
-    painter.drawText(layout.runs.back().translated(layout.runs.back().width() + curve_gap, 0),
+    painter.drawText(layout.runs.back().translated(layout.runs.back().width() + curve_gap(), 0),
                      Qt::AlignVCenter, tr("+ %1").arg(runs_.size() - layout.runs.size()));
   }
 }

@@ -31,6 +31,7 @@ constexpr int bottom_margin = 8;
 constexpr int labelled_bottom_margin = 36;
 constexpr int tick_distance = 14;  // [px]
 constexpr double overlay_width = 1.4;
+constexpr double band_edge = 1.3;
 constexpr double long_number = 1e6;   // would not fit beside the plot
 constexpr double finest_zoom = 1e-6;  // of the largest value; beyond, the numbers beside the plot are all one
 constexpr double widest_values = 1e12;
@@ -328,8 +329,9 @@ void KinematicChart::draw_picture(QPainter& painter) {
   painter.setClipRect(chart()->plotArea());
   draw_curves(painter);
   const ThemeColours& colours = theme_colours(palette());
-  draw_mean_lines(painter, mean_lines(), curve_colour(CurveRole::path, colours), colours.plot);
-  draw_limit_lines(painter, chart()->plotArea(), limits_, colours,
+  draw_mean_lines(painter, mean_lines(), curve_colour(CurveRole::path, colours), colours.plot,
+                  line_pixels(1, *this));
+  draw_limit_lines(painter, chart()->plotArea(), limits_, colours, line_pixels(1, *this),
                    [this](double value) { return height_of(value); });
   painter.restore();
   painter.setFont(abscissa_->labelsFont());
@@ -341,7 +343,7 @@ void KinematicChart::draw_picture(QPainter& painter) {
 /// The largest curve first, so that none hides another; what is inside of those that swing below all.
 void KinematicChart::draw_curves(QPainter& painter) const {
   for (const OverlayCurve& overlay : overlays_) {
-    draw_extents(painter, overlay.columns, overlay.color, overlay_width, overlay.dashed);
+    draw_extents(painter, overlay.columns, overlay.color, line_pixels(overlay_width, *this), overlay.dashed);
   }
   std::vector<float> size(columns_.size());
   std::ranges::transform(columns_, size.begin(), magnitude);
@@ -362,7 +364,7 @@ void KinematicChart::draw_curves(QPainter& painter) const {
         continue;  // beside the mean of one curve the bands of all others would hide it
       }
       draw_usual_band(painter, plot, spans_of(*this, plot, usual_[k]), columns_a_stretch_, columns_[k].size(),
-                      curve_colour(spec_.curves[k].role, colours));
+                      curve_colour(spec_.curves[k].role, colours), line_pixels(band_edge, *this));
     }
     return;
   }
@@ -370,11 +372,12 @@ void KinematicChart::draw_curves(QPainter& painter) const {
     constexpr double pale = 0.3;
     const QColor colour = curve_colour(spec_.curves[k].role, colours);
     fill_hollows(painter, plot, spans_of(*this, plot, columns_[k]),
-                 {mixed(colours.plot, colour, pale), spec_.curves[k].width});
+                 {mixed(colours.plot, colour, pale), line_pixels(spec_.curves[k].width, *this)});
   }
   for (const std::size_t k : order) {
     const CurveSpec& curve = spec_.curves[k];
-    draw_extents(painter, columns_[k], curve_colour(curve.role, colours), curve.width, false);
+    draw_extents(painter, columns_[k], curve_colour(curve.role, colours), line_pixels(curve.width, *this),
+                 false);
   }
 }
 
@@ -463,7 +466,7 @@ void KinematicChart::draw_cursors(QPainter& painter) const {
   }
   const auto line = [&](const std::optional<double>& position, const QColor& color, const char* name) {
     if (position.has_value() && *position >= range_.lower() && *position <= range_.upper()) {
-      painter.setPen(QPen(color, 1));
+      painter.setPen(QPen(color, line_pixels(1, *this)));
       const double x = std::round(pixel_of(*position));
       painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
       if (second_cursor_.has_value()) {

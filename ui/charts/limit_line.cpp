@@ -77,9 +77,10 @@ QColor colour_of(const LimitLine& limit, const ThemeColours& colours) {
 }
 
 void draw_limit_lines(QPainter& painter, const QRectF& plot, const std::vector<LimitLine>& limits,
-                      const ThemeColours& colours, const std::function<double(double)>& height_of) {
+                      const ThemeColours& colours, double width,
+                      const std::function<double(double)>& height_of) {
   for (const LimitLine& limit : limits) {
-    painter.setPen(QPen(colour_of(limit, colours), 1, Qt::DashLine));
+    painter.setPen(QPen(colour_of(limit, colours), width, Qt::DashLine));
     for (const double value : {limit.value, -limit.value}) {
       painter.drawLine(QPointF(plot.left(), height_of(value)), QPointF(plot.right(), height_of(value)));
     }

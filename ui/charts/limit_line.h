@@ -35,8 +35,9 @@ std::vector<LimitLine> rotary_limit_lines(const ChartSpec& spec, const MachineKi
 std::vector<LimitLine> bound_lines(const ChartSpec& spec, const RunLoad& load);
 
 QColor colour_of(const LimitLine& limit, const ThemeColours& colours);
-/// Lines without names. `height_of`: place of a value [px].
+/// Lines without names. `width`: of a line, `height_of`: place of a value [px].
 void draw_limit_lines(QPainter& painter, const QRectF& plot, const std::vector<LimitLine>& limits,
-                      const ThemeColours& colours, const std::function<double(double)>& height_of);
+                      const ThemeColours& colours, double width,
+                      const std::function<double(double)>& height_of);
 
 }  // namespace feedscope::ui

@@ -131,16 +131,16 @@ void LostTimeChart::draw(QPainter& painter) const {
 }
 
 void LostTimeChart::draw_head(QPainter& painter) const {
-  constexpr int gap = 14;
-  constexpr int swatch = 14;
+  const int gap = type_pixels(14);
+  const int swatch = type_pixels(14);
   const QColor text = palette().color(QPalette::WindowText);
   QFont bold = font();
   bold.setBold(true);
   painter.setFont(bold);
   painter.setPen(text);
   const QString title = tr("Time lost against");
-  painter.drawText(QRect(8, 0, width(), head_height()), Qt::AlignLeft | Qt::AlignVCenter, title);
-  int x = 8 + QFontMetrics(bold).horizontalAdvance(title) + gap;
+  painter.drawText(QRect(type_pixels(8), 0, width(), head_height()), Qt::AlignLeft | Qt::AlignVCenter, title);
+  int x = type_pixels(8) + QFontMetrics(bold).horizontalAdvance(title) + gap;
   painter.setFont(font());
   const QFontMetrics metrics(font());
   for (std::size_t i = 0; i < lost_.others.size(); ++i) {
@@ -149,7 +149,7 @@ void LostTimeChart::draw_head(QPainter& painter) const {
     if (room < metrics.height()) {
       return;
     }
-    painter.setPen(QPen(lost_.others[i].color, 3));
+    painter.setPen(QPen(lost_.others[i].color, line_pixels(3, *this)));
     painter.drawLine(x, head_height() / 2, x + swatch, head_height() / 2);
     painter.setPen(text);
     const QString shown = metrics.elidedText(entry, Qt::ElideMiddle, room);
@@ -184,11 +184,12 @@ void LostTimeChart::draw_curves(QPainter& painter) const {
     for (std::size_t i = 0; i < lost_.positions.size(); ++i) {
       line.append({x_of(lost_.positions[i]), y_of(other.lost[i])});
     }
-    painter.setPen(QPen(other.color, curve_width, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
+    painter.setPen(
+        QPen(other.color, line_pixels(curve_width, *this), Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
     painter.drawPolyline(line);
   }
   if (cursor_ && *cursor_ >= range_.lower() && *cursor_ <= range_.upper()) {
-    painter.setPen(QPen(colours.cursor, 1));
+    painter.setPen(QPen(colours.cursor, line_pixels(1, *this)));
     const double x = std::round(x_of(*cursor_));
     painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
   }

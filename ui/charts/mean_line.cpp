@@ -54,13 +54,13 @@ std::vector<QPolygonF> mean_lines(const QRectF& plot, std::span<const ColumnSpan
 }
 
 void draw_mean_lines(QPainter& painter, const std::vector<QPolygonF>& lines, const QColor& colour,
-                     QColor behind) {
+                     QColor behind, double scale) {
   constexpr double width = 1.6;
   constexpr double halo = 4;
   constexpr int halo_opacity = 200;
   behind.setAlpha(halo_opacity);
   for (const QPolygonF& line : lines) {
-    for (const QPen& pen : {QPen(behind, halo), QPen(colour, width)}) {
+    for (const QPen& pen : {QPen(behind, scale * halo), QPen(colour, scale * width)}) {
       painter.setPen(QPen(pen.color(), pen.widthF(), Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
       painter.drawPolyline(line);
     }

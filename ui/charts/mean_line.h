@@ -26,8 +26,9 @@ std::vector<QPolygonF> mean_lines(const QRectF& plot, std::span<const ColumnSpan
                                   std::span<const float> means,
                                   const std::function<double(double)>& height_of, bool everywhere = false);
 
-/// Draws them so that they stand out from the columns. `behind`: colour of the plot.
+/// Draws them so that they stand out from the columns. `behind`: colour of the plot; `scale`: of the
+/// width of lines.
 void draw_mean_lines(QPainter& painter, const std::vector<QPolygonF>& lines, const QColor& colour,
-                     QColor behind);
+                     QColor behind, double scale);
 
 }  // namespace feedscope::ui

@@ -7,8 +7,7 @@
 namespace feedscope::ui {
 
 void draw_usual_band(QPainter& painter, const QRectF& plot, std::span<const ColumnSpan> stretches,
-                     std::size_t columns, std::size_t count, const QColor& colour) {
-  constexpr double edge = 1.3;  // [px]
+                     std::size_t columns, std::size_t count, const QColor& colour, double edge) {
   constexpr int inside_opacity = 90;
   if (count == 0) {
     return;

@@ -10,6 +10,7 @@
 #include "core/base/ticks.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/theme/theme.h"
+#include "ui/theme/type_size.h"
 
 namespace feedscope::ui {
 namespace {
@@ -230,7 +231,8 @@ double PolarPlot::draw_legend(QPainter& painter, const QRectF& first_line) const
     const QString text = counter_clockwise ? tr("counter-clockwise") : tr("clockwise");
     const double width = text_at + metrics.horizontalAdvance(text);
     place(width);
-    painter.setPen(QPen(colour_of(*pass, palette()), 2, counter_clockwise ? Qt::SolidLine : Qt::DashLine));
+    painter.setPen(
+        QPen(colour_of(*pass, palette()), line_pixels(2), counter_clockwise ? Qt::SolidLine : Qt::DashLine));
     painter.drawLine(QPointF(x, line.center().y()), QPointF(x + sample, line.center().y()));
     painter.setPen(theme_colours(palette()).text);
     painter.drawText(QPointF(x + text_at, line.top() + metrics.ascent()), text);
@@ -315,8 +317,8 @@ void PolarPlot::draw_pass(QPainter& painter, const Frame& frame, const CircularT
     const double deviation = (place.norm() - test.request.radius) / division_ * frame.division;
     path.append(on_circle(frame.center, frame.radius + deviation, std::atan2(place.y(), place.x())));
   }
-  painter.setPen(
-      QPen(colour_of(pass, palette()), 1.8, pass.counter_clockwise ? Qt::SolidLine : Qt::DashLine));
+  painter.setPen(QPen(colour_of(pass, palette()), line_pixels(1.8),
+                      pass.counter_clockwise ? Qt::SolidLine : Qt::DashLine));
   painter.drawPolyline(path);
 }
 
@@ -336,7 +338,7 @@ void PolarPlot::draw_start(QPainter& painter, const Frame& frame, const Circular
     }
     const QRectF box(frame.center.x() - radius, frame.center.y() - radius, 2 * radius, 2 * radius);
     constexpr double sixteenth_degrees = 16 * 360 / full_turn;
-    painter.setPen(QPen(colour_of(pass, palette()), 1.6));
+    painter.setPen(QPen(colour_of(pass, palette()), line_pixels(1.6)));
     painter.setBrush(Qt::NoBrush);
     painter.drawArc(box, static_cast<int>(pass.start * sixteenth_degrees),
                     static_cast<int>(turn * reach * sixteenth_degrees));

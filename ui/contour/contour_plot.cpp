@@ -10,6 +10,7 @@
 #include "core/base/ticks.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/shared/plot_grid.h"
+#include "ui/theme/type_size.h"
 
 namespace feedscope::ui {
 
@@ -199,7 +200,7 @@ void ContourPlot::draw_legend(QPainter& painter) const {
     if (i == 0) {
       painter.fillRect(mark, run.colour);
     } else {
-      painter.setPen(QPen(run.colour, 2, styles[(i - 1) % styles.size()]));
+      painter.setPen(QPen(run.colour, line_pixels(2), styles[(i - 1) % styles.size()]));
       painter.drawLine(QPointF(mark.left(), mark.center().y()), QPointF(mark.right(), mark.center().y()));
     }
     painter.setPen(colours_.text);
@@ -294,7 +295,8 @@ void ContourPlot::draw_outline(QPainter& painter, std::size_t run) const {
     line.prepend(QPointF(line.first().x(), plot_.bottom()));
     line.append(QPointF(line.last().x(), plot_.bottom()));
   }
-  painter.setPen(QPen(curves_.runs[run].colour, 1.8, styles[(run - 1) % styles.size()], Qt::FlatCap));
+  painter.setPen(
+      QPen(curves_.runs[run].colour, line_pixels(1.8), styles[(run - 1) % styles.size()], Qt::FlatCap));
   painter.drawPolyline(line);
 }
 
@@ -310,7 +312,7 @@ void ContourPlot::draw_tolerance(QPainter& painter) const {
   const bool is_outside = least > max_error_;
   const QString text =
       is_outside ? Plot::tr("tolerance %1 ▸").arg(amount) : Plot::tr("tolerance %1").arg(amount);
-  painter.setPen(QPen(colours_.text, 1.4, Qt::DashLine));
+  painter.setPen(QPen(colours_.text, line_pixels(1.4), Qt::DashLine));
   double label_at = plot_.right();
   for (const double sign : {1.0, -1.0}) {
     for (const double tolerance : {least, largest}) {

@@ -10,6 +10,7 @@
 
 #include "core/base/ticks.h"
 #include "ui/language/core_texts.h"
+#include "ui/theme/type_size.h"
 #include "ui/workbench/run_list.h"
 
 namespace feedscope::ui {
@@ -169,7 +170,7 @@ void ResidualPlot::draw_legend(QPainter& painter) const {
     if (curves_.of_sections) {
       painter.fillRect(QRectF(left - QPointF(0, 4), right + QPointF(0, 4)), colour);
     } else {
-      painter.setPen(QPen(colour, i == 0 ? 2.4 : 1.6, pens[i % pens.size()], Qt::FlatCap));
+      painter.setPen(QPen(colour, line_pixels(i == 0 ? 2.4 : 1.6), pens[i % pens.size()], Qt::FlatCap));
       painter.drawLine(left, right);
     }
     painter.setPen(colours_.text);
@@ -204,8 +205,8 @@ void ResidualPlot::draw_curve(QPainter& painter, std::size_t model) const {
   for (const QPointF& point : curves_.models[model].points) {
     line << place_of(point);
   }
-  painter.setPen(
-      QPen(curves_.models[model].colour, model == 0 ? 2 : 1.4, pens[model % pens.size()], Qt::FlatCap));
+  painter.setPen(QPen(curves_.models[model].colour, line_pixels(model == 0 ? 2 : 1.4),
+                      pens[model % pens.size()], Qt::FlatCap));
   painter.drawPolyline(line);
 }
 

@@ -15,6 +15,7 @@
 #include "ui/language/texts.h"
 #include "ui/shared/plot_grid.h"
 #include "ui/theme/theme.h"
+#include "ui/theme/type_size.h"
 
 namespace feedscope::ui {
 namespace {
@@ -292,7 +293,7 @@ void StudyChart::draw_head(QPainter& painter, const Layout& layout) const {
   for (std::size_t i = 0; i < layout.legend.size(); ++i) {
     const QRectF& entry = layout.legend[i];
     const QColor color = hue(i, palette());
-    painter.setPen(QPen(color, 2));
+    painter.setPen(QPen(color, line_pixels(2)));
     painter.drawLine(QPointF(entry.left(), entry.center().y()),
                      QPointF(entry.left() + 18, entry.center().y()));
     painter.fillPath(marker_shape(i, QPointF(entry.left() + 9, entry.center().y()), marker), color);
@@ -332,7 +333,7 @@ void StudyChart::draw_plot(QPainter& painter, const Layout& layout, bool is_erro
   }
   if (is_error && study_.within) {
     const double y = layout.y(*study_.within, true);
-    painter.setPen(QPen(theme_colours(palette()).text, 1.4, Qt::DashLine));
+    painter.setPen(QPen(theme_colours(palette()).text, line_pixels(1.4), Qt::DashLine));
     painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
     painter.drawText(bound_label(layout), Qt::AlignLeft | Qt::AlignVCenter, bound_text());
   }
@@ -403,7 +404,7 @@ void StudyChart::draw_recorded(QPainter& painter, const Layout& layout, bool is_
   for (std::size_t i = 0; i < study_.recorded.size(); ++i) {
     const RecordedTime& recorded = study_.recorded[i];
     const double y = layout.y(is_error ? recorded.error : recorded.time, is_error);
-    painter.setPen(QPen(recorded.colour, 1.6, Qt::DotLine));
+    painter.setPen(QPen(recorded.colour, line_pixels(1.6), Qt::DotLine));
     painter.drawLine(QPointF(layout.time.left(), y), QPointF(layout.time.right(), y));
     painter.setPen(theme_colours(palette()).text);
     painter.drawText(labels[i], Qt::AlignCenter, recorded_text(i, is_error));
@@ -417,13 +418,13 @@ void StudyChart::draw_curve(QPainter& painter, const Layout& layout, std::size_t
   for (const StudyPoint& point : curve.points) {
     line.append(layout.place(point, is_error));
   }
-  painter.setPen(QPen(color, 1.8));
+  painter.setPen(QPen(color, line_pixels(1.8)));
   painter.drawPolyline(line);
   for (const QPointF& at : line) {
     painter.fillPath(marker_shape(index, at, marker), color);
   }
   if (curve.fastest) {
-    painter.setPen(QPen(theme_colours(palette()).text, 1.8));
+    painter.setPen(QPen(theme_colours(palette()).text, line_pixels(1.8)));
     painter.setBrush(Qt::NoBrush);
     painter.drawEllipse(line[static_cast<qsizetype>(*curve.fastest)], 2 * marker, 2 * marker);
   }

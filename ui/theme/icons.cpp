@@ -7,6 +7,8 @@
 #include <QTransform>
 #include <utility>
 
+#include "ui/theme/type_size.h"
+
 namespace feedscope::ui {
 
 namespace {
@@ -72,7 +74,8 @@ QPainterPath lines_of(EditIcon kind) {
   return kind == EditIcon::undo ? path : QTransform(-1, 0, 0, 1, side, 0).map(path);
 }
 
-/// Lines in the colour of texts at the time of painting, at most `largest` pixels high.
+/// Lines in the colour of texts at the time of painting, at most `largest` pixels high at the usual size of
+/// type.
 class LineIconEngine : public QIconEngine {
  public:
   LineIconEngine(QPainterPath lines, int largest) : lines_(std::move(lines)), largest_(largest) {}
@@ -96,7 +99,8 @@ class LineIconEngine : public QIconEngine {
     return pixmap;
   }
   QSize actualSize(const QSize& size, QIcon::Mode, QIcon::State) override {
-    return size.boundedTo({largest_, largest_});
+    const int largest = type_pixels(largest_);
+    return size.boundedTo({largest, largest});
   }
   QIconEngine* clone() const override { return new LineIconEngine(lines_, largest_); }
 
@@ -119,12 +123,12 @@ QIcon edit_icon(EditIcon kind) {
 
 QIcon media_icon(MediaIcon kind, const QPalette& palette) {
   QIcon icon;
-  for (const int scale : {1, 2}) {
+  for (const int scale : {1, 2, 3, 4, 6, 8}) {  // of the pixels of a screen, and of the size of type
     QPixmap pixmap(side * scale, side * scale);
-    pixmap.setDevicePixelRatio(scale);
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
     painter.setRenderHint(QPainter::Antialiasing);
+    painter.scale(scale, scale);
     painter.fillPath(outline(kind), palette.color(QPalette::ButtonText));
     painter.end();
     icon.addPixmap(pixmap);

@@ -9,6 +9,7 @@
 
 #include "ui/theme/bundled_fonts.h"
 #include "ui/theme/icons.h"
+#include "ui/theme/large_controls.h"
 #include "ui/theme/type_size.h"
 
 namespace feedscope::ui {
@@ -123,6 +124,14 @@ class ThemeStyle : public QProxyStyle {
       case PM_IndicatorHeight:
       case PM_ExclusiveIndicatorWidth:
       case PM_ExclusiveIndicatorHeight:
+      case PM_SliderThickness:
+      case PM_SliderControlThickness:
+      case PM_SliderLength:
+      case PM_MenuButtonIndicator:
+      case PM_MenuBarItemSpacing:
+      case PM_ButtonMargin:
+      case PM_LayoutHorizontalSpacing:
+      case PM_LayoutVerticalSpacing:
         return type_pixels(usual);  // what belongs to type is as large
       default:
         return usual;
@@ -131,6 +140,10 @@ class ThemeStyle : public QProxyStyle {
   /// Fusion frames the box of a row in black, which is not seen on the dark theme.
   void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override {
+    if (const auto arrow = large_arrow(element, *option)) {
+      draw_large_arrow(*painter, option->rect, *arrow, option->palette.color(QPalette::WindowText));
+      return;
+    }
     QProxyStyle::drawPrimitive(element, option, painter, widget);
     if (element == PE_IndicatorItemViewItemCheck && theme_of(option->palette) == ThemeKind::dark) {
       painter->save();
@@ -146,6 +159,7 @@ class ThemeStyle : public QProxyStyle {
     const auto* button = qstyleoption_cast<const QStyleOptionToolButton*>(option);
     if (control != CC_ToolButton || button == nullptr || !has_menu_arrow(*button)) {
       QProxyStyle::drawComplexControl(control, option, painter, widget);
+      draw_large_arrows(*this, control, *option, *painter, widget);
       return;
     }
     QStyleOptionToolButton frame = *button;
@@ -155,11 +169,12 @@ class ThemeStyle : public QProxyStyle {
     QProxyStyle::drawComplexControl(control, &frame, painter, widget);
     QStyleOptionToolButton label = *button;
     label.features &= ~QStyleOptionToolButton::HasMenu;
-    label.rect.adjust(0, 0, -arrow_room, 0);
+    label.rect.adjust(0, 0, -type_pixels(arrow_room), 0);
     proxy()->drawControl(CE_ToolButtonLabel, &label, painter, widget);
     QStyleOption arrow = *button;
-    arrow.rect = QRect(button->rect.right() - arrow_room - 1, button->rect.center().y() - arrow_side / 2 + 1,
-                       arrow_side, arrow_side);
+    const int side = type_pixels(arrow_side);
+    arrow.rect = QRect(button->rect.right() - type_pixels(arrow_room) - 1,
+                       button->rect.center().y() - side / 2 + 1, side, side);
     proxy()->drawPrimitive(PE_IndicatorArrowDown, &arrow, painter, widget);
   }
   QSize sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,
@@ -167,8 +182,13 @@ class ThemeStyle : public QProxyStyle {
     const QSize whole = QProxyStyle::sizeFromContents(type, option, size, widget);
     const auto* button = qstyleoption_cast<const QStyleOptionToolButton*>(option);
     return type == CT_ToolButton && button != nullptr && has_menu_arrow(*button)
-               ? whole + QSize(arrow_room, 0)
-               : whole;
+               ? whole + QSize(type_pixels(arrow_room), 0)
+               : whole + QSize(room_of_large_arrows(type), 0);
+  }
+  QRect subControlRect(ComplexControl control, const QStyleOptionComplex* option, SubControl part,
+                       const QWidget* widget) const override {
+    return large_part(control, part, QProxyStyle::subControlRect(control, option, part, widget),
+                      option->rect);
   }
   QIcon standardIcon(StandardPixmap icon, const QStyleOption* option, const QWidget* widget) const override {
     switch (icon) {

@@ -2,6 +2,8 @@
 
 #include <QApplication>
 #include <QFont>
+#include <QMainWindow>
+#include <QSizeF>
 #include <QWidget>
 #include <algorithm>
 #include <cmath>
@@ -35,6 +37,21 @@ void TypeSize::set_scale(double scale) {
 
 int type_pixels(int usual) {
   return static_cast<int>(std::lround(usual * TypeSize::of_application().scale()));
+}
+
+double line_pixels(double usual) {
+  return usual * TypeSize::of_application().scale();
+}
+
+double line_pixels(double usual, const QWidget& widget) {
+  constexpr QSizeF reference(1920, 1080);
+  constexpr double largest = 4;
+  double of_window = 1;
+  if (const auto* window = qobject_cast<const QMainWindow*>(widget.window())) {
+    of_window = std::clamp(
+        std::min(window->width() / reference.width(), window->height() / reference.height()), 1.0, largest);
+  }
+  return usual * std::max(of_window, TypeSize::of_application().scale());
 }
 
 void set_type_pixels(QWidget& widget, int usual) {

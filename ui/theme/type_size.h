@@ -31,6 +31,12 @@ class TypeSize : public QObject {
 /// What has `usual` pixels at the usual size of type, at the present one.
 int type_pixels(int usual);
 
+/// Width of a line that is usually `usual` pixels wide, at the present size of type.
+double line_pixels(double usual);
+/// The same of what `widget` draws: as large windows have larger pictures, lines grow with the main window,
+/// too, where that is larger than 1920x1080.
+double line_pixels(double usual, const QWidget& widget);
+
 /// Gives a widget the type that usually has `usual` pixels, now and whenever the size of type changes.
 void set_type_pixels(QWidget& widget, int usual);
 
