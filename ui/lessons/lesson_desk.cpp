@@ -26,10 +26,14 @@ QString measured_text(const Measure& measure, const Run& run, const std::string&
   }
 }
 
+bool has_value(const std::vector<LessonTry>& tries, const std::string& value) {
+  return std::ranges::find(tries, value, &LessonTry::value) != tries.end();
+}
+
 }  // namespace
 
-/// The tries at a question are forgotten, or there again, with those that have been made meanwhile behind
-/// them.
+/// The tries at a question are forgotten, or there again, with those that have been made meanwhile: a value
+/// that has been tried again has its newer result. Done again, it forgets what it forgot before and no more.
 class LessonDesk::Clearing : public QUndoCommand {
  public:
   Clearing(LessonDesk& desk, Place place)
@@ -38,9 +42,15 @@ class LessonDesk::Clearing : public QUndoCommand {
   void redo() override {
     if (desk_ != nullptr) {
       QuestionWork& work = desk_->work_[place_];
-      setting_ = work.setting;
-      measure_ = work.measure;
-      tries_ = std::exchange(work.tries, {});
+      if (!std::exchange(done_before_, true)) {
+        setting_ = work.setting;
+        measure_ = work.measure;
+        tries_ = std::exchange(work.tries, {});
+      } else {
+        std::erase_if(work.tries, [this](const LessonTry& one) {
+          return has_value(tries_, one.value) && !has_value(since_, one.value);
+        });
+      }
       emit desk_->work_changed();
     }
   }
@@ -53,10 +63,9 @@ class LessonDesk::Clearing : public QUndoCommand {
     if (same) {
       work.setting = setting_;
       work.measure = measure_;
-      for (LessonTry& one : std::exchange(work.tries, tries_)) {
-        if (std::ranges::find(tries_, one.value, &LessonTry::value) == tries_.end()) {
-          work.tries.push_back(std::move(one));
-        }
+      since_ = std::exchange(work.tries, tries_);
+      for (const LessonTry& one : since_) {
+        put_try(one, work.tries);
       }
       emit desk_->work_changed();
     }
@@ -67,7 +76,9 @@ class LessonDesk::Clearing : public QUndoCommand {
   Place place_;
   std::string setting_;
   std::string measure_;
-  std::vector<LessonTry> tries_;
+  std::vector<LessonTry> tries_;  ///< that are forgotten
+  std::vector<LessonTry> since_;  ///< made between that and the undoing of it
+  bool done_before_ = false;
 };
 
 LessonDesk::LessonDesk(Workbench& workbench, std::string language, QObject* parent)

@@ -111,18 +111,22 @@ bool is_work_on(const Question& question, const QuestionWork& work) {
   return work.setting == question.control.key && work.measure == watched_name(question.watch);
 }
 
+void put_try(LessonTry one, std::vector<LessonTry>& tries) {
+  const auto same = std::ranges::find(tries, one.value, &LessonTry::value);
+  if (same == tries.end()) {
+    tries.push_back(std::move(one));
+  } else {
+    *same = std::move(one);
+  }
+}
+
 void keep_try(const Question& question, LessonTry one, QuestionWork& work) {
   if (!is_work_on(question, work)) {
     work.setting = question.control.key;
     work.measure = watched_name(question.watch);
     work.tries.clear();
   }
-  const auto same = std::ranges::find(work.tries, one.value, &LessonTry::value);
-  if (same == work.tries.end()) {
-    work.tries.push_back(std::move(one));
-  } else {
-    *same = std::move(one);
-  }
+  put_try(std::move(one), work.tries);
 }
 
 std::optional<double> change_percent(double value, double first) {

@@ -23,8 +23,9 @@ std::string watched_name(const Measure& watch);
 /// Whether the tries are of what the question moves and watches, not of an older version of the lesson.
 bool is_work_on(const Question& question, const QuestionWork& work);
 
-/// Puts a try behind the others, or in the place of the earlier one with the same value. Those
-/// that are not is_work_on() go.
+/// Puts a try behind the others, or in the place of the earlier one with the same value.
+void put_try(LessonTry one, std::vector<LessonTry>& tries);
+/// The same with the tries at a question; those that are not is_work_on() go.
 void keep_try(const Question& question, LessonTry one, QuestionWork& work);
 
 /// The tries as CSV: value, cycle time [s], its change against the first try [%], what the question watches

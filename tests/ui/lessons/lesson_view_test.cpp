@@ -193,6 +193,25 @@ TEST_F(LessonViewTest, ClearingTheTriesCanBeUndone) {
   EXPECT_EQ(view.tries().rowCount(), 2) << "with what was tried meanwhile";
 }
 
+/// What has been tried since the tries were cleared is kept, whichever way the history goes.
+TEST_F(LessonViewTest, UndoingAndRedoingAClearingKeepsWhatWasTriedSince) {
+  choose_lesson(6);
+  click(&view.set_up_button());
+  wait_for("3000 mm/min");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view.tries().rowCount() == 1; }, patience));
+  const LessonWork before = desk.all_work();
+  const auto place = before.begin()->first;
+  LessonWork newer = before;
+  view.panel_actions()[8]->trigger();
+  newer[place].tries.front().cycle_time += 1;  // the same value again, of a changed lesson
+  newer[place].tries.push_back({"0.5", 2, std::nullopt});
+  desk.set_all_work(newer);
+  model.runs().history().undo();
+  EXPECT_EQ(desk.all_work().at(place).tries, newer[place].tries) << "each value with its newest result";
+  model.runs().history().redo();
+  EXPECT_EQ(desk.all_work().at(place).tries, newer[place].tries) << "those were not cleared";
+}
+
 TEST_F(LessonViewTest, AValueOfOnesOwnIsTriedAsTheSuggestedOnes) {
   choose_lesson(6);
   click(&view.set_up_button());
