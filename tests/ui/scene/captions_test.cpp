@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "ui/scene/draw/colour_panel.h"
 
 namespace feedscope::ui {
@@ -38,6 +40,25 @@ TEST(Captions, AWarningThatIsWiderThanItsRoomIsBrokenIntoRowsThatFit) {
 TEST(Captions, EveryWarningBeginsARowWhereTwoDoNotFit) {
   EXPECT_EQ(warning_rows("short\nshort", 1000), 1);
   EXPECT_EQ(warning_rows("Program read with 5 warnings\nProgram cut off at line 77", 520), 2);
+}
+
+TEST(Captions, TheLegendOfALowPictureLeavesThePathMostOfIt) {
+  SceneTexts texts;
+  texts.programmed = "programmed";
+  texts.rapid = "rapid";
+  texts.executed = "executed";
+  texts.warning = "Program read with 5 warnings\nNot in the cycle time: 2 tool changes, 1 spindle start";
+  const SceneColours colours = scene_colours(Background::light);
+  Captions captions;
+  captions.colours = &colours;
+  captions.texts = &texts;
+  captions.entries.programmed = captions.entries.rapid = captions.entries.executed = true;
+  const double all = screen_layout(220, 1000, 1, captions).legend_height;
+  for (int height = 80; height <= 400; height += 20) {
+    const double legend = screen_layout(220, height, 1, captions).legend_height;
+    EXPECT_LE(legend, std::max(0.45 * height + 8, row + 8)) << height;
+    EXPECT_GE(legend, std::min(all, row)) << "the warning is never left out";
+  }
 }
 
 TEST(Captions, AWordWithoutRoomStandsInARowOfItsOwn) {

@@ -27,6 +27,8 @@ TextStyle text_style(double scale, const SceneColours& colours) {
 struct Entry {
   std::string text;
   std::function<void(Canvas&, const Vec2& from, const Vec2& to, double scale)> sample;
+  bool continues = false;  ///< the text of the one above
+  bool warns = false;
 };
 
 /// A short line in the colours of the path.
@@ -84,6 +86,13 @@ std::vector<Entry> legend(const Captions& captions, double room, double k) {
       canvas.line(from, to, width * scale, colour);
     };
   };
+  // Not a line: how wide lines can be depends on the graphics.
+  const auto bar = [](double width, Rgb colour) {
+    return [width, colour](Canvas& canvas, const Vec2& from, const Vec2& to, double scale) {
+      const Vec2 half(0, width / 2 * scale);
+      canvas.rectangle(from - half, to + half, colour);
+    };
+  };
   if (entries.programmed) {
     list.push_back({texts.programmed, solid(1.4, colours.programmed)});
   }
@@ -127,7 +136,7 @@ std::vector<Entry> legend(const Captions& captions, double room, double k) {
     for (std::string line; std::getline(lines, line);) {
       const std::size_t first = list.size();
       for (const std::string& row : rows_of(line, longest, text_style(k, colours))) {
-        list.push_back({row, list.size() == first ? solid(8, alarm) : solid(0, alarm)});
+        list.push_back({row, bar(list.size() == first ? 8 : 0, alarm), list.size() > first, true});
       }
     }
   }
@@ -143,7 +152,7 @@ int for_each_cell(const std::vector<Entry>& entries, double width, double scale,
   for (const Entry& entry : entries) {
     const double cell =
         Canvas::text_size(entry.text, text_style(scale, colours)).x() + (sample_width + 30) * scale;
-    if (x + cell > width && x > panel_margin * scale) {
+    if ((x + cell > width || entry.continues) && x > panel_margin * scale) {
       x = panel_margin * scale;
       ++row;
     }
@@ -153,6 +162,29 @@ int for_each_cell(const std::vector<Entry>& entries, double width, double scale,
   return row;
 }
 
+/// Of those the ones that leave the path most of a picture that is `height` high, warnings before others.
+std::vector<Entry> fitting_legend(const Captions& captions, double room, double height, double k) {
+  constexpr double most = 0.45;
+  std::vector<Entry> list = legend(captions, room, k);
+  const auto rows = [&] {
+    return for_each_cell(list, room, k, *captions.colours, [](const Entry&, double, int) {});
+  };
+  while (list.size() > 1 && rows() * row_height * k > most * height) {
+    const auto other =
+        std::find_if(list.rbegin(), list.rend(), [](const Entry& entry) { return !entry.warns; });
+    if (other != list.rend()) {
+      list.erase(other.base() - 1);
+      continue;
+    }
+    const bool cut = list.back().continues;
+    list.pop_back();
+    if (cut) {
+      list.back().text += " …";
+    }
+  }
+  return list;
+}
+
 void draw_legend(Canvas& canvas, const ScreenLayout& layout, const Captions& captions) {
   const double k = layout.scale;
   const double width = layout.width - layout.panel_width;
@@ -160,11 +192,12 @@ void draw_legend(Canvas& canvas, const ScreenLayout& layout, const Captions& cap
   if (!captions.transparent) {
     canvas.rectangle({0, layout.height - layout.legend_height}, {width, layout.height}, colours.background);
   }
-  for_each_cell(legend(captions, width, k), width, k, colours, [&](const Entry& entry, double x, int row) {
-    const double y = layout.height - (row - 0.5) * row_height * k - 4 * k;
-    entry.sample(canvas, {x, y}, {x + sample_width * k, y}, k);
-    canvas.text(entry.text, {x + (sample_width + 7) * k, y}, text_style(k, colours));
-  });
+  for_each_cell(fitting_legend(captions, width, layout.height, k), width, k, colours,
+                [&](const Entry& entry, double x, int row) {
+                  const double y = layout.height - (row - 0.5) * row_height * k - 4 * k;
+                  entry.sample(canvas, {x, y}, {x + sample_width * k, y}, k);
+                  canvas.text(entry.text, {x + (sample_width + 7) * k, y}, text_style(k, colours));
+                });
 }
 
 void draw_scale_bar(Canvas& canvas, const Vec2& low, double width, double millimetre, double scale,
@@ -195,8 +228,8 @@ ScreenLayout screen_layout(int width, int height, double scale, const Captions& 
   ScreenLayout layout{double(width), double(height), scale, 0, 0};
   layout.panel_width = colour_panel_width(captions, width, scale);
   const double room = width - layout.panel_width;
-  const int rows = for_each_cell(legend(captions, room, scale), room, scale, *captions.colours,
-                                 [](const Entry&, double, int) {});
+  const int rows = for_each_cell(fitting_legend(captions, room, height, scale), room, scale,
+                                 *captions.colours, [](const Entry&, double, int) {});
   layout.cube = height - above_cube * scale >= min_colour_panel_height(captions, scale);
   layout.legend_height = rows * row_height * scale + (rows > 0 ? 8 * scale : 0);
   return layout;
