@@ -1,5 +1,6 @@
 #include "ui/charts/chart_rows.h"
 
+#include <QMainWindow>
 #include <algorithm>
 #include <cmath>
 
@@ -100,7 +101,11 @@ void ChartRows::choose_values(const std::array<std::optional<Interval>, chart_co
 }
 
 QSize ChartRows::least_size(const QWidget& content) const {
-  const int most = std::max(2, static_cast<int>(std::lround(4 / TypeSize::of_application().scale())));
+  constexpr int low = 600;  // [px]: a window in which the 3D view needs what four charts would take
+  const double scale = TypeSize::of_application().scale();
+  const auto* window = qobject_cast<const QMainWindow*>(content.window());
+  const bool is_low = window != nullptr && window->height() < low;
+  const int most = std::max(2, static_cast<int>(std::lround((is_low ? 2 : 4) / scale)));
   QSize size = content.minimumSizeHint();
   int shown = 0;
   for (const KinematicChart* chart : charts) {

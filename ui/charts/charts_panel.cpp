@@ -15,12 +15,14 @@
 #include "ui/charts/measurement.h"
 #include "ui/fields/focus_outline.h"
 #include "ui/language/shown_numbers.h"
+#include "ui/theme/type_size.h"
 #include "ui/workbench/workbench.h"
 
 namespace feedscope::ui {
 
 namespace {
 constexpr auto rest_after = std::chrono::milliseconds(500);
+constexpr int least_choice = 76;  // [px]
 }  // namespace
 
 ChartsPanel::ChartsPanel(Cursor& cursor, ViewRange& range, QWidget* parent)
@@ -34,6 +36,7 @@ ChartsPanel::ChartsPanel(Cursor& cursor, ViewRange& range, QWidget* parent)
       show_all_(new QToolButton(this)),
       more_(new QToolButton(this)) {
   abscissa_->addItems({tr("over time"), tr("over path length")});
+  abscissa_->setMinimumWidth(type_pixels(least_choice));
   abscissa_->setToolTip(tr("Horizontal axis of the charts"));
   connect(abscissa_, &QComboBox::currentIndexChanged, this,
           [this](int index) { choose_abscissa(index == 0 ? Abscissa::time : Abscissa::path_length); });

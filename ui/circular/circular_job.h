@@ -17,6 +17,12 @@ struct CircularResult {
   bool actual() const { return circles ? circles->actual : !tests.empty() && tests.front().actual; }
 };
 
+/// A result, and which of its tests is drawn.
+struct CircularShown {
+  CircularResult result;
+  int row = 0;
+};
+
 /// Simulates tests, or evaluates the circles of a run, on another thread.
 class CircularJob : public Job<CircularResult> {
  public:

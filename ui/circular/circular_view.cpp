@@ -14,7 +14,9 @@
 #include <QSplitter>
 #include <QTableView>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/units.h"
@@ -291,10 +293,20 @@ void CircularView::take(const JobOutcome<CircularResult>& outcome) {
     show_idle(outcome.cancelled() ? tr("Cancelled.") : outcome.failure);
     return;
   }
-  table_->set_tests(outcome.result->tests);
-  show_idle(circular_message(*outcome.result));
+  show_again({*outcome.result, 0});
+}
+
+std::optional<CircularShown> CircularView::shown() const {
+  return of_program() || !result_ ? std::nullopt
+                                  : std::optional<CircularShown>({*result_, list_->currentIndex().row()});
+}
+
+void CircularView::show_again(CircularShown shown) {
+  result_ = std::move(shown.result);
+  table_->set_tests(result_->tests);
+  show_idle(circular_message(*result_));
   if (table_->rowCount() > 0) {
-    list_->selectRow(0);
+    list_->selectRow(std::clamp(shown.row, 0, table_->rowCount() - 1));
   }
 }
 
@@ -318,6 +330,7 @@ void CircularView::forget() {
     job_.cancel();
   }
   evaluated_.reset();
+  result_.reset();
   table_->set_tests({});
   plot_->set_tests({}, {}, {});
   show_idle({});

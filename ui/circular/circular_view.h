@@ -2,6 +2,7 @@
 
 #include <QList>
 #include <memory>
+#include <optional>
 
 #include "ui/circular/circular_job.h"
 #include "ui/circular/circular_state.h"
@@ -36,6 +37,10 @@ class CircularView : public Panel {
 
   /// Simulates the circles that the fields describe, or says what is wrong with them.
   void run();
+  /// What is shown of a test, and of which of its circles; none: nothing, or circles of the program.
+  std::optional<CircularShown> shown() const;
+  /// Of a test of the present setup, as shown() gave it.
+  void show_again(CircularShown shown);
   CircularState state() const;
   void set_state(const CircularState& state);
   bool busy() const override { return job_.busy(); }
@@ -90,6 +95,7 @@ class CircularView : public Panel {
   QTableView* list_;
   PolarPlot* plot_;
   QList<QAction*> actions_;
+  std::optional<CircularResult> result_;     ///< that is shown
   std::weak_ptr<const ShownRun> evaluated_;  ///< whose circles are shown, or are being evaluated
   bool on_screen_ = true;
 };

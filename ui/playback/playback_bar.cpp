@@ -13,6 +13,7 @@
 #include "ui/language/texts.h"
 #include "ui/shared/panel_action.h"
 #include "ui/theme/icons.h"
+#include "ui/theme/type_size.h"
 
 namespace feedscope::ui {
 
@@ -20,6 +21,7 @@ namespace {
 
 constexpr int slider_steps = 10000;
 constexpr double speed_step = 2;
+constexpr int least_slider = 24;  // [px]
 
 }  // namespace
 
@@ -33,6 +35,7 @@ PlaybackBar::PlaybackBar(Workbench& workbench, QWidget* parent)
       time_(new QLabel(this)),
       speed_(new NumberBox(this)) {
   slider_->setRange(0, slider_steps);
+  slider_->setMinimumWidth(type_pixels(least_slider));
   slider_->setToolTip(tr("Time within the cycle"));
   slider_->setAccessibleName(tr("Time within the cycle"));
   time_->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("0000:00.0 / 0000:00.0")));
@@ -54,11 +57,15 @@ PlaybackBar::PlaybackBar(Workbench& workbench, QWidget* parent)
       button->setDefaultAction(action);
       button->setAutoRaise(true);
       layout->addWidget(button);
+      if (action->isCheckable()) {
+        spare_.append(button);
+      }
     }
   }
   layout->addWidget(slider_, 1);
   layout->addWidget(time_);
   layout->addWidget(speed_);
+  spare_.append(speed_);
 
   connect(speed_, &NumberBox::valueChanged, &playback_, &Playback::set_speed);
   connect(slider_, &QSlider::valueChanged, this,
@@ -70,6 +77,32 @@ PlaybackBar::PlaybackBar(Workbench& workbench, QWidget* parent)
   });
   connect(&workbench_, &Workbench::run_changed, this, &PlaybackBar::show_run);
   show_run();
+}
+
+int PlaybackBar::needed_by(const QWidget& part) const {
+  return part.minimumSizeHint().width() + layout()->spacing();
+}
+
+QSize PlaybackBar::minimumSizeHint() const {
+  QSize least = layout()->minimumSize();
+  for (const QWidget* part : spare_) {
+    least.rwidth() -= part->isHidden() ? 0 : needed_by(*part);
+  }
+  return least;
+}
+
+void PlaybackBar::fit_in() {
+  int room = width() - minimumSizeHint().width();
+  for (QWidget* part : spare_) {
+    const int needed = needed_by(*part);
+    part->setVisible(room >= needed);
+    room -= needed;
+  }
+}
+
+void PlaybackBar::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fit_in();
 }
 
 void PlaybackBar::make_actions() {
@@ -144,6 +177,7 @@ void PlaybackBar::change_speed(double factor) {
 void PlaybackBar::set_duration(double duration) {
   duration_ = duration;
   setEnabled(duration_ > 0);
+  fit_in();
   show_cursor();
 }
 

@@ -30,13 +30,18 @@ class PlaybackBar : public QWidget {
   /// Play, steps, speed, loop, start and end; for menus.
   QList<QAction*> panel_actions() const { return actions_; }
   QToolButton* play_button() { return play_; }
+  /// Without what menus have too, which goes where there is no room for it.
+  QSize minimumSizeHint() const override;
 
  protected:
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void make_actions();
   void draw_icons();
+  void fit_in();
+  int needed_by(const QWidget& part) const;
   void show_run();
   /// What the charts show is played over and over, or no longer.
   void loop(bool on);
@@ -51,6 +56,7 @@ class PlaybackBar : public QWidget {
   QSlider* slider_;
   QLabel* time_;
   NumberBox* speed_;
+  QList<QWidget*> spare_;  ///< the first goes last
   QList<QAction*> actions_;
   double duration_ = 0;
   double sample_time_ = 0.001;

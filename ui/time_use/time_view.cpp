@@ -15,9 +15,11 @@
 #include "core/analysis/refused_lines.h"
 #include "core/base/error.h"
 #include "ui/fields/focus_outline.h"
+#include "ui/shared/flow_layout.h"
 #include "ui/shared/panel_action.h"
 #include "ui/shared/row_copy.h"
 #include "ui/time_use/time_texts.h"
+#include "ui/time_use/wrapped_names.h"
 #include "ui/workbench/workbench.h"
 
 namespace feedscope::ui {
@@ -79,6 +81,7 @@ TimeView::TimeView(QWidget* parent)
   tree_->setIndentation(12);
   tree_->setFrameShape(QFrame::NoFrame);
   tree_->setItemDelegateForColumn(1, new ShareBar(tree_));
+  new WrappedNames(*tree_);
   tree_->setAccessibleName(tr("Where the time goes"));
   install_row_copy(*tree_);
   new FocusOutline(*tree_);
@@ -119,9 +122,9 @@ TimeView::TimeView(QWidget* parent)
     show_state(failure);
   });
 
-  auto* buttons = new QHBoxLayout;
+  state_->setContentsMargins(6, 4, 6, 0);
+  auto* buttons = new FlowLayout;
   buttons->setContentsMargins(6, 4, 6, 6);
-  buttons->addWidget(state_, 1);
   buttons->addWidget(try_);
   buttons->addWidget(new_run_);
   buttons->addWidget(paper_);
@@ -135,6 +138,7 @@ TimeView::TimeView(QWidget* parent)
   list->addWidget(tree_);
   layout->addLayout(list, 1);
   layout->addWidget(progress_);
+  layout->addWidget(state_);
   layout->addLayout(buttons);
   show_state({});
 }
@@ -321,6 +325,7 @@ void TimeView::add_rows(QTreeWidgetItem* parent, const std::vector<TimeRow>& row
 void TimeView::show_state(const QString& failure) {
   const bool trying = job_.busy() && report_ != nullptr;
   progress_->setVisible(job_.busy());
+  state_->setVisible(!failure.isEmpty() || trying);
   state_->setText(!failure.isEmpty() ? failure : trying ? tr("Simulating what would help …") : QString());
   try_->setVisible(has_time() && !job_.busy() && !tried_);
   try_action_->setEnabled(has_time());

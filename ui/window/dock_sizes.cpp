@@ -10,9 +10,9 @@ namespace feedscope::ui {
 DockSizes::DockSizes(QMainWindow& window, int left, int right, int bottom)
     : QObject(&window),
       window_(window),
-      sides_{Side{Qt::LeftDockWidgetArea, Qt::Horizontal, 0.25, left},
-             Side{Qt::RightDockWidgetArea, Qt::Horizontal, 0.3, right},
-             Side{Qt::BottomDockWidgetArea, Qt::Vertical, 0.49, bottom}} {
+      sides_{Side{Qt::LeftDockWidgetArea, Qt::Horizontal, 0.25, 0.2, left},
+             Side{Qt::RightDockWidgetArea, Qt::Horizontal, 0.3, 0.33, right},
+             Side{Qt::BottomDockWidgetArea, Qt::Vertical, 0.49, 0.49, bottom}} {
   window_.installEventFilter(this);
   for (QDockWidget* dock : window_.findChildren<QDockWidget*>()) {
     dock->installEventFilter(this);

@@ -33,15 +33,20 @@ class DockSizes : public QObject {
   struct Side {
     Qt::DockWidgetArea area;
     Qt::Orientation orientation;
-    double usual_share;  ///< of the window's width or height, at most, unless the user wants more
-    int first;           ///< what it has at first [logical pixels]
-    int wanted = first;  ///< as the user has it [logical pixels]
+    double usual_share;   ///< of the window's width or height, at most, unless the user wants more
+    double narrow_share;  ///< the same of a window that is hardly wide enough for all
+    int first;            ///< what it has at first [logical pixels]
+    int wanted = first;   ///< as the user has it [logical pixels]
     double largest_share = usual_share;
 
     int extent(const QWidget& widget) const {
       return orientation == Qt::Horizontal ? widget.width() : widget.height();
     }
-    int most(const QWidget& window) const { return static_cast<int>(largest_share * extent(window)); }
+    int most(const QWidget& window) const {
+      constexpr int narrow = 900;  // [logical pixels]
+      const double share = window.width() < narrow ? narrow_share : largest_share;
+      return static_cast<int>(share * extent(window));
+    }
   };
 
   void note(QDockWidget& dock);

@@ -27,6 +27,7 @@
 #include "ui/session/session_file.h"
 #include "ui/shared/paths.h"
 #include "ui/window/language_box.h"
+#include "ui/window/proposed_file.h"
 
 namespace feedscope::ui {
 
@@ -297,13 +298,7 @@ void FilmDialog::choose(const FilmWish& wish) {
 }
 
 QString FilmDialog::proposed_file() const {
-  const QFileInfo program(to_qstring(subject_.session.program));
-  const QString start = QStringLiteral("%1/%2-film").arg(program.absolutePath(), program.completeBaseName());
-  QString file = start + QStringLiteral(".ogv");
-  for (int number = 2; QFileInfo::exists(file); ++number) {
-    file = QStringLiteral("%1-%2.ogv").arg(start).arg(number);
-  }
-  return file;
+  return ui::proposed_file(subject_.session.program, QStringLiteral("film"), video);
 }
 
 void FilmDialog::ask_and_save() {
@@ -315,7 +310,8 @@ void FilmDialog::ask_and_save() {
       file += QStringLiteral(".ogv");
     }
   } else {
-    file = QFileDialog::getExistingDirectory(this, tr("Folder for the pictures"), program.absolutePath());
+    file = QFileDialog::getExistingDirectory(this, tr("Folder for the pictures"),
+                                             folder_for_files_of(subject_.session.program));
     if (!file.isEmpty()) {
       file += QStringLiteral("/%1-%05d.png").arg(program.completeBaseName().replace('%', '_'));
     }

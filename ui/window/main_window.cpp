@@ -43,6 +43,7 @@
 #include "ui/window/handout_command.h"
 #include "ui/window/help_menu.h"
 #include "ui/window/machine_opening.h"
+#include "ui/window/panel_scroll.h"
 #include "ui/window/presentation.h"
 #include "ui/window/start_page.h"
 #include "ui/window/status_panel.h"
@@ -150,7 +151,9 @@ void MainWindow::add_dock(Panel& panel) {
   const Panel::Place& place = panel.place();
   auto* dock = new QDockWidget(place.title, this);
   dock->setObjectName(place.id);
-  dock->setWidget(&panel);
+  const bool scrolls =
+      place.area == Qt::BottomDockWidgetArea && &panel != charts_;  // those scroll themselves
+  dock->setWidget(scrolls ? static_cast<QWidget*>(new PanelScroll(panel, dock)) : &panel);
   addDockWidget(place.area, dock);
   const auto first = std::ranges::find(panels_, place.area, [](Panel* p) { return p->place().area; });
   if (*first != &panel) {
@@ -166,7 +169,11 @@ void MainWindow::add_dock(Panel& panel) {
 }
 
 QDockWidget& MainWindow::dock_of(const Panel& panel) {
-  return *qobject_cast<QDockWidget*>(panel.parentWidget());
+  QWidget* around = panel.parentWidget();
+  while (qobject_cast<QDockWidget*>(around) == nullptr) {
+    around = around->parentWidget();
+  }
+  return *static_cast<QDockWidget*>(around);
 }
 
 void MainWindow::make_menus() {
@@ -336,7 +343,8 @@ void MainWindow::restore_layout(const QByteArray& layout) {
 }
 
 MainWindow::Handover MainWindow::hand_over() {
-  Handover handover{saveGeometry(), session_->hand_over(), panel_states(*this), {}, 0};
+  Handover handover{
+      saveGeometry(), session_->hand_over(), panel_states(*this), {}, 0, part<CircularView>().shown()};
   if (desk_.lesson() != nullptr) {
     handover.lesson = desk_.lesson()->file;
     handover.question = desk_.question();
@@ -348,6 +356,9 @@ void MainWindow::take_over(const Handover& before) {
   restoreGeometry(before.geometry);
   set_panel_states(*this, before.panels);
   session_->take_over(before.session);
+  if (before.circular) {
+    part<CircularView>().show_again(*before.circular);
+  }
   if (!before.lesson.empty()) {
     connect(
         &desk_, &LessonDesk::opened, this,

@@ -3,7 +3,9 @@
 #include <QMainWindow>
 #include <array>
 #include <filesystem>
+#include <optional>
 
+#include "ui/circular/circular_job.h"
 #include "ui/lessons/lesson_desk.h"
 #include "ui/scene_view/side_by_side.h"
 #include "ui/window/panel_states.h"
@@ -78,6 +80,7 @@ class MainWindow : public QMainWindow {
     PanelStates panels;
     std::filesystem::path lesson;  ///< open; empty: none
     std::size_t question = 0;
+    std::optional<CircularShown> circular;
   };
   Handover hand_over();
   void take_over(const Handover& before);

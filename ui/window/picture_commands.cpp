@@ -12,6 +12,7 @@
 #include "ui/shared/panel_action.h"
 #include "ui/shared/paths.h"
 #include "ui/window/main_window.h"
+#include "ui/window/proposed_file.h"
 
 namespace feedscope::ui {
 
@@ -84,21 +85,11 @@ void PictureCommands::copy(Part part) const {
   QApplication::clipboard()->setImage(picture(part));
 }
 
-/// Beside the program, with its name; the next free one, so that no picture takes the place of another.
 QString PictureCommands::proposed_file(Part part) const {
-  const QString program = to_qstring(window_.workbench().file());
-  const QFileInfo info(program);
   const QString what = part == Part::scene    ? QStringLiteral("3d")
                        : part == Part::charts ? QStringLiteral("charts")
                                               : QStringLiteral("window");
-  const QString start =
-      program.isEmpty() ? QStringLiteral("feedscope-") + what
-                        : QStringLiteral("%1/%2-%3").arg(info.absolutePath(), info.completeBaseName(), what);
-  QString file = start + QStringLiteral(".png");
-  for (int number = 2; QFileInfo::exists(file); ++number) {
-    file = QStringLiteral("%1-%2.png").arg(start).arg(number);
-  }
-  return file;
+  return ui::proposed_file(window_.workbench().file(), what, QStringLiteral("png"));
 }
 
 void PictureCommands::ask_and_save(Part part) {

@@ -23,6 +23,7 @@
 #include "ui/shared/paths.h"
 #include "ui/window/language_box.h"
 #include "ui/window/page_preview.h"
+#include "ui/window/proposed_file.h"
 
 namespace feedscope::ui {
 
@@ -250,15 +251,8 @@ void PictureDialog::show_state(const QString& message, bool is_failure) {
 }
 
 QString PictureDialog::proposed_file() const {
-  const QFileInfo program(to_qstring(subject_.session.program));
   const PictureWish asked = wish();
-  const QString start =
-      QStringLiteral("%1/%2-%3").arg(program.absolutePath(), program.completeBaseName(), asked.view);
-  QString file = start + '.' + asked.format;
-  for (int number = 2; QFileInfo::exists(file); ++number) {
-    file = QStringLiteral("%1-%2.%3").arg(start).arg(number).arg(asked.format);
-  }
-  return file;
+  return ui::proposed_file(subject_.session.program, asked.view, asked.format);
 }
 
 void PictureDialog::ask_and_save() {

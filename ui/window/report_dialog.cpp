@@ -23,6 +23,7 @@
 #include "ui/shared/paths.h"
 #include "ui/window/language_box.h"
 #include "ui/window/page_preview.h"
+#include "ui/window/proposed_file.h"
 
 namespace feedscope::ui {
 
@@ -284,10 +285,9 @@ void ReportDialog::ask_for_template() {
 }
 
 void ReportDialog::ask_and_save() {
-  const QFileInfo program(to_qstring(subject_.session.program));
   QString file = QFileDialog::getSaveFileName(
       this, tr("Save report"),
-      QStringLiteral("%1/%2-report.pdf").arg(program.absolutePath(), program.completeBaseName()),
+      proposed_file(subject_.session.program, QStringLiteral("report"), QStringLiteral("pdf")),
       tr("Document (*.pdf);;Web page (*.html)"));
   if (file.isEmpty()) {
     return;

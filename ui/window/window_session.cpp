@@ -19,6 +19,7 @@
 #include "ui/shared/paths.h"
 #include "ui/window/main_window.h"
 #include "ui/window/presentation.h"
+#include "ui/window/proposed_file.h"
 
 namespace feedscope::ui {
 
@@ -311,7 +312,7 @@ bool WindowSession::save(bool as_new) {
 
 std::filesystem::path WindowSession::ask_for_name(const std::filesystem::path& of) {
   const std::filesystem::path proposed = std::filesystem::path(of).replace_extension(session_suffix);
-  QFileDialog dialog(&window_, tr("Save session as"), to_qstring(proposed.parent_path()),
+  QFileDialog dialog(&window_, tr("Save session as"), folder_for_files_of(of),
                      tr("Feedscope sessions (*%1)").arg(session_suffix));
   dialog.setAcceptMode(QFileDialog::AcceptSave);
   dialog.setDefaultSuffix(session_suffix);  // so that it asks before a file is overwritten

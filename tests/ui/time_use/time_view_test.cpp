@@ -120,6 +120,20 @@ TEST_F(TimeViewTest, SaysHowManyLinesAreNotInItsTimes) {
               AllOf(HasSubstr("programmed"), HasSubstr("not in these times: 3.")));
 }
 
+TEST_F(TimeViewTest, LongNamesStandInSeveralLinesWhereThePanelIsNarrow) {
+  set_run(run);
+  ASSERT_TRUE(finishes());
+  QTreeWidgetItem* longest = section("Places that lose most")->child(0);
+  QCoreApplication::processEvents();
+  const int line = view.tree().fontMetrics().height();
+  view.resize(900, 600);
+  QCoreApplication::processEvents();
+  EXPECT_LT(view.tree().visualItemRect(longest).height(), 2 * line);
+  view.resize(260, 600);
+  QCoreApplication::processEvents();
+  EXPECT_GE(view.tree().visualItemRect(longest).height(), 2 * line) << longest->text(0).toStdString();
+}
+
 TEST_F(TimeViewTest, WorksOnlyWhileItCanBeSeen) {
   view.set_on_screen(false);
   set_run(run);

@@ -6,12 +6,16 @@
 #include <QClipboard>
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QSvgRenderer>
 #include <QTemporaryDir>
 
+#include "core/base/data_folder.h"
 #include "core/base/error.h"
 #include "tests/ui/run_fixture.h"
+#include "ui/shared/paths.h"
 #include "ui/window/main_window.h"
+#include "ui/window/proposed_file.h"
 
 namespace feedscope::ui {
 namespace {
@@ -75,6 +79,16 @@ TEST_F(WindowPicturesTest, TheProposedNameIsThatOfTheProgramAndFree) {
     pictures_.save(Part::scene, pictures_.proposed_file(Part::scene));
     EXPECT_EQ(pictures_.proposed_file(Part::scene), folder_.filePath(next));
   }
+}
+
+/// The folder of the samples is that of the installed program, or of its sources.
+TEST_F(WindowPicturesTest, NothingIsProposedBesideASample) {
+  const std::filesystem::path sample = data_folder() / "resources" / "programs" / "essid_table1.nc";
+  const QString proposed = proposed_file(sample, QStringLiteral("3d"), QStringLiteral("png"));
+  EXPECT_TRUE(proposed.endsWith(QStringLiteral("/essid_table1-3d.png"))) << proposed.toStdString();
+  EXPECT_NE(QFileInfo(proposed).absolutePath(), to_qstring(sample.parent_path()));
+  EXPECT_TRUE(QFileInfo(QFileInfo(proposed).absolutePath()).isDir());
+  EXPECT_EQ(folder_for_files_of(folder_.filePath("part.nc").toStdString()), folder_.path());
 }
 
 TEST_F(WindowPicturesTest, APictureIsCopiedToTheClipboard) {

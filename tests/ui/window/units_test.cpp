@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QRegularExpression>
 #include <QSpinBox>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 #include <fstream>
@@ -16,6 +17,9 @@
 #include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
 #include "ui/charts/charts_panel.h"
+#include "ui/circular/circular_table.h"
+#include "ui/circular/circular_view.h"
+#include "ui/circular/polar_plot.h"
 #include "ui/fields/number_box.h"
 #include "ui/language/language.h"
 #include "ui/language/shown_numbers.h"
@@ -102,6 +106,23 @@ TEST_F(WindowUnits, InInchesNoPanelSaysAMetricUnit) {
   for (const QString& text : texts_of(*window)) {
     EXPECT_FALSE(text.contains(metric)) << text.toStdString();
   }
+}
+
+TEST_F(WindowUnits, AWindowMadeAgainShowsTheSameCircularTest) {
+  open(test::small_program);
+  auto* view = &window->part<CircularView>();
+  view->set_state({.radii = {5, 12.7}, .feeds = {3000}});
+  view->run();
+  settle();
+  const int rows = view->table()->rowCount();
+  ASSERT_GE(rows, 2);
+  view->list()->selectRow(rows - 1);
+  use_unit_system(UnitSystem::inch);
+  make_again();
+  view = &window->part<CircularView>();
+  ASSERT_EQ(view->table()->rowCount(), rows) << "nothing is tested again";
+  EXPECT_EQ(view->list()->currentIndex().row(), rows - 1);
+  EXPECT_FALSE(view->plot()->tests().empty());
 }
 
 TEST_F(WindowUnits, AWindowMadeAgainShowsTheSameRun) {

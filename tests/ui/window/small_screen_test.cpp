@@ -1,0 +1,57 @@
+// Every panel in a window as large as a screen of 1024x768 at 144 dots an inch.
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QDockWidget>
+#include <QLayout>
+#include <QTest>
+#include <memory>
+
+#include "tests/ui/patience.h"
+#include "tests/ui/run_fixture.h"
+#include "ui/language/language.h"
+#include "ui/window/main_window.h"
+
+namespace feedscope::ui {
+namespace {
+
+constexpr QSize screen(683, 512);  // [logical pixels]
+
+/// What each part of a window needs, for the message of a failure.
+std::string needs(const MainWindow& window) {
+  QString text = QStringLiteral("centre %1").arg(window.centralWidget()->minimumSizeHint().width());
+  for (const QDockWidget* dock : window.findChildren<QDockWidget*>()) {
+    if (dock->isVisible() && !dock->visibleRegion().isEmpty()) {
+      const QSize size = dock->minimumSizeHint();
+      text += QStringLiteral(", %1 %2x%3").arg(dock->objectName()).arg(size.width()).arg(size.height());
+    }
+  }
+  return text.toStdString();
+}
+
+class SmallScreenTest : public testing::TestWithParam<const char*> {
+ protected:
+  SmallScreenTest() { install_language(GetParam()); }
+  ~SmallScreenTest() override { install_language("en"); }
+};
+
+TEST_P(SmallScreenTest, EveryPanelFitsIntoTheWindow) {
+  Workbench model(shipped_machines(), make_setup({}));
+  MainWindow window(model, RenderBackend::software);
+  window.resize(screen);
+  window.show();
+  model.show(test::simulate_text(test::small_program));
+  for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
+    dock->show();
+    dock->raise();
+    QApplication::processEvents();
+    const QSize least = window.layout()->minimumSize();
+    EXPECT_LE(least.width(), screen.width()) << dock->objectName().toStdString() << ": " << needs(window);
+    EXPECT_LE(least.height(), screen.height()) << dock->objectName().toStdString() << ": " << needs(window);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Languages, SmallScreenTest, testing::Values("en", "fr"));
+
+}  // namespace
+}  // namespace feedscope::ui
