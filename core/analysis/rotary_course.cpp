@@ -99,7 +99,12 @@ RotarySample RotaryCourse::at(const State& state) const {
   const Way way = trajectory_->pieces().empty() ? Way() : way_of(state);
   const auto after = std::ranges::upper_bound(events_, way.segment, {}, &Event::segment);
   Angles angles{};
-  if (after != events_.begin()) {
+  if (after == events_.begin()) {
+    // Where the first turn begins, which is not 0 where the part is turned on the machine.
+    std::ranges::copy(events_.front().along ? path().segment_turns[events_.front().index].from
+                                            : path().rotary_turns[events_.front().index].from,
+                      angles.begin());
+  } else {
     const Event& event = *std::prev(after);
     angles = event.along ? along(path().segment_turns[event.index], way)
                          : turning(path().rotary_turns[event.index], state.time - event.start);

@@ -265,6 +265,38 @@ TEST(RotaryPeaks, OfAnIndexingTurnAreThoseOfItsLaw) {
   EXPECT_FALSE(run.summary.rotary->linear);
 }
 
+/// Blocks of unequal length, whose joints reach over a part of the longer ones alone: jerk jumps there,
+/// within a piece of the motion.
+TEST(RotaryPeaks, AreAtLeastWhatAnyInstantShows) {
+  for (const char* model : {"essid", "msaddek", "cam"}) {
+    const TurnedRun run = turned(
+        "TRAORI\nG1 F6000 X20 C60 A5\nX40 C70 A5\nX43 C55 A8\nX80 C30 A2\nX82 C31 A2\nX90 C60\nX100 C60\n",
+        model, {"orientation_tolerance_deg=0.2"});
+    std::array<AxisPeaks, 3> seen{};
+    const double duration = run.trajectory->duration();
+    constexpr int looks = 40'000;
+    for (int i = 0; i <= looks; ++i) {
+      const RotarySample sample = at(run, duration * i / looks);
+      for (std::size_t axis = 0; axis < seen.size(); ++axis) {
+        const AxisState& motion = sample.rotary[axis];
+        seen[axis].add(motion.velocity, motion.acceleration, motion.jerk);
+      }
+    }
+    for (const std::size_t axis : {0U, 2U}) {
+      const AxisPeaks& peaks = run.summary.rotary->rotary[axis];
+      SCOPED_TRACE(fmt::format("{} {}", model, axis == 0 ? 'A' : 'C'));
+      EXPECT_GE(peaks.velocity, seen[axis].velocity * (1 - 1e-9));
+      EXPECT_GE(peaks.acceleration, seen[axis].acceleration * (1 - 1e-6));
+      EXPECT_LE(peaks.velocity, seen[axis].velocity * 1.01);
+      EXPECT_LE(peaks.acceleration, seen[axis].acceleration * 1.02);
+      if (std::isfinite(peaks.jerk)) {
+        EXPECT_GE(peaks.jerk, seen[axis].jerk * (1 - 1e-6));
+        EXPECT_LE(peaks.jerk, seen[axis].jerk * 1.05);
+      }
+    }
+  }
+}
+
 /// Trials begin with the program, not with what another machine has made of it.
 TEST(RotaryTrials, WorkOutTheTurnsAnew) {
   const TurnedRun run = turned("TRAORI\nG1 F500 C90\nG1 F6000 X20 C150\nX40\nX60 C0\n");
@@ -308,6 +340,24 @@ TEST(RotaryPeaks, OfTheBladeAreWithinTheLimitsButForTheShareOfJoints) {
       const AxisLimits& limits = *run.setup.machine.axes.find(known_axes[i].name);
       EXPECT_LE((*run.summary.rotary->linear)[i].acceleration, 1.8 * limits.acceleration) << model;
     }
+  }
+}
+
+/// A part that is turned stands square to the tool before its program turns the axes: they do not jump there.
+TEST(RotaryCourse, BeginsWhereAPartThatIsTurnedNeedsTheAxes) {
+  const TurnedRun run = run_of("lesson_singular.nc", {"part_angle_x_deg=30"});
+  const double duration = run.trajectory->duration();
+  std::array<double, 3> before = run.sources.rotary->at(run.trajectory->state(0)).angles();
+  EXPECT_NEAR(std::abs(before[0]), 30 * deg, 1e-9);
+  constexpr int looks = 20'000;
+  const double step = duration / looks;
+  const RotaryAxis& a = *run.setup.machine.kinematics.find('A');
+  const RotaryAxis& c = *run.setup.machine.kinematics.find('C');
+  for (int i = 1; i <= looks; ++i) {
+    const std::array<double, 3> angles = run.sources.rotary->at(run.trajectory->state(step * i)).angles();
+    ASSERT_LE(std::abs(angles[0] - before[0]), 1.001 * a.velocity * step) << step * i;
+    ASSERT_LE(std::abs(angles[2] - before[2]), 1.001 * c.velocity * step) << step * i;
+    before = angles;
   }
 }
 
