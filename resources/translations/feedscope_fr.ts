@@ -4621,6 +4621,3182 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <source>It would be outside 0 to 1: the positions were not recorded at the same time, or the drive has more than a linear loop.</source>
         <translation>Elle serait hors de 0 à 1 : les positions n’ont pas été enregistrées au même instant, ou l’entraînement a plus qu’une boucle linéaire.</translation>
     </message>
+    <message>
+        <source>cycles and curves have made more than %1 motions</source>
+        <translation>les cycles et les courbes ont produit plus de %1 déplacements</translation>
+    </message>
+    <message>
+        <source>the rest is skipped; check the infeeds of the cycles, or raise the limit with --repeat-limit</source>
+        <translation>le reste est ignoré&#xa0;; vérifiez les passes des cycles, ou augmentez la limite avec --repeat-limit</translation>
+    </message>
+    <message>
+        <source>loops and calls have run %1 lines without coming to an end</source>
+        <translation>les boucles et les appels ont parcouru %1 lignes sans se terminer</translation>
+    </message>
+    <message>
+        <source>the rest is skipped; check the loop&apos;s condition, or raise the limit with --repeat-limit</source>
+        <translation>le reste est ignoré&#xa0;; vérifiez la condition de la boucle, ou augmentez la limite avec --repeat-limit</translation>
+    </message>
+    <message>
+        <source>the program has no blocks</source>
+        <translation>le programme n&apos;a aucun bloc</translation>
+    </message>
+    <message>
+        <source>give a file with NC blocks such as &quot;G1 X10 F500&quot;</source>
+        <translation>donnez un fichier de blocs CN comme &quot;G1 X10 F500&quot;</translation>
+    </message>
+    <message>
+        <source>no block of the program moves an axis</source>
+        <translation>aucun bloc du programme ne déplace un axe</translation>
+    </message>
+    <message>
+        <source>if the program has another dialect, give it with --dialect</source>
+        <translation>si le programme est d&apos;un autre dialecte, indiquez-le avec --dialect</translation>
+    </message>
+    <message>
+        <source>the program ends in line %1; the text after it is not executed</source>
+        <translation>le programme se termine à la ligne %1&#xa0;; le texte qui suit n&apos;est pas exécuté</translation>
+    </message>
+    <message>
+        <source>I J K are used as positions: as offsets from the start most arcs do not fit, as positions all of them do</source>
+        <translation>I J K sont lus comme des positions&#xa0;: comme décalages depuis le départ, la plupart des arcs ne tombent pas juste, comme positions tous le font</translation>
+    </message>
+    <message>
+        <source>program G90.1 if that is right, G91.1 if not</source>
+        <translation>programmez G90.1 si c&apos;est exact, sinon G91.1</translation>
+    </message>
+    <message>
+        <source>this is a program for %1, which is not supported</source>
+        <translation>ce programme est écrit pour %1, qui n&apos;est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>it is interpreted as ISO and the path shown may be wrong: %1; give --dialect to interpret it as that dialect</source>
+        <translation>il est interprété comme de l&apos;ISO et la trajectoire affichée peut être fausse&#xa0;: %1&#xa0;; donnez --dialect pour l&apos;interpréter dans ce dialecte</translation>
+    </message>
+    <message>
+        <source>G15 H selects a work offset there, G56 H a tool length, VC1 is a variable and CALL a subprogram</source>
+        <translation>G15 H y choisit un décalage d&apos;origine, G56 H une longueur d&apos;outil, VC1 est une variable et CALL un sous-programme</translation>
+    </message>
+    <message>
+        <source>%1 moves to a machine position, which the program does not contain</source>
+        <translation>%1 va à une position machine, que le programme ne contient pas</translation>
+    </message>
+    <message>
+        <source>neither drawn nor timed unless the machine gives positions (home_z_mm, part_zero_z_mm, ...); the path continues where every axis is programmed again</source>
+        <translation>ni dessiné ni chronométré tant que la machine ne donne pas ces positions (home_z_mm, part_zero_z_mm, ...)&#xa0;; la trajectoire reprend là où tous les axes sont de nouveau programmés</translation>
+    </message>
+    <message>
+        <source>%1 are all zero: the tool has no direction</source>
+        <translation>%1 sont nuls&#xa0;: l&apos;outil n&apos;a aucune direction</translation>
+    </message>
+    <message>
+        <source>the rotary axes stay; write the vector from the tip to the spindle, such as %1</source>
+        <translation>les axes rotatifs ne bougent pas&#xa0;; programmez le vecteur de la pointe vers la broche, comme %1</translation>
+    </message>
+    <message>
+        <source>I, J and K</source>
+        <translation>I, J et K</translation>
+    </message>
+    <message>
+        <source>A3, B3 and C3</source>
+        <translation>A3, B3 et C3</translation>
+    </message>
+    <message>
+        <source>TX, TY and TZ</source>
+        <translation>TX, TY et TZ</translation>
+    </message>
+    <message>
+        <source>%1 is below %2 mm</source>
+        <translation>%1 est au-dessous de %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm is used, the smallest that is simulated</source>
+        <translation>%1 mm est utilisé, la plus petite valeur simulée</translation>
+    </message>
+    <message>
+        <source>%1 more of this kind up to line %2</source>
+        <translation>%1 de plus de ce type jusqu&apos;à la ligne %2</translation>
+    </message>
+    <message>
+        <source>offsets without a value are assumed as zero, so parts of the path overlap; give them as an import option, --offset %1=X,Y,Z</source>
+        <translation>les décalages sans valeur sont supposés nuls, des parties de la trajectoire se recouvrent donc&#xa0;; donnez-les en option de lecture, --offset %1=X,Y,Z</translation>
+    </message>
+    <message>
+        <source>%1 has no valid number</source>
+        <translation>%1 n&apos;a pas de nombre valable</translation>
+    </message>
+    <message>
+        <source>correct the number</source>
+        <translation>corrigez le nombre</translation>
+    </message>
+    <message>
+        <source>%1 is above the largest number, 1000000000</source>
+        <translation>%1 dépasse le plus grand nombre admis, 1000000000</translation>
+    </message>
+    <message>
+        <source>write a smaller number</source>
+        <translation>programmez un nombre plus petit</translation>
+    </message>
+    <message>
+        <source>%1 has no finite value</source>
+        <translation>%1 n&apos;a pas de valeur finie</translation>
+    </message>
+    <message>
+        <source>check the values that go into it</source>
+        <translation>vérifiez les valeurs qui y entrent</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is missing here</source>
+        <translation>il manque ici &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>check the brackets of the expression</source>
+        <translation>vérifiez les crochets ou parenthèses de l&apos;expression</translation>
+    </message>
+    <message>
+        <source>the expression is nested more than %1 deep</source>
+        <translation>l&apos;expression est imbriquée sur plus de %1 niveaux</translation>
+    </message>
+    <message>
+        <source>split it into several assignments</source>
+        <translation>répartissez-la sur plusieurs affectations</translation>
+    </message>
+    <message>
+        <source>a value is missing at the end of the expression</source>
+        <translation>il manque une valeur à la fin de l&apos;expression</translation>
+    </message>
+    <message>
+        <source>%1 is not a value, variable or function</source>
+        <translation>%1 n&apos;est ni une valeur, ni une variable, ni une fonction</translation>
+    </message>
+    <message>
+        <source>write a number, a variable or a function here</source>
+        <translation>programmez ici un nombre, une variable ou une fonction</translation>
+    </message>
+    <message>
+        <source>calls are nested more than %1 deep</source>
+        <translation>les appels sont imbriqués sur plus de %1 niveaux</translation>
+    </message>
+    <message>
+        <source>this call is skipped; check whether the subprogram calls itself, or raise the limit with --call-depth</source>
+        <translation>cet appel est ignoré&#xa0;; vérifiez si le sous-programme s&apos;appelle lui-même, ou augmentez la limite avec --call-depth</translation>
+    </message>
+    <message>
+        <source>the program does not define its unit; mm is used</source>
+        <translation>le programme ne définit pas son unité&#xa0;; le mm est utilisé</translation>
+    </message>
+    <message>
+        <source>give it as an import option: --unit mm or --unit inch</source>
+        <translation>donnez-la en option de lecture&#xa0;: --unit mm ou --unit inch</translation>
+    </message>
+    <message>
+        <source>%1 x %2 x %3 mm cut at %4 mm/min at most look like inches; give --unit inch, or --unit mm if that is right</source>
+        <translation>%1 x %2 x %3 mm usinés à %4 mm/min au plus ressemblent à des pouces&#xa0;; donnez --unit inch, ou --unit mm si c&apos;est exact</translation>
+    </message>
+    <message>
+        <source>%1: is larger than 4 GiB; split the program</source>
+        <translation>%1&#xa0;: fichier de plus de 4 Gio&#xa0;; divisez le programme</translation>
+    </message>
+    <message>
+        <source>%1: is not a text file (%2); give an NC program as ASCII, UTF-8 or Latin-1 text</source>
+        <translation>%1&#xa0;: n&apos;est pas un fichier texte (%2)&#xa0;; donnez un programme CN en texte ASCII, UTF-8 ou Latin-1</translation>
+    </message>
+    <message>
+        <source>it is UTF-16</source>
+        <translation>il est en UTF-16</translation>
+    </message>
+    <message>
+        <source>it has %1 control characters</source>
+        <translation>il contient %1 caractères de commande</translation>
+    </message>
+    <message>
+        <source>the rest is control characters only</source>
+        <translation>le reste n&apos;est que caractères de commande</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read: %2</source>
+        <translation>%1&#xa0;: lecture impossible&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>%1:%2: the line is %3 bytes long, more than the %4 of any NC program; check the file&apos;s line ends</source>
+        <translation>%1:%2&#xa0;: la ligne fait %3 octets, plus que les %4 de tout programme CN&#xa0;; vérifiez les fins de ligne du fichier</translation>
+    </message>
+    <message>
+        <source>%1: does not exist; check the path</source>
+        <translation>%1&#xa0;: n&apos;existe pas&#xa0;; vérifiez le chemin</translation>
+    </message>
+    <message>
+        <source>%1: is a directory; give the NC program inside it</source>
+        <translation>%1&#xa0;: est un dossier&#xa0;; donnez le programme CN qu&apos;il contient</translation>
+    </message>
+    <message>
+        <source>%1: cannot be opened: %2</source>
+        <translation>%1&#xa0;: ouverture impossible&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>tool table &apos;%1&apos;, line %2: %3 is not a number</source>
+        <translation>table d&apos;outils &apos;%1&apos;, ligne %2&#xa0;: %3 n&apos;est pas un nombre</translation>
+    </message>
+    <message>
+        <source>tool table &apos;%1&apos;, line %2, column %3: %4</source>
+        <translation>table d&apos;outils &apos;%1&apos;, ligne %2, colonne %3&#xa0;: %4</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a supported tool table; give lines such as &quot;T1 D10&quot; or &quot;$TC_DP6[1,1]=5&quot;, &quot;G10 L12 P1 R5&quot;, or columns headed T and R</source>
+        <translation>&apos;%1&apos; n&apos;est pas une table d&apos;outils connue&#xa0;; donnez des lignes comme &quot;T1 D10&quot; ou &quot;$TC_DP6[1,1]=5&quot;, &quot;G10 L12 P1 R5&quot;, ou des colonnes intitulées T et R</translation>
+    </message>
+    <message>
+        <source>the table in the program&apos;s folder is not used; correct it, or name another one</source>
+        <translation>la table du dossier du programme n&apos;est pas utilisée&#xa0;; corrigez-la, ou nommez-en une autre</translation>
+    </message>
+    <message>
+        <source>cutter radii are those of tool table &apos;%1&apos;</source>
+        <translation>les rayons d&apos;outil sont ceux de la table d&apos;outils &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>give it as an import option (--tool %1=RADIUS) or in a tool table, or say that the path is already compensated (--wear-only)</source>
+        <translation>donnez-le en option de lecture (--tool %1=RADIUS) ou dans une table d&apos;outils, ou indiquez que la trajectoire est déjà corrigée (--wear-only)</translation>
+    </message>
+    <message>
+        <source>a number is missing</source>
+        <translation>il manque un nombre</translation>
+    </message>
+    <message>
+        <source>]= is missing</source>
+        <translation>il manque ]=</translation>
+    </message>
+    <message>
+        <source>%1 is not a letter with a number</source>
+        <translation>%1 n&apos;est pas une lettre suivie d&apos;un nombre</translation>
+    </message>
+    <message>
+        <source>the %1 of %2 mm: %3</source>
+        <translation>%1 de %2 mm&#xa0;: %3</translation>
+    </message>
+    <message>
+        <source>rounding</source>
+        <translation>arrondi</translation>
+    </message>
+    <message>
+        <source>chamfer</source>
+        <translation>chanfrein</translation>
+    </message>
+    <message>
+        <source>no line or arc follows in the same plane</source>
+        <translation>aucune droite et aucun arc ne suit dans le même plan</translation>
+    </message>
+    <message>
+        <source>the corner stays sharp</source>
+        <translation>l&apos;angle reste vif</translation>
+    </message>
+    <message>
+        <source>the corner stays sharp; write it between two of them</source>
+        <translation>l&apos;angle reste vif&#xa0;; programmez-le entre deux de ces éléments</translation>
+    </message>
+    <message>
+        <source>the adjacent elements leave the working plane</source>
+        <translation>les éléments voisins quittent le plan de travail</translation>
+    </message>
+    <message>
+        <source>it is adjacent to a rapid</source>
+        <translation>il touche un déplacement rapide</translation>
+    </message>
+    <message>
+        <source>it does not fit between the adjacent elements; %1 mm are used</source>
+        <translation>il ne tient pas entre les éléments voisins&#xa0;; %1 mm sont utilisés</translation>
+    </message>
+    <message>
+        <source>the control reduces it too, by its own rule</source>
+        <translation>la commande le réduit aussi, selon sa propre règle</translation>
+    </message>
+    <message>
+        <source>the path turns back at the corner</source>
+        <translation>la trajectoire fait demi-tour dans l&apos;angle</translation>
+    </message>
+    <message>
+        <source>it does not fit between the adjacent elements</source>
+        <translation>il ne tient pas entre les éléments voisins</translation>
+    </message>
+    <message>
+        <source>the corner stays sharp; make it smaller</source>
+        <translation>l&apos;angle reste vif&#xa0;; réduisez-le</translation>
+    </message>
+    <message>
+        <source>it is adjacent to an arc</source>
+        <translation>il touche un arc</translation>
+    </message>
+    <message>
+        <source>the corner stays sharp; a chamfer is supported between two lines</source>
+        <translation>l&apos;angle reste vif&#xa0;; un chanfrein est possible entre deux droites</translation>
+    </message>
+    <message>
+        <source>cutter radius compensation begins on an arc</source>
+        <translation>la correction de rayon commence sur un arc</translation>
+    </message>
+    <message>
+        <source>a straight line leads to the start of the offset arc; begin it on a line</source>
+        <translation>une droite mène au départ de l&apos;arc décalé&#xa0;; commencez-la sur une droite</translation>
+    </message>
+    <message>
+        <source>cutter radius compensation ends on an arc</source>
+        <translation>la correction de rayon se termine sur un arc</translation>
+    </message>
+    <message>
+        <source>a straight line leads to its end instead; end it on a line</source>
+        <translation>une droite mène à sa fin à la place&#xa0;; terminez-la sur une droite</translation>
+    </message>
+    <message>
+        <source>at this block a tool of radius %1 mm cuts %2 mm into the contour of line %3</source>
+        <translation>à ce bloc, un outil de rayon %1 mm entame de %2 mm le contour de la ligne %3</translation>
+    </message>
+    <message>
+        <source>use a smaller tool, or do not begin the contour in an inside corner</source>
+        <translation>prenez un outil plus petit, ou ne commencez pas le contour dans un angle rentrant</translation>
+    </message>
+    <message>
+        <source>the plane changes while cutter radius compensation is on</source>
+        <translation>le plan change pendant la correction de rayon</translation>
+    </message>
+    <message>
+        <source>it begins again in the other plane; end it before</source>
+        <translation>elle recommence dans l&apos;autre plan&#xa0;; terminez-la avant</translation>
+    </message>
+    <message>
+        <source>the arc&apos;s radius, %1 mm, is smaller than the tool&apos;s, %2 mm</source>
+        <translation>le rayon de l&apos;arc, %1 mm, est plus petit que celui de l&apos;outil, %2 mm</translation>
+    </message>
+    <message>
+        <source>a straight line to its end is used instead, which cuts into the contour; use a smaller tool</source>
+        <translation>une droite jusqu&apos;à sa fin est utilisée à la place et entame le contour&#xa0;; prenez un outil plus petit</translation>
+    </message>
+    <message>
+        <source>a tool of radius %1 mm does not fit between this block and its neighbours</source>
+        <translation>un outil de rayon %1 mm ne tient pas entre ce bloc et ses voisins</translation>
+    </message>
+    <message>
+        <source>the path shown cuts into the contour here; use a smaller tool</source>
+        <translation>la trajectoire affichée entame ici le contour&#xa0;; prenez un outil plus petit</translation>
+    </message>
+    <message>
+        <source>axis %1 turns in feed motions of the tool&apos;s tip</source>
+        <translation>l&apos;axe %1 tourne pendant des déplacements en avance de la pointe de l&apos;outil</translation>
+    </message>
+    <message>
+        <source>its limits hold along each block and where blocks meet</source>
+        <translation>ses limites valent le long de chaque bloc et à la jonction des blocs</translation>
+    </message>
+    <message>
+        <source>axis %1 turns in a feed motion of X, Y and Z without tool centre point control</source>
+        <translation>l&apos;axe %1 tourne pendant un déplacement en avance de X, Y et Z sans suivi de la pointe de l&apos;outil (RTCP)</translation>
+    </message>
+    <message>
+        <source>X, Y and Z are shown as programmed, not as the tool moves on the part; the limits of the axis hold along each block</source>
+        <translation>X, Y et Z sont affichés comme programmés, non comme l&apos;outil se déplace sur la pièce&#xa0;; les limites de l&apos;axe valent le long de chaque bloc</translation>
+    </message>
+    <message>
+        <source>axis %1 turns by %2 degrees, from %3 to %4</source>
+        <translation>l&apos;axe %1 tourne de %2 degrés, de %3 à %4</translation>
+    </message>
+    <message>
+        <source>a control whose axis takes the shortest way turns less; its time is that of the way as written</source>
+        <translation>une commande dont l&apos;axe prend le chemin le plus court tourne moins&#xa0;; son temps est celui du chemin tel qu&apos;il est écrit</translation>
+    </message>
+    <message>
+        <source>the tool&apos;s direction and axis %1 are given in one block</source>
+        <translation>la direction de l&apos;outil et l&apos;axe %1 sont donnés dans un même bloc</translation>
+    </message>
+    <message>
+        <source>the direction is used; remove one of them</source>
+        <translation>la direction est utilisée&#xa0;; supprimez l&apos;un des deux</translation>
+    </message>
+    <message>
+        <source>tool orientation</source>
+        <translation>l&apos;orientation de l&apos;outil</translation>
+    </message>
+    <message>
+        <source>tool vectors turn the rotary axes</source>
+        <translation>des vecteurs d&apos;outil font tourner les axes rotatifs</translation>
+    </message>
+    <message>
+        <source>to the nearer of two positions, the tool along a great circle in each block; rounded where blocks meet</source>
+        <translation>vers la plus proche de deux positions, l&apos;outil le long d&apos;un grand cercle dans chaque bloc&#xa0;; arrondi à la jonction des blocs</translation>
+    </message>
+    <message>
+        <source>to the nearer of two positions, the axes linearly along each block; rounded where blocks meet</source>
+        <translation>vers la plus proche de deux positions, les axes linéairement le long de chaque bloc&#xa0;; arrondi à la jonction des blocs</translation>
+    </message>
+    <message>
+        <source>X, Y and Z are those of the tool&apos;s tip and shown as programmed</source>
+        <translation>X, Y et Z sont ceux de la pointe de l&apos;outil et affichés comme programmés</translation>
+    </message>
+    <message>
+        <source>X, Y and Z are shown as programmed</source>
+        <translation>X, Y et Z sont affichés comme programmés</translation>
+    </message>
+    <message>
+        <source>axis %1 moves to %2, which is not simulated</source>
+        <translation>l&apos;axe %1 va à %2, ce qui n&apos;est pas simulé</translation>
+    </message>
+    <message>
+        <source>axis %1 moves to %2 in a feed move, which is not simulated</source>
+        <translation>l&apos;axe %1 va à %2 dans un déplacement en avance, ce qui n&apos;est pas simulé</translation>
+    </message>
+    <message>
+        <source>tool orientation moves to %1, which is not simulated</source>
+        <translation>l&apos;orientation de l&apos;outil change, ce qui n&apos;est pas simulé</translation>
+    </message>
+    <message>
+        <source>tool orientation moves to %1 in a feed move, which is not simulated</source>
+        <translation>l&apos;orientation de l&apos;outil change dans un déplacement en avance, ce qui n&apos;est pas simulé</translation>
+    </message>
+    <message>
+        <source>%1; the time of this axis is not included, so the cycle time is too short; reported once</source>
+        <translation>%1&#xa0;; le temps de cet axe n&apos;est pas compté, le temps de cycle est donc trop court&#xa0;; signalé une seule fois</translation>
+    </message>
+    <message>
+        <source>a rounding or chamfer of a non-uniformly scaled contour is not supported</source>
+        <translation>un arrondi ou chanfrein d&apos;un contour à facteurs d&apos;échelle inégaux n&apos;est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>the arc is scaled non-uniformly and becomes an ellipse</source>
+        <translation>l&apos;arc a des facteurs d&apos;échelle inégaux et devient une ellipse</translation>
+    </message>
+    <message>
+        <source>it is approximated by lines within 0.001 mm</source>
+        <translation>elle est approchée par des droites à 0,001 mm près</translation>
+    </message>
+    <message>
+        <source>a feed move while the position of %1 is not known</source>
+        <translation>un déplacement en avance alors que la position de %1 n&apos;est pas connue</translation>
+    </message>
+    <message>
+        <source>the axis is assumed where it was before the move to the machine position; program it first</source>
+        <translation>l&apos;axe est supposé là où il était avant d&apos;aller à la position machine&#xa0;; programmez-le d&apos;abord</translation>
+    </message>
+    <message>
+        <source>a curve is approximated by tangent arcs within 0.001 mm of it</source>
+        <translation>une courbe est approchée par des arcs tangents à 0,001 mm près</translation>
+    </message>
+    <message>
+        <source>a curve under cutter compensation or at a rounded corner is approximated by lines within 0.001 mm</source>
+        <translation>une courbe sous correction de rayon ou à un angle arrondi est approchée par des droites à 0,001 mm près</translation>
+    </message>
+    <message>
+        <source>the program has more than 65536 different path control settings</source>
+        <translation>le programme a plus de 65536 réglages différents du suivi de trajectoire</translation>
+    </message>
+    <message>
+        <source>the last one stays in force; split the program</source>
+        <translation>le dernier reste en vigueur&#xa0;; divisez le programme</translation>
+    </message>
+    <message>
+        <source>the arc&apos;s centre is its start point</source>
+        <translation>le centre de l&apos;arc est son point de départ</translation>
+    </message>
+    <message>
+        <source>a straight line to its end is used instead</source>
+        <translation>une droite jusqu&apos;à sa fin est utilisée à la place</translation>
+    </message>
+    <message>
+        <source>the centre would fit as %1</source>
+        <translation>le centre conviendrait comme %1</translation>
+    </message>
+    <message>
+        <source>an offset (G91.1)</source>
+        <translation>décalage (G91.1)</translation>
+    </message>
+    <message>
+        <source>a position (G90.1)</source>
+        <translation>position (G90.1)</translation>
+    </message>
+    <message>
+        <source>check the centre</source>
+        <translation>vérifiez le centre</translation>
+    </message>
+    <message>
+        <source>the centre would fit as %1; a straight line to its end is used instead</source>
+        <translation>le centre conviendrait comme %1&#xa0;; une droite jusqu&apos;à sa fin est utilisée à la place</translation>
+    </message>
+    <message>
+        <source>the arc&apos;s radius is %1 mm at its start but %2 mm at its end</source>
+        <translation>le rayon de l&apos;arc est de %1 mm au départ mais de %2 mm à la fin</translation>
+    </message>
+    <message>
+        <source>radius %1 mm is too small for ends %2 mm apart</source>
+        <translation>le rayon de %1 mm est trop petit pour des extrémités distantes de %2 mm</translation>
+    </message>
+    <message>
+        <source>the radius must be at least half the distance; %1</source>
+        <translation>le rayon doit faire au moins la moitié de la distance&#xa0;; %1</translation>
+    </message>
+    <message>
+        <source>an arc given by its radius must not end where it starts</source>
+        <translation>un arc donné par son rayon ne doit pas finir là où il commence</translation>
+    </message>
+    <message>
+        <source>write a full circle with its centre</source>
+        <translation>programmez un cercle complet avec son centre</translation>
+    </message>
+    <message>
+        <source>a feed per revolution without a spindle speed</source>
+        <translation>une avance par tour sans vitesse de broche</translation>
+    </message>
+    <message>
+        <source>a feed move without a feed</source>
+        <translation>un déplacement en avance sans avance</translation>
+    </message>
+    <message>
+        <source>it runs as fast as the axes allow; write S before it</source>
+        <translation>il va aussi vite que les axes le permettent&#xa0;; programmez S avant</translation>
+    </message>
+    <message>
+        <source>it runs as fast as the axes allow; write F before it</source>
+        <translation>il va aussi vite que les axes le permettent&#xa0;; programmez F avant</translation>
+    </message>
+    <message>
+        <source>the program has more than 65535 different spindle speeds</source>
+        <translation>le programme a plus de 65535 vitesses de broche différentes</translation>
+    </message>
+    <message>
+        <source>motions with further ones have no spindle speed and no cutting load</source>
+        <translation>les déplacements aux vitesses suivantes n&apos;ont ni vitesse de broche ni effort de coupe</translation>
+    </message>
+    <message>
+        <source>short lines lie about %1 mm from the curve that they stand for: chord error, estimated from %2 lines</source>
+        <translation>des petits segments sont à environ %1 mm de la courbe qu&apos;ils remplacent&#xa0;: erreur de corde, estimée sur %2 segments</translation>
+    </message>
+    <message>
+        <source>Heidenhain advises a contour tolerance of 110 to 200 % of the chord error: %1 to %2 mm</source>
+        <translation>Heidenhain conseille une tolérance de contour de 110 à 200 % de l&apos;erreur de corde&#xa0;: %1 à %2 mm</translation>
+    </message>
+    <message>
+        <source>how X, Y and Z follow the rotary axes is not known without tool length and part zero</source>
+        <translation>sans longueur d&apos;outil ni origine pièce, la façon dont X, Y et Z suivent les axes rotatifs est inconnue</translation>
+    </message>
+    <message>
+        <source>where rotary axes turn, their own limits hold and those of X, Y and Z as without them; give tool_length_mm and part_zero_x_mm, _y_mm, _z_mm</source>
+        <translation>là où des axes rotatifs tournent, leurs propres limites valent, et celles de X, Y et Z comme sans eux&#xa0;; donnez tool_length_mm et part_zero_x_mm, _y_mm, _z_mm</translation>
+    </message>
+    <message>
+        <source>two positions of the rotary axes give the tool vector and are equally near</source>
+        <translation>deux positions des axes rotatifs donnent le vecteur d&apos;outil et sont aussi proches l&apos;une que l&apos;autre</translation>
+    </message>
+    <message>
+        <source>one of them is used; a control may choose the other</source>
+        <translation>l&apos;une d&apos;elles est utilisée&#xa0;; une commande peut choisir l&apos;autre</translation>
+    </message>
+    <message>
+        <source>axis %1 turns by %2 degrees within one block for a tool vector</source>
+        <translation>l&apos;axe %1 tourne de %2 degrés dans un seul bloc pour un vecteur d&apos;outil</translation>
+    </message>
+    <message>
+        <source>a control may stop, limit the turn or go another way; near the singular position smaller steps of the tool vector, or a part that is clamped at a tilt, make it turn less</source>
+        <translation>une commande peut s&apos;arrêter, limiter la rotation ou prendre un autre chemin&#xa0;; près de la position singulière, des pas plus petits du vecteur d&apos;outil, ou une pièce bridée inclinée, réduisent la rotation</translation>
+    </message>
+    <message>
+        <source>axis %1 holds the feed at %2 of %3 mm/min near its singular position: the tool is %4 degrees from its axis</source>
+        <translation>l&apos;axe %1 retient l&apos;avance à %2 sur %3 mm/min près de sa position singulière&#xa0;: l&apos;outil est à %4 degrés de son axe</translation>
+    </message>
+    <message>
+        <source>lines %1 to %2, one of %3 such places; tilting the part by some degrees in the clamping takes the path away from it</source>
+        <translation>lignes %1 à %2, l&apos;un de %3 endroits de ce type&#xa0;; incliner la pièce de quelques degrés dans le bridage en éloigne la trajectoire</translation>
+    </message>
+    <message>
+        <source>the part stays as programmed: the program sends the rotary axes of one machine to angles</source>
+        <translation>la pièce reste comme programmée&#xa0;: le programme envoie les axes rotatifs d&apos;une machine à des angles</translation>
+    </message>
+    <message>
+        <source>part_angle_x_deg, _y_deg and _z_deg turn the part under programs with tool vectors, tilted planes or tool centre point control; post this one again</source>
+        <translation>part_angle_x_deg, _y_deg et _z_deg tournent la pièce sous des programmes à vecteurs d&apos;outil, plans inclinés ou suivi de la pointe de l&apos;outil (RTCP)&#xa0;; repassez celui-ci au post-processeur</translation>
+    </message>
+    <message>
+        <source>axis %1 goes to %2 degrees, beyond its travel from %3 to %4</source>
+        <translation>l&apos;axe %1 va à %2 degrés, au-delà de sa course de %3 à %4</translation>
+    </message>
+    <message>
+        <source>the time of the whole way is counted; a control refuses the block</source>
+        <translation>le temps du chemin entier est compté&#xa0;; une commande refuse le bloc</translation>
+    </message>
+    <message>
+        <source>no position of the rotary axes of machine &apos;%1&apos; gives the tool the direction %2, %3, %4 of the tool vector</source>
+        <translation>aucune position des axes rotatifs de la machine &apos;%1&apos; ne donne à l&apos;outil la direction %2, %3, %4 du vecteur d&apos;outil</translation>
+    </message>
+    <message>
+        <source>no position of the rotary axes of machine &apos;%1&apos; gives the tool the direction %2, %3, %4 of the tilted plane</source>
+        <translation>aucune position des axes rotatifs de la machine &apos;%1&apos; ne donne à l&apos;outil la direction %2, %3, %4 du plan incliné</translation>
+    </message>
+    <message>
+        <source>no position of the rotary axes of machine &apos;%1&apos; gives the tool the direction %2, %3, %4 of the tool vector in the part as it is turned</source>
+        <translation>aucune position des axes rotatifs de la machine &apos;%1&apos; ne donne à l&apos;outil la direction %2, %3, %4 du vecteur d&apos;outil dans la pièce telle qu&apos;elle est tournée</translation>
+    </message>
+    <message>
+        <source>no position of the rotary axes of machine &apos;%1&apos; gives the tool the direction %2, %3, %4 of the tilted plane in the part as it is turned</source>
+        <translation>aucune position des axes rotatifs de la machine &apos;%1&apos; ne donne à l&apos;outil la direction %2, %3, %4 du plan incliné dans la pièce telle qu&apos;elle est tournée</translation>
+    </message>
+    <message>
+        <source>the rotary axes stay; tilt less, or choose another machine</source>
+        <translation>les axes rotatifs ne bougent pas&#xa0;; inclinez moins, ou choisissez une autre machine</translation>
+    </message>
+    <message>
+        <source>no position of the rotary axes with %1 of axis %2 gives the tool the direction of the tilted plane within its travel</source>
+        <translation>aucune position des axes rotatifs avec %1 de l&apos;axe %2 ne donne à l&apos;outil la direction du plan incliné dans sa course</translation>
+    </message>
+    <message>
+        <source>a positive angle</source>
+        <translation>un angle positif</translation>
+    </message>
+    <message>
+        <source>a negative angle</source>
+        <translation>un angle négatif</translation>
+    </message>
+    <message>
+        <source>the other position is used; ask for the other side</source>
+        <translation>l&apos;autre position est utilisée&#xa0;; demandez l&apos;autre côté</translation>
+    </message>
+    <message>
+        <source>an approach or departure without RL or RR</source>
+        <translation>une approche ou une sortie sans RL ni RR</translation>
+    </message>
+    <message>
+        <source>the left side is assumed; write RL or RR</source>
+        <translation>le côté gauche est supposé&#xa0;; programmez RL ou RR</translation>
+    </message>
+    <message>
+        <source>%1 is missing or zero</source>
+        <translation>%1 manque ou est nul</translation>
+    </message>
+    <message>
+        <source>its length LEN</source>
+        <translation>sa longueur LEN</translation>
+    </message>
+    <message>
+        <source>its angle CCA</source>
+        <translation>son angle CCA</translation>
+    </message>
+    <message>
+        <source>its radius R</source>
+        <translation>son rayon R</translation>
+    </message>
+    <message>
+        <source>the approach or departure is skipped</source>
+        <translation>l&apos;approche ou la sortie est ignorée</translation>
+    </message>
+    <message>
+        <source>its radius R of %1 mm on the other side is not larger than the tool radius, %2 mm</source>
+        <translation>son rayon R de %1 mm de l&apos;autre côté n&apos;est pas plus grand que le rayon de l&apos;outil, %2 mm</translation>
+    </message>
+    <message>
+        <source>the preceding block is not a line to the first point of the contour</source>
+        <translation>le bloc précédent n&apos;est pas une droite vers le premier point du contour</translation>
+    </message>
+    <message>
+        <source>the contour is approached straight</source>
+        <translation>le contour est approché en ligne droite</translation>
+    </message>
+    <message>
+        <source>no contour follows the approach</source>
+        <translation>aucun contour ne suit l&apos;approche</translation>
+    </message>
+    <message>
+        <source>a line to its first point is used; write a contour element after it</source>
+        <translation>une droite vers son premier point est utilisée&#xa0;; programmez un élément de contour après elle</translation>
+    </message>
+    <message>
+        <source>no contour element follows in the next block</source>
+        <translation>aucun élément de contour ne suit dans le bloc suivant</translation>
+    </message>
+    <message>
+        <source>the corner stays sharp; write the corner between two lines or arcs</source>
+        <translation>l&apos;angle reste vif&#xa0;; programmez l&apos;angle entre deux droites ou arcs</translation>
+    </message>
+    <message>
+        <source>another rounding or chamfer follows</source>
+        <translation>un autre arrondi ou chanfrein suit</translation>
+    </message>
+    <message>
+        <source>the first one is skipped</source>
+        <translation>le premier est ignoré</translation>
+    </message>
+    <message>
+        <source>the preceding block is not a contour element</source>
+        <translation>le bloc précédent n&apos;est pas un élément de contour</translation>
+    </message>
+    <message>
+        <source>it is skipped; write the corner between two lines or arcs</source>
+        <translation>il est ignoré&#xa0;; programmez l&apos;angle entre deux droites ou arcs</translation>
+    </message>
+    <message>
+        <source>the contour after the approach has no direction in the plane at its start</source>
+        <translation>le contour après l&apos;approche n&apos;a pas de direction dans le plan à son départ</translation>
+    </message>
+    <message>
+        <source>a line to its first point is used</source>
+        <translation>une droite vers son premier point est utilisée</translation>
+    </message>
+    <message>
+        <source>the tool starts inside the approach arc of radius %1 mm</source>
+        <translation>l&apos;outil part de l&apos;intérieur de l&apos;arc d&apos;approche de rayon %1 mm</translation>
+    </message>
+    <message>
+        <source>a line to the first point of the contour is used; start farther away or reduce R</source>
+        <translation>une droite vers le premier point du contour est utilisée&#xa0;; partez de plus loin ou réduisez R</translation>
+    </message>
+    <message>
+        <source>the departure does not follow a contour in the working plane</source>
+        <translation>la sortie ne suit pas un contour dans le plan de travail</translation>
+    </message>
+    <message>
+        <source>a line to its end is used</source>
+        <translation>une droite vers sa fin est utilisée</translation>
+    </message>
+    <message>
+        <source>the departure ends inside its arc of radius %1 mm</source>
+        <translation>la sortie finit à l&apos;intérieur de son arc de rayon %1 mm</translation>
+    </message>
+    <message>
+        <source>a line to its end is used; end farther away or reduce R</source>
+        <translation>une droite vers sa fin est utilisée&#xa0;; finissez plus loin ou réduisez R</translation>
+    </message>
+    <message>
+        <source>%1 belongs to another kind of motion than this block</source>
+        <translation>%1 appartient à un autre type de déplacement que ce bloc</translation>
+    </message>
+    <message>
+        <source>it is ignored; correct the block</source>
+        <translation>il est ignoré&#xa0;; corrigez le bloc</translation>
+    </message>
+    <message>
+        <source>PR or PA</source>
+        <translation>PR ou PA</translation>
+    </message>
+    <message>
+        <source>the arc has no direction</source>
+        <translation>l&apos;arc n&apos;a pas de sens</translation>
+    </message>
+    <message>
+        <source>counter-clockwise is assumed; write DR+ or DR-</source>
+        <translation>le sens antihoraire est supposé&#xa0;; programmez DR+ ou DR-</translation>
+    </message>
+    <message>
+        <source>the arc has no radius</source>
+        <translation>l&apos;arc n&apos;a pas de rayon</translation>
+    </message>
+    <message>
+        <source>a straight line to its end is used instead; write R</source>
+        <translation>une droite jusqu&apos;à sa fin est utilisée à la place&#xa0;; programmez R</translation>
+    </message>
+    <message>
+        <source>a tangent arc without a preceding motion in the working plane</source>
+        <translation>un arc tangent sans déplacement précédent dans le plan de travail</translation>
+    </message>
+    <message>
+        <source>the arc would end straight behind its start</source>
+        <translation>l&apos;arc finirait droit derrière son départ</translation>
+    </message>
+    <message>
+        <source>an angle of %1 degrees is opposite to the direction of the arc</source>
+        <translation>un angle de %1 degrés est opposé au sens de l&apos;arc</translation>
+    </message>
+    <message>
+        <source>the sign of the angle is used; write both with the same sign</source>
+        <translation>le signe de l&apos;angle est utilisé&#xa0;; programmez les deux avec le même signe</translation>
+    </message>
+    <message>
+        <source>rounding %1 mm is zero or negative</source>
+        <translation>l&apos;arrondi de %1 mm est nul ou négatif</translation>
+    </message>
+    <message>
+        <source>chamfer %1 mm is zero or negative</source>
+        <translation>le chanfrein de %1 mm est nul ou négatif</translation>
+    </message>
+    <message>
+        <source>a tool direction (TX TY TZ) without M128 or FUNCTION TCPM</source>
+        <translation>une direction d&apos;outil (TX TY TZ) sans M128 ni FUNCTION TCPM</translation>
+    </message>
+    <message>
+        <source>the rotary axes stay; switch tool centre point control on before it</source>
+        <translation>les axes rotatifs ne bougent pas&#xa0;; activez avant le suivi de la pointe de l&apos;outil (RTCP)</translation>
+    </message>
+    <message>
+        <source>%1 is not an approach or departure</source>
+        <translation>%1 n&apos;est ni une approche ni une sortie</translation>
+    </message>
+    <message>
+        <source>it is skipped; write LT, LN, CT, LCT or the polar forms with P before them</source>
+        <translation>il est ignoré&#xa0;; programmez LT, LN, CT, LCT ou les formes polaires précédées de P</translation>
+    </message>
+    <message>
+        <source>RND without a radius R</source>
+        <translation>RND sans rayon R</translation>
+    </message>
+    <message>
+        <source>polar coordinates without a pole</source>
+        <translation>des coordonnées polaires sans pôle</translation>
+    </message>
+    <message>
+        <source>a line to the known end is used; write the pole (CC, or I and J) before it</source>
+        <translation>une droite vers la fin connue est utilisée&#xa0;; programmez le pôle (CC, ou I et J) avant</translation>
+    </message>
+    <message>
+        <source>coordinates before the first of G0 to G16</source>
+        <translation>des coordonnées avant le premier de G0 à G16</translation>
+    </message>
+    <message>
+        <source>%1 is not a word of this block</source>
+        <translation>%1 n&apos;est pas un mot de ce bloc</translation>
+    </message>
+    <message>
+        <source>the block is skipped; correct it</source>
+        <translation>le bloc est ignoré&#xa0;; corrigez-le</translation>
+    </message>
+    <message>
+        <source>surface normals (LN) are not used</source>
+        <translation>les normales à la surface (LN) ne sont pas utilisées</translation>
+    </message>
+    <message>
+        <source>X, Y and Z are shown as programmed, without a compensation along them</source>
+        <translation>X, Y et Z sont affichés comme programmés, sans correction le long d&apos;elles</translation>
+    </message>
+    <message>
+        <source>surface normals and tool directions (LN) are not supported</source>
+        <translation>les normales à la surface et les directions d&apos;outil (LN) ne sont pas prises en charge</translation>
+    </message>
+    <message>
+        <source>FT%1 (time of the block) is not supported</source>
+        <translation>FT%1 (durée du bloc) n&apos;est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>the last feed stays in force</source>
+        <translation>la dernière avance reste en vigueur</translation>
+    </message>
+    <message>
+        <source>R%1 (extension by the tool radius) is not supported</source>
+        <translation>R%1 (prolongement du rayon d&apos;outil) n&apos;est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>the position is shown as programmed</source>
+        <translation>la position est affichée comme programmée</translation>
+    </message>
+    <message>
+        <source>the upper corner of the blank is not above the lower one in every axis</source>
+        <translation>le coin supérieur du brut n&apos;est pas au-dessus du coin inférieur dans chaque axe</translation>
+    </message>
+    <message>
+        <source>the control refuses such a blank; the path does not depend on it</source>
+        <translation>la commande refuse un tel brut&#xa0;; la trajectoire n&apos;en dépend pas</translation>
+    </message>
+    <message>
+        <source>scaling factor %1 is not from 0.000001 to 99.999999</source>
+        <translation>le facteur d&apos;échelle %1 n&apos;est pas compris entre 0,000001 et 99,999999</translation>
+    </message>
+    <message>
+        <source>the scaling is ignored</source>
+        <translation>la mise à l&apos;échelle est ignorée</translation>
+    </message>
+    <message>
+        <source>a datum shift replaces one that the plane was tilted about</source>
+        <translation>un décalage d&apos;origine en remplace un autour duquel le plan était incliné</translation>
+    </message>
+    <message>
+        <source>it is applied in the untilted system; cancel the tilt before it, or shift in the tilted plane only</source>
+        <translation>il s&apos;applique dans le système non incliné&#xa0;; annulez l&apos;inclinaison avant, ou ne décalez que dans le plan incliné</translation>
+    </message>
+    <message>
+        <source>%1 changes the datum after a motion</source>
+        <translation>%1 change le point d&apos;origine après un déplacement</translation>
+    </message>
+    <message>
+        <source>cycle 247</source>
+        <translation>le cycle 247</translation>
+    </message>
+    <message>
+        <source>a line of the datum table</source>
+        <translation>une ligne de la table de points zéro</translation>
+    </message>
+    <message>
+        <source>datums of the machine are assumed as zero, so parts of the path overlap</source>
+        <translation>les points d&apos;origine de la machine sont supposés nuls, des parties de la trajectoire se recouvrent donc</translation>
+    </message>
+    <message>
+        <source>the vectors of PLANE VECTOR do not span a plane</source>
+        <translation>les vecteurs de PLANE VECTOR ne définissent pas un plan</translation>
+    </message>
+    <message>
+        <source>the plane does not change; check BX BY BZ and NX NY NZ</source>
+        <translation>le plan ne change pas&#xa0;; vérifiez BX BY BZ et NX NY NZ</translation>
+    </message>
+    <message>
+        <source>the points of PLANE POINTS are on one line</source>
+        <translation>les points de PLANE POINTS sont alignés</translation>
+    </message>
+    <message>
+        <source>the plane does not change; check P1X to P3Z</source>
+        <translation>le plan ne change pas&#xa0;; vérifiez P1X à P3Z</translation>
+    </message>
+    <message>
+        <source>the rotary axes stay where they are (STAY)</source>
+        <translation>les axes rotatifs restent où ils sont (STAY)</translation>
+    </message>
+    <message>
+        <source>they turn where the program positions them, as with L A+Q120 C+Q122</source>
+        <translation>ils tournent là où le programme les positionne, comme par L A+Q120 C+Q122</translation>
+    </message>
+    <message>
+        <source>cycle 19 tilts the plane</source>
+        <translation>le cycle 19 incline le plan</translation>
+    </message>
+    <message>
+        <source>the rotary axes turn where the program positions them, as with L A+Q120 C+Q122</source>
+        <translation>les axes rotatifs tournent là où le programme les positionne, comme par L A+Q120 C+Q122</translation>
+    </message>
+    <message>
+        <source>the plane is tilted by angles of more than one axis</source>
+        <translation>le plan est incliné par des angles de plusieurs axes</translation>
+    </message>
+    <message>
+        <source>the plane depends on the machine; they are used as spatial angles, as in PLANE SPATIAL</source>
+        <translation>le plan dépend de la machine&#xa0;; ils sont lus comme des angles dans l&apos;espace, comme dans PLANE SPATIAL</translation>
+    </message>
+    <message>
+        <source>%1 is not X, Y or Z</source>
+        <translation>%1 n&apos;est ni X, ni Y, ni Z</translation>
+    </message>
+    <message>
+        <source>the transformation is ignored</source>
+        <translation>la transformation est ignorée</translation>
+    </message>
+    <message>
+        <source>%1: the radius of the tool is not known</source>
+        <translation>%1&#xa0;: le rayon de l&apos;outil n&apos;est pas connu</translation>
+    </message>
+    <message>
+        <source>the path shown is the programmed contour; %1, or write a TOOL DEF with R before the tool call</source>
+        <translation>la trajectoire affichée est le contour programmé&#xa0;; %1, ou programmez un TOOL DEF avec R avant l&apos;appel de l&apos;outil</translation>
+    </message>
+    <message>
+        <source>program %1 was not found in the same folder</source>
+        <translation>le programme %1 n&apos;a pas été trouvé dans le même dossier</translation>
+    </message>
+    <message>
+        <source>its motion is skipped; copy the file into this folder</source>
+        <translation>son déplacement est ignoré&#xa0;; copiez le fichier dans ce dossier</translation>
+    </message>
+    <message>
+        <source>program %1 is in another dialect, %2</source>
+        <translation>le programme %1 est d&apos;un autre dialecte, %2</translation>
+    </message>
+    <message>
+        <source>%1 is the angle of a rotary axis that the control calculates for a tilted plane</source>
+        <translation>%1 est l&apos;angle d&apos;un axe rotatif que la commande calcule pour un plan incliné</translation>
+    </message>
+    <message>
+        <source>0 is used; X, Y and Z are shown in the tilted plane</source>
+        <translation>0 est utilisé&#xa0;; X, Y et Z sont affichés dans le plan incliné</translation>
+    </message>
+    <message>
+        <source>the tool radius Q108 is not known</source>
+        <translation>le rayon d&apos;outil Q108 n&apos;est pas connu</translation>
+    </message>
+    <message>
+        <source>0 is used; write a TOOL DEF with R before the tool call</source>
+        <translation>0 est utilisé&#xa0;; programmez un TOOL DEF avec R avant l&apos;appel de l&apos;outil</translation>
+    </message>
+    <message>
+        <source>%1 has no value</source>
+        <translation>%1 n&apos;a pas de valeur</translation>
+    </message>
+    <message>
+        <source>0 is used; the control may still have another value, assign one first</source>
+        <translation>0 est utilisé&#xa0;; la commande peut encore avoir une autre valeur, affectez-en une d&apos;abord</translation>
+    </message>
+    <message>
+        <source>%1 is not valid in %2</source>
+        <translation>%1 n&apos;est pas valable dans %2</translation>
+    </message>
+    <message>
+        <source>a tool call</source>
+        <translation>un appel d&apos;outil</translation>
+    </message>
+    <message>
+        <source>a block</source>
+        <translation>un bloc</translation>
+    </message>
+    <message>
+        <source>a pattern</source>
+        <translation>un motif</translation>
+    </message>
+    <message>
+        <source>the name of the label is not closed, or empty</source>
+        <translation>le nom de l&apos;étiquette n&apos;est pas fermé, ou est vide</translation>
+    </message>
+    <message>
+        <source>write it as &quot;NAME&quot;</source>
+        <translation>écrivez-le &quot;NOM&quot;</translation>
+    </message>
+    <message>
+        <source>%1 is not a label</source>
+        <translation>%1 n&apos;est pas une étiquette</translation>
+    </message>
+    <message>
+        <source>write a whole number from 1 to 65535 or a name in quotes</source>
+        <translation>programmez un nombre entier de 1 à 65535 ou un nom entre guillemets</translation>
+    </message>
+    <message>
+        <source>label %1 is defined twice</source>
+        <translation>l&apos;étiquette %1 est définie deux fois</translation>
+    </message>
+    <message>
+        <source>the first one is used; a control refuses such a program</source>
+        <translation>la première est utilisée&#xa0;; une commande refuse un tel programme</translation>
+    </message>
+    <message>
+        <source>label %1 does not exist</source>
+        <translation>l&apos;étiquette %1 n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>the jump or call is skipped</source>
+        <translation>le saut ou l&apos;appel est ignoré</translation>
+    </message>
+    <message>
+        <source>%1 is not a text</source>
+        <translation>%1 n&apos;est pas un texte</translation>
+    </message>
+    <message>
+        <source>the assignment is skipped; write &quot;...&quot; or QS parameters, joined by ||</source>
+        <translation>l&apos;affectation est ignorée&#xa0;; programmez &quot;...&quot; ou des paramètres QS, reliés par ||</translation>
+    </message>
+    <message>
+        <source>%1 is not an assignment</source>
+        <translation>%1 n&apos;est pas une affectation</translation>
+    </message>
+    <message>
+        <source>it is skipped; write Q1 = 5</source>
+        <translation>il est ignoré&#xa0;; programmez Q1 = 5</translation>
+    </message>
+    <message>
+        <source>%1 does not belong to the formula</source>
+        <translation>%1 ne fait pas partie de la formule</translation>
+    </message>
+    <message>
+        <source>the value before it is assigned; correct the formula</source>
+        <translation>la valeur qui le précède est affectée&#xa0;; corrigez la formule</translation>
+    </message>
+    <message>
+        <source>function %1 has no finite value for %2 and %3</source>
+        <translation>la fonction %1 n&apos;a pas de valeur finie pour %2 et %3</translation>
+    </message>
+    <message>
+        <source>the program stops here with an error (FN 14)</source>
+        <translation>le programme s&apos;arrête ici sur une erreur (FN 14)</translation>
+    </message>
+    <message>
+        <source>the rest is skipped; check the values that lead here</source>
+        <translation>le reste est ignoré&#xa0;; vérifiez les valeurs qui mènent ici</translation>
+    </message>
+    <message>
+        <source>FN %1 is not supported</source>
+        <translation>FN %1 n&apos;est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>what it writes to the machine or reads from a table is not known</source>
+        <translation>ce qu&apos;il écrit vers la machine ou lit dans une table n&apos;est pas connu</translation>
+    </message>
+    <message>
+        <source>parameter %1 does not exist</source>
+        <translation>le paramètre %1 n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>the last one is Q%1</source>
+        <translation>le dernier est Q%1</translation>
+    </message>
+    <message>
+        <source>the parameter&apos;s value %1 is beyond the largest number, 1000000000</source>
+        <translation>la valeur du paramètre, %1, dépasse le plus grand nombre admis, 1000000000</translation>
+    </message>
+    <message>
+        <source>the block is skipped; check how the parameter is calculated</source>
+        <translation>le bloc est ignoré&#xa0;; vérifiez le calcul du paramètre</translation>
+    </message>
+    <message>
+        <source>a number is missing at the end of the block</source>
+        <translation>il manque un nombre à la fin du bloc</translation>
+    </message>
+    <message>
+        <source>%1 is not a number or parameter</source>
+        <translation>%1 n&apos;est ni un nombre ni un paramètre</translation>
+    </message>
+    <message>
+        <source>the block is skipped; write a number or a Q parameter here</source>
+        <translation>le bloc est ignoré&#xa0;; programmez ici un nombre ou un paramètre Q</translation>
+    </message>
+    <message>
+        <source>%1 holds a text, not a number</source>
+        <translation>%1 contient un texte, non un nombre</translation>
+    </message>
+    <message>
+        <source>texts are not converted to numbers; write the number</source>
+        <translation>les textes ne sont pas convertis en nombres&#xa0;; programmez le nombre</translation>
+    </message>
+    <message>
+        <source>FN 18 reads ID%1 NR%2 IDX%3, which depends on the machine</source>
+        <translation>FN 18 lit ID%1 NR%2 IDX%3, ce qui dépend de la machine</translation>
+    </message>
+    <message>
+        <source>%1 is set to 0; assign the value of your machine instead</source>
+        <translation>%1 est mis à 0&#xa0;; affectez plutôt la valeur de votre machine</translation>
+    </message>
+    <message>
+        <source>FN 18 reads the position of %1 before the program has moved it</source>
+        <translation>FN 18 lit la position de %1 avant que le programme ne l&apos;ait déplacé</translation>
+    </message>
+    <message>
+        <source>%1 is set to the start position, which is assumed as zero; assign the value of your machine instead</source>
+        <translation>%1 est mis à la position de départ, supposée nulle&#xa0;; affectez plutôt la valeur de votre machine</translation>
+    </message>
+    <message>
+        <source>cycle %1 is not executed: %2</source>
+        <translation>le cycle %1 n&apos;est pas exécuté&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>its depth Q201 is above the surface; write it negative</source>
+        <translation>sa profondeur Q201 est au-dessus de la surface&#xa0;; programmez-la négative</translation>
+    </message>
+    <message>
+        <source>centring to a diameter needs the tool&apos;s point angle; write Q343=0 and the depth</source>
+        <translation>le centrage à un diamètre demande l&apos;angle de pointe de l&apos;outil&#xa0;; programmez Q343=0 et la profondeur</translation>
+    </message>
+    <message>
+        <source>the radius of the tool is not known; write a TOOL DEF with R before the tool call</source>
+        <translation>le rayon de l&apos;outil n&apos;est pas connu&#xa0;; programmez un TOOL DEF avec R avant l&apos;appel de l&apos;outil</translation>
+    </message>
+    <message>
+        <source>it has no pitch or the spindle no speed; write S in the tool call</source>
+        <translation>il n&apos;a pas de pas ou la broche pas de vitesse&#xa0;; programmez S dans l&apos;appel de l&apos;outil</translation>
+    </message>
+    <message>
+        <source>it would take more than 10000 infeeds, or its infeeds are negative; check Q202 and the other infeeds</source>
+        <translation>il prendrait plus de 10000 passes, ou ses passes sont négatives&#xa0;; vérifiez Q202 et les autres passes</translation>
+    </message>
+    <message>
+        <source>several infeeds (Q202 below its depth) are not supported; write Q202=0 for one</source>
+        <translation>plusieurs passes (Q202 inférieur à sa profondeur) ne sont pas prises en charge&#xa0;; programmez Q202=0 pour une seule</translation>
+    </message>
+    <message>
+        <source>its depth Q249 is not above zero; write it positive</source>
+        <translation>sa profondeur Q249 n&apos;est pas supérieure à zéro&#xa0;; programmez-la positive</translation>
+    </message>
+    <message>
+        <source>the direction Q214 in which the tool passes the hole is not 1 to 4</source>
+        <translation>la direction Q214 dans laquelle l&apos;outil passe le trou n&apos;est pas 1 à 4</translation>
+    </message>
+    <message>
+        <source>CYCL CALL PAT without PATTERN DEF</source>
+        <translation>CYCL CALL PAT sans PATTERN DEF</translation>
+    </message>
+    <message>
+        <source>CYCL CALL PAT of a program (cycle 12) is not supported</source>
+        <translation>CYCL CALL PAT d&apos;un programme (cycle 12) n&apos;est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>the calls are skipped</source>
+        <translation>les appels sont ignorés</translation>
+    </message>
+    <message>
+        <source>write parameters as Q200=2</source>
+        <translation>écrivez les paramètres comme Q200=2</translation>
+    </message>
+    <message>
+        <source>PREDEF for %1 without a GLOBAL DEF</source>
+        <translation>PREDEF pour %1 sans GLOBAL DEF</translation>
+    </message>
+    <message>
+        <source>write a number, or the GLOBAL DEF before it</source>
+        <translation>programmez un nombre, ou le GLOBAL DEF avant</translation>
+    </message>
+    <message>
+        <source>this value of %1 is not supported</source>
+        <translation>cette valeur de %1 n&apos;est pas prise en charge</translation>
+    </message>
+    <message>
+        <source>write a number</source>
+        <translation>programmez un nombre</translation>
+    </message>
+    <message>
+        <source>cycle %1 has no value for Q%2</source>
+        <translation>le cycle %1 n&apos;a pas de valeur pour Q%2</translation>
+    </message>
+    <message>
+        <source>the cycle is skipped; write all of its parameters</source>
+        <translation>le cycle est ignoré&#xa0;; programmez tous ses paramètres</translation>
+    </message>
+    <message>
+        <source>cycle %1: Q%2 is %3, beyond the largest number, 1000000000</source>
+        <translation>cycle %1&#xa0;: Q%2 vaut %3, au-delà du plus grand nombre admis, 1000000000</translation>
+    </message>
+    <message>
+        <source>the cycle is skipped</source>
+        <translation>le cycle est ignoré</translation>
+    </message>
+    <message>
+        <source>cycle %1: Q395=1 measures the depth to the cylinder of the drill</source>
+        <translation>cycle %1&#xa0;: Q395=1 mesure la profondeur jusqu&apos;au cylindre du foret</translation>
+    </message>
+    <message>
+        <source>the length of its point is in the tool table; the depth is shown as that of the tip</source>
+        <translation>la longueur de sa pointe est dans la table d&apos;outils&#xa0;; la profondeur est affichée comme celle de la pointe</translation>
+    </message>
+    <message>
+        <source>cycle %1 (%2) is not supported</source>
+        <translation>le cycle %1 (%2) n&apos;est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>it does not move by itself</source>
+        <translation>il ne déplace rien par lui-même</translation>
+    </message>
+    <message>
+        <source>its motion is skipped wherever it is called</source>
+        <translation>son déplacement est ignoré partout où il est appelé</translation>
+    </message>
+    <message>
+        <source>a cycle is called, but none is defined</source>
+        <translation>un cycle est appelé, mais aucun n&apos;est défini</translation>
+    </message>
+    <message>
+        <source>the call is skipped</source>
+        <translation>l&apos;appel est ignoré</translation>
+    </message>
+    <message>
+        <source>cycle %1: Q%2 is %3, not a number of places from 1 to %4</source>
+        <translation>cycle %1&#xa0;: Q%2 vaut %3, ce n&apos;est pas un nombre d&apos;emplacements de 1 à %4</translation>
+    </message>
+    <message>
+        <source>the pattern is skipped</source>
+        <translation>le motif est ignoré</translation>
+    </message>
+    <message>
+        <source>cycle %1 repeats a cycle, but none is defined</source>
+        <translation>le cycle %1 répète un cycle, mais aucun n&apos;est défini</translation>
+    </message>
+    <message>
+        <source>the pattern is skipped; define a cycle from 200 to 209 or 240 before it</source>
+        <translation>le motif est ignoré&#xa0;; définissez avant un cycle de 200 à 209 ou 240</translation>
+    </message>
+    <message>
+        <source>cycle 220: Q365=1 goes from place to place on the circle</source>
+        <translation>cycle 220&#xa0;: Q365=1 va d&apos;un emplacement à l&apos;autre sur le cercle</translation>
+    </message>
+    <message>
+        <source>the holes are right, the way between them is shown straight</source>
+        <translation>les trous sont justes, le chemin entre eux est affiché droit</translation>
+    </message>
+    <message>
+        <source>%1 is not a number of places from 1 to %2</source>
+        <translation>%1 n&apos;est pas un nombre d&apos;emplacements de 1 à %2</translation>
+    </message>
+    <message>
+        <source>the pattern is skipped; check NUM, NUMX and NUMY</source>
+        <translation>le motif est ignoré&#xa0;; vérifiez NUM, NUMX et NUMY</translation>
+    </message>
+    <message>
+        <source>%1 is not a pattern</source>
+        <translation>%1 n&apos;est pas un motif</translation>
+    </message>
+    <message>
+        <source>the pattern is skipped; write POS, ROW, PAT, FRAME, CIRC or PITCHCIRC</source>
+        <translation>le motif est ignoré&#xa0;; programmez POS, ROW, PAT, FRAME, CIRC ou PITCHCIRC</translation>
+    </message>
+    <message>
+        <source>PATTERN DEF without a pattern</source>
+        <translation>PATTERN DEF sans motif</translation>
+    </message>
+    <message>
+        <source>write POS1 (X+5 Y+5 Z+0)</source>
+        <translation>programmez POS1 (X+5 Y+5 Z+0)</translation>
+    </message>
+    <message>
+        <source>dwell time %1 is beyond 1000000000 s</source>
+        <translation>la temporisation %1 dépasse 1000000000 s</translation>
+    </message>
+    <message>
+        <source>feed F%1 is zero or negative</source>
+        <translation>l&apos;avance F%1 est nulle ou négative</translation>
+    </message>
+    <message>
+        <source>a feed per tooth without the number of teeth, which is in the tool table</source>
+        <translation>une avance par dent sans le nombre de dents, qui est dans la table d&apos;outils</translation>
+    </message>
+    <message>
+        <source>one tooth is assumed; write F or FU</source>
+        <translation>une dent est supposée&#xa0;; programmez F ou FU</translation>
+    </message>
+    <message>
+        <source>the tolerance T%1 is below zero</source>
+        <translation>la tolérance T%1 est négative</translation>
+    </message>
+    <message>
+        <source>the tolerance in force stays</source>
+        <translation>la tolérance en vigueur est conservée</translation>
+    </message>
+    <message>
+        <source>it is skipped; write R</source>
+        <translation>il est ignoré&#xa0;; programmez R</translation>
+    </message>
+    <message>
+        <source>G%1 is not supported in this dialect</source>
+        <translation>G%1 n&apos;est pas pris en charge dans ce dialecte</translation>
+    </message>
+    <message>
+        <source>the block is skipped; the control may run another path</source>
+        <translation>le bloc est ignoré&#xa0;; la commande peut suivre une autre trajectoire</translation>
+    </message>
+    <message>
+        <source>G without a number</source>
+        <translation>G sans numéro</translation>
+    </message>
+    <message>
+        <source>the block is skipped; write a code such as G1</source>
+        <translation>le bloc est ignoré&#xa0;; programmez un code comme G1</translation>
+    </message>
+    <message>
+        <source>the path is shown as programmed</source>
+        <translation>la trajectoire est affichée comme programmée</translation>
+    </message>
+    <message>
+        <source>the path with RL and RR is shown without it</source>
+        <translation>la trajectoire avec RL et RR est affichée sans cela</translation>
+    </message>
+    <message>
+        <source>the programmed feed is shown</source>
+        <translation>l&apos;avance programmée est affichée</translation>
+    </message>
+    <message>
+        <source>small contour steps</source>
+        <translation>petits décrochements de contour</translation>
+    </message>
+    <message>
+        <source>open contour corners</source>
+        <translation>angles de contour ouverts</translation>
+    </message>
+    <message>
+        <source>feed factor for plunging</source>
+        <translation>facteur d&apos;avance en plongée</translation>
+    </message>
+    <message>
+        <source>constant feed of the cutting edge</source>
+        <translation>avance constante à l&apos;arête de coupe</translation>
+    </message>
+    <message>
+        <source>constant feed of the cutting edge on inside arcs</source>
+        <translation>avance constante à l&apos;arête de coupe dans les arcs intérieurs</translation>
+    </message>
+    <message>
+        <source>rounding between contour elements</source>
+        <translation>arrondi entre éléments de contour</translation>
+    </message>
+    <message>
+        <source>rotary axes with tool compensation</source>
+        <translation>axes rotatifs avec correction d&apos;outil</translation>
+    </message>
+    <message>
+        <source>filter of short lines</source>
+        <translation>filtre de petits segments</translation>
+    </message>
+    <message>
+        <source>X, Y and Z of the tool tip are shown</source>
+        <translation>X, Y et Z de la pointe de l&apos;outil sont affichés</translation>
+    </message>
+    <message>
+        <source>positions in the untilted system</source>
+        <translation>positions dans le système non incliné</translation>
+    </message>
+    <message>
+        <source>tangential corners</source>
+        <translation>angles tangents</translation>
+    </message>
+    <message>
+        <source>M without a number</source>
+        <translation>M sans numéro</translation>
+    </message>
+    <message>
+        <source>the block is skipped; write a function such as M3</source>
+        <translation>le bloc est ignoré&#xa0;; programmez une fonction comme M3</translation>
+    </message>
+    <message>
+        <source>FUNCTION TCPM is followed as with F TCP, AXIS POS and REFPNT TIP-TIP</source>
+        <translation>FUNCTION TCPM est suivie comme avec F TCP, AXIS POS et REFPNT TIP-TIP</translation>
+    </message>
+    <message>
+        <source>F holds at the tip, and angles are those of the axes</source>
+        <translation>F vaut à la pointe, et les angles sont ceux des axes</translation>
+    </message>
+    <message>
+        <source>%1; reported once</source>
+        <translation>%1&#xa0;; signalé une seule fois</translation>
+    </message>
+    <message>
+        <source>this form of tilted working plane</source>
+        <translation>cette forme de plan de travail incliné</translation>
+    </message>
+    <message>
+        <source>the path is shown untilted</source>
+        <translation>la trajectoire est affichée sans inclinaison</translation>
+    </message>
+    <message>
+        <source>function of the machine</source>
+        <translation>fonction de la machine</translation>
+    </message>
+    <message>
+        <source>polar kinematics</source>
+        <translation>cinématique polaire</translation>
+    </message>
+    <message>
+        <source>free contour</source>
+        <translation>contour libre</translation>
+    </message>
+    <message>
+        <source>touch probe cycle</source>
+        <translation>cycle de palpage</translation>
+    </message>
+    <message>
+        <source>another machining mode</source>
+        <translation>autre mode d&apos;usinage</translation>
+    </message>
+    <message>
+        <source>its path is shown as in milling mode</source>
+        <translation>sa trajectoire est affichée comme en mode fraisage</translation>
+    </message>
+    <message>
+        <source>selection of a table, pattern or program</source>
+        <translation>choix d&apos;une table, d&apos;un motif ou d&apos;un programme</translation>
+    </message>
+    <message>
+        <source>what it selects is not known</source>
+        <translation>ce qu&apos;il choisit n&apos;est pas connu</translation>
+    </message>
+    <message>
+        <source>contour definition</source>
+        <translation>définition de contour</translation>
+    </message>
+    <message>
+        <source>file access</source>
+        <translation>accès à un fichier</translation>
+    </message>
+    <message>
+        <source>%1 is not a statement of this dialect</source>
+        <translation>%1 n&apos;est pas une instruction de ce dialecte</translation>
+    </message>
+    <message>
+        <source>it is skipped; if the program has another dialect, give it with --dialect</source>
+        <translation>il est ignoré&#xa0;; si le programme est d&apos;un autre dialecte, indiquez-le avec --dialect</translation>
+    </message>
+    <message>
+        <source>M%1 calls program %2, which is neither in the program nor in a file in its folder</source>
+        <translation>M%1 appelle le programme %2, qui n&apos;est ni dans le programme ni dans un fichier de son dossier</translation>
+    </message>
+    <message>
+        <source>M%1 calls file %2, which is neither in the program nor in a file in its folder</source>
+        <translation>M%1 appelle le fichier %2, qui n&apos;est ni dans le programme ni dans un fichier de son dossier</translation>
+    </message>
+    <message>
+        <source>macro program %1 is called, which is neither in the program nor in a file in its folder</source>
+        <translation>le macroprogramme %1 est appelé, mais n&apos;est ni dans le programme ni dans un fichier de son dossier</translation>
+    </message>
+    <message>
+        <source>o%1 is called, which is neither in the program nor in a file in its folder</source>
+        <translation>o%1 est appelé, mais n&apos;est ni dans le programme ni dans un fichier de son dossier</translation>
+    </message>
+    <message>
+        <source>its motion is missing; add the file %1 to the program&apos;s folder</source>
+        <translation>son déplacement manque&#xa0;; ajoutez le fichier %1 au dossier du programme</translation>
+    </message>
+    <message>
+        <source>M%1 without P</source>
+        <translation>M%1 sans P</translation>
+    </message>
+    <message>
+        <source>nothing is called; write P with the number of the subprogram</source>
+        <translation>rien n&apos;est appelé&#xa0;; programmez P avec le numéro du sous-programme</translation>
+    </message>
+    <message>
+        <source>M97 without P and the number of a block in this program</source>
+        <translation>M97 sans P ni numéro d&apos;un bloc de ce programme</translation>
+    </message>
+    <message>
+        <source>nothing is called; write P with the N number of the first block</source>
+        <translation>rien n&apos;est appelé&#xa0;; programmez P avec le numéro N du premier bloc</translation>
+    </message>
+    <message>
+        <source>jump target N%1 does not exist</source>
+        <translation>la cible de saut N%1 n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>the jump is skipped; correct the number</source>
+        <translation>le saut est ignoré&#xa0;; corrigez le numéro</translation>
+    </message>
+    <message>
+        <source>the program repeats from N%1 without end</source>
+        <translation>le programme se répète sans fin depuis N%1</translation>
+    </message>
+    <message>
+        <source>one pass is shown</source>
+        <translation>un seul passage est affiché</translation>
+    </message>
+    <message>
+        <source>L%1 is not a number of times from 0 to %2</source>
+        <translation>L%1 n&apos;est pas un nombre de fois de 0 à %2</translation>
+    </message>
+    <message>
+        <source>it is run once</source>
+        <translation>il est exécuté une fois</translation>
+    </message>
+    <message>
+        <source>G%1 without %2</source>
+        <translation>G%1 sans %2</translation>
+    </message>
+    <message>
+        <source>nothing is called; write P with the macro&apos;s number</source>
+        <translation>rien n&apos;est appelé&#xa0;; programmez P avec le numéro de la macro</translation>
+    </message>
+    <message>
+        <source>%1 is not a variable number</source>
+        <translation>%1 n&apos;est pas un numéro de variable</translation>
+    </message>
+    <message>
+        <source>the block does not move; variable numbers are whole and start at 0</source>
+        <translation>le bloc n&apos;a pas de déplacement&#xa0;; les numéros de variable sont entiers et commencent à 0</translation>
+    </message>
+    <message>
+        <source>&quot;&gt;&quot; is missing after the name</source>
+        <translation>il manque &quot;&gt;&quot; après le nom</translation>
+    </message>
+    <message>
+        <source>close the name with &quot;&gt;&quot;</source>
+        <translation>fermez le nom par &quot;&gt;&quot;</translation>
+    </message>
+    <message>
+        <source>the name between &quot;&lt;&quot; and &quot;&gt;&quot; is empty</source>
+        <translation>le nom entre &quot;&lt;&quot; et &quot;&gt;&quot; est vide</translation>
+    </message>
+    <message>
+        <source>write a name</source>
+        <translation>programmez un nom</translation>
+    </message>
+    <message>
+        <source>EXISTS needs a named variable</source>
+        <translation>EXISTS demande une variable nommée</translation>
+    </message>
+    <message>
+        <source>write EXISTS[#&lt;name&gt;]</source>
+        <translation>programmez EXISTS[#&lt;nom&gt;]</translation>
+    </message>
+    <message>
+        <source>the block does not move; correct the word or write a plain number</source>
+        <translation>le bloc n&apos;a pas de déplacement&#xa0;; corrigez le mot ou programmez un simple nombre</translation>
+    </message>
+    <message>
+        <source>the comment %1 is not closed</source>
+        <translation>le commentaire %1 n&apos;est pas fermé</translation>
+    </message>
+    <message>
+        <source>the rest of the line is used as the comment; add the closing bracket</source>
+        <translation>le reste de la ligne est pris comme commentaire&#xa0;; ajoutez la parenthèse fermante</translation>
+    </message>
+    <message>
+        <source>%1 does not start a word</source>
+        <translation>%1 ne commence pas un mot</translation>
+    </message>
+    <message>
+        <source>byte 0x%1</source>
+        <translation>l&apos;octet 0x%1</translation>
+    </message>
+    <message>
+        <source>the rest of the line is skipped and the block does not move; remove the character</source>
+        <translation>le reste de la ligne est ignoré et le bloc n&apos;a pas de déplacement&#xa0;; supprimez le caractère</translation>
+    </message>
+    <message>
+        <source>%1 has no %2</source>
+        <translation>%1 n&apos;a pas de %2</translation>
+    </message>
+    <message>
+        <source>loop around it</source>
+        <translation>boucle qui l&apos;entoure</translation>
+    </message>
+    <message>
+        <source>END with its number</source>
+        <translation>END à son numéro</translation>
+    </message>
+    <message>
+        <source>DO with its number</source>
+        <translation>DO à son numéro</translation>
+    </message>
+    <message>
+        <source>it is skipped; check the labels</source>
+        <translation>il est ignoré&#xa0;; vérifiez les étiquettes</translation>
+    </message>
+    <message>
+        <source>%1 follows a statement</source>
+        <translation>%1 suit une instruction</translation>
+    </message>
+    <message>
+        <source>it is skipped; write it in a line of its own</source>
+        <translation>il est ignoré&#xa0;; programmez-le sur une ligne à part</translation>
+    </message>
+    <message>
+        <source>%1 is not an O word</source>
+        <translation>%1 n&apos;est pas un mot O</translation>
+    </message>
+    <message>
+        <source>the line is skipped; O words are sub, call, if, while, do, repeat and their ends</source>
+        <translation>la ligne est ignorée&#xa0;; les mots O sont sub, call, if, while, do, repeat et leurs fins</translation>
+    </message>
+    <message>
+        <source>a call has more than 30 arguments</source>
+        <translation>un appel a plus de 30 arguments</translation>
+    </message>
+    <message>
+        <source>the call is skipped; pass the rest in global variables</source>
+        <translation>l&apos;appel est ignoré&#xa0;; passez le reste dans des variables globales</translation>
+    </message>
+    <message>
+        <source>return or endsub outside a subprogram</source>
+        <translation>return ou endsub hors d&apos;un sous-programme</translation>
+    </message>
+    <message>
+        <source>it is skipped; a subprogram is written between sub and endsub</source>
+        <translation>il est ignoré&#xa0;; un sous-programme s&apos;écrit entre sub et endsub</translation>
+    </message>
+    <message>
+        <source>a sub inside the sub of line %1</source>
+        <translation>un sub à l&apos;intérieur du sub de la ligne %1</translation>
+    </message>
+    <message>
+        <source>LinuxCNC rejects the program; write one subprogram after the other</source>
+        <translation>LinuxCNC refuse le programme&#xa0;; écrivez les sous-programmes l&apos;un après l&apos;autre</translation>
+    </message>
+    <message>
+        <source>%1 writes to a device</source>
+        <translation>%1 écrit vers un périphérique</translation>
+    </message>
+    <message>
+        <source>it does not change the path</source>
+        <translation>cela ne change pas la trajectoire</translation>
+    </message>
+    <message>
+        <source>GOTO or THEN is missing after the condition</source>
+        <translation>il manque GOTO ou THEN après la condition</translation>
+    </message>
+    <message>
+        <source>the line is skipped; complete it</source>
+        <translation>la ligne est ignorée&#xa0;; complétez-la</translation>
+    </message>
+    <message>
+        <source>%1 is not a word of ISO programs</source>
+        <translation>%1 n&apos;est pas un mot des programmes ISO</translation>
+    </message>
+    <message>
+        <source>the block does not move; if the program has another dialect, give it with --dialect</source>
+        <translation>le bloc n&apos;a pas de déplacement&#xa0;; si le programme est d&apos;un autre dialecte, indiquez-le avec --dialect</translation>
+    </message>
+    <message>
+        <source>the block does not move; check the values that go into it</source>
+        <translation>le bloc n&apos;a pas de déplacement&#xa0;; vérifiez les valeurs qui y entrent</translation>
+    </message>
+    <message>
+        <source>&quot;=&quot; is missing after the variable</source>
+        <translation>il manque &quot;=&quot; après la variable</translation>
+    </message>
+    <message>
+        <source>write its value</source>
+        <translation>programmez sa valeur</translation>
+    </message>
+    <message>
+        <source>#%1 is read-only</source>
+        <translation>#%1 est en lecture seule</translation>
+    </message>
+    <message>
+        <source>the assignment is skipped; use another variable</source>
+        <translation>l&apos;affectation est ignorée&#xa0;; prenez une autre variable</translation>
+    </message>
+    <message>
+        <source>#%1 is a control-internal value</source>
+        <translation>#%1 est une valeur interne de la commande</translation>
+    </message>
+    <message>
+        <source>0 is used; the control may run another path</source>
+        <translation>0 est utilisé&#xa0;; la commande peut suivre une autre trajectoire</translation>
+    </message>
+    <message>
+        <source>#%1 has not been set by the program</source>
+        <translation>#%1 n&apos;a pas été défini par le programme</translation>
+    </message>
+    <message>
+        <source>0 is used; on the control it keeps its last value</source>
+        <translation>0 est utilisé&#xa0;; sur la commande, elle garde sa dernière valeur</translation>
+    </message>
+    <message>
+        <source>#&lt;%1&gt; has not been set</source>
+        <translation>#&lt;%1&gt; n&apos;a pas été défini</translation>
+    </message>
+    <message>
+        <source>the block does not move; set it before, or check how the name is written</source>
+        <translation>le bloc n&apos;a pas de déplacement&#xa0;; définissez-la avant, ou vérifiez l&apos;orthographe du nom</translation>
+    </message>
+    <message>
+        <source>the program raises alarm %1</source>
+        <translation>le programme déclenche l&apos;alarme %1</translation>
+    </message>
+    <message>
+        <source>the control stops here; check the condition that leads to it</source>
+        <translation>la commande s&apos;arrête ici&#xa0;; vérifiez la condition qui y mène</translation>
+    </message>
+    <message>
+        <source>the path shown is the programmed contour; write D with the tool&apos;s diameter</source>
+        <translation>la trajectoire affichée est le contour programmé&#xa0;; programmez D avec le diamètre de l&apos;outil</translation>
+    </message>
+    <message>
+        <source>G%1 without D: the radius of the tool is not known</source>
+        <translation>G%1 sans D&#xa0;: le rayon de l&apos;outil n&apos;est pas connu</translation>
+    </message>
+    <message>
+        <source>the path shown is the programmed contour; write T and M6 before it, or D</source>
+        <translation>la trajectoire affichée est le contour programmé&#xa0;; programmez T et M6 avant, ou D</translation>
+    </message>
+    <message>
+        <source>the path shown is the programmed contour; write D with the tool&apos;s offset</source>
+        <translation>la trajectoire affichée est le contour programmé&#xa0;; programmez D avec le correcteur de l&apos;outil</translation>
+    </message>
+    <message>
+        <source>the radius of offset D%1 is not known</source>
+        <translation>le rayon du correcteur D%1 n&apos;est pas connu</translation>
+    </message>
+    <message>
+        <source>the path shown is the programmed contour; %1, or set it with G10 L12 P%2 R</source>
+        <translation>la trajectoire affichée est le contour programmé&#xa0;; %1, ou définissez-le par G10 L12 P%2 R</translation>
+    </message>
+    <message>
+        <source>the radius is ignored; write P with the tool&apos;s number</source>
+        <translation>le rayon est ignoré&#xa0;; programmez P avec le numéro de l&apos;outil</translation>
+    </message>
+    <message>
+        <source>%1 is selected after motion in %2</source>
+        <translation>%1 est choisi après un déplacement dans %2</translation>
+    </message>
+    <message>
+        <source>P%1 is not a work offset number from %2 to %3</source>
+        <translation>P%1 n&apos;est pas un numéro de décalage d&apos;origine de %2 à %3</translation>
+    </message>
+    <message>
+        <source>the block has no effect on the path</source>
+        <translation>le bloc n&apos;a pas d&apos;effet sur la trajectoire</translation>
+    </message>
+    <message>
+        <source>the path is shown without it</source>
+        <translation>la trajectoire est affichée sans cela</translation>
+    </message>
+    <message>
+        <source>the path is shown without it; write R with the angle</source>
+        <translation>la trajectoire est affichée sans cela&#xa0;; programmez R avec l&apos;angle</translation>
+    </message>
+    <message>
+        <source>the path is shown without it; write P with the factor</source>
+        <translation>la trajectoire est affichée sans cela&#xa0;; programmez P avec le facteur</translation>
+    </message>
+    <message>
+        <source>G68 with I0 J0 K0 has no rotation axis</source>
+        <translation>G68 avec I0 J0 K0 n&apos;a pas d&apos;axe de rotation</translation>
+    </message>
+    <message>
+        <source>G68.2 P%1 (tilted working plane by points, vectors or projection angles) is not supported</source>
+        <translation>G68.2 P%1 (plan de travail incliné par points, vecteurs ou angles de projection) n&apos;est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>the working plane is tilted</source>
+        <translation>le plan de travail est incliné</translation>
+    </message>
+    <message>
+        <source>the path is shown on the workpiece; on a machine that rotates the workpiece the axes move differently</source>
+        <translation>la trajectoire est affichée sur la pièce&#xa0;; sur une machine qui tourne la pièce, les axes se déplacent autrement</translation>
+    </message>
+    <message>
+        <source>G50 with S belongs to a turning program</source>
+        <translation>G50 avec S appartient à un programme de tournage</translation>
+    </message>
+    <message>
+        <source>turning is not supported: X is used as a radius, G98 and G99 as those of drilling cycles</source>
+        <translation>le tournage n&apos;est pas pris en charge&#xa0;: X est lu comme un rayon, G98 et G99 comme ceux des cycles de perçage</translation>
+    </message>
+    <message>
+        <source>scale factor %1 is zero</source>
+        <translation>le facteur d&apos;échelle %1 est nul</translation>
+    </message>
+    <message>
+        <source>1 is used; write a factor other than zero</source>
+        <translation>1 est utilisé&#xa0;; programmez un facteur non nul</translation>
+    </message>
+    <message>
+        <source>G29 (bed levelling of printers) is not supported</source>
+        <translation>G29 (nivellement du plateau d&apos;imprimante) n&apos;est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>nothing moves</source>
+        <translation>rien ne se déplace</translation>
+    </message>
+    <message>
+        <source>%1 without a decimal point is used as %2 inch</source>
+        <translation>%1 sans point décimal est lu comme %2 pouce(s)</translation>
+    </message>
+    <message>
+        <source>%1 without a decimal point is used as %2 mm</source>
+        <translation>%1 sans point décimal est lu comme %2 mm</translation>
+    </message>
+    <message>
+        <source>many controls use it in units of 0.0001 inch; write a decimal point</source>
+        <translation>beaucoup de commandes le lisent en unités de 0,0001 pouce&#xa0;; écrivez un point décimal</translation>
+    </message>
+    <message>
+        <source>many controls use it in units of 0.001 mm; write a decimal point</source>
+        <translation>beaucoup de commandes le lisent en unités de 0,001 mm&#xa0;; écrivez un point décimal</translation>
+    </message>
+    <message>
+        <source>%1 in a block with X or Y</source>
+        <translation>%1 dans un bloc avec X ou Y</translation>
+    </message>
+    <message>
+        <source>X and Y are ignored; write either of them</source>
+        <translation>X et Y sont ignorés&#xa0;; programmez l&apos;un ou l&apos;autre</translation>
+    </message>
+    <message>
+        <source>the tool is at X0 Y0, where it has no angle</source>
+        <translation>l&apos;outil est en X0 Y0, où il n&apos;a pas d&apos;angle</translation>
+    </message>
+    <message>
+        <source>angle zero is used; write both @ and ^ with G90</source>
+        <translation>l&apos;angle nul est utilisé&#xa0;; programmez @ et ^ avec G90</translation>
+    </message>
+    <message>
+        <source>G76 (threading cycle) is not supported</source>
+        <translation>G76 (cycle de filetage) n&apos;est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>positions are skipped up to the next G0 to G3</source>
+        <translation>les positions sont ignorées jusqu&apos;au prochain G0 à G3</translation>
+    </message>
+    <message>
+        <source>G%1 begins while the position of %2 is not known</source>
+        <translation>G%1 commence alors que la position de %2 n&apos;est pas connue</translation>
+    </message>
+    <message>
+        <source>the tool returns to R after each hole; program the height before the cycle</source>
+        <translation>l&apos;outil revient à R après chaque trou&#xa0;; programmez la hauteur avant le cycle</translation>
+    </message>
+    <message>
+        <source>G%1 without %2, the bottom of the hole</source>
+        <translation>G%1 sans %2, le fond du trou</translation>
+    </message>
+    <message>
+        <source>the hole is skipped; program it in the cycle&apos;s first block</source>
+        <translation>le trou est ignoré&#xa0;; programmez-le dans le premier bloc du cycle</translation>
+    </message>
+    <message>
+        <source>G%1 without R, the retract plane</source>
+        <translation>G%1 sans R, le plan de retrait</translation>
+    </message>
+    <message>
+        <source>the level before the cycle is used; program it in the cycle&apos;s first block</source>
+        <translation>le niveau d&apos;avant le cycle est utilisé&#xa0;; programmez-le dans le premier bloc du cycle</translation>
+    </message>
+    <message>
+        <source>the bottom of the hole at %1 %2 mm is on the wrong side of R %3 mm</source>
+        <translation>le fond du trou à %1 %2 mm est du mauvais côté de R %3 mm</translation>
+    </message>
+    <message>
+        <source>the hole is skipped; correct one of them</source>
+        <translation>le trou est ignoré&#xa0;; corrigez l&apos;un des deux</translation>
+    </message>
+    <message>
+        <source>the direction in which %1 retracts from the wall is a control setting</source>
+        <translation>la direction dans laquelle %1 s&apos;écarte de la paroi est un réglage de la commande</translation>
+    </message>
+    <message>
+        <source>the positive direction of the plane&apos;s first axis is used</source>
+        <translation>la direction positive du premier axe du plan est utilisée</translation>
+    </message>
+    <message>
+        <source>%1 is not a number of repeats from 0 to %2</source>
+        <translation>%1 n&apos;est pas un nombre de répétitions de 0 à %2</translation>
+    </message>
+    <message>
+        <source>the cycle runs once</source>
+        <translation>le cycle est exécuté une fois</translation>
+    </message>
+    <message>
+        <source>G%1 with pecks of %2 mm</source>
+        <translation>G%1 avec des passes de débourrage de %2 mm</translation>
+    </message>
+    <message>
+        <source>the hole is drilled in one infeed; write Q with the depth of a peck</source>
+        <translation>le trou est percé en une passe&#xa0;; programmez Q avec la profondeur d&apos;une passe</translation>
+    </message>
+    <message>
+        <source>G%1 (hole pattern) needs an active drilling cycle, I and L</source>
+        <translation>G%1 (motif de trous) demande un cycle de perçage actif, I et L</translation>
+    </message>
+    <message>
+        <source>nothing is drilled; for the units inch and mm program G20 or G21</source>
+        <translation>rien n&apos;est percé&#xa0;; pour les unités pouce et mm, programmez G20 ou G21</translation>
+    </message>
+    <message>
+        <source>dwell time %1 is negative</source>
+        <translation>la temporisation %1 est négative</translation>
+    </message>
+    <message>
+        <source>the dwell is skipped</source>
+        <translation>la temporisation est ignorée</translation>
+    </message>
+    <message>
+        <source>P%1 without a decimal point is used as %2 milliseconds</source>
+        <translation>P%1 sans point décimal est lu comme %2 millisecondes</translation>
+    </message>
+    <message>
+        <source>write P%1.0 for seconds</source>
+        <translation>programmez P%1.0 pour des secondes</translation>
+    </message>
+    <message>
+        <source>P%1 is used as %2 seconds, as in grbl</source>
+        <translation>P%1 est lu comme %2 secondes, comme dans grbl</translation>
+    </message>
+    <message>
+        <source>for a control that takes milliseconds, write P%1</source>
+        <translation>pour une commande qui compte en millisecondes, programmez P%1</translation>
+    </message>
+    <message>
+        <source>G4 without a time</source>
+        <translation>G4 sans durée</translation>
+    </message>
+    <message>
+        <source>the dwell is skipped; write P, X or U with the time</source>
+        <translation>la temporisation est ignorée&#xa0;; programmez P, X ou U avec la durée</translation>
+    </message>
+    <message>
+        <source>M72 has no modal state to restore</source>
+        <translation>M72 n&apos;a pas d&apos;état modal à rétablir</translation>
+    </message>
+    <message>
+        <source>nothing changes; write M70 before it</source>
+        <translation>rien ne change&#xa0;; programmez M70 avant</translation>
+    </message>
+    <message>
+        <source>%1 is not a known G word</source>
+        <translation>%1 n&apos;est pas un mot G connu</translation>
+    </message>
+    <message>
+        <source>it is ignored; the control may run another path</source>
+        <translation>il est ignoré&#xa0;; la commande peut suivre une autre trajectoire</translation>
+    </message>
+    <message>
+        <source>%1 (%2) is not supported</source>
+        <translation>%1 (%2) n&apos;est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>%1 and %2 exclude each other in one block</source>
+        <translation>%1 et %2 s&apos;excluent dans un même bloc</translation>
+    </message>
+    <message>
+        <source>%1 is used; remove the other</source>
+        <translation>%1 est utilisé&#xa0;; supprimez l&apos;autre</translation>
+    </message>
+    <message>
+        <source>%1 exceeds the 8 G words of coordinates that a block can have</source>
+        <translation>%1 dépasse les 8 mots G de coordonnées qu&apos;un bloc peut avoir</translation>
+    </message>
+    <message>
+        <source>it is skipped; write it in a block of its own</source>
+        <translation>il est ignoré&#xa0;; programmez-le dans un bloc à part</translation>
+    </message>
+    <message>
+        <source>M428 is read as in LinuxCNC&apos;s own five-axis configurations: X, Y and Z are the tool&apos;s tip</source>
+        <translation>M428 est lu comme dans les configurations à cinq axes de LinuxCNC&#xa0;: X, Y et Z sont la pointe de l&apos;outil</translation>
+    </message>
+    <message>
+        <source>M%1 is read as in LinuxCNC&apos;s own five-axis configurations: X, Y and Z are those of the machine</source>
+        <translation>M%1 est lu comme dans les configurations à cinq axes de LinuxCNC&#xa0;: X, Y et Z sont ceux de la machine</translation>
+    </message>
+    <message>
+        <source>a configuration may remap it otherwise</source>
+        <translation>une configuration peut le redéfinir autrement</translation>
+    </message>
+    <message>
+        <source>F%1 is in %2/min: LinuxCNC sets the feed before %3 of the same block changes the unit</source>
+        <translation>F%1 est en %2/min&#xa0;: LinuxCNC règle l&apos;avance avant que %3 du même bloc ne change l&apos;unité</translation>
+    </message>
+    <message>
+        <source>write %1 in a block before it, or give --unit %2 if the control starts so</source>
+        <translation>programmez %1 dans un bloc précédent, ou donnez --unit %2 si la commande démarre ainsi</translation>
+    </message>
+    <message>
+        <source>feed F%1 is not above zero</source>
+        <translation>l&apos;avance F%1 n&apos;est pas supérieure à zéro</translation>
+    </message>
+    <message>
+        <source>the last valid feed stays in force; write a feed above zero</source>
+        <translation>la dernière avance valable reste en vigueur&#xa0;; programmez une avance supérieure à zéro</translation>
+    </message>
+    <message>
+        <source>feed moves run as fast as the axes allow; write a feed above zero</source>
+        <translation>les déplacements en avance vont aussi vite que les axes le permettent&#xa0;; programmez une avance supérieure à zéro</translation>
+    </message>
+    <message>
+        <source>SET_VELOCITY_LIMIT is a command of Klipper</source>
+        <translation>SET_VELOCITY_LIMIT est une commande de Klipper</translation>
+    </message>
+    <message>
+        <source>only the model klipper follows it</source>
+        <translation>seul le modèle klipper la suit</translation>
+    </message>
+    <message>
+        <source>%1 is a command or macro of Klipper</source>
+        <translation>%1 est une commande ou une macro de Klipper</translation>
+    </message>
+    <message>
+        <source>what it moves is not known and missing</source>
+        <translation>ce qu&apos;elle déplace n&apos;est pas connu et manque</translation>
+    </message>
+    <message>
+        <source>%1 is programmed twice in this block</source>
+        <translation>%1 est programmé deux fois dans ce bloc</translation>
+    </message>
+    <message>
+        <source>G10 L%1 (data setting) is not supported</source>
+        <translation>G10 L%1 (écriture de données) n&apos;est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>%1 is a control command</source>
+        <translation>%1 est une commande du pupitre</translation>
+    </message>
+    <message>
+        <source>E (extruder) is not supported</source>
+        <translation>E (extrudeuse) n&apos;est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>%1 has no meaning in this block</source>
+        <translation>%1 n&apos;a pas de sens dans ce bloc</translation>
+    </message>
+    <message>
+        <source>it is skipped</source>
+        <translation>il est ignoré</translation>
+    </message>
+    <message>
+        <source>it is ignored; check whether G2 or G3 is missing</source>
+        <translation>il est ignoré&#xa0;; vérifiez s&apos;il manque G2 ou G3</translation>
+    </message>
+    <message>
+        <source>position words before the first G0, G1, G2 or G3</source>
+        <translation>des mots de position avant le premier G0, G1, G2 ou G3</translation>
+    </message>
+    <message>
+        <source>G0 is used; write the G word</source>
+        <translation>G0 est utilisé&#xa0;; programmez le mot G</translation>
+    </message>
+    <message>
+        <source>a feed move without F under G93</source>
+        <translation>un déplacement en avance sans F sous G93</translation>
+    </message>
+    <message>
+        <source>the last F is used; write F in every such block</source>
+        <translation>le dernier F est utilisé&#xa0;; programmez F dans chacun de ces blocs</translation>
+    </message>
+    <message>
+        <source>a rounding or chamfer of %1 is not above zero</source>
+        <translation>un arrondi ou chanfrein de %1 n&apos;est pas supérieur à zéro</translation>
+    </message>
+    <message>
+        <source>,%1 in a block that is not a line or an arc</source>
+        <translation>,%1 dans un bloc qui n&apos;est ni une droite ni un arc</translation>
+    </message>
+    <message>
+        <source>the corner stays sharp; write it in the G1, G2 or G3 block that ends at the corner</source>
+        <translation>l&apos;angle reste vif&#xa0;; programmez-le dans le bloc G1, G2 ou G3 qui finit dans l&apos;angle</translation>
+    </message>
+    <message>
+        <source>the arc has neither a centre (I, J, K) nor a radius (R)</source>
+        <translation>l&apos;arc n&apos;a ni centre (I, J, K) ni rayon (R)</translation>
+    </message>
+    <message>
+        <source>the arc has both a centre (I, J, K) and a radius (R)</source>
+        <translation>l&apos;arc a un centre (I, J, K) et un rayon (R)</translation>
+    </message>
+    <message>
+        <source>R is used; remove one of them</source>
+        <translation>R est utilisé&#xa0;; supprimez l&apos;un des deux</translation>
+    </message>
+    <message>
+        <source>P%1 is not a number of turns from 1 to %2</source>
+        <translation>P%1 n&apos;est pas un nombre de tours de 1 à %2</translation>
+    </message>
+    <message>
+        <source>one turn is used</source>
+        <translation>un tour est utilisé</translation>
+    </message>
+    <message>
+        <source>%1 is perpendicular to the plane of the arc</source>
+        <translation>%1 est perpendiculaire au plan de l&apos;arc</translation>
+    </message>
+    <message>
+        <source>it is ignored; check whether G17, G18 or G19 is missing</source>
+        <translation>il est ignoré&#xa0;; vérifiez s&apos;il manque G17, G18 ou G19</translation>
+    </message>
+    <message>
+        <source>R%1 of G5.1 (machining condition from speed to accuracy) is not supported</source>
+        <translation>R%1 de G5.1 (condition d&apos;usinage, de la vitesse à la précision) n&apos;est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>its parameters exist only in the control; set acceleration and jerk of the machine instead</source>
+        <translation>ses paramètres n&apos;existent que dans la commande&#xa0;; réglez plutôt l&apos;accélération et le jerk de la machine</translation>
+    </message>
+    <message>
+        <source>tolerance %1 of %2 is negative</source>
+        <translation>la tolérance %1 de %2 est négative</translation>
+    </message>
+    <message>
+        <source>it is ignored; write a tolerance of zero or more</source>
+        <translation>elle est ignorée&#xa0;; programmez une tolérance nulle ou positive</translation>
+    </message>
+    <message>
+        <source>G5.3 without G5.2</source>
+        <translation>G5.3 sans G5.2</translation>
+    </message>
+    <message>
+        <source>G6.2 as LinuxCNC has it (weights P, no knots K) is not supported</source>
+        <translation>G6.2 à la façon de LinuxCNC (poids P, pas de nœuds K) n&apos;est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>positions are skipped up to the next G0 to G3; write G5.2 and G5.3</source>
+        <translation>les positions sont ignorées jusqu&apos;au prochain G0 à G3&#xa0;; programmez G5.2 et G5.3</translation>
+    </message>
+    <message>
+        <source>G%1 without %2 and %3</source>
+        <translation>G%1 sans %2 ni %3</translation>
+    </message>
+    <message>
+        <source>a control point of G5.2 without a weight above zero</source>
+        <translation>un point de contrôle de G5.2 sans poids supérieur à zéro</translation>
+    </message>
+    <message>
+        <source>1 is used; write P with the weight</source>
+        <translation>1 est utilisé&#xa0;; programmez P avec le poids</translation>
+    </message>
+    <message>
+        <source>order L%1 of G5.2 is above %2</source>
+        <translation>l&apos;ordre L%1 de G5.2 dépasse %2</translation>
+    </message>
+    <message>
+        <source>%1 is taken</source>
+        <translation>%1 est utilisé</translation>
+    </message>
+    <message>
+        <source>order P%1 of G6.2 is not from %2 to %3</source>
+        <translation>l&apos;ordre P%1 de G6.2 n&apos;est pas compris entre %2 et %3</translation>
+    </message>
+    <message>
+        <source>4 is taken</source>
+        <translation>4 est utilisé</translation>
+    </message>
+    <message>
+        <source>a control point of G6.2 without a weight above zero</source>
+        <translation>un point de contrôle de G6.2 sans poids supérieur à zéro</translation>
+    </message>
+    <message>
+        <source>1 is used; write R with the weight</source>
+        <translation>1 est utilisé&#xa0;; programmez R avec le poids</translation>
+    </message>
+    <message>
+        <source>G6.2 of order %1 with %2 control points and %3 knots K</source>
+        <translation>G6.2 d&apos;ordre %1 avec %2 points de contrôle et %3 nœuds K</translation>
+    </message>
+    <message>
+        <source>a straight line to the last point is used instead; write as many non-decreasing K as points and order together</source>
+        <translation>une droite jusqu&apos;au dernier point est utilisée à la place&#xa0;; programmez autant de K non décroissants que la somme des points et de l&apos;ordre</translation>
+    </message>
+    <message>
+        <source>G5.2 with %1 control points is too short for order %2</source>
+        <translation>G5.2 avec %1 points de contrôle est trop court pour l&apos;ordre %2</translation>
+    </message>
+    <message>
+        <source>a straight line to the last one is used instead</source>
+        <translation>une droite jusqu&apos;au dernier est utilisée à la place</translation>
+    </message>
+    <message>
+        <source>G5.2 in line %1 is not closed by G5.3</source>
+        <translation>G5.2 de la ligne %1 n&apos;est pas fermé par G5.3</translation>
+    </message>
+    <message>
+        <source>the curve ends at its last control point</source>
+        <translation>la courbe finit à son dernier point de contrôle</translation>
+    </message>
+    <message>
+        <source>its motion is skipped</source>
+        <translation>son déplacement est ignoré</translation>
+    </message>
+    <message>
+        <source>the path shown is that of the tool tip</source>
+        <translation>la trajectoire affichée est celle de la pointe de l&apos;outil</translation>
+    </message>
+    <message>
+        <source>it does not change the programmed path</source>
+        <translation>cela ne change pas la trajectoire programmée</translation>
+    </message>
+    <message>
+        <source>diameter programming or cylindrical interpolation</source>
+        <translation>programmation au diamètre ou interpolation cylindrique</translation>
+    </message>
+    <message>
+        <source>cylindrical interpolation</source>
+        <translation>interpolation cylindrique</translation>
+    </message>
+    <message>
+        <source>circular pocket</source>
+        <translation>poche circulaire</translation>
+    </message>
+    <message>
+        <source>polar coordinate interpolation</source>
+        <translation>interpolation en coordonnées polaires</translation>
+    </message>
+    <message>
+        <source>spline</source>
+        <translation>courbe spline</translation>
+    </message>
+    <message>
+        <source>probing</source>
+        <translation>palpage</translation>
+    </message>
+    <message>
+        <source>reference point check</source>
+        <translation>contrôle du point de référence</translation>
+    </message>
+    <message>
+        <source>skip motion</source>
+        <translation>déplacement à interruption</translation>
+    </message>
+    <message>
+        <source>thread cutting</source>
+        <translation>filetage</translation>
+    </message>
+    <message>
+        <source>rigid tapping</source>
+        <translation>taraudage rigide</translation>
+    </message>
+    <message>
+        <source>tool length compensation</source>
+        <translation>compensation de longueur d&apos;outil</translation>
+    </message>
+    <message>
+        <source>tool centre point control</source>
+        <translation>suivi de la pointe de l&apos;outil (RTCP)</translation>
+    </message>
+    <message>
+        <source>only X, Y and Z are shown</source>
+        <translation>seuls X, Y et Z sont affichés</translation>
+    </message>
+    <message>
+        <source>tool offset of one block</source>
+        <translation>correcteur d&apos;outil pour un bloc</translation>
+    </message>
+    <message>
+        <source>engraving, or double tool offset of one block</source>
+        <translation>gravure, ou correcteur d&apos;outil double pour un bloc</translation>
+    </message>
+    <message>
+        <source>turning of the tool axis</source>
+        <translation>rotation de l&apos;axe de l&apos;outil</translation>
+    </message>
+    <message>
+        <source>macro call</source>
+        <translation>appel de macro</translation>
+    </message>
+    <message>
+        <source>modal macro call</source>
+        <translation>appel modal de macro</translation>
+    </message>
+    <message>
+        <source>macro call in each block</source>
+        <translation>appel de macro à chaque bloc</translation>
+    </message>
+    <message>
+        <source>tilted working plane</source>
+        <translation>plan de travail incliné</translation>
+    </message>
+    <message>
+        <source>back boring</source>
+        <translation>alésage en tirant</translation>
+    </message>
+    <message>
+        <source>constant cutting speed</source>
+        <translation>vitesse de coupe constante</translation>
+    </message>
+    <message>
+        <source>cylindrical mapping</source>
+        <translation>projection sur un cylindre</translation>
+    </message>
+    <message>
+        <source>cutter compensation in space</source>
+        <translation>correction de rayon dans l&apos;espace</translation>
+    </message>
+    <message>
+        <source>tool length compensation of five axes</source>
+        <translation>compensation de longueur d&apos;outil à cinq axes</translation>
+    </message>
+    <message>
+        <source>pocket milling</source>
+        <translation>fraisage de poche</translation>
+    </message>
+    <message>
+        <source>dynamic work offset</source>
+        <translation>décalage d&apos;origine dynamique</translation>
+    </message>
+    <message>
+        <source>%1 does not name a subprogram</source>
+        <translation>%1 ne désigne pas un sous-programme</translation>
+    </message>
+    <message>
+        <source>write its number with digits only, as in L12; nothing is called</source>
+        <translation>écrivez son numéro en chiffres seuls, comme L12&#xa0;; rien n&apos;est appelé</translation>
+    </message>
+    <message>
+        <source>FOR cannot count with %1</source>
+        <translation>FOR ne peut pas compter avec %1</translation>
+    </message>
+    <message>
+        <source>use an R parameter or a variable defined by DEF INT</source>
+        <translation>prenez un paramètre R ou une variable définie par DEF INT</translation>
+    </message>
+    <message>
+        <source>%1 is not a supported type</source>
+        <translation>%1 n&apos;est pas un type pris en charge</translation>
+    </message>
+    <message>
+        <source>write REAL, INT, BOOL, CHAR, STRING, AXIS or FRAME; the variables are not defined</source>
+        <translation>programmez REAL, INT, BOOL, CHAR, STRING, AXIS ou FRAME&#xa0;; les variables ne sont pas définies</translation>
+    </message>
+    <message>
+        <source>DEF without a name</source>
+        <translation>DEF sans nom</translation>
+    </message>
+    <message>
+        <source>write the variable&apos;s name after its type</source>
+        <translation>écrivez le nom de la variable après son type</translation>
+    </message>
+    <message>
+        <source>DEFINE needs a name, AS and words</source>
+        <translation>DEFINE demande un nom, AS et des mots</translation>
+    </message>
+    <message>
+        <source>its name is called as a subprogram; write DEFINE NAME AS G0 X5</source>
+        <translation>son nom est appelé comme un sous-programme&#xa0;; programmez DEFINE NOM AS G0 X5</translation>
+    </message>
+    <message>
+        <source>%1 after PROC is not an attribute</source>
+        <translation>%1 après PROC n&apos;est pas un attribut</translation>
+    </message>
+    <message>
+        <source>write the parameters in brackets, then attributes such as SAVE</source>
+        <translation>écrivez les paramètres entre parenthèses, puis des attributs comme SAVE</translation>
+    </message>
+    <message>
+        <source>%1 is not a parameter</source>
+        <translation>%1 n&apos;est pas un paramètre</translation>
+    </message>
+    <message>
+        <source>write a type and a name</source>
+        <translation>écrivez un type et un nom</translation>
+    </message>
+    <message>
+        <source>parameter %1 has no value</source>
+        <translation>le paramètre %1 n&apos;a pas de valeur</translation>
+    </message>
+    <message>
+        <source>0 is used; call the program with a value</source>
+        <translation>0 est utilisé&#xa0;; appelez le programme avec une valeur</translation>
+    </message>
+    <message>
+        <source>array parameter %1 has %2 elements, the argument has %3</source>
+        <translation>le paramètre tableau %1 a %2 éléments, l&apos;argument en a %3</translation>
+    </message>
+    <message>
+        <source>pass an array of the same type and size</source>
+        <translation>passez un tableau de même type et de même taille</translation>
+    </message>
+    <message>
+        <source>the frame does not change; write CTRANS, CROT, CSCALE, CMIRROR with axes and values, joined by &quot;:&quot;, or a variable that holds a frame</source>
+        <translation>le frame ne change pas&#xa0;; programmez CTRANS, CROT, CSCALE, CMIRROR avec axes et valeurs, reliés par &quot;:&quot;, ou une variable qui contient un frame</translation>
+    </message>
+    <message>
+        <source>%1 is not a settable frame from 0 to %2</source>
+        <translation>%1 n&apos;est pas un frame réglable de 0 à %2</translation>
+    </message>
+    <message>
+        <source>%1 is not a part of a frame (TR, FI, RT, SC, MI)</source>
+        <translation>%1 n&apos;est pas une partie de frame (TR, FI, RT, SC, MI)</translation>
+    </message>
+    <message>
+        <source>a scale factor is zero</source>
+        <translation>un facteur d&apos;échelle est nul</translation>
+    </message>
+    <message>
+        <source>parts of a chain of frames cannot be set</source>
+        <translation>les parties d&apos;une chaîne de frames ne peuvent pas être réglées</translation>
+    </message>
+    <message>
+        <source>in $P_PFRAME only shifts of X, Y and Z (TR, FI) can be set individually</source>
+        <translation>dans $P_PFRAME, seuls les décalages de X, Y et Z (TR, FI) se règlent séparément</translation>
+    </message>
+    <message>
+        <source>%1 is not a supported frame</source>
+        <translation>%1 n&apos;est pas un frame pris en charge</translation>
+    </message>
+    <message>
+        <source>%1 is a control-internal value</source>
+        <translation>%1 est une valeur interne de la commande</translation>
+    </message>
+    <message>
+        <source>an axis is missing here</source>
+        <translation>il manque ici un axe</translation>
+    </message>
+    <message>
+        <source>&quot;,&quot; or &quot;)&quot; is missing here</source>
+        <translation>il manque ici &quot;,&quot; ou &quot;)&quot;</translation>
+    </message>
+    <message>
+        <source>DEF FRAME of an array, or without a name, is not supported</source>
+        <translation>DEF FRAME d&apos;un tableau, ou sans nom, n&apos;est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>define frames one by one</source>
+        <translation>définissez les frames un par un</translation>
+    </message>
+    <message>
+        <source>the program does not define %1</source>
+        <translation>le programme ne définit pas %1</translation>
+    </message>
+    <message>
+        <source>the block does not move; define data of the machine (GUD) at the program&apos;s top, DEF REAL %1=</source>
+        <translation>le bloc n&apos;a pas de déplacement&#xa0;; définissez les données de la machine (GUD) en tête du programme, DEF REAL %1=</translation>
+    </message>
+    <message>
+        <source>R%1 is not an R parameter from R0 to R%2</source>
+        <translation>R%1 n&apos;est pas un paramètre R de R0 à R%2</translation>
+    </message>
+    <message>
+        <source>R%1 is used before the program sets it</source>
+        <translation>R%1 est utilisé avant que le programme ne le définisse</translation>
+    </message>
+    <message>
+        <source>0 is used; the control has a value of its own</source>
+        <translation>0 est utilisé&#xa0;; la commande a sa propre valeur</translation>
+    </message>
+    <message>
+        <source>write &apos;H1F&apos; or &apos;B101&apos;</source>
+        <translation>programmez &apos;H1F&apos; ou &apos;B101&apos;</translation>
+    </message>
+    <message>
+        <source>text %1 is not a number</source>
+        <translation>le texte %1 n&apos;est pas un nombre</translation>
+    </message>
+    <message>
+        <source>compare texts with == or &lt;&gt;</source>
+        <translation>comparez les textes par == ou &lt;&gt;</translation>
+    </message>
+    <message>
+        <source>value %1 is above the largest number, 1000000000</source>
+        <translation>la valeur %1 dépasse le plus grand nombre admis, 1000000000</translation>
+    </message>
+    <message>
+        <source>the block does not move; correct the expression</source>
+        <translation>le bloc n&apos;a pas de déplacement&#xa0;; corrigez l&apos;expression</translation>
+    </message>
+    <message>
+        <source>the text is nested more than 100 deep</source>
+        <translation>le texte est imbriqué sur plus de 100 niveaux</translation>
+    </message>
+    <message>
+        <source>remove brackets</source>
+        <translation>supprimez des parenthèses</translation>
+    </message>
+    <message>
+        <source>the text is not closed</source>
+        <translation>le texte n&apos;est pas fermé</translation>
+    </message>
+    <message>
+        <source>add the closing quotation mark</source>
+        <translation>ajoutez le guillemet fermant</translation>
+    </message>
+    <message>
+        <source>%1 is not a number of array elements from 1 to %2</source>
+        <translation>%1 n&apos;est pas un nombre d&apos;éléments de tableau de 1 à %2</translation>
+    </message>
+    <message>
+        <source>correct the size</source>
+        <translation>corrigez la taille</translation>
+    </message>
+    <message>
+        <source>%1 has no element %2, its largest index is %3</source>
+        <translation>%1 n&apos;a pas d&apos;élément %2, son plus grand indice est %3</translation>
+    </message>
+    <message>
+        <source>correct the index or the size in DEF</source>
+        <translation>corrigez l&apos;indice ou la taille dans DEF</translation>
+    </message>
+    <message>
+        <source>&quot;the array&quot; has no element %1, its largest index is %2</source>
+        <translation>le tableau n&apos;a pas d&apos;élément %1, son plus grand indice est %2</translation>
+    </message>
+    <message>
+        <source>assignment to %1 is not supported</source>
+        <translation>l&apos;affectation de %1 n&apos;est pas prise en charge</translation>
+    </message>
+    <message>
+        <source>the path does not change</source>
+        <translation>la trajectoire ne change pas</translation>
+    </message>
+    <message>
+        <source>a synchronized action is not supported</source>
+        <translation>une action synchrone n&apos;est pas prise en charge</translation>
+    </message>
+    <message>
+        <source>%1 is not a known variable, address or axis</source>
+        <translation>%1 n&apos;est ni une variable, ni une adresse, ni un axe connus</translation>
+    </message>
+    <message>
+        <source>its value is ignored; define a variable by DEF before it is used</source>
+        <translation>sa valeur est ignorée&#xa0;; définissez une variable par DEF avant de l&apos;utiliser</translation>
+    </message>
+    <message>
+        <source>%1 does not start a word or statement</source>
+        <translation>%1 ne commence ni mot ni instruction</translation>
+    </message>
+    <message>
+        <source>the rest of the line is skipped and the block does not move; correct it</source>
+        <translation>le reste de la ligne est ignoré et le bloc n&apos;a pas de déplacement&#xa0;; corrigez-le</translation>
+    </message>
+    <message>
+        <source>correct the statement; the block does not move</source>
+        <translation>corrigez l&apos;instruction&#xa0;; le bloc n&apos;a pas de déplacement</translation>
+    </message>
+    <message>
+        <source>the bracket is not closed</source>
+        <translation>la parenthèse n&apos;est pas fermée</translation>
+    </message>
+    <message>
+        <source>the block does not move; correct the number</source>
+        <translation>le bloc n&apos;a pas de déplacement&#xa0;; corrigez le nombre</translation>
+    </message>
+    <message>
+        <source>the coordinates are used for %1 and nothing moves; write a block for each</source>
+        <translation>les coordonnées servent à %1 et rien ne se déplace&#xa0;; programmez un bloc pour chacun</translation>
+    </message>
+    <message>
+        <source>RET with a jump target is not supported</source>
+        <translation>RET avec une cible de saut n&apos;est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>the program continues after the call; return without a target</source>
+        <translation>le programme continue après l&apos;appel&#xa0;; revenez sans cible</translation>
+    </message>
+    <message>
+        <source>ISOCALL (call of a program in ISO dialect) is not supported</source>
+        <translation>ISOCALL (appel d&apos;un programme en dialecte ISO) n&apos;est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>%1 is not a subprogram</source>
+        <translation>%1 n&apos;est pas un sous-programme</translation>
+    </message>
+    <message>
+        <source>write the name of a subprogram</source>
+        <translation>écrivez le nom d&apos;un sous-programme</translation>
+    </message>
+    <message>
+        <source>cycle %1 is not supported</source>
+        <translation>le cycle %1 n&apos;est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>subprogram %1 is neither in the program nor a file in its folder</source>
+        <translation>le sous-programme %1 n&apos;est ni dans le programme ni un fichier de son dossier</translation>
+    </message>
+    <message>
+        <source>its motion is skipped; add it to the program or to its folder</source>
+        <translation>son déplacement est ignoré&#xa0;; ajoutez-le au programme ou à son dossier</translation>
+    </message>
+    <message>
+        <source>%1 has no matching start or end</source>
+        <translation>%1 n&apos;a pas de début ou de fin correspondants</translation>
+    </message>
+    <message>
+        <source>the line is skipped; check IF, ELSE, ENDIF and the starts and ends of loops</source>
+        <translation>la ligne est ignorée&#xa0;; vérifiez IF, ELSE, ENDIF et les débuts et fins de boucle</translation>
+    </message>
+    <message>
+        <source>%1 after a condition is not a jump</source>
+        <translation>%1 après une condition n&apos;est pas un saut</translation>
+    </message>
+    <message>
+        <source>write GOTOF, GOTOB or GOTO with a label, or nothing, after the condition</source>
+        <translation>programmez GOTOF, GOTOB ou GOTO avec une étiquette, ou rien, après la condition</translation>
+    </message>
+    <message>
+        <source>FOR without TO</source>
+        <translation>FOR sans TO</translation>
+    </message>
+    <message>
+        <source>write FOR I=1 TO 10</source>
+        <translation>programmez FOR I=1 TO 10</translation>
+    </message>
+    <message>
+        <source>label %1 does not exist in the program</source>
+        <translation>l&apos;étiquette %1 n&apos;existe pas dans le programme</translation>
+    </message>
+    <message>
+        <source>label %1 does not exist after this line</source>
+        <translation>l&apos;étiquette %1 n&apos;existe pas après cette ligne</translation>
+    </message>
+    <message>
+        <source>label %1 does not exist before this line</source>
+        <translation>l&apos;étiquette %1 n&apos;existe pas avant cette ligne</translation>
+    </message>
+    <message>
+        <source>the jump is skipped; check the label and the direction of the jump</source>
+        <translation>le saut est ignoré&#xa0;; vérifiez l&apos;étiquette et le sens du saut</translation>
+    </message>
+    <message>
+        <source>a jump without a label</source>
+        <translation>un saut sans étiquette</translation>
+    </message>
+    <message>
+        <source>write the label after GOTOF or GOTOB</source>
+        <translation>écrivez l&apos;étiquette après GOTOF ou GOTOB</translation>
+    </message>
+    <message>
+        <source>CASE without OF</source>
+        <translation>CASE sans OF</translation>
+    </message>
+    <message>
+        <source>write CASE (R1) OF 1 GOTOF LABEL</source>
+        <translation>programmez CASE (R1) OF 1 GOTOF ETIQUETTE</translation>
+    </message>
+    <message>
+        <source>CASE without GOTOF or GOTOB</source>
+        <translation>CASE sans GOTOF ni GOTOB</translation>
+    </message>
+    <message>
+        <source>the part to be repeated does not end after its beginning</source>
+        <translation>la partie à répéter ne finit pas après son début</translation>
+    </message>
+    <message>
+        <source>nothing is repeated; write a second label or ENDLABEL</source>
+        <translation>rien n&apos;est répété&#xa0;; programmez une seconde étiquette ou ENDLABEL</translation>
+    </message>
+    <message>
+        <source>nothing is repeated; check the label</source>
+        <translation>rien n&apos;est répété&#xa0;; vérifiez l&apos;étiquette</translation>
+    </message>
+    <message>
+        <source>TURN=%1 is not a number of turns from 0 to %2</source>
+        <translation>TURN=%1 n&apos;est pas un nombre de tours de 0 à %2</translation>
+    </message>
+    <message>
+        <source>no extra turn is used</source>
+        <translation>aucun tour de plus n&apos;est fait</translation>
+    </message>
+    <message>
+        <source>the arc has both a centre (I, J, K) and a radius (CR)</source>
+        <translation>l&apos;arc a un centre (I, J, K) et un rayon (CR)</translation>
+    </message>
+    <message>
+        <source>CR is used; remove one of them</source>
+        <translation>CR est utilisé&#xa0;; supprimez l&apos;un des deux</translation>
+    </message>
+    <message>
+        <source>the arc has neither a centre (I, J, K) nor a radius (CR)</source>
+        <translation>l&apos;arc n&apos;a ni centre (I, J, K) ni rayon (CR)</translation>
+    </message>
+    <message>
+        <source>opening angle AR=%1 is not between 0 and 360 degrees</source>
+        <translation>l&apos;angle d&apos;ouverture AR=%1 n&apos;est pas entre 0 et 360 degrés</translation>
+    </message>
+    <message>
+        <source>start, intermediate point (I1, J1, K1) and end of CIP are on one line</source>
+        <translation>le départ, le point intermédiaire (I1, J1, K1) et la fin de CIP sont alignés</translation>
+    </message>
+    <message>
+        <source>CT without a preceding motion in its plane</source>
+        <translation>CT sans déplacement précédent dans son plan</translation>
+    </message>
+    <message>
+        <source>tool radius %1 is negative</source>
+        <translation>le rayon d&apos;outil %1 est négatif</translation>
+    </message>
+    <message>
+        <source>it is ignored; write a radius of zero or more</source>
+        <translation>il est ignoré&#xa0;; programmez un rayon nul ou positif</translation>
+    </message>
+    <message>
+        <source>G41 without a tool: its radius is not known</source>
+        <translation>G41 sans outil&#xa0;: son rayon n&apos;est pas connu</translation>
+    </message>
+    <message>
+        <source>G42 without a tool: its radius is not known</source>
+        <translation>G42 sans outil&#xa0;: son rayon n&apos;est pas connu</translation>
+    </message>
+    <message>
+        <source>%1: the radius of T%2 D%3 is not known</source>
+        <translation>%1&#xa0;: le rayon de T%2 D%3 n&apos;est pas connu</translation>
+    </message>
+    <message>
+        <source>the path shown is the programmed contour; %1, or set it with $TC_DP6[T,D]=</source>
+        <translation>la trajectoire affichée est le contour programmé&#xa0;; %1, ou définissez-le par $TC_DP6[T,D]=</translation>
+    </message>
+    <message>
+        <source>the combined frames are out of range</source>
+        <translation>les frames combinés dépassent les bornes</translation>
+    </message>
+    <message>
+        <source>all of them are reset; check additive frames in loops</source>
+        <translation>tous sont remis à zéro&#xa0;; vérifiez les frames additifs dans les boucles</translation>
+    </message>
+    <message>
+        <source>G%1 is selected after motion in G%2</source>
+        <translation>G%1 est choisi après un déplacement dans G%2</translation>
+    </message>
+    <message>
+        <source>RNDM=%1 is negative</source>
+        <translation>RNDM=%1 est négatif</translation>
+    </message>
+    <message>
+        <source>corners stay sharp; write a radius or 0</source>
+        <translation>les angles restent vifs&#xa0;; programmez un rayon ou 0</translation>
+    </message>
+    <message>
+        <source>a rounding or chamfer of %1 is negative</source>
+        <translation>un arrondi ou chanfrein de %1 est négatif</translation>
+    </message>
+    <message>
+        <source>a rounding or chamfer in a block without a line or arc</source>
+        <translation>un arrondi ou chanfrein dans un bloc sans droite ni arc</translation>
+    </message>
+    <message>
+        <source>the corner stays sharp; write it in the block that ends at the corner</source>
+        <translation>l&apos;angle reste vif&#xa0;; programmez-le dans le bloc qui finit dans l&apos;angle</translation>
+    </message>
+    <message>
+        <source>an increment of %1 after a change of frame also traverses the change, %2 mm</source>
+        <translation>un incrément de %1 après un changement de frame parcourt aussi ce changement, %2 mm</translation>
+    </message>
+    <message>
+        <source>as on controls with setting data 42440 at 1, the default; else program it absolute</source>
+        <translation>comme sur les commandes dont la donnée de réglage 42440 vaut 1, le réglage d&apos;origine&#xa0;; sinon programmez-le en absolu</translation>
+    </message>
+    <message>
+        <source>ANG=%1 needs exactly one coordinate of the plane</source>
+        <translation>ANG=%1 demande exactement une coordonnée du plan</translation>
+    </message>
+    <message>
+        <source>a line at ANG=%1 does not reach the given coordinate</source>
+        <translation>une droite à ANG=%1 n&apos;atteint pas la coordonnée donnée</translation>
+    </message>
+    <message>
+        <source>the line ends at the given coordinates; program its end</source>
+        <translation>la droite finit aux coordonnées données&#xa0;; programmez sa fin</translation>
+    </message>
+    <message>
+        <source>the depth of CYCLE%1 at the tool&apos;s diameter or shank is not supported</source>
+        <translation>la profondeur de CYCLE%1 au diamètre ou à la queue de l&apos;outil n&apos;est pas prise en charge</translation>
+    </message>
+    <message>
+        <source>it is used as the depth of the tip</source>
+        <translation>elle est lue comme la profondeur de la pointe</translation>
+    </message>
+    <message>
+        <source>%1 is not a number of holes from 1 to %2</source>
+        <translation>%1 n&apos;est pas un nombre de trous de 1 à %2</translation>
+    </message>
+    <message>
+        <source>the holes are skipped; correct the number</source>
+        <translation>les trous sont ignorés&#xa0;; corrigez le nombre</translation>
+    </message>
+    <message>
+        <source>subprogram %1 at a pattern of holes is not supported</source>
+        <translation>le sous-programme %1 sur un motif de trous n&apos;est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>its motion is skipped; call it after single positions</source>
+        <translation>son déplacement est ignoré&#xa0;; appelez-le après des positions isolées</translation>
+    </message>
+    <message>
+        <source>CYCLE832 with tolerance %1 and code %2 is out of range</source>
+        <translation>CYCLE832 avec la tolérance %1 et le code %2 dépasse les bornes</translation>
+    </message>
+    <message>
+        <source>it is ignored; write a tolerance of zero or more and a code from 0 to 99999999</source>
+        <translation>il est ignoré&#xa0;; programmez une tolérance nulle ou positive et un code de 0 à 99999999</translation>
+    </message>
+    <message>
+        <source>CYCLE832 with tolerance %1 and machining type 0 switches its settings off</source>
+        <translation>CYCLE832 avec la tolérance %1 et le type d&apos;usinage 0 désactive ses réglages</translation>
+    </message>
+    <message>
+        <source>write the type as the second value: 1 finishing, 2 semi-finishing, 3 roughing</source>
+        <translation>programmez le type en deuxième valeur&#xa0;: 1 finition, 2 semi-finition, 3 ébauche</translation>
+    </message>
+    <message>
+        <source>CYCLE800 with mode %1 is not supported</source>
+        <translation>CYCLE800 avec le mode %1 n&apos;est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>the plane is shown without rotation; program angles about one axis after the other</source>
+        <translation>le plan est affiché sans rotation&#xa0;; programmez des angles autour d&apos;un axe après l&apos;autre</translation>
+    </message>
+    <message>
+        <source>CYCLE800 says no direction (_DIR) of the rotary axes</source>
+        <translation>CYCLE800 ne donne pas de sens (_DIR) des axes rotatifs</translation>
+    </message>
+    <message>
+        <source>they turn the shortest way to the plane</source>
+        <translation>ils tournent vers le plan par le chemin le plus court</translation>
+    </message>
+    <message>
+        <source>the dwell is skipped; write F with seconds or S with revolutions</source>
+        <translation>la temporisation est ignorée&#xa0;; programmez F en secondes ou S en tours</translation>
+    </message>
+    <message>
+        <source>a dwell of %1 revolutions without a spindle speed</source>
+        <translation>une temporisation de %1 tours sans vitesse de broche</translation>
+    </message>
+    <message>
+        <source>the dwell is skipped; write S in a block before it</source>
+        <translation>la temporisation est ignorée&#xa0;; programmez S dans un bloc précédent</translation>
+    </message>
+    <message>
+        <source>G1 is used; write the G word</source>
+        <translation>G1 est utilisé&#xa0;; programmez le mot G</translation>
+    </message>
+    <message>
+        <source>%1 (thread) is shown as a line</source>
+        <translation>%1 (filetage) est affiché comme une droite</translation>
+    </message>
+    <message>
+        <source>its feed is lead times spindle speed; the run-up of the spindle is not shown</source>
+        <translation>son avance est le pas multiplié par la vitesse de broche&#xa0;; la montée en vitesse de la broche n&apos;est pas montrée</translation>
+    </message>
+    <message>
+        <source>ADIS=%1 is negative</source>
+        <translation>ADIS=%1 est négatif</translation>
+    </message>
+    <message>
+        <source>ADISPOS=%1 is negative</source>
+        <translation>ADISPOS=%1 est négatif</translation>
+    </message>
+    <message>
+        <source>write a distance of zero or more; the block does not move</source>
+        <translation>programmez une distance nulle ou positive&#xa0;; le bloc n&apos;a pas de déplacement</translation>
+    </message>
+    <message>
+        <source>a denominator of polynomials is not supported</source>
+        <translation>un dénominateur de polynômes n&apos;est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>a polynomial of axis %1 is not supported</source>
+        <translation>un polynôme de l&apos;axe %1 n&apos;est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>X, Y and Z are shown without it</source>
+        <translation>X, Y et Z sont affichés sans cela</translation>
+    </message>
+    <message>
+        <source>a polynomial has more than 5 coefficients</source>
+        <translation>un polynôme a plus de 5 coefficients</translation>
+    </message>
+    <message>
+        <source>the block does not move; write a polynomial of degree 5 or less</source>
+        <translation>le bloc n&apos;a pas de déplacement&#xa0;; programmez un polynôme de degré 5 au plus</translation>
+    </message>
+    <message>
+        <source>positioning axes in a block with a path motion are not supported</source>
+        <translation>des axes de positionnement dans un bloc à déplacement sur trajectoire ne sont pas pris en charge</translation>
+    </message>
+    <message>
+        <source>their motion is skipped; position them in a block of their own</source>
+        <translation>leur déplacement est ignoré&#xa0;; positionnez-les dans un bloc à part</translation>
+    </message>
+    <message>
+        <source>positioning axes are shown as a rapid on a straight line</source>
+        <translation>des axes de positionnement sont affichés comme un rapide en ligne droite</translation>
+    </message>
+    <message>
+        <source>a positioning axis is shown as a rapid</source>
+        <translation>un axe de positionnement est affiché comme un rapide</translation>
+    </message>
+    <message>
+        <source>each axis moves at its own speed, set by FA or the machine</source>
+        <translation>chaque axe se déplace à sa propre vitesse, fixée par FA ou par la machine</translation>
+    </message>
+    <message>
+        <source>weight PW=%1 is not above zero</source>
+        <translation>le poids PW=%1 n&apos;est pas supérieur à zéro</translation>
+    </message>
+    <message>
+        <source>1 is used</source>
+        <translation>1 est utilisé</translation>
+    </message>
+    <message>
+        <source>positions are skipped up to the next motion word</source>
+        <translation>les positions sont ignorées jusqu&apos;au prochain mot de déplacement</translation>
+    </message>
+    <message>
+        <source>the path shown is the programmed contour</source>
+        <translation>la trajectoire affichée est le contour programmé</translation>
+    </message>
+    <message>
+        <source>the limits of the machine file are used</source>
+        <translation>les limites du fichier machine sont utilisées</translation>
+    </message>
+    <message>
+        <source>compensation begins and ends on a straight line, as with NORM</source>
+        <translation>la correction commence et finit sur une droite, comme avec NORM</translation>
+    </message>
+    <message>
+        <source>3D cutter compensation</source>
+        <translation>correction de rayon en 3D</translation>
+    </message>
+    <message>
+        <source>the cutter is compensated in the plane</source>
+        <translation>le rayon est corrigé dans le plan</translation>
+    </message>
+    <message>
+        <source>thread with increasing lead</source>
+        <translation>filetage à pas croissant</translation>
+    </message>
+    <message>
+        <source>thread with decreasing lead</source>
+        <translation>filetage à pas décroissant</translation>
+    </message>
+    <message>
+        <source>involute</source>
+        <translation>développante de cercle</translation>
+    </message>
+    <message>
+        <source>tapping with compensating chuck</source>
+        <translation>taraudage avec mandrin compensateur</translation>
+    </message>
+    <message>
+        <source>a line at the programmed feed</source>
+        <translation>une droite à l&apos;avance programmée</translation>
+    </message>
+    <message>
+        <source>the last spindle speed is used</source>
+        <translation>la dernière vitesse de broche est utilisée</translation>
+    </message>
+    <message>
+        <source>rotation by solid angles</source>
+        <translation>rotation par angles solides</translation>
+    </message>
+    <message>
+        <source>soft approach</source>
+        <translation>approche en douceur</translation>
+    </message>
+    <message>
+        <source>soft retraction</source>
+        <translation>retrait en douceur</translation>
+    </message>
+    <message>
+        <source>oblique plunge grinding</source>
+        <translation>rectification en plongée oblique</translation>
+    </message>
+    <message>
+        <source>ISO dialect</source>
+        <translation>dialecte ISO</translation>
+    </message>
+    <message>
+        <source>the following blocks are interpreted as Siemens code</source>
+        <translation>les blocs suivants sont interprétés comme du code Siemens</translation>
+    </message>
+    <message>
+        <source>cylinder surface transformation</source>
+        <translation>transformation de surface cylindrique</translation>
+    </message>
+    <message>
+        <source>face end transformation</source>
+        <translation>transformation de face frontale</translation>
+    </message>
+    <message>
+        <source>inclined axis</source>
+        <translation>axe incliné</translation>
+    </message>
+    <message>
+        <source>chained transformation</source>
+        <translation>transformations en chaîne</translation>
+    </message>
+    <message>
+        <source>frame in tool direction</source>
+        <translation>frame dans la direction de l&apos;outil</translation>
+    </message>
+    <message>
+        <source>rotation in tool direction</source>
+        <translation>rotation dans la direction de l&apos;outil</translation>
+    </message>
+    <message>
+        <source>alignment with the workpiece</source>
+        <translation>alignement sur la pièce</translation>
+    </message>
+    <message>
+        <source>feed by a polynomial</source>
+        <translation>avance par polynôme</translation>
+    </message>
+    <message>
+        <source>the feed does not change</source>
+        <translation>l&apos;avance ne change pas</translation>
+    </message>
+    <message>
+        <source>measuring</source>
+        <translation>mesure</translation>
+    </message>
+    <message>
+        <source>the probe is assumed never to touch</source>
+        <translation>le palpeur est supposé ne jamais toucher</translation>
+    </message>
+    <message>
+        <source>coupled axes</source>
+        <translation>axes couplés</translation>
+    </message>
+    <message>
+        <source>tangential control</source>
+        <translation>asservissement tangentiel</translation>
+    </message>
+    <message>
+        <source>oscillating axes</source>
+        <translation>axes oscillants</translation>
+    </message>
+    <message>
+        <source>positioning axis</source>
+        <translation>axe de positionnement</translation>
+    </message>
+    <message>
+        <source>setting of actual values</source>
+        <translation>forçage des valeurs réelles</translation>
+    </message>
+    <message>
+        <source>change of geometry axes</source>
+        <translation>changement d&apos;axes géométriques</translation>
+    </message>
+    <message>
+        <source>point-to-point motion</source>
+        <translation>déplacement point à point</translation>
+    </message>
+    <message>
+        <source>contour offset</source>
+        <translation>décalage de contour</translation>
+    </message>
+    <message>
+        <source>feed per tooth</source>
+        <translation>avance par dent</translation>
+    </message>
+    <message>
+        <source>the last feed is used; write F</source>
+        <translation>la dernière avance est utilisée&#xa0;; programmez F</translation>
+    </message>
+    <message>
+        <source>feed override</source>
+        <translation>correction d&apos;avance</translation>
+    </message>
+    <message>
+        <source>the feed of F is used</source>
+        <translation>l&apos;avance de F est utilisée</translation>
+    </message>
+    <message>
+        <source>override of rapids</source>
+        <translation>correction des rapides</translation>
+    </message>
+    <message>
+        <source>rapids of the machine are used</source>
+        <translation>les rapides de la machine sont utilisés</translation>
+    </message>
+    <message>
+        <source>set of dynamic limits</source>
+        <translation>jeu de limites dynamiques</translation>
+    </message>
+    <message>
+        <source>acceleration of an axis</source>
+        <translation>accélération d&apos;un axe</translation>
+    </message>
+    <message>
+        <source>speed of an axis</source>
+        <translation>vitesse d&apos;un axe</translation>
+    </message>
+    <message>
+        <source>jerk of an axis</source>
+        <translation>jerk d&apos;un axe</translation>
+    </message>
+    <message>
+        <source>approach around the corner</source>
+        <translation>approche autour de l&apos;angle</translation>
+    </message>
+    <message>
+        <source>approach on a curve</source>
+        <translation>approche sur une courbe</translation>
+    </message>
+    <message>
+        <source>overshoot at outside corners</source>
+        <translation>dépassement aux angles saillants</translation>
+    </message>
+    <message>
+        <source>they are rounded by a circle</source>
+        <translation>ils sont arrondis par un cercle</translation>
+    </message>
+    <message>
+        <source>tool radius offset</source>
+        <translation>décalage du rayon d&apos;outil</translation>
+    </message>
+    <message>
+        <source>the radius does not change</source>
+        <translation>le rayon ne change pas</translation>
+    </message>
+    <message>
+        <source>block made of strings</source>
+        <translation>bloc composé de chaînes</translation>
+    </message>
+    <message>
+        <source>the block is skipped</source>
+        <translation>le bloc est ignoré</translation>
+    </message>
+    <message>
+        <source>execution of a contour table</source>
+        <translation>exécution d&apos;une table de contour</translation>
+    </message>
+    <message>
+        <source>return to the contour</source>
+        <translation>retour sur le contour</translation>
+    </message>
+    <message>
+        <source>transformation</source>
+        <translation>transformation active</translation>
+    </message>
+    <message>
+        <source>machine builder function</source>
+        <translation>fonction du constructeur de la machine</translation>
+    </message>
+    <message>
+        <source>tolerance %1 mm of CYCLE832 is below %2 mm</source>
+        <translation>la tolérance de %1 mm de CYCLE832 est inférieure à %2 mm</translation>
+    </message>
+    <message>
+        <source>tolerance %1 of %2 is below %3 mm</source>
+        <translation>la tolérance %1 de %2 est inférieure à %3 mm</translation>
+    </message>
+    <message>
+        <source>the tolerance T%1 is below %2 mm</source>
+        <translation>la tolérance T%1 est inférieure à %2 mm</translation>
+    </message>
+    <message>
+        <source>give it as an import option (--tool =RADIUS) or in a tool table, or say that the path is already compensated (--wear-only)</source>
+        <translation>donnez-le en option de lecture (--tool =RADIUS) ou dans une table d&apos;outils, ou indiquez que la trajectoire est déjà corrigée (--wear-only)</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ActionTable</name>

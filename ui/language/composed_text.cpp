@@ -1,20 +1,26 @@
 #include "ui/language/composed_text.h"
 
 #include <QCoreApplication>
+#include <QHash>
 #include <QLocale>
 #include <QRegularExpression>
+#include <algorithm>
 #include <array>
+#include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "ui/language/core_texts.h"
 #include "ui/language/language.h"
+#include "ui/language/reader_sentences.h"
+#include "ui/language/text_pattern.h"
 
 namespace feedscope::ui {
 
 namespace {
 
-/// What core writes with fmt::format(), a place for each of its parts. The first that fits counts. In these
+/// What core writes with fmt::format(), a place for each of its parts, besides what readers write. In these
 /// the places may hold names and texts of no pattern.
 constexpr std::array sentences{
     QT_TRANSLATE_NOOP("core", "motion of %1"),
@@ -294,62 +300,80 @@ constexpr std::array joints{QT_TRANSLATE_NOOP("core", "%1; %2"), QT_TRANSLATE_NO
 struct Pattern {
   const char* text;
   bool has_names;
-  QRegularExpression expression;
+  TextPattern shape;
 };
 
-/// Words stand for themselves, places for what is there.
-QRegularExpression expression_of(const char* text) {
-  static const QRegularExpression place(QStringLiteral("%\\d"));
-  const QString pattern = QString::fromUtf8(text);
-  QString expression;
-  qsizetype at = 0;
-  for (QRegularExpressionMatchIterator places = place.globalMatch(pattern); places.hasNext();) {
-    const QRegularExpressionMatch found = places.next();
-    expression +=
-        QRegularExpression::escape(pattern.mid(at, found.capturedStart() - at)) + QStringLiteral("(.+?)");
-    at = found.capturedEnd();
+/// All patterns, those with more words of their own first: "cycle %1 (%2) is not supported" before "%1 is not
+/// supported".
+class Patterns {
+ public:
+  Patterns() {
+    add(sentences, true);
+    add(clauses, false);
+    for (const auto& of_reader :
+         {general_sentences(), iso_sentences(), sinumerik_sentences(), heidenhain_sentences()}) {
+      add(of_reader, true);
+    }
+    std::ranges::stable_sort(all_, std::ranges::greater(),
+                             [](const Pattern& p) { return p.shape.fixed_size(); });
+    for (const Pattern& pattern : all_) {
+      if (const auto beginning = pattern.shape.beginning()) {
+        by_beginning_[*beginning];
+      }
+    }
+    for (const Pattern& pattern : all_) {
+      if (const auto beginning = pattern.shape.beginning()) {
+        by_beginning_[*beginning].push_back(&pattern);
+      } else {
+        any_beginning_.push_back(&pattern);
+        for (auto& same : by_beginning_) {
+          same.push_back(&pattern);
+        }
+      }
+    }
   }
-  expression += QRegularExpression::escape(pattern.mid(at));
-  return QRegularExpression(QRegularExpression::anchoredPattern(expression));
-}
 
-const std::vector<Pattern>& all_patterns() {
-  static const std::vector<Pattern> all = [] {
-    std::vector<Pattern> made;
-    for (const char* text : sentences) {
-      made.push_back({text, true, expression_of(text)});
+  /// Those that a text which begins so can have.
+  const std::vector<const Pattern*>& of(QChar beginning) const {
+    const auto found = by_beginning_.constFind(beginning);
+    return found == by_beginning_.constEnd() ? any_beginning_ : *found;
+  }
+
+ private:
+  void add(std::span<const char* const> texts, bool have_names) {
+    for (const char* text : texts) {
+      all_.push_back({text, have_names, TextPattern(QString::fromUtf8(text))});
     }
-    for (const char* text : clauses) {
-      made.push_back({text, false, expression_of(text)});
-    }
-    return made;
-  }();
-  return all;
-}
+  }
+
+  std::vector<Pattern> all_;
+  QHash<QChar, std::vector<const Pattern*>> by_beginning_;
+  std::vector<const Pattern*> any_beginning_;  ///< first is a place
+};
 
 std::optional<QString> known_text(const QString& text);
 
 /// Numbers, and axes, which are called the same.
 std::optional<QString> number(const QString& text) {
-  static const QRegularExpression digits(QStringLiteral("^([XYZ]|-?\\d+(\\.\\d+)?)$"));
+  static const QRegularExpression digits(QStringLiteral("^([XYZ]|-?\\d+(\\.\\d+)?(e[-+]?\\d+)?)$"));
   return digits.match(text).hasMatch() ? std::optional(QString(text).replace('.', QLocale().decimalPoint()))
                                        : std::nullopt;
 }
 
 std::optional<QString> by_pattern(const Pattern& pattern, const QString& text) {
-  const QRegularExpressionMatch found = pattern.expression.match(text);
-  if (!found.hasMatch()) {
+  const auto found = pattern.shape.match(text);
+  if (!found) {
     return std::nullopt;
   }
-  QString made = QCoreApplication::translate("core", pattern.text);
-  for (int i = found.lastCapturedIndex(); i >= 1; --i) {
-    const std::optional<QString> part = known_text(found.captured(i));
-    if (!part && !pattern.has_names) {
+  std::vector<QString> parts;
+  for (const TextPattern::Part& part : *found) {
+    const std::optional<QString> known = part.is_program_text ? part.text : known_text(part.text);
+    if (!known && !pattern.has_names) {
       return std::nullopt;
     }
-    made.replace(QStringLiteral("%%1").arg(i), part.value_or(found.captured(i)));
+    parts.push_back(known.value_or(part.text));
   }
-  return made;
+  return TextPattern::fill(QCoreApplication::translate("core", pattern.text), parts);
 }
 
 std::optional<QString> by_joint(const char* joint, const QString& text) {
@@ -373,8 +397,12 @@ std::optional<QString> known_text(const QString& text) {
   if (const QString whole = core_text(text.toStdString()); whole != text) {
     return whole;
   }
-  for (const Pattern& pattern : all_patterns()) {
-    if (const auto made = by_pattern(pattern, text)) {
+  if (text.isEmpty()) {
+    return std::nullopt;
+  }
+  static const Patterns patterns;
+  for (const Pattern* pattern : patterns.of(text.front())) {
+    if (const auto made = by_pattern(*pattern, text)) {
       return made;
     }
   }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/language/composed_text.h"
+
 namespace feedscope::ui {
 
 void DiagnosticsModel::set_program(std::shared_ptr<const Program> program) {
@@ -53,7 +55,7 @@ QString DiagnosticsModel::place_text(const Diagnostic& diagnostic) {
 }
 
 QString DiagnosticsModel::message_text(int row) const {
-  const QString text = QString::fromStdString(at(row).message);
+  const QString text = composed_text(at(row).message);
   const auto i = static_cast<std::size_t>(row);
   return i < rows_.size() && rows_[i].more > 0
              ? tr("%1 (%2 more up to line %3)")
@@ -87,7 +89,7 @@ QVariant DiagnosticsModel::data(const QModelIndex& index, int role) const {
     case message:
       return message_text(index.row());
     default:
-      return QString::fromStdString(diagnostic.hint);
+      return composed_text(diagnostic.hint);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "core/program/text/scanner.h"
+#include "ui/language/composed_text.h"
 
 namespace feedscope::ui {
 
@@ -27,9 +28,9 @@ std::span<const Diagnostic* const> DiagnosticMarks::of(std::uint32_t first, std:
 QString DiagnosticMarks::tip(std::uint32_t line) const {
   QStringList tip;
   for (const Diagnostic* diagnostic : of(line)) {
-    tip.append(QString::fromStdString(diagnostic->message));
+    tip.append(composed_text(diagnostic->message));
     if (!diagnostic->hint.empty()) {
-      tip.append(QString::fromStdString(diagnostic->hint));
+      tip.append(composed_text(diagnostic->hint));
     }
   }
   return tip.join('\n');

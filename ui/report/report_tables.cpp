@@ -137,10 +137,12 @@ QString messages_block(const ReportInput& input) {
     const std::string repeats = repeats_text(repeated);
     const QString also =
         repeats.empty() ? QString() : QStringLiteral("; %1").arg(html_text(composed_text(repeats)));
-    const QString hint =
-        message.hint.empty() ? QString() : QStringLiteral(" (%1)").arg(html_text(message.hint));
+    const QString hint = message.hint.empty()
+                             ? QString()
+                             : QStringLiteral(" (%1)").arg(html_text(composed_text(message.hint)));
     const QString line = message.line == 0 ? QString() : QString::number(message.line);
-    table.add({severity_text(message.severity), line, html_text(message.message) + hint + also});
+    table.add(
+        {severity_text(message.severity), line, html_text(composed_text(message.message)) + hint + also});
   }
   return table.empty() ? QString() : table.html();
 }

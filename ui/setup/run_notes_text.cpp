@@ -8,6 +8,7 @@
 #include "core/analysis/refused_lines.h"
 #include "core/analysis/run_notes.h"
 #include "core/analysis/unadvised_tolerance.h"
+#include "ui/language/composed_text.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/workbench/reading_faults.h"
@@ -65,7 +66,7 @@ QStringList run_note_texts(const Run& run) {
   if (const std::vector<Diagnostic>& faults = run.input.toolpath->machine_faults; !faults.empty()) {
     sentences.append(RunNotes::tr("Rotary axes: line %1: %2.")
                          .arg(faults.front().line)
-                         .arg(QString::fromStdString(faults.front().message)));
+                         .arg(composed_text(faults.front().message)));
   }
   if (const auto unadvised = unadvised_tolerance(run.input.chord_error,
                                                  tolerance_in_force(run.input.feed_controls, run.setup))) {

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>
+#include <QLocale>
 
 #include "tests/ui/program_fixture.h"
+#include "ui/language/language.h"
 #include "ui/program_text/diagnostic_marks.h"
 
 namespace feedscope::ui {
@@ -64,6 +66,31 @@ TEST(DiagnosticsModel, AMessageOfManyPlacesIsOneRowWithTheirCount) {
   EXPECT_EQ(text(model, 0, DiagnosticsModel::message), "axes turn (2 more up to line 9)");
   EXPECT_EQ(text(model, 1, DiagnosticsModel::message), "message");
   EXPECT_EQ(text(model, 3, DiagnosticsModel::message), "2 more of this kind up to line 9");
+}
+
+TEST(DiagnosticsModel, SpeaksTheLanguageOfTheWindow) {
+  auto program = std::make_shared<Program>();
+  program->diagnostics = {
+      {Severity::warning, 2, 3, "feed-missing", "a feed move without a feed",
+       "it runs as fast as the axes allow; write F before it"},
+      {Severity::warning, 3, 0, "feed-missing", "8 more of this kind up to line 9", "", "", 8, 9}};
+  DiagnosticsModel model;
+  model.set_program(program);
+  const DiagnosticMarks marks(*program);
+  ui::speak(QStringLiteral("fr"));
+  const QString said = text(model, 0, DiagnosticsModel::message);
+  const QString hint = text(model, 0, DiagnosticsModel::hint);
+  const QString hover = model.index(0, DiagnosticsModel::message).data(Qt::ToolTipRole).toString();
+  const QString rest = text(model, 1, DiagnosticsModel::message);
+  const QString tip = marks.tip(2);
+  ui::speak(QStringLiteral("en"));
+  QLocale::setDefault(QLocale::c());
+  EXPECT_TRUE(said.startsWith("un déplacement en avance sans avance")) << said.toStdString();
+  EXPECT_TRUE(hint.endsWith("programmez F avant")) << hint.toStdString();
+  EXPECT_EQ(hover, said);
+  EXPECT_EQ(tip.section('\n', 1), hint);
+  EXPECT_FALSE(rest.contains("more of this kind")) << rest.toStdString();
+  EXPECT_TRUE(text(model, 0, DiagnosticsModel::message).startsWith("a feed move without a feed"));
 }
 
 TEST(DiagnosticsFilter, LeavesOutWhatIsLessSevere) {

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+
+namespace feedscope::ui {
+
+/// Patterns of the messages and hints on programs and of what stands in their places, as core writes them
+/// with fmt::format(), %1 and on for the parts. Of all dialects and of rotary axes:
+std::span<const char* const> general_sentences();
+/// Of each family of dialects (core/program/iso, sinumerik, heidenhain); what an earlier one has, in this
+/// order, is not repeated.
+std::span<const char* const> iso_sentences();
+std::span<const char* const> sinumerik_sentences();
+std::span<const char* const> heidenhain_sentences();
+
+}  // namespace feedscope::ui
