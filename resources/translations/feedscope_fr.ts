@@ -7797,6 +7797,354 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <source>give it as an import option (--tool =RADIUS) or in a tool table, or say that the path is already compensated (--wear-only)</source>
         <translation>donnez-le en option de lecture (--tool =RADIUS) ou dans une table d&apos;outils, ou indiquez que la trajectoire est déjà corrigée (--wear-only)</translation>
     </message>
+    <message>
+        <source>%1, line %2: %3; the program is not simulated: check its loops, raise the limit (--repeat-limit), or simulate the part that was read (--simulate-cut-off)</source>
+        <translation>%1, ligne %2&#xa0;: %3&#xa0;; le programme n&apos;est pas simulé&#xa0;: vérifiez ses boucles, augmentez la limite (--repeat-limit), ou simulez la partie lue (--simulate-cut-off)</translation>
+    </message>
+    <message>
+        <source>there is no model of a Fanuc: that of another control runs its limits</source>
+        <translation>il n&apos;y a pas de modèle de Fanuc&#xa0;: celui d&apos;une autre commande applique ses limites</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a parameter; it is skipped</source>
+        <translation>&apos;%1&apos; n&apos;est pas un paramètre&#xa0;; il est ignoré</translation>
+    </message>
+    <message>
+        <source>the machine measures in inches (1001, bit 0), in which parameters are not imported; all limits are assumed</source>
+        <translation>la machine mesure en pouces (1001, bit 0), unité dans laquelle les paramètres ne sont pas importés&#xa0;; toutes les limites sont supposées</translation>
+    </message>
+    <message>
+        <source>write its limits into a machine file</source>
+        <translation>écrivez ses limites dans un fichier machine</translation>
+    </message>
+    <message>
+        <source>which axes X, Y and Z are is not told; the first three are assumed</source>
+        <translation>il n&apos;est pas dit quels axes sont X, Y et Z&#xa0;; les trois premiers sont supposés</translation>
+    </message>
+    <message>
+        <source>add parameter 1020</source>
+        <translation>ajoutez le paramètre 1020</translation>
+    </message>
+    <message>
+        <source>there is no linear axis %1; its limits are assumed</source>
+        <translation>il n&apos;y a pas d&apos;axe linéaire %1&#xa0;; ses limites sont supposées</translation>
+    </message>
+    <message>
+        <source>the cutting feed is limited to %1 mm/min by %2: only the rapid traverse %3 limits here</source>
+        <translation>l&apos;avance de coupe est limitée à %1 mm/min par %2&#xa0;: seul le rapide %3 limite ici</translation>
+    </message>
+    <message>
+        <source>indices 0, 1 and 2 are taken as X, Y and Z</source>
+        <translation>les indices 0, 1 et 2 sont pris comme X, Y et Z</translation>
+    </message>
+    <message>
+        <source>exchange the axes in the machine file where that is not so</source>
+        <translation>échangez les axes dans le fichier machine si ce n&apos;est pas le cas</translation>
+    </message>
+    <message>
+        <source>the acceleration along the path, %1 m/s2, is not modelled: those of the axes hold</source>
+        <translation>l&apos;accélération le long de la trajectoire, %1 m/s², n&apos;est pas modélisée&#xa0;: celles des axes valent</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a machine parameter; it is skipped</source>
+        <translation>&apos;%1&apos; n&apos;est pas un paramètre machine&#xa0;; il est ignoré</translation>
+    </message>
+    <message>
+        <source>the basic system is inch, in which machine data are not imported; all limits are assumed</source>
+        <translation>le système de base est le pouce, dans lequel les données machine ne sont pas importées&#xa0;; toutes les limites sont supposées</translation>
+    </message>
+    <message>
+        <source>export the machine data with MD10240 = 1</source>
+        <translation>exportez les données machine avec MD10240 = 1</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no machine datum; skipped</source>
+        <translation>&apos;%1&apos; n&apos;est pas une donnée machine&#xa0;; ignoré</translation>
+    </message>
+    <message>
+        <source>machine axis %1 would be %2 but is a rotary axis; its limits are assumed</source>
+        <translation>l&apos;axe machine %1 serait %2 mais est un axe rotatif&#xa0;; ses limites sont supposées</translation>
+    </message>
+    <message>
+        <source>which machine axes X, Y and Z are is not told; AX1, AX2 and AX3 are assumed</source>
+        <translation>il n&apos;est pas dit quels axes machine sont X, Y et Z&#xa0;; AX1, AX2 et AX3 sont supposés</translation>
+    </message>
+    <message>
+        <source>add MD20050 to MD20080 of the channel</source>
+        <translation>ajoutez MD20050 à MD20080 du canal</translation>
+    </message>
+    <message>
+        <source>%1 holds with %2; the value of DYNNORM, %3, is used</source>
+        <translation>%1 vaut avec %2&#xa0;; la valeur de DYNNORM, %3, est utilisée</translation>
+    </message>
+    <message>
+        <source>change it in the machine file for programs that finish with another mode</source>
+        <translation>changez-la dans le fichier machine pour les programmes qui finissent dans un autre mode</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a setting; it is skipped</source>
+        <translation>&apos;%1&apos; n&apos;est pas un réglage&#xa0;; il est ignoré</translation>
+    </message>
+    <message>
+        <source>the settings are numbered as in grbl 0.8 and before, which is not supported</source>
+        <translation>les réglages sont numérotés comme dans grbl 0.8 et avant, ce qui n&apos;est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>update the control, or write its values into a machine file</source>
+        <translation>mettez la commande à jour, ou écrivez ses valeurs dans un fichier machine</translation>
+    </message>
+    <message>
+        <source>laser mode ($32 = 1) is not modelled: with a laser, changes of S do not stop the motion</source>
+        <translation>le mode laser ($32 = 1) n&apos;est pas modélisé&#xa0;: avec un laser, les changements de S n&apos;arrêtent pas le déplacement</translation>
+    </message>
+    <message>
+        <source>a setting that no model here uses; skipped</source>
+        <translation>un réglage qu&apos;aucun modèle n&apos;utilise ici&#xa0;; ignoré</translation>
+    </message>
+    <message>
+        <source>axes other than X, Y and Z are not part of the simulation; skipped</source>
+        <translation>les axes autres que X, Y et Z ne font pas partie de la simulation&#xa0;; ignorés</translation>
+    </message>
+    <message>
+        <source>%1, but %2 in %3; %4 is used</source>
+        <translation>%1, mais %2 dans %3&#xa0;; %4 est utilisé</translation>
+    </message>
+    <message>
+        <source>remove one of the two</source>
+        <translation>supprimez l&apos;un des deux</translation>
+    </message>
+    <message>
+        <source>%1 is simulated as grbl with its values; what it does otherwise is not modelled</source>
+        <translation>%1 est simulé comme grbl avec ses valeurs&#xa0;; ce qu&apos;il fait autrement n&apos;est pas modélisé</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; is not a value; it is skipped</source>
+        <translation>%1&#xa0;: &apos;%2&apos; n&apos;est pas une valeur&#xa0;; elle est ignorée</translation>
+    </message>
+    <message>
+        <source>%1 exceeds %2 (%3); the lower one is used</source>
+        <translation>%1 dépasse %2 (%3)&#xa0;; la plus petite est utilisée</translation>
+    </message>
+    <message>
+        <source>acceleration of travel moves %1 is not modelled: they have that of the others</source>
+        <translation>l&apos;accélération des déplacements à vide %1 n&apos;est pas modélisée&#xa0;: ils ont celle des autres</translation>
+    </message>
+    <message>
+        <source>there is no model of %1: Klipper&apos;s runs its limits; its look-ahead has no end, while that of the firmware has some 16 blocks, so that short blocks may take longer there</source>
+        <translation>il n&apos;y a pas de modèle de %1&#xa0;: celui de Klipper applique ses limites&#xa0;; son anticipation est sans fin, alors que celle du micrologiciel compte quelque 16 blocs, des blocs courts peuvent donc y prendre plus de temps</translation>
+    </message>
+    <message>
+        <source>section [printer] is missing; its limits are assumed</source>
+        <translation>la section [printer] manque&#xa0;; ses limites sont supposées</translation>
+    </message>
+    <message>
+        <source>import the file that Klipper itself reads, printer.cfg</source>
+        <translation>importez le fichier que Klipper lit lui-même, printer.cfg</translation>
+    </message>
+    <message>
+        <source>%1 must be above %2: Klipper does not start with it</source>
+        <translation>%1 doit être supérieur à %2&#xa0;: Klipper ne démarre pas ainsi</translation>
+    </message>
+    <message>
+        <source>%1 exceeds %2 = %3 (%4): Klipper does not start with it</source>
+        <translation>%1 dépasse %2 = %3 (%4)&#xa0;: Klipper ne démarre pas ainsi</translation>
+    </message>
+    <message>
+        <source>lower %1</source>
+        <translation>réduisez %1</translation>
+    </message>
+    <message>
+        <source>there is no section [gcode_arcs]: this Klipper does not know G2 and G3, while the model runs them</source>
+        <translation>il n&apos;y a pas de section [gcode_arcs]&#xa0;: ce Klipper ne connaît pas G2 et G3, alors que le modèle les exécute</translation>
+    </message>
+    <message>
+        <source>add [gcode_arcs], or let the CAM system write lines</source>
+        <translation>ajoutez [gcode_arcs], ou faites écrire des droites par la FAO</translation>
+    </message>
+    <message>
+        <source>kinematics %1 are not modelled: limits hold along the path, and those of Z alone</source>
+        <translation>la cinématique %1 n&apos;est pas modélisée&#xa0;: les limites valent le long de la trajectoire, et celles de Z seules</translation>
+    </message>
+    <message>
+        <source>[printer] %1 is not used here; skipped</source>
+        <translation>[printer] %1 n&apos;est pas utilisé ici&#xa0;; ignoré</translation>
+    </message>
+    <message>
+        <source>did you mean &apos;%1&apos;?</source>
+        <translation>vouliez-vous dire &apos;%1&apos; ?</translation>
+    </message>
+    <message>
+        <source>input shaping is not modelled: it smooths the motion and takes no longer on the whole</source>
+        <translation>l&apos;input shaping n&apos;est pas modélisé&#xa0;: il lisse le déplacement sans prendre plus de temps au total</translation>
+    </message>
+    <message>
+        <source>[TRAJ] LINEAR_UNITS is missing; mm is assumed</source>
+        <translation>[TRAJ] LINEAR_UNITS manque&#xa0;; le mm est supposé</translation>
+    </message>
+    <message>
+        <source>write LINEAR_UNITS = mm or inch</source>
+        <translation>écrivez LINEAR_UNITS = mm ou inch</translation>
+    </message>
+    <message>
+        <source>LINEAR_UNITS = %1 is not a unit; mm is assumed</source>
+        <translation>LINEAR_UNITS = %1 n&apos;est pas une unité&#xa0;; le mm est supposé</translation>
+    </message>
+    <message>
+        <source>kinematics %1 is not modelled: X, Y and Z are treated as axes of their own</source>
+        <translation>la cinématique %1 n&apos;est pas modélisée&#xa0;: X, Y et Z sont traités comme des axes indépendants</translation>
+    </message>
+    <message>
+        <source>axis %1 is not part of the simulation; skipped</source>
+        <translation>l&apos;axe %1 ne fait pas partie de la simulation&#xa0;; ignoré</translation>
+    </message>
+    <message>
+        <source>[%1] gives no %2; that of [%3] is assumed</source>
+        <translation>[%1] ne donne pas %2&#xa0;; celui de [%3] est supposé</translation>
+    </message>
+    <message>
+        <source>write %1 into [%2]: LinuxCNC does not take it from the joint</source>
+        <translation>écrivez %1 dans [%2]&#xa0;: LinuxCNC ne le prend pas de l&apos;articulation (joint)</translation>
+    </message>
+    <message>
+        <source>%1 of axis %2 is missing; it is assumed</source>
+        <translation>%1 de l&apos;axe %2 manque&#xa0;; il est supposé</translation>
+    </message>
+    <message>
+        <source>write %1 into [%2]</source>
+        <translation>écrivez %1 dans [%2]</translation>
+    </message>
+    <message>
+        <source>[%1] %2 = %3 exceeds [%4] %5 = %6 (%7); the planner uses %8</source>
+        <translation>[%1] %2 = %3 dépasse [%4] %5 = %6 (%7)&#xa0;; le planificateur utilise %8</translation>
+    </message>
+    <message>
+        <source>the joint cannot follow there: lower the limit of the axis</source>
+        <translation>l&apos;articulation (joint) ne peut pas suivre&#xa0;: réduisez la limite de l&apos;axe</translation>
+    </message>
+    <message>
+        <source>[TRAJ] %1 = %2 is not modelled; the model computes with %3</source>
+        <translation>[TRAJ] %1 = %2 n&apos;est pas modélisé&#xa0;; le modèle calcule avec %3</translation>
+    </message>
+    <message>
+        <source>P of G64 in the start-up code has no effect on blends in LinuxCNC 2.9; P%1 is used for joining blocks alone</source>
+        <translation>P de G64 dans le code de démarrage n&apos;a pas d&apos;effet sur les raccordements dans LinuxCNC 2.9&#xa0;; P%1 ne sert qu&apos;à réunir des blocs</translation>
+    </message>
+    <message>
+        <source>write G64 P into the program, or set blend_tolerance_mm if your release takes it</source>
+        <translation>programmez G64 P dans le programme, ou réglez blend_tolerance_mm si votre version en tient compte</translation>
+    </message>
+    <message>
+        <source>[%1] %2 is not known; skipped</source>
+        <translation>[%1] %2 n&apos;est pas connu&#xa0;; ignoré</translation>
+    </message>
+    <message>
+        <source>the offsets of %1 are not in the INI file; 0 is assumed</source>
+        <translation>les décalages de %1 ne sont pas dans le fichier INI&#xa0;; 0 est supposé</translation>
+    </message>
+    <message>
+        <source>write them into the machine file: [kinematics], &apos;point&apos; of each axis</source>
+        <translation>écrivez-les dans le fichier machine&#xa0;: [kinematics], &apos;point&apos; de chaque axe</translation>
+    </message>
+    <message>
+        <source>%1 of axis %2 cannot be used: %3</source>
+        <translation>%1 de l&apos;axe %2 n&apos;est pas utilisable&#xa0;: %3</translation>
+    </message>
+    <message>
+        <source>%1 cannot be used: %2</source>
+        <translation>%1 n&apos;est pas utilisable&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>correct the file of the control; until then the value is assumed</source>
+        <translation>corrigez le fichier de la commande&#xa0;; d&apos;ici là, la valeur est supposée</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; is not a number</source>
+        <translation>%1&#xa0;: &apos;%2&apos; n&apos;est pas un nombre</translation>
+    </message>
+    <message>
+        <source>%1 more notes are not listed</source>
+        <translation>%1 remarques de plus ne sont pas affichées</translation>
+    </message>
+    <message>
+        <source>correct what is listed, and import the file once more</source>
+        <translation>corrigez ce qui est affiché, puis importez de nouveau le fichier</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not the configuration of a control that can be imported; known: %2</source>
+        <translation>&apos;%1&apos; n&apos;est pas la configuration d&apos;une commande qui puisse être importée&#xa0;; connues&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is neither a section nor a value; skipped</source>
+        <translation>&apos;%1&apos; n&apos;est ni une section ni une valeur&#xa0;; ignoré</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be included: %2</source>
+        <translation>&apos;%1&apos; ne peut pas être inclus&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>values that stand there are missing here</source>
+        <translation>les valeurs qui s&apos;y trouvent manquent ici</translation>
+    </message>
+    <message>
+        <source>no file is named</source>
+        <translation>aucun fichier n&apos;est nommé</translation>
+    </message>
+    <message>
+        <source>only the text itself is at hand</source>
+        <translation>seul le texte lui-même est disponible</translation>
+    </message>
+    <message>
+        <source>it includes itself</source>
+        <translation>il s&apos;inclut lui-même</translation>
+    </message>
+    <message>
+        <source>more than %1 files deep</source>
+        <translation>plus de %1 fichiers imbriqués</translation>
+    </message>
+    <message>
+        <source>more than %1 files</source>
+        <translation>plus de %1 fichiers</translation>
+    </message>
+    <message>
+        <source>&apos;&apos; cannot be included: no file is named</source>
+        <translation>&apos;&apos; ne peut pas être inclus&#xa0;: aucun fichier n&apos;est nommé</translation>
+    </message>
+    <message>
+        <source>%1 = %2 is out of bounds; it must be %3</source>
+        <translation>%1 = %2 est hors des bornes&#xa0;; il faut une valeur %3</translation>
+    </message>
+    <message>
+        <source>%1 = &apos;%2&apos; is not a valid choice; it must be one of: %3</source>
+        <translation>%1 = &apos;%2&apos; n&apos;est pas un choix valable&#xa0;; il faut l&apos;un de&#xa0;: %3</translation>
+    </message>
+    <message>
+        <source>at least %1 and at most %2</source>
+        <translation>d&apos;au moins %1 et d&apos;au plus %2</translation>
+    </message>
+    <message>
+        <source>above %1 and at most %2</source>
+        <translation>supérieure à %1 et d&apos;au plus %2</translation>
+    </message>
+    <message>
+        <source>a whole number at least %1 and at most %2</source>
+        <translation>entière d&apos;au moins %1 et d&apos;au plus %2</translation>
+    </message>
+    <message>
+        <source>0, or at least %1 and at most %2</source>
+        <translation>de 0, ou d&apos;au moins %1 et d&apos;au plus %2</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>d&apos;au moins %1</translation>
+    </message>
+    <message>
+        <source>above %1</source>
+        <translation>supérieure à %1</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>d&apos;au plus %1</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ActionTable</name>

@@ -12,5 +12,7 @@ std::span<const char* const> general_sentences();
 std::span<const char* const> iso_sentences();
 std::span<const char* const> sinumerik_sentences();
 std::span<const char* const> heidenhain_sentences();
+/// Of the notes on an imported configuration of a control (core/machine/import).
+std::span<const char* const> import_sentences();
 
 }  // namespace feedscope::ui

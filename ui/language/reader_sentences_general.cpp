@@ -201,6 +201,9 @@ constexpr std::array general_patterns{
                       "estimated from %2 lines"),
     QT_TRANSLATE_NOOP(
         "core", "Heidenhain advises a contour tolerance of 110 to 200 % of the chord error: %1 to %2 mm"),
+    QT_TRANSLATE_NOOP("core",
+                      "%1, line %2: %3; the program is not simulated: check its loops, raise the limit "
+                      "(--repeat-limit), or simulate the part that was read (--simulate-cut-off)"),
     // Rotary axes of the machine (toolpath/rotary_*).
     QT_TRANSLATE_NOOP("core",
                       "how X, Y and Z follow the rotary axes is not known without tool length and part zero"),

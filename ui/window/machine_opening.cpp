@@ -6,6 +6,7 @@
 
 #include "core/analysis/run.h"
 #include "core/base/error.h"
+#include "ui/language/composed_text.h"
 #include "ui/language/core_texts.h"
 #include "ui/shared/paths.h"
 #include "ui/workbench/workbench.h"
@@ -16,6 +17,18 @@ namespace {
 
 bool is_machine_file(const std::filesystem::path& file) {
   return to_qstring(file).endsWith(QStringLiteral(".toml"), Qt::CaseInsensitive);
+}
+
+/// As format() writes it, in the user's language.
+QString note_text(const Diagnostic& note, const QString& file) {
+  QString place = note.file.empty() ? file : QString::fromStdString(note.file);
+  if (note.line > 0) {
+    place += QStringLiteral(":%1").arg(note.line);
+  }
+  const QString hint = note.hint.empty() ? QString() : QStringLiteral(" (%1)").arg(composed_text(note.hint));
+  return QStringLiteral("%1: %2: %3 [%4]%5")
+      .arg(place, composed_text(std::string(to_string(note.severity))), composed_text(note.message),
+           QString::fromStdString(note.code), hint);
 }
 
 }  // namespace
@@ -60,7 +73,7 @@ QMessageBox* MachineOpening::question(const ImportedMachine& imported, const QSt
   QString text = tr("Numbers from the file: %1, assumed: %2.").arg(known).arg(assumed);
   QStringList notes;
   for (const Diagnostic& note : imported.notes) {
-    notes.append(QString::fromStdString(format(note, file.toStdString())));
+    notes.append(note_text(note, file));
   }
   if (!notes.isEmpty()) {
     text += QLatin1Char(' ') + tr("Notes: %1.").arg(notes.size());
@@ -75,7 +88,7 @@ QMessageBox* MachineOpening::question(const ImportedMachine& imported, const QSt
 void MachineOpening::use(const ImportedMachine& imported, const QString& file) {
   workbench_.use_machine(imported.machine);
   for (const Diagnostic& note : imported.notes) {
-    emit noted(note.severity, QString::fromStdString(format(note, file.toStdString())));
+    emit noted(note.severity, note_text(note, file));
   }
   emit noted(Severity::info,
              tr("Machine imported from %1. File > Save machine as … keeps it as a machine file.").arg(file));

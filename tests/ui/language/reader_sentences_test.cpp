@@ -13,6 +13,9 @@
 #include <string>
 #include <vector>
 
+#include "core/analysis/run.h"
+#include "core/base/error.h"
+#include "core/machine/import/machine_import.h"
 #include "core/program/program.h"
 #include "tests/support/folders.h"
 #include "tests/ui/language/source_literals.h"
@@ -32,8 +35,8 @@ std::string with_plain_places(const std::string& pattern) {
 
 std::set<std::string> all_patterns() {
   std::set<std::string> all;
-  for (const auto& of_reader :
-       {general_sentences(), iso_sentences(), sinumerik_sentences(), heidenhain_sentences()}) {
+  for (const auto& of_reader : {general_sentences(), iso_sentences(), sinumerik_sentences(),
+                                heidenhain_sentences(), import_sentences()}) {
     for (const char* const text : of_reader) {
       EXPECT_TRUE(all.insert(text).second) << "twice: " << text;
     }
@@ -117,7 +120,11 @@ class FrenchMessages : public testing::Test {
     options.dialect = dialect;
     options.repeat_limit = 500;
     options.rotary_axes = rotary_axes;
-    for (const Diagnostic& diagnostic : read_program(std::move(source), nullptr, options).diagnostics) {
+    look_at(read_program(std::move(source), nullptr, options).diagnostics);
+  }
+
+  void look_at(const std::vector<Diagnostic>& diagnostics) {
+    for (const Diagnostic& diagnostic : diagnostics) {
       for (const std::string& text : {diagnostic.message, diagnostic.hint}) {
         if (!text.empty() && said_.insert(text).second) {
           expect_french(diagnostic.code, text);
@@ -194,6 +201,19 @@ TEST_F(FrenchMessages, OfProgramsInTheTestsOfTheReaders) {
     }
   }
   EXPECT_GT(said().size(), 500U);
+}
+
+TEST_F(FrenchMessages, OfConfigurationsInTheTestsOfImports) {
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(checkout / "tests/core/machine/import")) {
+    for (const std::string& text : source_literals(entry.path())) {
+      try {
+        look_at(import_machine_text(text, "machine", machine_file_settings()).notes);
+      } catch (const InputError&) {  // no configuration
+      }
+    }
+  }
+  EXPECT_GT(said().size(), 20U);
 }
 
 TEST_F(FrenchMessages, OfTheCorpus) {
