@@ -128,7 +128,8 @@ QString ChartHeader::number(double value) const {
 
 QSize ChartHeader::sizeHint() const {
   constexpr int usual_width = 700;
-  return {usual_width, heightForWidth(usual_width)};
+  // Controls beside it keep their width until it has its least one.
+  return {minimumSizeHint().width(), heightForWidth(usual_width)};
 }
 
 QSize ChartHeader::minimumSizeHint() const {

@@ -11,6 +11,7 @@
 #include "ui/fields/focus_outline.h"
 #include "ui/shared/panel_action.h"
 #include "ui/shared/row_copy.h"
+#include "ui/shared/wrapped_names.h"
 #include "ui/workbench/workbench.h"
 
 namespace feedscope::ui {
@@ -64,7 +65,6 @@ DiagnosticsView::DiagnosticsView(QWidget* parent)
 
   list_->setModel(shown_);
   list_->setRootIsDecorated(false);
-  list_->setUniformRowHeights(true);
   list_->setFrameShape(QFrame::NoFrame);
   list_->setAccessibleName(tr("Messages"));
   list_->setItemDelegateForColumn(DiagnosticsModel::place, new SeverityDelegate(list_));
@@ -72,6 +72,8 @@ DiagnosticsView::DiagnosticsView(QWidget* parent)
   list_->header()->setSectionResizeMode(DiagnosticsModel::message, QHeaderView::Stretch);
   list_->header()->setSectionResizeMode(DiagnosticsModel::hint, QHeaderView::Stretch);
   list_->header()->setStretchLastSection(false);
+  new WrappedNames(*list_, DiagnosticsModel::message);
+  new WrappedNames(*list_, DiagnosticsModel::hint);
   install_row_copy(*list_);
   new FocusOutline(*list_);
   connect(list_, &QTreeView::clicked, this, &DiagnosticsView::choose);

@@ -12,6 +12,7 @@
 #include <QTableView>
 #include <QToolBar>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "core/base/error.h"
 #include "core/export/export.h"
@@ -67,9 +68,8 @@ RunsView::RunsView(RunList& runs, QWidget* parent)
   table_->verticalHeader()->setDefaultSectionSize(row_height);
   table_->horizontalHeader()->setHighlightSections(false);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  for (const int column : {RunTable::name, RunTable::machine}) {  // what is cut last is the name
-    table_->horizontalHeader()->setSectionResizeMode(column, QHeaderView::Stretch);
-  }
+  table_->horizontalHeader()->setSectionResizeMode(RunTable::name, QHeaderView::Interactive);
+  table_->horizontalHeader()->setSectionResizeMode(RunTable::machine, QHeaderView::Stretch);
   table_->setContextMenuPolicy(Qt::ActionsContextMenu);
   install_row_copy(*table_);
   table_->setTabKeyNavigation(false);
@@ -304,7 +304,23 @@ QString RunsView::verdict() const {
       .arg(lead, runs_.title(runs_.items()[*best]), clock_text(runs_.result(*best)->run.summary.cycle_time));
 }
 
+/// As wide as the names are, so that what is cut last is a name.
+void RunsView::fit_names() {
+  constexpr double most = 0.45;  // of the table
+  const auto& view = static_cast<const QAbstractItemView&>(*table_);
+  const int wanted = std::max(view.sizeHintForColumn(RunTable::name),
+                              table_->horizontalHeader()->sectionSizeHint(RunTable::name));
+  table_->setColumnWidth(RunTable::name,
+                         std::min(wanted, static_cast<int>(most * table_->viewport()->width())));
+}
+
+void RunsView::resizeEvent(QResizeEvent* event) {
+  Panel::resizeEvent(event);
+  fit_names();
+}
+
 void RunsView::show_verdict() {
+  fit_names();
   verdict_->setText(verdict());
 }
 

@@ -41,6 +41,9 @@ class RunsView : public Panel {
   /// The row of a trace has been selected.
   void trace_chosen(std::size_t trace);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void make_actions();
   void add_variants();
@@ -57,6 +60,7 @@ class RunsView : public Panel {
   std::optional<std::size_t> chosen_trace() const;
   void follow_current();
   void follow_status();
+  void fit_names();
   void show_verdict();
   void save_csv();
 

@@ -18,8 +18,8 @@
 #include "ui/shared/flow_layout.h"
 #include "ui/shared/panel_action.h"
 #include "ui/shared/row_copy.h"
+#include "ui/shared/wrapped_names.h"
 #include "ui/time_use/time_texts.h"
-#include "ui/time_use/wrapped_names.h"
 #include "ui/workbench/workbench.h"
 
 namespace feedscope::ui {

@@ -6,14 +6,14 @@ class QTreeView;
 
 namespace feedscope::ui {
 
-/// Names of a tree in as many lines as its first column needs, instead of cut ones: rows are as high as their
-/// names, whenever the column changes its width. A name is cut where `most_lines` do not hold it.
+/// Texts of a column of a tree in as many lines as they need, instead of cut ones: rows are as high as their
+/// texts, whenever the column changes its width. A text is cut where `most_lines` do not hold it.
 class WrappedNames : public QStyledItemDelegate {
  public:
   static constexpr int most_lines = 3;
 
-  /// Takes the first column of `tree`, which owns this.
-  explicit WrappedNames(QTreeView& tree);
+  /// Of `column` of `tree`, which owns this.
+  explicit WrappedNames(QTreeView& tree, int column = 0);
 
   QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
@@ -22,6 +22,7 @@ class WrappedNames : public QStyledItemDelegate {
 
  private:
   QTreeView& tree_;
+  int column_;
 };
 
 }  // namespace feedscope::ui

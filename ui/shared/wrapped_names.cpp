@@ -1,4 +1,4 @@
-#include "ui/time_use/wrapped_names.h"
+#include "ui/shared/wrapped_names.h"
 
 #include <QFontMetrics>
 #include <QHeaderView>
@@ -8,11 +8,12 @@
 
 namespace feedscope::ui {
 
-WrappedNames::WrappedNames(QTreeView& tree) : QStyledItemDelegate(&tree), tree_(tree) {
+WrappedNames::WrappedNames(QTreeView& tree, int column)
+    : QStyledItemDelegate(&tree), tree_(tree), column_(column) {
   tree_.setWordWrap(true);
-  tree_.setItemDelegateForColumn(0, this);
+  tree_.setItemDelegateForColumn(column_, this);
   connect(tree_.header(), &QHeaderView::sectionResized, this, [this](int section, int before, int now) {
-    if (section == 0 && before != now) {
+    if (section == column_ && before != now) {
       tree_.doItemsLayout();
     }
   });
@@ -26,12 +27,13 @@ void WrappedNames::initStyleOption(QStyleOptionViewItem* option, const QModelInd
 QSize WrappedNames::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
   QStyleOptionViewItem item = option;
   initStyleOption(&item, index);
-  int depth = 1;
+  int depth = tree_.rootIsDecorated() ? 1 : 0;
   for (QModelIndex parent = index.parent(); parent.isValid(); parent = parent.parent()) {
     ++depth;
   }
+  const int inset = column_ == 0 ? depth * tree_.indentation() : 0;
   const int margin = tree_.style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, &tree_) + 1;
-  const int room = std::max(1, tree_.columnWidth(0) - depth * tree_.indentation() - 2 * margin);
+  const int room = std::max(1, tree_.columnWidth(column_) - inset - 2 * margin);
   const QFontMetrics metrics(item.font);
   const int needed = metrics.boundingRect(0, 0, room, 0, Qt::TextWordWrap, item.text).height();
   QSize size = QStyledItemDelegate::sizeHint(option, index);
