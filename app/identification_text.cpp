@@ -15,17 +15,22 @@ namespace {
 std::string parameters_text(const Identification& found) {
   TextTable table;
   table.add({"", "value", "+-", "unit", "before", ""});
+  bool any_changed = false;
   for (const IdentifiedParameter& one : found.parameters) {
     if (one.told) {
       table.add({one.parameter.key, fmt::format("{:.5g}", one.value), fmt::format("{:.2g}", one.uncertainty),
                  one.parameter.unit, fmt::format("{:.4g}", one.start), ""});
     } else {
-      table.add({one.parameter.key, "-", "", one.parameter.unit, fmt::format("{:.4g}", one.start),
+      const bool is_changed = one.value != one.start;
+      any_changed = any_changed || is_changed;
+      table.add({one.parameter.key, is_changed ? fmt::format("({:.4g})", one.value) : "-", "",
+                 one.parameter.unit, fmt::format("{:.4g}", one.start),
                  (one.at_least ? fmt::format("at least {:.4g}. ", *one.at_least) : "") + one.reason +
                      (one.told_by.empty() ? "" : fmt::format(" Test program: {}", one.told_by))});
     }
   }
-  return table.text("lrrlrl");
+  return table.text("lrrlrl") +
+         (any_changed ? "(...): not told, but in use, since it explains the traces as well or better\n" : "");
 }
 
 std::string traces_text(const Identification& found, const std::vector<std::string>& traces) {
@@ -51,7 +56,11 @@ std::string drives_text(const Identification& found) {
   for (const DriveFit& drive : found.drives) {
     table.add({std::string(1, drive.axis), fmt::format("{}", drive.samples),
                fmt::format("{:.2f}", units::to_um(drive.following_error)),
-               fmt::format("{:.2f}", units::to_um(drive.left)), drive.explains ? "yes" : "no"});
+               fmt::format("{:.2f}", units::to_um(drive.left)),
+               drive.explains ? "yes"
+               : drive.delay != 0
+                   ? fmt::format("no: actual positions {:.2g} ms late", units::to_ms(drive.delay))
+                   : "no"});
   }
   return table.text("lrrrl");
 }

@@ -25,7 +25,8 @@ Json drives_json(const Identification& found) {
                       {"explains", drive.explains},
                       {"samples", drive.samples},
                       {"following_error_um", finite(units::to_um(drive.following_error))},
-                      {"left_um", finite(units::to_um(drive.left))}});
+                      {"left_um", finite(units::to_um(drive.left))},
+                      {"delay_ms", finite(units::to_ms(drive.delay))}});
   }
   return drives;
 }

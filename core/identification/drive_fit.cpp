@@ -22,6 +22,7 @@ constexpr std::size_t first_samples = 30'000;  // for the first look
 constexpr double least_reach = 0.5;            // [mm] that the axis must move
 constexpr double most_left = 1.0 / 3;          // of the following error
 constexpr double lasting = 12;                 // change of the sum of squares that is more than noise
+constexpr double lasting_delay = 40;           // the same of delays, of which many are tried
 constexpr double told_deviations = 2;          // standard deviations
 constexpr double coarsest_value = 0.2;         // share of a value beyond which its uncertainty is no answer
 constexpr double coarsest_share = 0.05;        // the same of the feed-forward, which is a share itself
@@ -47,6 +48,10 @@ constexpr const char* reason_unexplained = QT_TRANSLATE_NOOP(
     "core",
     "A linear drive leaves more than a third of the following error unexplained: friction, elasticity, or "
     "positions that were not recorded at the same time.");
+constexpr const char* reason_delayed = QT_TRANSLATE_NOOP(
+    "core",
+    "The set and the actual positions were not recorded at the same time, which cannot be told from a "
+    "following error: record both in one cycle.");
 constexpr const char* reason_beyond = QT_TRANSLATE_NOOP(
     "core",
     "It would be outside 0 to 1: the positions were not recorded at the same time, or the drive has more "
@@ -71,7 +76,8 @@ AxisDrive drive_at(const Place& place) {
 /// The task as Eigen's Levenberg-Marquardt asks for it: by the root of the lag, which is then never below 0.
 class DriveTask {
  public:
-  DriveTask(const DriveRecord& record, Progress* progress) : record_(record), progress_(progress) {}
+  DriveTask(const DriveRecord& record, double delay, Progress* progress)
+      : record_(record), delay_(delay), progress_(progress) {}
 
   static Eigen::VectorXd free_from(const Place& place) {
     return Place(place[0], place[1], std::sqrt(place[2]));
@@ -86,7 +92,7 @@ class DriveTask {
     if (progress_ != nullptr && progress_->cancelled()) {
       throw Cancelled();
     }
-    residuals = record_.residuals(drive_at(place_from(at)));
+    residuals = record_.residuals(drive_at(place_from(at)), delay_);
     return 0;
   }
   int df(const Eigen::VectorXd& at, Eigen::MatrixXd& slopes) const {
@@ -105,6 +111,7 @@ class DriveTask {
 
  private:
   const DriveRecord& record_;
+  double delay_;
   Progress* progress_;
 };
 
@@ -113,8 +120,8 @@ double cost_at(const DriveRecord& record, const Place& place) {
 }
 
 /// Where the sum of squares is least, from `start` on.
-Place refined(const DriveRecord& record, const Place& start, int most, Progress* progress) {
-  DriveTask task(record, progress);
+Place refined(const DriveRecord& record, const Place& start, int most, Progress* progress, double delay = 0) {
+  DriveTask task(record, delay, progress);
   Eigen::LevenbergMarquardt<DriveTask> search(task);
   search.parameters.maxfev = most;
   search.parameters.xtol = 1e-9;
@@ -235,6 +242,50 @@ double root_mean_square(const Eigen::VectorXd& values) {
   return values.size() > 0 ? std::sqrt(values.squaredNorm() / static_cast<double>(values.size())) : 0;
 }
 
+/// What the drive would be if the actual positions had been recorded later or earlier than the set ones.
+struct Delayed {
+  double delay = 0;           ///< of the actual positions that explains the record best [s]
+  bool is_certain = false;    ///< it is not 0
+  std::vector<Place> places;  ///< of all delays that explain it about as well, without one among them
+};
+
+Delayed with_delays(const DriveRecord& record, const Place& found, Progress* progress) {
+  constexpr int most = 200;
+  struct Fit {
+    double samples = 0;  ///< delay
+    Place place;
+    double cost = 0;
+  };
+  std::vector<Fit> fits;
+  const auto try_one = [&](double samples, const Place& start) {
+    const double delay = samples * record.period();
+    const Place place = refined(record, start, most, progress, delay);
+    fits.push_back({samples, place, record.residuals(drive_at(place), delay).squaredNorm()});
+    return place;
+  };
+  Place at = try_one(0, found);
+  for (const double samples : {0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0}) {
+    at = try_one(samples, at);
+  }
+  at = fits.front().place;
+  for (const double samples : {-0.5, -1.0, -2.0, -4.0}) {
+    at = try_one(samples, at);
+  }
+  const Fit best = *std::ranges::min_element(fits, {}, &Fit::cost);
+  const double noise = guessed + guessed_share * root_mean_square(record.following_errors());
+  const double allowed =
+      std::max(best.cost * (1 + lasting_delay / independent(record.residuals(
+                                                    drive_at(best.place), best.samples * record.period()))),
+               noise * noise * static_cast<double>(record.size()));
+  Delayed delayed{best.samples * record.period(), fits.front().cost > allowed, {}};
+  for (const Fit& fit : fits) {
+    if (fit.cost <= allowed) {
+      delayed.places.push_back(fit.place);
+    }
+  }
+  return delayed;
+}
+
 /// What nothing is told of, and why.
 void leave(DriveFit& fit, const char* reason) {
   for (IdentifiedParameter& one : fit.parameters) {
@@ -299,6 +350,13 @@ DriveFit fit_drive(const std::vector<const Trace*>& traces, char axis, const Axi
     leave(fit, fit.following_error <= noise ? reason_follows : reason_unexplained);
     return fit;
   }
+  const Delayed delayed = with_delays(DriveRecord(traces, index, first_samples, progress), found, progress);
+  if (delayed.is_certain) {
+    fit.delay = delayed.delay;
+    fit.explains = false;
+    leave(fit, reason_delayed);
+    return fit;
+  }
   const Place deviation = deviations_at(record, found, fit.following_error);
   for (std::size_t p = 0; p < parameter_count; ++p) {
     const auto i = static_cast<Eigen::Index>(p);
@@ -306,13 +364,17 @@ DriveFit fit_drive(const std::vector<const Trace*>& traces, char axis, const Axi
     const bool is_share = p == 1;
     one.value = value_at(found, p);
     const double of = p == 2 ? std::max(found[i], std::numeric_limits<double>::min()) : 1;
-    const double share = std::hypot(told_deviations * deviation[i] / of, least_error[p]);
+    double off = told_deviations * deviation[i];
+    for (const Place& other : delayed.places) {
+      off = std::max(off, std::abs(other[i] - found[i]));
+    }
+    const double share = std::hypot(off / of, least_error[p]);
     const bool is_possible = !is_share || std::abs(found[i] - one.value) <= share;
     one.told = is_possible && share <= (is_share ? coarsest_share : coarsest_value);
     if (one.told) {
       one.uncertainty = is_share ? share : share * one.value;
     } else {
-      const bool can_be_none = p > 0 && found[i] <= told_deviations * deviation[i];
+      const bool can_be_none = p > 0 && found[i] <= off;
       one.reason = !is_possible ? reason_beyond : can_be_none ? reason_smaller : reason_not_apart;
     }
   }

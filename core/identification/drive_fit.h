@@ -21,6 +21,9 @@ struct DriveFit {
   double following_error = 0;  ///< root mean square, less its mean [mm]
   double left = 0;             ///< the same of what the drive that was found does not explain [mm]
   bool explains = false;       ///< the drive explains the following errors
+  /// By which the actual positions were recorded later than the set ones, if that is certain; then nothing is
+  /// told [s].
+  double delay = 0;
 };
 
 /// The axes whose drives traces can tell, in the order X, Y, Z: those with set and actual positions.
@@ -34,7 +37,9 @@ std::string axes_with_drives(const std::vector<const Trace*>& traces);
 /// correlated from sample to sample, what the guess of the set position between samples, and what leaving out
 /// each twelfth in turn say. A lag that makes no difference is taken as none. Nothing is told if the axis
 /// hardly moves, or if more than a third of the following error is left over: a linear drive is then not what
-/// moves it. A delay between the recording of set and actual positions counts as following error.
+/// moves it. Drives with delays of the
+/// actual positions, by some samples late or early, are tried, too: where one explains the record better than
+/// none, nothing is told; where it explains it as well, its values are within the uncertainty.
 ///
 /// `start`: what a machine file has of the drive; it stays where nothing is told. Throws Cancelled.
 DriveFit fit_drive(const std::vector<const Trace*>& traces, char axis, const AxisDrive& start,

@@ -19,6 +19,7 @@ constexpr double window_time = 8;      // [s] of the parts that are taken of lon
 constexpr double standing = 1e-9;      // [mm]
 constexpr std::size_t standing_samples = 5;
 constexpr std::size_t least_samples = 50;  // of a stretch
+constexpr std::size_t most_shift = 10;     // samples that actual positions may be late or early
 
 /// Derivatives at `t[at]` of the cubic through four places.
 std::array<double, 3> cubic_derivatives(const double* t, const double* x, std::size_t at) {
@@ -34,6 +35,21 @@ std::array<double, 3> cubic_derivatives(const double* t, const double* x, std::s
   const double d = t[at] - t[2];
   return {c[1] + c[2] * (a + b) + c[3] * (a * b + a * d + b * d), 2 * c[2] + 2 * c[3] * (a + b + d),
           6 * c[3]};
+}
+
+struct MotorPlace {
+  double time = 0;      ///< since a stretch began [s]
+  double place = 0;     ///< [mm]
+  double velocity = 0;  ///< [mm/s]
+};
+
+/// Hermite's cubic, which goes on beyond both.
+double between(const MotorPlace& from, const MotorPlace& to, double time) {
+  const double h = to.time - from.time;
+  const double u = (time - from.time) / h;
+  const double step = to.place - from.place;
+  return from.place + u * (h * from.velocity + u * (3 * step - h * (2 * from.velocity + to.velocity) +
+                                                    u * (h * (from.velocity + to.velocity) - 2 * step)));
 }
 
 }  // namespace
@@ -56,8 +72,8 @@ DriveRecord::DriveRecord(const std::vector<const Trace*>& traces, std::size_t ax
   measured_.reserve(steps_.size());
   trace_of_.reserve(steps_.size());
   for (const Stretch& stretch : stretches_) {
-    for (std::size_t i = stretch.first + stretch.settling; i < stretch.last; ++i) {
-      measured_.push_back(steps_[i].error);
+    for (std::size_t i = stretch.first + stretch.settling; i + most_shift < stretch.last; ++i) {
+      measured_.push_back(steps_[i].set - steps_[i].actual);
       trace_of_.push_back(static_cast<std::uint32_t>(stretch.trace));
     }
   }
@@ -107,7 +123,8 @@ void DriveRecord::add_stretch(const Trace& trace, std::size_t axis, std::size_t 
     }
     Step step;
     step.time = time;
-    step.error = set[i + 1] - trace.actual[axis][i + 1];
+    step.set = set[i + 1];
+    step.actual = trace.actual[axis][i + 1];
     step.derivative = cubic_derivatives(times.data(), &set[first], i - first);
     speed_ = std::max(speed_, std::abs(set[i + 1] - set[i]) / time);
     steps_.push_back(step);
@@ -118,10 +135,11 @@ void DriveRecord::add_stretch(const Trace& trace, std::size_t axis, std::size_t 
     at_rest = at_rest && stands(i);
   }
   stretch.last = steps_.size();
-  if (!at_rest) {
-    stretch.settling = std::min(static_cast<std::size_t>(std::ceil(settling_time / trace.period)),
-                                stretch.last - stretch.first);
-  }
+  period_ = std::max(period_, trace.period);
+  stretch.settling = std::max(
+      most_shift,
+      at_rest ? 0 : static_cast<std::size_t>(std::ceil(settling_time / std::max(trace.period, 1e-6))));
+  stretch.settling = std::min(stretch.settling, stretch.last - stretch.first);
   stretches_.push_back(stretch);
 }
 
@@ -151,42 +169,52 @@ double DriveRecord::lag_time() const {
   for (const Step& step : steps_) {
     const double velocity = step.derivative[0];
     squares += velocity * velocity;
-    products += velocity * step.error;
+    products += velocity * (step.set - step.actual);
     velocities += velocity;
-    errors += step.error;
+    errors += step.set - step.actual;
   }
   const auto count = static_cast<double>(steps_.size());
   const double spread = squares - velocities * velocities / count;
   return spread > 0 ? (products - velocities * errors / count) / spread : 0;
 }
 
-Eigen::VectorXd DriveRecord::residuals(const AxisDrive& drive) const {
+Eigen::VectorXd DriveRecord::residuals(const AxisDrive& drive, double delay) const {
   const DriveLaw law(drive, '?');
   Eigen::VectorXd left(static_cast<Eigen::Index>(measured_.size()));
+  std::vector<MotorPlace> course;
   DriveStep response;
-  SetCourse course;
-  course.degree = degree;
+  SetCourse set;
+  set.degree = degree;
   Eigen::Index next = 0;
   for (const Stretch& stretch : stretches_) {
     MotorMotion motor;
-    if (stretch.settling > 0) {
+    if (stretch.settling > most_shift) {
       // As if the set position had gone on like this for ever.
       const auto& [v, a, j] = steps_[stretch.first].derivative;
       const double gain = *drive.gain;
       const double slow = (1 - drive.feedforward.value_or(0)) / gain;
       motor = {-(slow * v + (drive.lag.value_or(0) / gain - slow / gain) * a), v - slow * a};
     }
+    course.clear();
+    course.reserve(stretch.last - stretch.first);
+    double time = 0;
     for (std::size_t i = stretch.first; i < stretch.last; ++i) {
       const Step& step = steps_[i];
       if (response.time() != step.time) {
         response = DriveStep(law, step.time, degree);
       }
-      std::ranges::copy(step.derivative, course.derivative.begin() + 1);
-      const DriveStep::Answer answer = response.answer(course, motor);
+      std::ranges::copy(step.derivative, set.derivative.begin() + 1);
+      const DriveStep::Answer answer = response.answer(set, motor);
       motor = answer.next_start();
-      if (i >= stretch.first + stretch.settling) {
-        left[next++] = step.error - answer.error;
-      }
+      time += step.time;
+      course.push_back({time, step.set - answer.error, answer.velocity});
+    }
+    const double period = course.empty() ? 1 : time / static_cast<double>(course.size());
+    const auto back = static_cast<std::ptrdiff_t>(std::ceil(delay / period));
+    for (std::size_t i = stretch.settling; i + most_shift < course.size(); ++i) {
+      const auto before = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) - back);
+      left[next++] = between(course[before], course[before + 1], course[i].time - delay) -
+                     steps_[stretch.first + i].actual;
     }
   }
   return without_means(std::move(left));

@@ -14,8 +14,9 @@ namespace feedscope {
 
 /// Set and actual positions of one axis, prepared so that the answers of many drives can be laid beside the
 /// actual ones. Between two samples the set position is the cubic through the four samples around them.
-/// Stretches without samples part a trace; of long ones parts are taken evenly. Traces can stand anywhere
-/// against each other: a constant distance of actual and set position, one a trace, counts as no error.
+/// Stretches without samples part a trace, and their ends are not compared; of long traces parts are taken
+/// evenly. Traces can stand anywhere against each other: a constant distance of actual and set position, one
+/// a trace, counts as no error.
 class DriveRecord {
  public:
   /// `axis`: 0 to 2; traces that lack it, or its actual position, are omitted. `most`: samples that are
@@ -29,8 +30,11 @@ class DriveRecord {
   /// By how much the actual position lags at constant velocity: following error over velocity, by least
   /// squares [s].
   double lag_time() const;
-  /// Measured following error less that of the drive, less its mean in each trace, by sample [mm].
-  Eigen::VectorXd residuals(const AxisDrive& drive) const;
+  /// Actual position of the drive less the measured one, less their mean in each trace, by sample [mm].
+  /// `delay`: by which the actual positions were recorded later than the set ones, at most nine periods to
+  /// both sides [s].
+  Eigen::VectorXd residuals(const AxisDrive& drive, double delay = 0) const;
+  double period() const { return period_; }  ///< longest of the traces [s]
   /// The same for an axis that follows exactly.
   Eigen::VectorXd following_errors() const;
 
@@ -39,13 +43,14 @@ class DriveRecord {
   struct Stretch {
     std::size_t first = 0;     ///< step
     std::size_t last = 0;      ///< behind the last step
-    std::size_t settling = 0;  ///< steps at its start that are not compared: it begins in motion
+    std::size_t settling = 0;  ///< steps at its start that are not compared: it may begin in motion
     std::size_t trace = 0;
   };
   /// From one sample to the next.
   struct Step {
     double time = 0;                     ///< [s]
-    double error = 0;                    ///< measured following error at its end [mm]
+    double set = 0;                      ///< position at its end [mm]
+    double actual = 0;                   ///< the same, measured
     std::array<double, 3> derivative{};  ///< of the set position at its start [mm/s^k]
   };
 
@@ -61,6 +66,7 @@ class DriveRecord {
   std::size_t traces_ = 0;
   double reach_ = 0;
   double speed_ = 0;
+  double period_ = 0;
 };
 
 }  // namespace feedscope

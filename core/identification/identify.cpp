@@ -230,6 +230,8 @@ void write_sources(Setup& setup, const std::vector<IdentifiedParameter>& paramet
       setup.machine.provenance.insert_or_assign(key, identified_source(one, from));
     } else if (one.value != one.start) {
       setup.machine.provenance.insert_or_assign(key, untold_source(one, from));
+    } else if (!setup.machine.provenance.contains(key)) {
+      setup.machine.provenance.insert_or_assign(key, Provenance{"usual value of the model", true});
     }
   }
 }

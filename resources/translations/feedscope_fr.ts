@@ -356,8 +356,8 @@
         <translation>Le modèle %1 n&apos;explique pas ce qui a été enregistré&#xa0;: il manque plus de 5&#xa0;% de l&apos;avance ou 1&#xa0;% du temps, ses nombres ne diraient donc rien de votre machine.</translation>
     </message>
     <message>
-        <source>With 95 % probability the true value is %1, if the drive is linear.</source>
-        <translation>Avec une probabilité de 95 %, la vraie valeur est %1, si l’entraînement est linéaire.</translation>
+        <source>With 95 % probability the true value is %1, if the drive is linear and both positions are of the same instant.</source>
+        <translation>Avec une probabilité de 95 %, la vraie valeur est %1, si l’entraînement est linéaire et les deux positions du même instant.</translation>
     </message>
     <message>
         <source>Drive of %1: not told.</source>
@@ -370,6 +370,10 @@
     <message>
         <source>%1: too much for its numbers to be told.</source>
         <translation>%1&#xa0;: trop pour que ses nombres soient révélés.</translation>
+    </message>
+    <message>
+        <source>Drive of %1: not told, the actual positions were recorded %2 ms later than the set ones.</source>
+        <translation>Entraînement de %1&#xa0;: non révélé, les positions réelles ont été enregistrées %2 ms après les consignes.</translation>
     </message>
 </context>
 <context>
@@ -8144,6 +8148,10 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>at most %1</source>
         <translation>d&apos;au plus %1</translation>
+    </message>
+    <message>
+        <source>The set and the actual positions were not recorded at the same time, which cannot be told from a following error: record both in one cycle.</source>
+        <translation>Consignes et positions réelles n’ont pas été enregistrées au même instant, ce qui ne se distingue pas d’un écart de poursuite : les enregistrer dans un même cycle.</translation>
     </message>
 </context>
 <context>

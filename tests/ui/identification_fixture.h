@@ -67,7 +67,7 @@ inline Identification found_by(const std::string& model, double lag) {
   found.feed_error = 0.0123;
   found.explains = true;
   found.simulations = 321;
-  found.drives.push_back({'Y', {}, 4000, 0.0412, 0.00041, true});
+  found.drives.push_back({'Y', {}, 4000, 0.0412, 0.00041, true, 0});
   return found;
 }
 

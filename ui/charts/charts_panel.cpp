@@ -213,14 +213,7 @@ void ChartsPanel::show_held_range() {
 
 void ChartsPanel::set_overlays(std::vector<RunOverlay> overlays, std::vector<TraceOverlay> traces) {
   overlays_.set_runs(std::move(overlays));
-  const bool first = overlays_.traces().empty();
   overlays_.set_traces(std::move(traces));
-  if (first) {
-    overlays_.propose(acceleration_chart, rows_.charts[acceleration_chart]->spec(),
-                      QuantityId::tangential_acceleration);
-    overlays_.propose(following_error_chart, rows_.charts[following_error_chart]->spec(),
-                      QuantityId::following_error_x);
-  }
   refresh_.start();
 }
 

@@ -12,7 +12,8 @@ void OverlayCurves::set_runs(std::vector<RunOverlay> runs) {
   columns_.assign(runs_.size(), {});
 }
 
-void OverlayCurves::propose(std::size_t chart, const ChartSpec& spec, QuantityId quantity) {
+void OverlayCurves::propose(std::size_t chart, QuantityId quantity) {
+  const ChartSpec spec = kinematic_chart_specs()[chart];
   const bool is_known = std::ranges::any_of(
       traces_, [&](const TraceOverlay& trace) { return trace.shown->motion.knows(quantity); });
   const auto found = std::ranges::find(spec.curves, quantity, &CurveSpec::quantity);
@@ -22,8 +23,13 @@ void OverlayCurves::propose(std::size_t chart, const ChartSpec& spec, QuantityId
 }
 
 void OverlayCurves::set_traces(std::vector<TraceOverlay> traces) {
+  const bool first = traces_.empty();
   traces_ = std::move(traces);
   trace_columns_.assign(traces_.size(), {});
+  if (first) {
+    propose(acceleration_chart, QuantityId::tangential_acceleration);
+    propose(following_error_chart, QuantityId::following_error_x);
+  }
 }
 
 void OverlayCurves::clear() {

@@ -19,11 +19,9 @@ class OverlayCurves {
  public:
   void set_runs(std::vector<RunOverlay> runs);
   const std::vector<RunOverlay>& runs() const { return runs_; }
-  /// Drawn as runs are, but only in charts of quantities that a trace has.
+  /// Drawn as runs are, but only in charts of quantities that a trace has. With the first one the charts of
+  /// acceleration and following error show what it knows of them too, unless another curve was chosen.
   void set_traces(std::vector<TraceOverlay> traces);
-  /// `chart`, whose spec is `spec`, shows `quantity` of the traces too, unless another curve was chosen, or
-  /// none of them has it.
-  void propose(std::size_t chart, const ChartSpec& spec, QuantityId quantity);
   const std::vector<TraceOverlay>& traces() const { return traces_; }
   /// The curve of a chart's spec that the other runs show in it; none: no curve. At first the achieved feed
   /// alone.
@@ -41,6 +39,7 @@ class OverlayCurves {
                                   const Trajectory* run, std::optional<double> position) const;
 
  private:
+  void propose(std::size_t chart, QuantityId quantity);
   static double time_of(const RunOverlay& overlay, const ViewRange& range, const Trajectory& run,
                         double position);
 

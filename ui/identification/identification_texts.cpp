@@ -69,7 +69,8 @@ QString IdentificationTexts::found(const IdentifiedParameter& parameter) {
 QString IdentificationTexts::explanation(const IdentifiedParameter& parameter, bool explains) {
   if (parameter.told) {
     return (is_drive_parameter(parameter.parameter)
-                ? tr("With 95 % probability the true value is %1, if the drive is linear.")
+                ? tr("With 95 % probability the true value is %1, if the drive is linear and both positions "
+                     "are of the same instant.")
                 : tr("With 95 % probability the true value is %1, if the control is of this model."))
         .arg(found(parameter));
   }
@@ -116,6 +117,12 @@ QStringList IdentificationTexts::drives(const Identification& found) {
     const QString axis(QLatin1Char(drive.axis));
     if (drive.samples == 0 || !(drive.following_error > 0)) {
       lines.append(tr("Drive of %1: not told.").arg(axis));
+      continue;
+    }
+    if (drive.delay != 0) {
+      lines.append(
+          tr("Drive of %1: not told, the actual positions were recorded %2 ms later than the set ones.")
+              .arg(axis, QLocale().toString(1e3 * drive.delay, 'f', 1)));
       continue;
     }
     const QString errors = tr("Drive of %1: following error %2 (rms), %3 of it unexplained")

@@ -157,12 +157,14 @@ QJsonObject to_json(const DriveFit& drive) {
           {"explains", drive.explains},
           {"samples", static_cast<double>(drive.samples)},
           {"following_error_mm", drive.following_error},
-          {"left_mm", drive.left}};
+          {"left_mm", drive.left},
+          {"delay_s", drive.delay}};
 }
 
 /// Its numbers are among those of the model. Throws InputError if it is of no linear axis.
 DriveFit read_drive(const QJsonObject& json, const QString& place, QStringList& notes) {
-  note_unknown(json, {"axis", "explains", "samples", "following_error_mm", "left_mm"}, place, notes);
+  note_unknown(json, {"axis", "explains", "samples", "following_error_mm", "left_mm", "delay_s"}, place,
+               notes);
   const QString axis = json["axis"].toString();
   if (axis.size() != 1 || !QStringLiteral("XYZ").contains(axis)) {
     throw input_error(QStringLiteral("%1: \"axis\" is \"%2\"; it must be X, Y or Z").arg(place, axis));
@@ -173,6 +175,7 @@ DriveFit read_drive(const QJsonObject& json, const QString& place, QStringList& 
   drive.samples = count_of(json["samples"]);
   drive.following_error = json["following_error_mm"].toDouble();
   drive.left = json["left_mm"].toDouble();
+  drive.delay = json["delay_s"].toDouble();
   return drive;
 }
 

@@ -14,6 +14,7 @@
 #include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"
 #include "ui/shared/plot_grid.h"
+#include "ui/study/study_marks.h"
 #include "ui/theme/theme.h"
 #include "ui/theme/type_size.h"
 
@@ -28,48 +29,10 @@ constexpr double gap = 26;
 constexpr double marker = 4.5;
 constexpr double near_marker = 9;
 
-/// Okabe and Ito's hues that stand out on white, and on dark.
-using Hues = std::array<QColor, 7>;
-constexpr Hues light_hues{QColor(0x00, 0x72, 0xb2), QColor(0xd5, 0x5e, 0x00), QColor(0x00, 0x9e, 0x73),
-                          QColor(0xcc, 0x79, 0xa7), QColor(0xb0, 0x83, 0x00), QColor(0x3a, 0x95, 0xc8),
-                          QColor(0x00, 0x00, 0x00)};
-constexpr Hues dark_hues{QColor(0x56, 0xb4, 0xe9), QColor(0xff, 0x8a, 0x3d), QColor(0x2f, 0xc9, 0x9b),
-                         QColor(0xe8, 0xa3, 0xc9), QColor(0xf0, 0xb4, 0x2e), QColor(0x9f, 0xd6, 0xf5),
-                         QColor(0xf0, 0xf0, 0xf0)};
-
-QColor hue(std::size_t curve, const QPalette& palette) {
-  const Hues& hues = theme_of(palette) == ThemeKind::dark ? dark_hues : light_hues;
-  return hues[curve % hues.size()];
-}
-
 QFont sized(QFont font, int pixels, bool bold = false) {
   font.setPixelSize(pixels);
   font.setBold(bold);
   return font;
-}
-
-/// Round, square, triangle, diamond: told apart without colour.
-QPainterPath marker_shape(std::size_t curve, const QPointF& at, double radius) {
-  QPainterPath path;
-  switch (curve % 4) {
-    case 0:
-      path.addEllipse(at, radius, radius);
-      break;
-    case 1:
-      path.addRect(
-          QRectF(at.x() - radius, at.y() - radius, 2 * radius, 2 * radius).adjusted(0.5, 0.5, -0.5, -0.5));
-      break;
-    case 2:
-      path.addPolygon(QPolygonF({at + QPointF(0, -radius * 1.2), at + QPointF(radius * 1.1, radius * 0.8),
-                                 at + QPointF(-radius * 1.1, radius * 0.8)}));
-      path.closeSubpath();
-      break;
-    default:
-      path.addPolygon(QPolygonF({at + QPointF(0, -radius * 1.3), at + QPointF(radius * 1.3, 0),
-                                 at + QPointF(0, radius * 1.3), at + QPointF(-radius * 1.3, 0)}));
-      path.closeSubpath();
-  }
-  return path;
 }
 
 QString number(double value, int digits = 4) {
@@ -103,38 +66,6 @@ std::vector<double> log_ticks(double from, double to) {
 }
 
 }  // namespace
-
-StudyCurves study_curves(const Study& study) {
-  StudyCurves shown;
-  shown.within = study.within;
-  if (study.sweeps.empty()) {
-    return shown;
-  }
-  const Sweep& first = study.sweeps.front();
-  shown.title = setting_title(first.key);
-  const KeyUnit unit = key_unit(sweep_unit(first.key));
-  shown.unit = unit.text;
-  shown.logarithmic = first.logarithmic;
-  for (const auto& runs : study.curves()) {
-    StudyCurve curve;
-    const Setup& setup = runs.front().setup;
-    curve.name = QString::fromStdString(setup.model->info().id + ", " + setup.machine.id);
-    for (std::size_t i = 1; i < study.sweeps.size(); ++i) {
-      curve.name +=
-          QStringLiteral(", %1 %2").arg(setting_title(study.sweeps[i].key), number(runs.front().swept[i]));
-    }
-    const StudyRun* best = fastest(runs, study.within);
-    for (const StudyRun& run : runs) {
-      if (&run == best) {
-        curve.fastest = curve.points.size();
-      }
-      curve.points.push_back(
-          {run.swept.front() * unit.factor, run.summary.cycle_time, run.summary.max_contour_error});
-    }
-    shown.curves.push_back(std::move(curve));
-  }
-  return shown;
-}
 
 /// Plots one above the other over one axis.
 struct StudyChart::Layout {
@@ -292,11 +223,11 @@ void StudyChart::draw_head(QPainter& painter, const Layout& layout) const {
                    QFontMetricsF(font()).elidedText(details_, Qt::ElideRight, rest.width()));
   for (std::size_t i = 0; i < layout.legend.size(); ++i) {
     const QRectF& entry = layout.legend[i];
-    const QColor color = hue(i, palette());
+    const QColor color = study_hue(i, palette());
     painter.setPen(QPen(color, line_pixels(2)));
     painter.drawLine(QPointF(entry.left(), entry.center().y()),
                      QPointF(entry.left() + 18, entry.center().y()));
-    painter.fillPath(marker_shape(i, QPointF(entry.left() + 9, entry.center().y()), marker), color);
+    painter.fillPath(study_marker(i, QPointF(entry.left() + 9, entry.center().y()), marker), color);
     painter.setPen(theme_colours(palette()).text);
     painter.drawText(entry.adjusted(23, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, study_.curves[i].name);
   }
@@ -413,7 +344,7 @@ void StudyChart::draw_recorded(QPainter& painter, const Layout& layout, bool is_
 
 void StudyChart::draw_curve(QPainter& painter, const Layout& layout, std::size_t index, bool is_error) const {
   const StudyCurve& curve = study_.curves[index];
-  const QColor color = hue(index, palette());
+  const QColor color = study_hue(index, palette());
   QPolygonF line;
   for (const StudyPoint& point : curve.points) {
     line.append(layout.place(point, is_error));
@@ -421,7 +352,7 @@ void StudyChart::draw_curve(QPainter& painter, const Layout& layout, std::size_t
   painter.setPen(QPen(color, line_pixels(1.8)));
   painter.drawPolyline(line);
   for (const QPointF& at : line) {
-    painter.fillPath(marker_shape(index, at, marker), color);
+    painter.fillPath(study_marker(index, at, marker), color);
   }
   if (curve.fastest) {
     painter.setPen(QPen(theme_colours(palette()).text, line_pixels(1.8)));

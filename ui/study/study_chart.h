@@ -1,46 +1,12 @@
 #pragma once
 
-#include <QColor>
 #include <QWidget>
 #include <optional>
 #include <vector>
 
-#include "core/analysis/study/study.h"
+#include "ui/study/study_curves.h"
 
 namespace feedscope::ui {
-
-/// One run of a study in a StudyChart.
-struct StudyPoint {
-  double value = 0;  ///< of the swept setting, in its unit
-  double time = 0;   ///< cycle time [s]
-  double error = 0;  ///< largest contour error [mm]
-};
-
-struct StudyCurve {
-  QString name;
-  std::vector<StudyPoint> points;
-  std::optional<std::size_t> fastest;  ///< within the bound
-};
-
-/// What a machine took for the program, drawn across the whole range of the setting.
-struct RecordedTime {
-  QString name;  ///< of the trace
-  QColor colour;
-  double time = 0;   ///< cycle time [s]
-  double error = 0;  ///< largest distance from the programmed path [mm]
-};
-
-/// What a StudyChart shows.
-struct StudyCurves {
-  QString title;  ///< of the setting, in the window's language
-  QString unit;   ///< "" for a plain number
-  bool logarithmic = false;
-  std::optional<double> within;  ///< bound of the contour error [mm]
-  std::vector<StudyCurve> curves;
-  std::vector<RecordedTime> recorded = {};
-};
-
-StudyCurves study_curves(const Study& study);
 
 /// Cycle time and, below it over the same axis, contour error against a setting; the bound as a dashed line,
 /// the fastest run of each curve within it ringed and labelled. Curves differ in colour and in marker; what

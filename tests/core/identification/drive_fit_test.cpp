@@ -218,6 +218,21 @@ TEST(DriveFit, TellsNothingWhereFrictionMakesTheFollowingError) {
   EXPECT_THAT(fit.parameters[0].reason, HasSubstr("more than a third"));
 }
 
+TEST(DriveFit, TellsNothingWherePositionsWereNotRecordedAtTheSameTime) {
+  const Recorder recorder({});
+  Recording how;
+  how.noise = 3e-4;
+  how.step = 1e-3;
+  how.delay = 4e-3;
+  how.period = 2e-3;
+  const Trace trace = recorder.record(drive_of(50, 0.6, 4e-3), how);
+  const DriveFit fit = fit_drive({&trace}, 'X', {});
+  EXPECT_FALSE(fit.explains);
+  EXPECT_NEAR(fit.delay, 4e-3, 1e-3);
+  EXPECT_FALSE(fit.parameters[0].told);
+  EXPECT_THAT(fit.parameters[0].reason, HasSubstr("not recorded at the same time"));
+}
+
 TEST(DriveFit, NamesTheAxesWithSetAndActualPositions) {
   Trace trace;
   trace.place[0] = trace.place[1] = {1, 2};

@@ -1,0 +1,41 @@
+#include "ui/study/study_curves.h"
+
+#include <QLocale>
+
+#include "ui/language/texts.h"
+
+namespace feedscope::ui {
+
+StudyCurves study_curves(const Study& study) {
+  StudyCurves shown;
+  shown.within = study.within;
+  if (study.sweeps.empty()) {
+    return shown;
+  }
+  const Sweep& first = study.sweeps.front();
+  shown.title = setting_title(first.key);
+  const KeyUnit unit = key_unit(sweep_unit(first.key));
+  shown.unit = unit.text;
+  shown.logarithmic = first.logarithmic;
+  for (const auto& runs : study.curves()) {
+    StudyCurve curve;
+    const Setup& setup = runs.front().setup;
+    curve.name = QString::fromStdString(setup.model->info().id + ", " + setup.machine.id);
+    for (std::size_t i = 1; i < study.sweeps.size(); ++i) {
+      curve.name += QStringLiteral(", %1 %2").arg(setting_title(study.sweeps[i].key),
+                                                  QLocale().toString(runs.front().swept[i], 'g', 4));
+    }
+    const StudyRun* best = fastest(runs, study.within);
+    for (const StudyRun& run : runs) {
+      if (&run == best) {
+        curve.fastest = curve.points.size();
+      }
+      curve.points.push_back(
+          {run.swept.front() * unit.factor, run.summary.cycle_time, run.summary.max_contour_error});
+    }
+    shown.curves.push_back(std::move(curve));
+  }
+  return shown;
+}
+
+}  // namespace feedscope::ui
