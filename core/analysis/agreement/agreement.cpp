@@ -175,6 +175,22 @@ std::vector<double> cell_borders(const TimeLaw& law, double least_time, double l
   return borders;
 }
 
+/// Whether the trace comes to both ends of what its axes show of the path: a program that was recorded to
+/// within a millimetre of its end still slows down there.
+bool reaches_ends(const TraceOnProgram& trace, const ProgrammedCourse& course, double margin) {
+  constexpr double nearly = 10;  // margins
+  std::size_t first = 0;
+  std::size_t last = course.size() - 1;
+  while (first < last && course.seen_length(first + 1) == course.seen_length(0)) {
+    ++first;
+  }
+  while (last > first && course.seen_length(last - 1) == course.seen_length(course.size() - 1)) {
+    --last;
+  }
+  return trace.law.first_s() <= course.s(first) + nearly * margin &&
+         trace.law.last_s() >= course.s(last) - nearly * margin;
+}
+
 Agreement agreement_of(const TraceOnProgram& trace, const ProgrammedCourse& course, const Run& run,
                        Progress* progress) {
   constexpr double samples_a_cell = 5;
@@ -203,7 +219,7 @@ Agreement agreement_of(const TraceOnProgram& trace, const ProgrammedCourse& cour
     throw InputError("trace and run have no part of the path in common");
   }
   Agreement agreement;
-  agreement.whole = !trace.pass_times.empty() && trace.belongs();
+  agreement.whole = !trace.pass_times.empty() && trace.belongs() && reaches_ends(trace, course, margin);
   agreement.measured_time = trace.law.at(part.to) - trace.law.at(part.from);
   agreement.simulated_time = simulated.at(part.to) - simulated.at(part.from);
   if (agreement.whole) {
