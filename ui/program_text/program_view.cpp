@@ -169,7 +169,10 @@ void ProgramView::refresh() {
 void ProgramView::place_strips() {
   const int left = margin_->sizeHint().width();
   const int right = overview_->sizeHint().width();
-  setViewportMargins(left, 0, right, 0);
+  // Only where they change: it lays out the scroll bars, which may resize the viewport and come back here.
+  if (const QMargins margins(left, 0, right, 0); viewportMargins() != margins) {
+    setViewportMargins(margins);
+  }
   const QRect inside = viewport()->geometry();
   margin_->setGeometry(inside.left() - left, inside.top(), left, inside.height());
   overview_->setGeometry(inside.right() + 1, inside.top(), right, inside.height());
