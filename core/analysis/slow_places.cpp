@@ -42,6 +42,8 @@ class Account {
   void add_loss(const Level& a, const Level& b, double loss, Cause cause) {
     place_.loss += loss;
     add_cause(cause, loss);
+    begin_ = std::min(begin_, a.time);
+    end_ = std::max(end_, b.time);
     if (loss > (1 - as_programmed) * (b.time - a.time)) {
       extend(a.time, b.time, a.line, b.line);
     }
@@ -50,6 +52,8 @@ class Account {
   /// `later` follows this one.
   void append(const Account& later) {
     place_.loss += later.place_.loss;
+    begin_ = std::min(begin_, later.begin_);
+    end_ = std::max(end_, later.end_);
     for (const auto& [cause, loss] : later.causes_) {
       add_cause(cause, loss);
     }
@@ -70,6 +74,8 @@ class Account {
     causes_.clear();
     least_ = std::numeric_limits<double>::infinity();
     is_slow_ = false;
+    begin_ = std::numeric_limits<double>::infinity();
+    end_ = 0;
   }
 
   bool counts() const { return is_slow_ && place_.loss > min_loss; }
@@ -79,6 +85,18 @@ class Account {
     const auto by_loss = [](const auto& a, const auto& b) { return a.second < b.second; };
     place.cause = std::max_element(causes_.begin(), causes_.end(), by_loss)->first;
     return place;
+  }
+  bool is_empty() const { return causes_.empty(); }
+  /// All of it, by the cause that matters most.
+  SlowPlace stretch() const {
+    SlowPlace stretch = place_;
+    stretch.from = begin_;
+    stretch.to = end_;
+    stretch.first_line = is_slow_ ? place_.first_line : place_.line;
+    stretch.last_line = is_slow_ ? place_.last_line : place_.line;
+    const auto by_size = [](const auto& a, const auto& b) { return std::abs(a.second) < std::abs(b.second); };
+    stretch.cause = std::max_element(causes_.begin(), causes_.end(), by_size)->first;
+    return stretch;
   }
 
  private:
@@ -105,6 +123,8 @@ class Account {
   std::vector<std::pair<Cause, double>> causes_;  ///< loss of each [s]
   double least_ = std::numeric_limits<double>::infinity();
   bool is_slow_ = false;
+  double begin_ = std::numeric_limits<double>::infinity();  ///< of all of it [s]
+  double end_ = 0;
 };
 
 /// Cuts the course of the feed at its peaks as it comes in.
@@ -155,9 +175,11 @@ class PlaceFinder {
 
   SlowPlaces finish() {
     end_place();
-    keep_worst();
-    std::ranges::sort(found_.places, {}, &SlowPlace::from);
-    found_.places.shrink_to_fit();
+    for (std::vector<SlowPlace>* places : {&found_.places, &found_.others}) {
+      keep_worst(*places);
+      std::ranges::sort(*places, {}, &SlowPlace::from);
+      places->shrink_to_fit();
+    }
     return std::move(found_);
   }
 
@@ -173,19 +195,25 @@ class PlaceFinder {
     found_.loss += open_.loss();
     if (open_.counts()) {
       ++found_.count;
-      found_.places.push_back(open_.place());
-      if (found_.places.size() >= 2 * most_) {
-        keep_worst();
-      }
+      add(found_.places, open_.place());
+    } else if (!open_.is_empty() && open_.loss() != 0) {
+      add(found_.others, open_.stretch());
     }
     open_.clear();
   }
 
-  void keep_worst() {
-    std::vector<SlowPlace>& places = found_.places;
+  void add(std::vector<SlowPlace>& places, const SlowPlace& place) const {
+    places.push_back(place);
+    if (places.size() >= 2 * most_) {
+      keep_worst(places);
+    }
+  }
+
+  void keep_worst(std::vector<SlowPlace>& places) const {
     if (places.size() > most_) {
       const auto end = places.begin() + static_cast<std::ptrdiff_t>(most_);
-      std::ranges::nth_element(places, end, std::ranges::greater(), &SlowPlace::loss);
+      std::ranges::nth_element(places, end, std::ranges::greater(),
+                               [](const SlowPlace& place) { return std::abs(place.loss); });
       places.erase(end, places.end());
     }
   }

@@ -28,6 +28,9 @@ struct SlowPlace {
 struct SlowPlaces {
   std::vector<SlowPlace> places;  ///< in order of time
   std::size_t count = 0;          ///< also of those that are omitted
+  /// The stretches between them, in order of time: faster than programmed, or hardly slower; those that are
+  /// omitted gain and lose least. Their `slowest` is that of the least share, however large.
+  std::vector<SlowPlace> others;
   double loss = 0;  ///< of all [s]: cycle time less dwells less the path at its programmed feeds
 };
 
@@ -35,8 +38,8 @@ struct SlowPlaces {
 /// at least a tenth of the programmed feed deep on both sides. Start and end of a run are dips. Where a rapid
 /// begins or ends a place ends, too.
 ///
-/// Linear in the pieces; of more than `most` places those that lose most are kept. Blends and filtered motion
-/// are looked at in a few instants of each piece. Throws Cancelled.
+/// Linear in the pieces; of more than `most` places, and of more others, those that matter most are kept.
+/// Blends and filtered motion are looked at in a few instants of each piece. Throws Cancelled.
 SlowPlaces find_slow_places(const Trajectory& trajectory, std::size_t most = 10'000,
                             Progress* progress = nullptr);
 

@@ -190,6 +190,12 @@ struct GroupSums {
     }
   }
 
+  /// A stretch like those of the group that is no place.
+  void add_other(const SlowPlace& stretch) {
+    loss.add(stretch.loss);
+    by_axis[stretch.cause.axis] += stretch.loss;
+  }
+
   SlowGroup finish() {
     keep_worst();
     const auto most = std::ranges::max_element(by_axis, {}, [](const auto& entry) { return entry.second; });
@@ -212,6 +218,35 @@ struct GroupSums {
     std::ranges::stable_sort(group.worst, std::greater(), &SlowPlace::loss);
     group.worst.resize(std::min(group.worst.size(), SlowGroups::worst_places));
   }
+};
+
+/// What a cause gains where it makes no group: the feed of short segments, now above and now below what is
+/// programmed, is a loss at corners and a gain along the lines between them.
+class Gains {
+ public:
+  void add(PlaceShape shape, CauseKind kind, double loss) {
+    gains_[{shape == PlaceShape::rapid, kind}].add(loss);
+  }
+
+  /// From those of the same cause, each by its share of their loss.
+  void take_from(std::vector<SlowGroup>& groups) const {
+    for (const auto& [key, gain] : gains_) {
+      const auto is_like = [&like = key](const SlowGroup& group) {
+        return std::pair(group.shape == PlaceShape::rapid, group.kind) == like;
+      };
+      ExactSum lost;
+      for (const SlowGroup& group : groups) {
+        lost.add(is_like(group) ? group.loss : 0);
+      }
+      const double left = lost.value() > 0 ? std::max(0.0, 1 + gain.value() / lost.value()) : 0;
+      for (SlowGroup& group : groups) {
+        group.loss *= is_like(group) ? left : 1;
+      }
+    }
+  }
+
+ private:
+  std::map<std::pair<bool, CauseKind>, ExactSum> gains_;  ///< by whether it is a rapid; below 0 [s]
 };
 
 }  // namespace
@@ -239,10 +274,28 @@ SlowGroups find_slow_groups(const Trajectory& trajectory, Progress* progress) {
     const Shape shape = shapes_of.at(instant_of(place));
     groups[{shape.shape, place.cause.kind}].add(place, shape);
   }
-  ExactSum grouped;
+  Gains gains;
+  for (const SlowPlace& stretch : slow.others) {
+    const PlaceShape shape = shapes_of.at(instant_of(stretch)).shape;
+    const auto like = groups.find({shape, stretch.cause.kind});
+    if (like != groups.end()) {
+      like->second.add_other(stretch);
+    } else if (stretch.loss < 0) {
+      gains.add(shape, stretch.cause.kind, stretch.loss);
+    }
+  }
   for (auto& [key, sums] : groups) {
-    found.groups.push_back(sums.finish());
-    grouped.add(found.groups.back().loss);
+    if (sums.loss.value() > 0) {
+      found.groups.push_back(sums.finish());
+    } else {
+      gains.add(key.first, key.second, sums.loss.value());
+    }
+  }
+  gains.take_from(found.groups);
+  std::erase_if(found.groups, [](const SlowGroup& group) { return !(group.loss > 0); });
+  ExactSum grouped;
+  for (const SlowGroup& group : found.groups) {
+    grouped.add(group.loss);
   }
   std::ranges::stable_sort(found.groups, std::greater(), &SlowGroup::loss);
   found.other = found.loss - grouped.value();

@@ -30,13 +30,14 @@ struct PlaceShapeInfo {
 };
 const PlaceShapeInfo& info_of(PlaceShape shape);
 
-/// Slow places that are of one shape and lose their time to one kind of cause.
+/// Slow places that are of one shape and lose their time to one kind of cause. What is
+/// gained by the same cause elsewhere is taken from the loss.
 struct SlowGroup {
   PlaceShape shape = PlaceShape::line;
   CauseKind kind = CauseKind::programmed_feed;
   Cause cause;  ///< of this kind, with the axis that nearly all is lost to; without where it is several
   std::size_t count = 0;
-  double loss = 0;               ///< [s]
+  double loss = 0;               ///< above 0 [s]
   std::uint32_t first_line = 0;  ///< least source line of all
   std::uint32_t last_line = 0;   ///< largest
   double smallest = 0;  ///< turn of the corners [rad], radius of the arcs [mm], length of the blocks [mm]
@@ -54,7 +55,7 @@ struct SlowGroups {
 
   std::vector<SlowGroup> groups;  ///< that which loses most first
   double loss = 0;                ///< as SlowPlaces::loss [s]
-  double other = 0;               ///< of `loss`: in no group, too small to be a place or gained [s]
+  double other = 0;               ///< of `loss`: in no group: too small to be a place, or gained [s]
 };
 
 /// Cost of find_slow_places and a search of the pieces for each place. Throws Cancelled.

@@ -18,6 +18,8 @@ namespace {
 
 constexpr std::size_t most_by_comment = 200;  // more headings are remarks, not operations
 
+constexpr double same_length = 1e-9;  // of the path: two lengths are one
+
 struct KindText {
   std::string_view key;
   std::string_view title;
@@ -165,6 +167,13 @@ std::string_view time_kind_title(TimeKind kind) {
   return kind_texts[static_cast<std::size_t>(kind)].title;
 }
 
+std::string_view path_title(const TimeUse& use) {
+  if (use.saved_by_path > 0) {
+    return use.longer_path < 0 ? "path shorter than programmed" : "path at a higher programmed feed";
+  }
+  return use.longer_path > 0 ? "path longer than programmed" : "path at a lower programmed feed";
+}
+
 TimeUse time_use(const Run& run, OperationSplit split, Progress* progress) {
   const Trajectory& trajectory = *run.trajectory;
   const BlendedPath& path = trajectory.path();
@@ -226,6 +235,10 @@ TimeUse time_use(const Run& run, OperationSplit split, Progress* progress) {
   use.mean_feed = run.summary.mean_feed;
   use.programmed_time = all_programmed.value();
   use.saved_by_path = use.programmed_time - executed_as_programmed.value();
+  use.longer_path = trajectory.path_length() - toolpath.length();
+  if (std::abs(use.longer_path) < same_length * toolpath.length()) {
+    use.longer_path = 0;
+  }
   for (std::size_t i = 0; i < time_kind_count; ++i) {
     use.kinds[i] = {time[i].value(), programmed[i].value()};
   }

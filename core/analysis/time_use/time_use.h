@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "core/analysis/run.h"
@@ -50,8 +51,10 @@ struct TimeUse {
   double cycle_time = 0;       ///< [s]
   double programmed_time = 0;  ///< as Summary::programmed_time [s]
   /// Programmed time less that of the executed path at its programmed feed: corners that are cut make the
-  /// path shorter [s]; negative where the executed path is longer.
+  /// path shorter [s]; negative where the executed path is longer, or where its blends run at the lower of
+  /// two programmed feeds.
   double saved_by_path = 0;
+  double longer_path = 0;                        ///< executed length less the programmed one [mm]
   double mean_feed = 0;                          ///< Summary::mean_feed, without the pauses [mm/s]
   std::array<TimeShare, time_kind_count> kinds;  ///< by TimeKind
   /// Those with any time, that which loses most first; slowing down counts for what sets the speed of the
@@ -69,6 +72,10 @@ struct TimeUse {
            of(TimeKind::indexing).time;
   }
 };
+
+/// What TimeUse::saved_by_path is, for people: "path shorter than programmed", "path longer than programmed",
+/// or where the length does not say it "path at a lower programmed feed", "path at a higher programmed feed".
+std::string_view path_title(const TimeUse& use);
 
 /// Linear in pieces and segments. `split` none: by tool where more than one works, else by comment where they
 /// make two to 200 operations, else not at all. An operation that a loop comes back to is one.

@@ -93,6 +93,18 @@ TEST(TimeUse, TheSlowerPlaceAheadBearsWhatBrakingCosts) {
       use.causes, [](const CauseCost& cost) { return cost.cause.kind == CauseKind::exact_stop; }));
 }
 
+TEST(TimeUse, WhatThePathSavesIsNamedByWhatItIs) {
+  const TimeUse cut = time_use(run_of("G21 G90 F6000\nG1 X50\nY50\nX0\nM30\n", "essid"));
+  EXPECT_GT(cut.saved_by_path, 0);
+  EXPECT_LT(cut.longer_path, 0);
+  EXPECT_EQ(path_title(cut), "path shorter than programmed");
+  // The blend runs at the lower of both feeds over all its length: a shorter path that takes longer.
+  const TimeUse slow = time_use(run_of("G21 G90 F6000\nG1 X50 F10\nY50 F6000\nM30\n", "essid"));
+  EXPECT_LT(slow.saved_by_path, 0);
+  EXPECT_LT(slow.longer_path, 0);
+  EXPECT_EQ(path_title(slow), "path at a lower programmed feed");
+}
+
 TEST(TimeUse, CommentsMakeOperationsWhereOneToolWorksAndALoopComesBackToOne) {
   const std::string loop =
       "#1=0\nWHILE [#1 LT 3] DO1\n(LEFT)\nG1 X10 F3000\n(RIGHT)\nX0\n#1=[#1+1]\nEND1\nM30\n";
@@ -184,6 +196,32 @@ TEST(SlowGroups, WithEveryModelLossesAddUpToAll) {
     }
     EXPECT_NEAR(loss, use.lost() + use.saved_by_path, 1e-6 * use.cycle_time);
   }
+}
+
+TEST(SlowGroups, WhatIsGainedAtPlacesOfAKindIsTakenFromTheirLoss) {
+  // Segments of 10 ms of grbl run now a little above and now a little below the programmed feed.
+  std::string program = "G21 G90\nG1 F600\n";
+  for (int i = 1; i <= 40; ++i) {
+    program += "X" + std::to_string(3 * i) + (i % 2 == 0 ? " Y0\n" : " Y1\n");
+  }
+  SetupRequest request;
+  request.machine = "grbl-router";
+  const SimulatedRun run =
+      simulate_run(load_program(std::make_shared<const SourceText>("test.nc", program)), make_setup(request));
+  const SlowGroups slow = find_slow_groups(*run.trajectory);
+  double loss = slow.other;
+  for (const SlowGroup& group : slow.groups) {
+    EXPECT_GT(group.loss, 0);
+    EXPECT_LT(group.loss, slow.loss);
+    loss += group.loss;
+  }
+  EXPECT_NEAR(loss, slow.loss, 1e-9);
+  ASSERT_FALSE(slow.groups.empty());
+  double by_feed = 0;
+  for (const SlowGroup& group : slow.groups) {
+    by_feed += group.kind == CauseKind::programmed_feed ? group.loss : 0;
+  }
+  EXPECT_LT(by_feed, 0.5 * slow.loss);
 }
 
 TEST(SlowGroups, RapidsAreApartFromTheCutsBesideThem) {
