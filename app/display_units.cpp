@@ -20,4 +20,8 @@ void add_display_units_option(CLI::App& command) {
       ->type_name("UNITS");
 }
 
+std::string asked_display_units() {
+  return ui::unit_system() == UnitSystem::inch ? "inch" : "";
+}
+
 }  // namespace feedscope

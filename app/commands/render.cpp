@@ -246,6 +246,7 @@ QString command_of(const RenderOptions& options) {
   add("--dpi", options.dpi ? fmt::format("{}", *options.dpi) : "");
   add("--scale", options.scale != 1 ? fmt::format("{}", options.scale) : "");
   add("--theme", options.theme);
+  add("--display-units", asked_display_units());
   add("--language", options.language == usual_language() ? "" : options.language);
   add("--format", options.format);
   text += options.transparent ? " --transparent" : "";

@@ -122,6 +122,7 @@ QStringList commands_of(const ReportOptions& options, const std::vector<AskedRun
   add("--remarks", options.remarks);
   add("--logo", options.logo);
   add("--without", fmt::format("{}", fmt::join(options.without, ",")));
+  add("--display-units", asked_display_units());
   add("--language", options.language == usual_language() ? "" : options.language);
   add("--format", options.format);
   add("--dpi", options.dpi != 0 ? fmt::format("{}", options.dpi) : "");

@@ -223,7 +223,8 @@ TEST_F(RenderCommand, TheCommandOnASheetMakesTheSheet) {
   };
   for (const std::string options :
        {"--view sheet --tolerance 0.01 --tolerance 0.05 --theme dark --title 'A b' --camera top --out s.pdf",
-        "--view sheet --size A3 --dpi 150 --scale 1.25 --format pdf --transparent --out s.pdf"}) {
+        "--view sheet --size A3 --dpi 150 --scale 1.25 --display-units inch --format pdf --transparent --out "
+        "s.pdf"}) {
     ASSERT_EQ(run("corner.nc " + options).code, 0) << options;
     const std::string sheet = bytes("s.pdf");
     ASSERT_EQ(std::system(("cd '" + folder_.string() + "' && pdftotext -raw s.pdf s.txt").c_str()), 0);

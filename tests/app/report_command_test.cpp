@@ -39,6 +39,14 @@ TEST_F(ReportCommand, WritesPdfAndHtmlOfSeveralRuns) {
   EXPECT_THAT(html, HasSubstr("essid, 0.05 mm"));
 }
 
+TEST_F(ReportCommand, TheCommandThatMakesItAgainHasItsUnits) {
+  ASSERT_EQ(report("corner.nc --display-units inch --out r.html").code, 0);
+  EXPECT_THAT(contents(folder_ / "r.html"),
+              HasSubstr("feedscope report corner.nc --display-units inch --out r.html"));
+  ASSERT_EQ(report("corner.nc --display-units metric --out r.html").code, 0);
+  EXPECT_THAT(contents(folder_ / "r.html"), HasSubstr("feedscope report corner.nc --out r.html"));
+}
+
 TEST_F(ReportCommand, LeavesNothingHalfWrittenOnAFullDisk) {
   // No file may grow beyond a block of 512 bytes, as if the disk were full there.
   const std::string full = "trap '' XFSZ; ulimit -f 1; ";
