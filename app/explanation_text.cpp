@@ -7,9 +7,11 @@
 #include <cmath>
 #include <optional>
 
+#include "app/option_text.h"
 #include "app/print.h"
 #include "core/analysis/not_counted.h"
 #include "core/analysis/refused_lines.h"
+#include "core/analysis/setup_options.h"
 #include "core/base/clock_text.h"
 #include "core/base/units.h"
 #include "core/machine/contour_tolerance.h"
@@ -96,8 +98,7 @@ std::string causes_text(const TimeUse& use) {
     }
   }
   if (std::abs(use.saved_by_path) > worth_a_row * use.cycle_time) {
-    table.add({use.saved_by_path > 0 ? "path shorter than programmed" : "path longer than programmed", "", "",
-               seconds_text(-use.saved_by_path)});
+    table.add({std::string(path_title(use)), "", "", seconds_text(-use.saved_by_path)});
   } else {
     rest.lost -= use.saved_by_path;
   }
@@ -182,7 +183,18 @@ std::string groups_text(const TimeReport& report) {
   }
   table.add({"elsewhere", seconds_text(other), "", "", "", ""});
   table.add({"all", seconds_text(report.slow.loss), "", "", "", ""});
-  return table.text("lrrrrl");
+  std::string text = table.text("lrrrrl");
+  const double path = report.use.lost() - report.slow.loss;
+  if (seconds_text(report.slow.loss) != seconds_text(report.use.lost())) {
+    text +=
+        "  " +
+        wrapped(fmt::format("All of this is lost along the path against its programmed feed; it differs by "
+                            "{} from what is lost above ({}).",
+                            seconds_text(std::abs(path)), path_title(report.use)),
+                2) +
+        "\n";
+  }
+  return text;
 }
 
 /// "jerk of all axes +50 %", where that is all that changes of the setup; else "".
@@ -242,7 +254,33 @@ std::string error_text(const TriedChange& change) {
   return change.max_contour_error ? fmt::format("{:.4f} mm", *change.max_contour_error) : "";
 }
 
-std::string changes_text(const Run& run, const TimeReport& report) {
+/// "feedscope simulate part.nc --set X.jerk=20", which gives what the trial gave; "" where the program has to
+/// be changed. Another machine takes the place of all that was asked for; of a session "..." is its program.
+std::string command_text(const Remedy& remedy, const Setup& setup, const RunOptions* asked) {
+  const std::string options = as_options(remedy, setup);
+  if (options.empty()) {
+    return "";
+  }
+  if (asked == nullptr) {
+    const std::vector<std::string> shipped = shipped_machines().ids();
+    const bool knows_all = std::ranges::find(shipped, setup.machine.id) != shipped.end();
+    return fmt::format("feedscope simulate ... {}",
+                       knows_all ? setup_options(with_remedy(setup, remedy)) : options);
+  }
+  RunOptions kept = *asked;
+  if (!remedy.machine.empty()) {
+    kept = {};
+  } else if (std::ranges::any_of(remedy.changes,
+                                 [](const auto& change) { return change.first == contour_tolerance_key; })) {
+    kept.tolerance.clear();
+    std::erase_if(kept.set, [](const std::string& assignment) {
+      return assigned_key(assignment) == contour_tolerance_key;
+    });
+  }
+  return fmt::format("feedscope simulate {}{} {}", program_text(*asked), run_text(kept), options);
+}
+
+std::string changes_text(const Run& run, const TimeReport& report, const RunOptions* asked) {
   const ChangeTrials& trials = report.changes;
   const double now = report.use.cycle_time;
   TextTable table;
@@ -258,7 +296,6 @@ std::string changes_text(const Run& run, const TimeReport& report) {
   }
   if (trials.together) {
     TriedChange together = *trials.together;
-    const std::string options = as_options(together.remedy);
     table.add({"together", seconds_text(together.cycle_time), seconds_text(now - together.cycle_time),
                percent(now - together.cycle_time, now), error_text(together), "those of this machine"});
   }
@@ -273,19 +310,19 @@ std::string changes_text(const Run& run, const TimeReport& report) {
       add("", trials.tried[i]);
     }
   }
-  std::string text = table.text("lrrrrl");
+  std::string commands;
   for (const std::size_t i : trials.best) {
-    const Remedy& remedy = trials.tried[i].remedy;
-    if (const std::string options = as_options(remedy); !options.empty()) {
-      text += fmt::format("{}  feedscope simulate ... {}\n", i == trials.best.front() ? "\n" : "", options);
+    if (const std::string command = command_text(trials.tried[i].remedy, run.setup, asked);
+        !command.empty()) {
+      commands += fmt::format("  {}\n", command);
     }
   }
-  return text;
+  return table.text("lrrrrl") + (commands.empty() ? "" : "\n" + commands);
 }
 
 }  // namespace
 
-std::string explanation_text(const Run& run, const TimeReport& report) {
+std::string explanation_text(const Run& run, const TimeReport& report, const RunOptions* asked) {
   const TimeUse& use = report.use;
   std::string out =
       fmt::format("{} on {} ({}), model {}\n\n{}", run.input.program->source->name(), run.setup.machine.name,
@@ -304,7 +341,7 @@ std::string explanation_text(const Run& run, const TimeReport& report) {
   }
   out += "\nPlaces that lose most\n" + groups_text(report);
   out += "\nWhat would help (each simulated; whether machine, tool and material bear it is not checked)\n" +
-         changes_text(run, report);
+         changes_text(run, report, asked);
   return out;
 }
 

@@ -2,11 +2,13 @@
 
 #include <string>
 
+#include "app/run_options.h"
 #include "core/analysis/time_use/time_report.h"
 
 namespace feedscope {
 
-/// Where the time of a run goes and what would help, for people.
-std::string explanation_text(const Run& run, const TimeReport& report);
+/// Where the time of a run goes and what would help, for people. `asked`: what asked for the run, for the
+/// commands that make the changes; null for a run of a session.
+std::string explanation_text(const Run& run, const TimeReport& report, const RunOptions* asked);
 
 }  // namespace feedscope

@@ -31,12 +31,8 @@ struct AskedRun {
 void add_several_runs_options(CLI::App& command, SeveralRunsOptions& values);
 /// Of a program in `dialect`. Throws InputError as setups_to_compare.
 std::vector<AskedRun> asked_runs(const SeveralRunsOptions& options, Dialect dialect);
-/// The program and how it is read, as it was given, quoted for a shell.
-std::string program_text(const ProgramOptions& options);
 /// The options of all of them as they were given, quoted for a shell; the program in front.
 std::string options_text(const SeveralRunsOptions& options);
-/// `text` as one word of a shell line.
-std::string in_quotes(const std::string& text);
 
 /// Tells on standard error what note_runs() says of them.
 void note_shown_runs(const ui::ReportInput& input);

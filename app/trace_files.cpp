@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "app/option_text.h"
 #include "app/print.h"
-#include "app/several_runs.h"
 #include "app/trace_columns_option.h"
 #include "core/base/error.h"
 #include "core/trace/read_trace.h"

@@ -23,7 +23,7 @@
 #ifdef FEEDSCOPE_WITH_UI
 #include "app/commands/language_option.h"
 #include "app/identification_report.h"
-#include "app/several_runs.h"
+#include "app/option_text.h"
 #include "ui/report/picture_file.h"
 #endif
 

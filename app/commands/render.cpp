@@ -15,6 +15,7 @@
 #include "app/display_units.h"
 #include "app/exit_codes.h"
 #include "app/number_option.h"
+#include "app/option_text.h"
 #include "app/output_file.h"
 #include "app/output_format.h"
 #include "app/picture_size.h"

@@ -3,12 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
+#include <utility>
 
 namespace feedscope {
 
 std::vector<Diagnostic> refused_lines(const LoadedProgram& program, const Setup& setup) {
   return program.toolpath->may_be_read() ? setup.model->read(program.toolpath, setup.settings).refused
                                          : program.lines_not_run;
+}
+
+std::vector<Diagnostic> refused_as_written(const LoadedProgram& program, const Setup& setup) {
+  auto written = std::make_shared<Toolpath>();
+  written->source = program.toolpath->source;
+  return setup.model->read(std::move(written), setup.settings).refused;
 }
 
 bool is_refused(const Run& run) {

@@ -11,6 +11,9 @@ namespace feedscope {
 /// input of a run with this setup.
 std::vector<Diagnostic> refused_lines(const LoadedProgram& program, const Setup& setup);
 
+/// The same for any control, whichever one has read `program`.
+std::vector<Diagnostic> refused_as_written(const LoadedProgram& program, const Setup& setup);
+
 /// Whether the program has feed motions, and the control refuses so many lines that none of them is run,
 /// whatever time rapids and dwells take.
 bool is_refused(const Run& run);

@@ -94,7 +94,7 @@ Json groups_json(const SlowGroups& slow) {
   return list;
 }
 
-Json change_json(const TriedChange& change, double cycle_time) {
+Json change_json(const TriedChange& change, const Setup& setup, double cycle_time) {
   const bool done = change.failure.empty();
   Json settings = Json::object();
   for (const auto& [key, value] : change.remedy.changes) {
@@ -103,7 +103,7 @@ Json change_json(const TriedChange& change, double cycle_time) {
   return {{"settings", std::move(settings)},
           {"feed_factor", change.remedy.feed_factor},
           {"machine", change.remedy.machine.empty() ? Json() : Json(change.remedy.machine)},
-          {"options", as_options(change.remedy)},
+          {"options", as_options(change.remedy, setup)},
           {"cycle_time_s", done ? finite(change.cycle_time) : Json()},
           {"gain_s", done ? finite(cycle_time - change.cycle_time) : Json()},
           {"max_contour_error_mm",
@@ -111,14 +111,14 @@ Json change_json(const TriedChange& change, double cycle_time) {
           {"failure", done ? Json() : Json(change.failure)}};
 }
 
-Json changes_json(const TimeReport& report) {
+Json changes_json(const TimeReport& report, const Setup& setup) {
   Json list = Json::array();
   const ChangeTrials& trials = report.changes;
   for (std::size_t i = 0; i < trials.tried.size(); ++i) {
     const auto rank = std::ranges::find(trials.best, i);
     Json entry{{"rank", rank == trials.best.end() ? Json() : Json(rank - trials.best.begin() + 1)},
                {"kind", kind_of(trials.tried[i].remedy)}};
-    entry.update(change_json(trials.tried[i], report.use.cycle_time));
+    entry.update(change_json(trials.tried[i], setup, report.use.cycle_time));
     list.push_back(std::move(entry));
   }
   return list;
@@ -141,9 +141,9 @@ std::string explanation_json(const LoadedProgram& program, const ComparedRun& ru
   json["operations"] = table(operations_json, report.use);
   json["slow_groups"] = table(groups_json, report.slow);
   json["slow_other_s"] = figure(report.slow.other);
-  json["changes"] = table(changes_json, report);
+  json["changes"] = run.refused ? Json::array() : changes_json(report, run.setup);
   json["changes_together"] = report.changes.together && !run.refused
-                                 ? change_json(*report.changes.together, report.use.cycle_time)
+                                 ? change_json(*report.changes.together, run.setup, report.use.cycle_time)
                                  : Json();
   json.update(run_end_json(program, run));
   return text_of(json);

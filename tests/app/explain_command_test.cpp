@@ -1,5 +1,7 @@
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "tests/app/command_line.h"
 
@@ -9,6 +11,7 @@ namespace {
 using nlohmann::json;
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 class ExplainCommand : public CommandLine {
  protected:
@@ -24,33 +27,79 @@ class ExplainCommand : public CommandLine {
 TEST_F(ExplainCommand, SaysWhereTheTimeGoesAndWhatHelps) {
   const Result result = run("explain stairs.nc --set tool_change_time_s=4");
   EXPECT_EQ(result.code, 0) << result.err;
-  EXPECT_THAT(result.out,
-              AllOf(HasSubstr("What it consists of"), HasSubstr("tool changes"),
-                    HasSubstr("Operations by tool"), HasSubstr("tool 2"), HasSubstr("corners: "),
-                    HasSubstr("turn 90 deg"), HasSubstr("What would help"),
-                    HasSubstr("without pauses of 8.000 s. "), HasSubstr("feedscope simulate ... --")));
+  EXPECT_THAT(result.out, AllOf(HasSubstr("What it consists of"), HasSubstr("tool changes"),
+                                HasSubstr("Operations by tool"), HasSubstr("tool 2"), HasSubstr("corners: "),
+                                HasSubstr("turn 90 deg"), HasSubstr("What would help"),
+                                HasSubstr("without pauses of 8.000 s. "),
+                                HasSubstr("feedscope simulate stairs.nc --set tool_change_time_s=4 --")));
 }
 
 TEST_F(ExplainCommand, WhatItProposesGainsWhatItSays) {
   const json report = json::parse(run("explain stairs.nc --json -").out);
   EXPECT_EQ(report["format"], (json{{"name", "feedscope-explanation"}, {"version", 1}}));
   std::size_t checked = 0;
+  bool has_machine = false;
   for (const json& change : report["changes"]) {
     if (change["rank"].is_null() || change["options"] == "") {
       continue;
     }
-    // Another machine has a default model of its own; the change keeps the one of the run.
-    const std::string options =
-        change["options"].get<std::string>() + " --model " + report["model"]["id"].get<std::string>();
-    if (change["kind"] != "machine") {
-      const json simulated = json::parse(run("simulate stairs.nc --json - " + options).out);
-      EXPECT_NEAR(simulated["cycle_time_s"].get<double>(), change["cycle_time_s"].get<double>(), 1e-9);
-      EXPECT_NEAR(simulated["max_contour_error_mm"].get<double>(),
-                  change["max_contour_error_mm"].get<double>(), 1e-9);
-      ++checked;
-    }
+    const json simulated =
+        json::parse(run("simulate stairs.nc --json - " + change["options"].get<std::string>()).out);
+    EXPECT_NEAR(simulated["cycle_time_s"].get<double>(), change["cycle_time_s"].get<double>(), 1e-9);
+    EXPECT_NEAR(simulated["max_contour_error_mm"].get<double>(), change["max_contour_error_mm"].get<double>(),
+                1e-9);
+    ++checked;
+    has_machine = has_machine || change["kind"] == "machine";
   }
-  EXPECT_GE(checked, 1U);
+  EXPECT_GE(checked, 2U);
+  EXPECT_TRUE(has_machine);
+}
+
+TEST_F(ExplainCommand, TheCommandsThatItPrintsGiveWhatItSays) {
+  for (const std::string& asked :
+       {"", " --model tapie --tolerance 0.02 --set X.jerk=12", " --set contour_tolerance_mm=0.03"}) {
+    const std::string explained = "explain stairs.nc" + asked;
+    const json report = json::parse(run(explained + " --json -").out);
+    std::istringstream lines(run(explained).out);
+    std::vector<std::string> commands;
+    for (std::string line; std::getline(lines, line);) {
+      if (line.starts_with("  feedscope ")) {
+        commands.push_back(line.substr(std::string("  feedscope ").size()));
+      }
+    }
+    std::size_t next = 0;
+    for (int rank = 1; rank <= 3; ++rank) {
+      for (const json& change : report["changes"]) {
+        if (change["rank"] != rank || change["options"] == "") {
+          continue;
+        }
+        ASSERT_LT(next, commands.size()) << explained;
+        const json simulated = json::parse(run(commands[next++] + " --json -").out);
+        EXPECT_NEAR(simulated["cycle_time_s"].get<double>(), change["cycle_time_s"].get<double>(), 1e-9)
+            << commands[next - 1];
+        EXPECT_NEAR(simulated["max_contour_error_mm"].get<double>(),
+                    change["max_contour_error_mm"].get<double>(), 1e-9)
+            << commands[next - 1];
+      }
+    }
+    EXPECT_EQ(next, commands.size()) << explained;
+    EXPECT_GE(next, 1U) << explained;
+  }
+}
+
+TEST_F(ExplainCommand, SaysWhyThePlacesAddUpToAnotherTotal) {
+  const std::string out = run("explain stairs.nc").out;
+  EXPECT_THAT(out, AllOf(HasSubstr("path shorter than programmed"),
+                         HasSubstr("All of this is lost along the path against its programmed feed"),
+                         HasSubstr("(path shorter than programmed)")));
+  write("line.nc", "G21 G90 F3000\nG1 X50\nM30\n");
+  EXPECT_THAT(run("explain line.nc").out, Not(HasSubstr("All of this is lost")));
+}
+
+TEST_F(ExplainCommand, ABlendAtTheLowerFeedIsNoLongerPath) {
+  write("slow.nc", "G21 G90 F6000\nG1 X50 F10\nY50 F6000\nM30\n");
+  EXPECT_THAT(run("explain slow.nc").out,
+              AllOf(HasSubstr("path at a lower programmed feed"), Not(HasSubstr("longer"))));
 }
 
 TEST_F(ExplainCommand, PartsAddUpToTheCycleTime) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/analysis/setup_options.h"
 #include "core/analysis/tolerance_in_force.h"
 #include "core/machine/contour_tolerance.h"
 #include "core/toolpath/turn_limiter.h"
@@ -266,14 +267,6 @@ void add_for(Candidates& candidates, Cause cause, const Setup& setup) {
   }
 }
 
-/// KEY=VALUE as --set has it.
-std::string assignment(const std::pair<std::string, SettingValue>& change) {
-  const auto& [key, value] = change;
-  return key + '=' +
-         (std::holds_alternative<double>(value) ? fmt::format("{}", std::get<double>(value))
-                                                : std::get<std::string>(value));
-}
-
 /// The machine with its limits and settings; what is compared with must not change besides.
 Setup on_other_machine(const Setup& setup, const std::string& machine) {
   SetupRequest request;
@@ -324,23 +317,23 @@ Setup with_remedy(Setup setup, const Remedy& remedy) {
     setup = on_other_machine(setup, remedy.machine);
   }
   for (const auto& change : remedy.changes) {
-    apply_setting(assignment(change), *setup.model, setup.machine, setup.settings);
+    apply_setting(assignment_text(change.first, change.second), *setup.model, setup.machine, setup.settings);
   }
   return setup;
 }
 
-std::string as_options(const Remedy& remedy) {
-  std::vector<std::string> options;
+std::string as_options(const Remedy& remedy, const Setup& setup) {
   if (!remedy.machine.empty()) {
-    options.push_back("--machine " + remedy.machine);
+    return setup_options(with_remedy(setup, remedy));
   }
+  std::vector<std::string> options;
   const bool sets_tolerance = std::ranges::any_of(
       remedy.changes, [](const auto& change) { return change.first == contour_tolerance_key; });
   for (const auto& change : remedy.changes) {
     if (change.first == contour_tolerance_key) {
       options.push_back(fmt::format("--tolerance {}", std::get<double>(change.second)));
     } else if (!sets_tolerance || change.first != program_tolerance_key) {  // --tolerance says it too
-      options.push_back("--set " + assignment(change));
+      options.push_back("--set " + assignment_text(change.first, change.second));
     }
   }
   return fmt::format("{}", fmt::join(options, " "));

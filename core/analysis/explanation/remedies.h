@@ -33,9 +33,10 @@ std::vector<Remedy> remedies(const Setup& setup, std::span<const Cause> causes,
 
 /// `setup` with the changes. Throws InputError as apply_setting and make_setup.
 Setup with_remedy(Setup setup, const Remedy& remedy);
-/// How the command line asks for it: "--tolerance 0.2", "--set X.jerk=7.5", "--machine ID"; "" where the
-/// program has to be changed.
-std::string as_options(const Remedy& remedy);
+/// How the command line asks for it. A change of `setup`, beside what asks for that: "--tolerance 0.2",
+/// "--set X.jerk=7.5"; another machine, in place of what asks for `setup`: setup_options(), "--machine ID
+/// --model ID --tolerance 0.1". "" where the program has to be changed.
+std::string as_options(const Remedy& remedy, const Setup& setup);
 /// The same program with all its feeds times `factor`; rapids stay.
 LoadedProgram with_feed(const LoadedProgram& program, double factor);
 

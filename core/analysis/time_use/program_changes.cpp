@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <exception>
 #include <limits>
+#include <optional>
 #include <set>
 
 #include "core/analysis/contour/contour_errors.h"
 #include "core/analysis/control_dialect.h"
+#include "core/analysis/refused_lines.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/machine/contour_tolerance.h"
@@ -50,13 +52,36 @@ bool reads_the_same(const Machine& machine, const Machine& as) {
   });
 }
 
-std::vector<Remedy> other_machines(const Setup& setup) {
+/// Of a work offset; none where the machine file gives none.
+std::optional<Vec3> zero_of(const Machine& machine, const std::string& offset) {
+  const auto found = machine.work_offsets.all().find(offset);
+  return found == machine.work_offsets.all().end() ? std::nullopt : std::optional(found->second);
+}
+
+/// Whether the machine's own control runs every line that is run, and the program was read as on it.
+bool runs_as_much(const Machine& machine, const Run& run) {
+  SetupRequest request;
+  request.machine = machine.id;
+  const auto& not_run = run.input.lines_not_run;
+  return std::ranges::all_of(run.input.program->work_offsets,
+                             [&](const OffsetUse& use) {
+                               return zero_of(machine, use.name) == zero_of(run.setup.machine, use.name);
+                             }) &&
+         std::ranges::all_of(
+             refused_as_written(run.input, make_setup(request)), [&](const Diagnostic& refused) {
+               return std::ranges::find(not_run, refused.line, &Diagnostic::line) != not_run.end();
+             });
+}
+
+std::vector<Remedy> other_machines(const Run& run) {
+  const Setup& setup = run.setup;
   std::vector<Remedy> found;
   const MachineLibrary library = shipped_machines();
   for (const std::string& id : library.ids()) {
     const Machine machine = library.load(id);
     if (id != setup.machine.id && reads_the_same(machine, setup.machine) &&
-        axis_names(machine) == axis_names(setup.machine) && has_larger_limit(machine, setup.machine)) {
+        axis_names(machine) == axis_names(setup.machine) && has_larger_limit(machine, setup.machine) &&
+        runs_as_much(machine, run)) {
       Remedy remedy;
       remedy.machine = id;
       found.push_back(std::move(remedy));
@@ -122,7 +147,7 @@ std::string kind_of(const Remedy& remedy) {
 
 std::vector<Remedy> changes_worth_trying(const Run& run, const TimeUse& use) {
   std::vector<Remedy> changes = remedies(run.setup, causes_to_change(use), run.input.feed_controls);
-  const std::vector<Remedy> machines = other_machines(run.setup);
+  const std::vector<Remedy> machines = other_machines(run);
   changes.insert(changes.end(), machines.begin(), machines.end());
   return changes;
 }

@@ -37,7 +37,8 @@ struct ChangeTrials {
 std::string kind_of(const Remedy& remedy);
 
 /// What is worth trying on a whole run: remedies() of the causes that lose most, the feed, and the shipped
-/// machines that run the same programs and of which an axis limit is larger, with the same model.
+/// machines that run the same programs, of which an axis limit is larger and whose own control refuses no
+/// line that is run, with the same model.
 std::vector<Remedy> changes_worth_trying(const Run& run, const TimeUse& use);
 
 /// Simulates the changes, as many at a time as there are processors, and the best of them once more with

@@ -99,35 +99,81 @@ TEST(ProgramChanges, OtherMachinesRunTheSameProgramsWithTheSameToleranceAndPause
   }
 }
 
-TEST(ProgramChanges, OptionsOfTheCommandLineMakeTheSameSetup) {
-  SetupRequest request;
-  request.machine = "spinner-mvc850";
-  const SimulatedRun run = run_of(request);
-  std::size_t checked = 0;
-  for (const Remedy& remedy : changes_worth_trying(run, time_use(run))) {
-    if (!remedy.machine.empty() || remedy.feed_factor != 1) {
-      continue;
+/// What the options ask for, beside `request`; --machine and --model take the place of its own.
+Setup asked_setup(SetupRequest request, const std::string& options) {
+  std::istringstream words(options);
+  for (std::string option, value; words >> option >> value;) {
+    if (option == "--machine") {
+      request = {};
+      request.machine = value;
+    } else if (option == "--model") {
+      request.model = value;
+    } else if (option == "--tolerance") {
+      request.tolerance = std::stod(value);
+      std::erase_if(request.assignments, [](const std::string& assignment) {
+        return assigned_key(assignment) == "contour_tolerance_mm";  // the one or the other
+      });
+    } else {
+      EXPECT_EQ(option, "--set");
+      request.assignments.push_back(value);
     }
-    SetupRequest asked = request;
-    std::istringstream words(as_options(remedy));
-    for (std::string option, value; words >> option >> value;) {
-      if (option == "--tolerance") {
-        asked.tolerance = std::stod(value);
-      } else {
-        EXPECT_EQ(option, "--set");
-        asked.assignments.push_back(value);
+  }
+  return make_setup(request);
+}
+
+TEST(ProgramChanges, OptionsOfTheCommandLineMakeTheSameSetup) {
+  SetupRequest own;
+  own.machine = "spinner-mvc850";
+  own.assignments = {"tool_change_time_s=3", "contour_tolerance_mm=0.03", "X.jerk=17"};
+  SetupRequest finer;
+  finer.machine = "spinner-mvc850";
+  finer.model = "tapie";
+  finer.tolerance = 0.02;
+  std::size_t machines = 0;
+  for (const SetupRequest& request : {SetupRequest(), own, finer}) {
+    const SimulatedRun run = run_of(request);
+    std::size_t checked = 0;
+    for (const Remedy& remedy : changes_worth_trying(run, time_use(run))) {
+      if (remedy.feed_factor == 1) {
+        const std::string options = as_options(remedy, run.setup);
+        EXPECT_EQ(asked_setup(request, options), with_remedy(run.setup, remedy)) << options;
+        ++checked;
+        machines += remedy.machine.empty() ? 0 : 1;
       }
     }
-    EXPECT_EQ(make_setup(asked), with_remedy(run.setup, remedy)) << as_options(remedy);
-    ++checked;
+    EXPECT_GE(checked, 4U);
   }
-  EXPECT_GE(checked, 4U);
-  Remedy machine;
-  machine.machine = "mikron-ucp710";
-  EXPECT_EQ(as_options(machine), "--machine mikron-ucp710");
+  EXPECT_GE(machines, 3U);
   Remedy feed;
   feed.feed_factor = 1.2;
-  EXPECT_EQ(as_options(feed), "");
+  EXPECT_EQ(as_options(feed, make_setup(own)), "");
+}
+
+TEST(ProgramChanges, OptionsOfAnotherMachineNameTheModelAndTheToleranceOfTheRun) {
+  SetupRequest request;
+  request.machine = "spinner-mvc850";
+  Remedy huron;
+  huron.machine = "huron-kx10";
+  EXPECT_EQ(as_options(huron, make_setup(request)),
+            "--machine huron-kx10 --model essid --set contour_tolerance_mm=0.1");
+  request.tolerance = 0.02;
+  EXPECT_EQ(as_options(huron, make_setup(request)), "--machine huron-kx10 --model essid --tolerance 0.02");
+}
+
+TEST(ProgramChanges, AMachineWhoseOwnControlRefusesLinesIsNotTried) {
+  const auto tries_klipper = [](const std::string& first_line) {
+    SetupRequest request;
+    request.machine = "grbl-router";
+    const SimulatedRun run =
+        simulate_run(load_program(std::make_shared<const SourceText>(
+                         "test.nc", first_line + "G21\nG90\nG1 X50 F3000\nG1 Y50\nG1 X0\nG1 Y0\n")),
+                     make_setup(request));
+    EXPECT_TRUE(run.input.lines_not_run.empty());
+    return std::ranges::any_of(changes_worth_trying(run, time_use(run)),
+                               [](const Remedy& remedy) { return remedy.machine == "klipper-corexy"; });
+  };
+  EXPECT_TRUE(tries_klipper(""));
+  EXPECT_FALSE(tries_klipper("F355\n")) << "Klipper refuses a line that is only a feed";
 }
 
 TEST(ProgramChanges, AreOfOneKindWhateverTheAxis) {
