@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <span>
 #include <tuple>
 
 #include "app/print.h"
@@ -111,6 +113,39 @@ const StudyRun& min_error(std::span<const StudyRun> runs) {
   });
 }
 
+/// All take the same time, none of the bound or of refused lines apart from the others.
+bool makes_no_difference(std::span<const StudyRun> runs, std::optional<double> within) {
+  constexpr double rounding = 1e-9;  // of the cycle time; mm
+  const StudyRun& first = runs.front();
+  return runs.size() > 1 && std::ranges::all_of(runs, [&](const StudyRun& run) {
+           return !run.refused && run.lines_not_run == first.lines_not_run &&
+                  std::abs(run.summary.cycle_time - first.summary.cycle_time) <=
+                      rounding * first.summary.cycle_time &&
+                  (!within || run.summary.max_contour_error <= *within + rounding);
+         });
+}
+
+/// "X.jerk makes no difference: 12.3 s with every value. ..." of a curve.
+std::string no_difference_text(const Study& study, std::span<const StudyRun> curve) {
+  const StudyRun& first = curve.front();
+  const std::string& key = study.sweeps.front().key;
+  const bool is_jerk = key.ends_with(".jerk") || key.ends_with(".blend_jerk");
+  std::string text = fmt::format("{} makes no difference to the cycle time: {} with every value.", key,
+                                 time_text(first.summary.cycle_time));
+  if (is_jerk && !first.setup.model->guarantees(first.setup.settings).limits_jerk) {
+    text += fmt::format(" Model {} limits no jerk and does not use it.", first.setup.model->info().id);
+  }
+  const auto error = [](const StudyRun& run) { return fmt::format("{:.4f}", run.summary.max_contour_error); };
+  const StudyRun& least = min_error(curve);
+  if (std::ranges::all_of(curve, [&](const StudyRun& run) { return error(run) == error(first); })) {
+    text += fmt::format(" The contour error is {} mm with all.", error(first));
+  } else {
+    text +=
+        fmt::format(" The contour error is smallest at {}: {} mm.", setting_text(study, least), error(least));
+  }
+  return text + not_run_text(first.lines_not_run);
+}
+
 std::string optimum_text(const Study& study, std::span<const StudyRun> runs) {
   if (all_refused(runs)) {
     return refused_text;
@@ -194,9 +229,11 @@ std::string study_text(const LoadedProgram& program, const Study& study,
   text += "\n";
   const auto curves = study.curves();
   for (const auto& curve : curves) {
-    const StudyRun* best = fastest(curve, study.within);
-    text += fmt::format("\n{}\n{}{}\n", curve_title(study, curve.front()), curve_table(study, curve, best),
-                        wrapped(optimum_text(study, curve), 0));
+    const bool all_equal = makes_no_difference(curve, study.within);
+    const StudyRun* best = all_equal ? nullptr : fastest(curve, study.within);
+    text +=
+        fmt::format("\n{}\n{}{}\n", curve_title(study, curve.front()), curve_table(study, curve, best),
+                    wrapped(all_equal ? no_difference_text(study, curve) : optimum_text(study, curve), 0));
     if (const std::string ends = ends_text(study, curve); !ends.empty()) {
       text += wrapped(ends, 0) + "\n";
     }
@@ -215,7 +252,13 @@ std::string study_text(const LoadedProgram& program, const Study& study,
   }
   if (curves.size() > 1) {
     const StudyRun* best = fastest(study.runs, study.within);
+    const bool any_value = best != nullptr && std::ranges::any_of(curves, [&](const auto& curve) {
+                             return best >= curve.data() && best < curve.data() + curve.size() &&
+                                    makes_no_difference(curve, study.within);
+                           });
     text += best == nullptr ? fmt::format("\n{}\n", optimum_text(study, study.runs))
+            : any_value     ? fmt::format("\nOf all: {}, {}.\n", curve_title(study, *best),
+                                          time_text(best->summary.cycle_time))
                             : fmt::format("\nOf all: {}. {}\n", curve_title(study, *best),
                                           optimum_text(study, study.runs));
   }

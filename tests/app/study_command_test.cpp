@@ -48,6 +48,23 @@ TEST_F(StudyCommand, SaysTheFastestWithinTheBoundAndWhatLimitsAtBothEnds) {
           "No value has a contour error within 0.001 mm; the smallest is 0.0566 mm at tolerance 0.1 mm"));
 }
 
+TEST_F(StudyCommand, ASettingThatMakesNoDifferenceHasNoFastestValue) {
+  const std::string jerk =
+      run("compare corner.nc --machine grbl-router --model grbl --sweep 'X.jerk=5;10;20'").out;
+  EXPECT_THAT(in_one_line(jerk),
+              AllOf(HasSubstr("X.jerk makes no difference to the cycle time: "),
+                    HasSubstr("Model grbl limits no jerk and does not use it. The contour error is "),
+                    Not(HasSubstr("Fastest")), Not(HasSubstr("*"))));
+  // Within the programmed feed; its model uses the velocity.
+  const std::string velocity =
+      in_one_line(run("compare corner.nc --model essid --sweep 'Z.velocity=10;20'").out);
+  EXPECT_THAT(velocity, AllOf(HasSubstr("Z.velocity makes no difference to the cycle time: "),
+                              Not(HasSubstr("does not use it")), Not(HasSubstr("Fastest"))));
+  // The bound tells them apart.
+  EXPECT_THAT(run("compare corner.nc --model essid --sweep 'tolerance=0.02;0.04' --within 0.02").out,
+              HasSubstr("Fastest within 0.02 mm"));
+}
+
 TEST_F(StudyCommand, WritesJsonWithAllKeysOfCompare) {
   const std::string options = "compare corner.nc --model essid --model ward --json - ";
   const json plain = json::parse(run(options + "--tolerance 0.02").out);
