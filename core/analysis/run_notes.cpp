@@ -116,7 +116,8 @@ const char* rotary_limits_note(const Toolpath& path, const Setup& setup) {
                    "core",
                    "Where blocks meet along which rotary axes turn, acceleration and jerk of axes may be "
                    "above their limits for a short time: rounding of the angles, corners and ramps add up "
-                   "there.");
+                   "there. Their velocity steps by some percent at both ends of a corner blend, which is "
+                   "shorter than the corner; the accelerations shown do not hold these steps.");
 }
 
 const char* missing_axes_note(const Toolpath& path, const Machine& machine) {

@@ -4602,8 +4602,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>%1:%2&#xa0;: %3 n&apos;a pas de section «&#xa0;%4&#xa0;»&#xa0;; une section est marquée par les commentaires SECTION 12 BEGINS et SECTION 12 ENDS, ou donnée par ses lignes, par exemple 40-55</translation>
     </message>
     <message>
-        <source>Where blocks meet along which rotary axes turn, acceleration and jerk of axes may be above their limits for a short time: rounding of the angles, corners and ramps add up there.</source>
-        <translation>Là où se rejoignent des blocs le long desquels des axes rotatifs tournent, accélération et jerk d&apos;axes peuvent dépasser leurs limites pendant un court instant : l&apos;arrondi des angles, les coins et les rampes s&apos;y ajoutent.</translation>
+        <source>Where blocks meet along which rotary axes turn, acceleration and jerk of axes may be above their limits for a short time: rounding of the angles, corners and ramps add up there. Their velocity steps by some percent at both ends of a corner blend, which is shorter than the corner; the accelerations shown do not hold these steps.</source>
+        <translation>Là où se rejoignent des blocs le long desquels des axes rotatifs tournent, accélération et jerk d&apos;axes peuvent dépasser leurs limites pendant un court instant : l&apos;arrondi des angles, les coins et les rampes s&apos;y ajoutent. Leur vitesse fait un saut de quelques pour cent aux deux bouts d&apos;un arrondi de coin, plus court que le coin ; les accélérations montrées ne contiennent pas ces sauts.</translation>
     </message>
     <message>
         <source>No trace has both the set and the actual position of the axis.</source>
