@@ -53,11 +53,12 @@ TEST_F(IdentificationTextsTest, ADriveSaysWhatOfTheFollowingErrorItExplains) {
   Identification found;
   found.drives = {
       {'X', {}, 4000, 0.0412, 0.00041, true}, {'Y', {}, 4000, 0.02, 0.011, false}, {'Z', {}, 0, 0, 0, false}};
-  EXPECT_EQ(IdentificationTexts::drives(found).join('\n').toStdString(),
-            "Drive of X: following error 41.2 µm (rms), 0.4 µm of it unexplained.\n"
-            "Drive of Y: following error 20.0 µm (rms), 11.0 µm of it unexplained: too much for its numbers to "
-            "be told.\n"
-            "Drive of Z: not told.");
+  EXPECT_EQ(
+      IdentificationTexts::drives(found).join('\n').toStdString(),
+      "Drive of X: following error 41.2 µm (rms), 0.4 µm of it unexplained.\n"
+      "Drive of Y: following error 20.0 µm (rms), 11.0 µm of it unexplained: too much for its numbers to "
+      "be told.\n"
+      "Drive of Z: not told.");
   IdentifiedParameter gain;
   gain.parameter = drive_parameter('X', 0);
   gain.value = 60;
