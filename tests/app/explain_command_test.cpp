@@ -56,7 +56,7 @@ TEST_F(ExplainCommand, WhatItProposesGainsWhatItSays) {
 }
 
 TEST_F(ExplainCommand, TheCommandsThatItPrintsGiveWhatItSays) {
-  for (const std::string& asked :
+  for (const std::string asked :
        {"", " --model tapie --tolerance 0.02 --set X.jerk=12", " --set contour_tolerance_mm=0.03"}) {
     const std::string explained = "explain stairs.nc" + asked;
     const json report = json::parse(run(explained + " --json -").out);
