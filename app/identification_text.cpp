@@ -59,7 +59,7 @@ std::string drives_text(const Identification& found) {
                fmt::format("{:.2f}", units::to_um(drive.left)),
                drive.explains ? "yes"
                : drive.delay != 0
-                   ? fmt::format("no: actual positions {:.2g} ms late", units::to_ms(drive.delay))
+                   ? fmt::format("no: actual positions seem {:.2g} ms late", units::to_ms(drive.delay))
                    : "no"});
   }
   return table.text("lrrrl");

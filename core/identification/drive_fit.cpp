@@ -22,7 +22,7 @@ constexpr std::size_t first_samples = 30'000;  // for the first look
 constexpr double least_reach = 0.5;            // [mm] that the axis must move
 constexpr double most_left = 1.0 / 3;          // of the following error
 constexpr double lasting = 12;                 // change of the sum of squares that is more than noise
-constexpr double lasting_delay = 40;           // the same of delays, of which many are tried
+constexpr double lasting_delay = 100;          // the same of delays, of which many are tried
 constexpr double told_deviations = 2;          // standard deviations
 constexpr double coarsest_value = 0.2;         // share of a value beyond which its uncertainty is no answer
 constexpr double coarsest_share = 0.05;        // the same of the feed-forward, which is a share itself
@@ -48,10 +48,11 @@ constexpr const char* reason_unexplained = QT_TRANSLATE_NOOP(
     "core",
     "A linear drive leaves more than a third of the following error unexplained: friction, elasticity, or "
     "positions that were not recorded at the same time.");
-constexpr const char* reason_delayed = QT_TRANSLATE_NOOP(
-    "core",
-    "The set and the actual positions were not recorded at the same time, which cannot be told from a "
-    "following error: record both in one cycle.");
+constexpr const char* reason_delayed =
+    QT_TRANSLATE_NOOP("core",
+                      "The positions go together better with a delay between set and actual ones than "
+                      "without, which cannot be told "
+                      "from a following error: record both in one cycle.");
 constexpr const char* reason_beyond = QT_TRANSLATE_NOOP(
     "core",
     "It would be outside 0 to 1: the positions were not recorded at the same time, or the drive has more "
@@ -263,12 +264,13 @@ Delayed with_delays(const DriveRecord& record, const Place& found, Progress* pro
     fits.push_back({samples, place, record.residuals(drive_at(place), delay).squaredNorm()});
     return place;
   };
+  // By whole samples: between two of them the rounding of the set positions would be smoothed.
   Place at = try_one(0, found);
-  for (const double samples : {0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0}) {
+  for (const double samples : {1.0, 2.0, 3.0, 4.0, 6.0, 8.0}) {
     at = try_one(samples, at);
   }
   at = fits.front().place;
-  for (const double samples : {-0.5, -1.0, -2.0, -4.0}) {
+  for (const double samples : {-1.0, -2.0, -4.0}) {
     at = try_one(samples, at);
   }
   const Fit best = *std::ranges::min_element(fits, {}, &Fit::cost);

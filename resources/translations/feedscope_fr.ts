@@ -372,8 +372,8 @@
         <translation>%1&#xa0;: trop pour que ses nombres soient révélés.</translation>
     </message>
     <message>
-        <source>Drive of %1: not told, the actual positions were recorded %2 ms later than the set ones.</source>
-        <translation>Entraînement de %1&#xa0;: non révélé, les positions réelles ont été enregistrées %2 ms après les consignes.</translation>
+        <source>Drive of %1: not told, the actual positions seem to be %2 ms later than the set ones.</source>
+        <translation>Entraînement de %1&#xa0;: non révélé, les positions réelles semblent suivre les consignes de %2 ms.</translation>
     </message>
 </context>
 <context>
@@ -8150,8 +8150,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>d&apos;au plus %1</translation>
     </message>
     <message>
-        <source>The set and the actual positions were not recorded at the same time, which cannot be told from a following error: record both in one cycle.</source>
-        <translation>Consignes et positions réelles n’ont pas été enregistrées au même instant, ce qui ne se distingue pas d’un écart de poursuite : les enregistrer dans un même cycle.</translation>
+        <source>The positions go together better with a delay between set and actual ones than without, which cannot be told from a following error: record both in one cycle.</source>
+        <translation>Les positions vont mieux ensemble avec un décalage entre consignes et positions réelles que sans, ce qui ne se distingue pas d’un écart de poursuite : les enregistrer dans un même cycle.</translation>
     </message>
 </context>
 <context>

@@ -184,8 +184,9 @@ TEST_F(NumberOptions, TakeEitherDecimalSignForTheSameNumber) {
     const Result point = run(call(option, program, values.point));
     EXPECT_EQ(comma.code, point.code) << option.command << option.name;
     EXPECT_EQ(comma.err, point.err) << option.command << option.name;
-    std::string said = comma.out;  // a heading may repeat what was typed
-    if (const std::size_t at = said.find(values.comma); at != std::string::npos) {
+    std::string said = comma.out;  // headings and commands to run may repeat what was typed
+    for (std::size_t at = said.find(values.comma); at != std::string::npos;
+         at = said.find(values.comma, at + values.point.size())) {
       said.replace(at, values.comma.size(), values.point);
     }
     EXPECT_EQ(said, point.out) << option.command << option.name;

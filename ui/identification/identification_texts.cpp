@@ -120,9 +120,8 @@ QStringList IdentificationTexts::drives(const Identification& found) {
       continue;
     }
     if (drive.delay != 0) {
-      lines.append(
-          tr("Drive of %1: not told, the actual positions were recorded %2 ms later than the set ones.")
-              .arg(axis, QLocale().toString(1e3 * drive.delay, 'f', 1)));
+      lines.append(tr("Drive of %1: not told, the actual positions seem to be %2 ms later than the set ones.")
+                       .arg(axis, QLocale().toString(1e3 * drive.delay, 'f', 1)));
       continue;
     }
     const QString errors = tr("Drive of %1: following error %2 (rms), %3 of it unexplained")
