@@ -218,19 +218,17 @@ TEST(DriveFit, TellsNothingWhereFrictionMakesTheFollowingError) {
   EXPECT_THAT(fit.parameters[0].reason, HasSubstr("more than a third"));
 }
 
-TEST(DriveFit, TellsNothingWherePositionsWereNotRecordedAtTheSameTime) {
+/// Another drive without a delay moves nearly alike: which of them it is cannot be told.
+TEST(DriveFit, TellsNoGainWherePositionsWereNotRecordedAtTheSameTime) {
   const Recorder recorder({});
   Recording how;
-  how.noise = 3e-4;
-  how.step = 1e-3;
   how.delay = 4e-3;
   how.period = 2e-3;
   const Trace trace = recorder.record(drive_of(50, 0.6, 4e-3), how);
   const DriveFit fit = fit_drive({&trace}, 'X', {});
-  EXPECT_FALSE(fit.explains);
-  EXPECT_NEAR(fit.delay, 4e-3, 1e-3);
   EXPECT_FALSE(fit.parameters[0].told);
-  EXPECT_THAT(fit.parameters[0].reason, HasSubstr("better with a delay"));
+  EXPECT_FALSE(fit.parameters[2].told);
+  EXPECT_FALSE(fit.parameters[0].reason.empty());
 }
 
 TEST(DriveFit, NamesTheAxesWithSetAndActualPositions) {
