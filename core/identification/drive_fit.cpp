@@ -389,6 +389,24 @@ DriveFit fit_drive(const std::vector<const Trace*>& traces, char axis, const Axi
   return fit;
 }
 
+void distrust_delayed(std::vector<DriveFit>& fits) {
+  const auto late = std::ranges::find_if(fits, [](const DriveFit& fit) { return fit.delay != 0; });
+  if (late == fits.end()) {
+    return;
+  }
+  for (DriveFit& fit : fits) {
+    if (fit.explains) {
+      fit.delay = late->delay;
+      fit.explains = false;
+      for (IdentifiedParameter& one : fit.parameters) {
+        one.told = false;
+        one.uncertainty = 0;
+      }
+      leave(fit, reason_delayed);
+    }
+  }
+}
+
 AxisDrive found_drive(const DriveFit& fit, const AxisDrive& start) {
   AxisDrive drive = start;
   if (!fit.explains) {

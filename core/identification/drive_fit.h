@@ -45,6 +45,10 @@ std::string axes_with_drives(const std::vector<const Trace*>& traces);
 DriveFit fit_drive(const std::vector<const Trace*>& traces, char axis, const AxisDrive& start,
                    Progress* progress = nullptr);
 
+/// Positions of one recording are all of one time or none: where one axis has a delay for certain, nothing is
+/// told of the others either.
+void distrust_delayed(std::vector<DriveFit>& fits);
+
 /// The drive with the values that were found.
 AxisDrive found_drive(const DriveFit& fit, const AxisDrive& start);
 

@@ -13,6 +13,15 @@
 
 namespace feedscope {
 
+namespace {
+
+AxisDrive drive_of(const Machine& machine, char axis) {
+  const AxisDrive* held = machine.drives.find(axis);
+  return held == nullptr ? AxisDrive() : *held;
+}
+
+}  // namespace
+
 void Recordings::add(std::shared_ptr<const Trace> trace, const LoadedProgram& program) {
   items_.push_back({std::move(trace), {}, {}, program});
 }
@@ -58,12 +67,13 @@ std::vector<DriveFit> Recordings::fit_drives(const std::vector<FitParameter>& pa
           "and name it if need be, as --columns actual_{}=5:mm",
           parameter.key, axis, static_cast<char>(axis - 'X' + 'x')));
     }
-    const AxisDrive* held = setup.machine.drives.find(axis);
-    const AxisDrive start = held == nullptr ? AxisDrive() : *held;
-    drives.push_back(fit_drive(all, axis, start, progress));
-    const AxisDrive found = found_drive(drives.back(), start);
+    drives.push_back(fit_drive(all, axis, drive_of(setup.machine, axis), progress));
+  }
+  distrust_delayed(drives);
+  for (const DriveFit& drive : drives) {
+    const AxisDrive found = found_drive(drive, drive_of(setup.machine, drive.axis));
     for (std::size_t i = 0; i < drive_parameter_count; ++i) {
-      set_axis_value(setup.machine, axis, axis_drive_specs()[i].key, drive_value(found, i));
+      set_axis_value(setup.machine, drive.axis, axis_drive_specs()[i].key, drive_value(found, i));
     }
   }
   return drives;

@@ -231,6 +231,21 @@ TEST(DriveFit, TellsNoGainWherePositionsWereNotRecordedAtTheSameTime) {
   EXPECT_FALSE(fit.parameters[0].reason.empty());
 }
 
+TEST(DriveFit, WithOneAxisLateAreNotToldOfTheOthersEither) {
+  const Recorder recorder({});
+  const Trace trace = recorder.record(drive_of(60, 0.5, 3e-3), {});
+  std::vector<DriveFit> fits{fit_drive({&trace}, 'X', {})};
+  distrust_delayed(fits);
+  EXPECT_TRUE(fits.front().explains);
+  fits.emplace_back();
+  fits.back().delay = 2e-3;
+  distrust_delayed(fits);
+  EXPECT_FALSE(fits.front().explains);
+  EXPECT_EQ(fits.front().delay, 2e-3);
+  EXPECT_FALSE(fits.front().parameters[0].told);
+  EXPECT_EQ(found_drive(fits.front(), {}), AxisDrive());
+}
+
 TEST(DriveFit, NamesTheAxesWithSetAndActualPositions) {
   Trace trace;
   trace.place[0] = trace.place[1] = {1, 2};
