@@ -24,11 +24,11 @@ constexpr double most_left = 1.0 / 3;          // of the following error
 constexpr double lasting = 12;                 // change of the sum of squares that is more than noise
 constexpr double lasting_delay = 100;          // the same of delays, of which many are tried
 constexpr double told_deviations = 2;          // standard deviations
-constexpr double coarsest_value = 0.2;         // share of a value beyond which its uncertainty is no answer
-constexpr double coarsest_share = 0.05;        // the same of the feed-forward, which is a share itself
+constexpr double coarsest_value = 0.2;         // a larger share of the value as uncertainty: not told
+constexpr double coarsest_share = 0.05;        // a larger uncertainty of the feed-forward: not told
 /// Shares of gain and lag, of the feed-forward itself: less is never claimed.
 constexpr std::array least_error{2e-3, 2e-3, 1e-2};
-constexpr std::size_t left_out_parts = 12;  // of the samples, that are left out in turn
+constexpr std::size_t left_out_parts = 12;  // of the record; each is left out once
 /// What the guess of the set position between samples leaves over, of one sign for long [mm], and as a share
 /// of the following error.
 constexpr double guessed = 2e-6;
@@ -53,10 +53,11 @@ constexpr const char* reason_delayed =
                       "The positions go together better with a delay between set and actual ones than "
                       "without, which cannot be told "
                       "from a following error: record both in one cycle.");
-constexpr const char* reason_beyond = QT_TRANSLATE_NOOP(
-    "core",
-    "It would be outside 0 to 1: the positions were not recorded at the same time, or the drive has more "
-    "than a linear loop.");
+constexpr const char* reason_beyond =
+    QT_TRANSLATE_NOOP("core",
+                      "The feed-forward would be outside 0 to 1: the positions were not recorded at the same "
+                      "time, or the drive has "
+                      "more than a linear loop.");
 constexpr const char* reason_smaller =
     QT_TRANSLATE_NOOP("core", "These traces show the same with smaller values.");
 constexpr const char* reason_not_apart =
@@ -154,7 +155,7 @@ std::vector<Place> drives_that_lag(double lag_time) {
 /// The best of many drives, a few of them, of different shares of feed-forward, refined.
 Place first_guess(const DriveRecord& record, Progress* progress) {
   constexpr std::size_t refined_ones = 7;
-  constexpr std::size_t alike = 2;
+  constexpr std::size_t most_of_a_share = 2;  // starts with one feed-forward
   constexpr int most = 60;
   const std::vector<Place> places = drives_that_lag(record.lag_time());
   std::vector<std::pair<double, std::size_t>> costs(places.size());
@@ -168,7 +169,7 @@ Place first_guess(const DriveRecord& record, Progress* progress) {
   std::vector<Place> starts;
   for (const auto& [cost, i] : costs) {
     const auto same = std::ranges::count(starts, places[i][1], [](const Place& start) { return start[1]; });
-    if (starts.size() < refined_ones && static_cast<std::size_t>(same) < alike) {
+    if (starts.size() < refined_ones && static_cast<std::size_t>(same) < most_of_a_share) {
       starts.push_back(places[i]);
     }
   }
@@ -246,7 +247,7 @@ double root_mean_square(const Eigen::VectorXd& values) {
 /// What the drive would be if the actual positions had been recorded later or earlier than the set ones.
 struct Delayed {
   double delay = 0;           ///< of the actual positions that explains the record best [s]
-  bool is_certain = false;    ///< it is not 0
+  bool is_certain = false;    ///< none explains the record clearly worse
   std::vector<Place> places;  ///< of all delays that explain it about as well, without one among them
 };
 
@@ -294,6 +295,15 @@ void leave(DriveFit& fit, const char* reason) {
     one.value = one.start;
     one.reason = reason;
   }
+}
+
+/// Tells nothing of what was told.
+void distrust(DriveFit& fit, const char* reason) {
+  for (IdentifiedParameter& one : fit.parameters) {
+    one.told = false;
+    one.uncertainty = 0;
+  }
+  leave(fit, reason);
 }
 
 /// Of drives that explain the record as well as the one that was found the simplest: without lag and
@@ -380,6 +390,12 @@ DriveFit fit_drive(const std::vector<const Trace*>& traces, char axis, const Axi
       one.reason = !is_possible ? reason_beyond : can_be_none ? reason_smaller : reason_not_apart;
     }
   }
+  if (fit.parameters[1].reason ==
+      reason_beyond) {  // then gain and lag make up for what is no drive of this kind
+    fit.explains = false;
+    distrust(fit, reason_beyond);
+    return fit;
+  }
   const Place in_use =
       simplest(record, found, std::ranges::any_of(fit.parameters, &IdentifiedParameter::told));
   for (std::size_t p = 0; p < parameter_count; ++p) {
@@ -398,11 +414,7 @@ void distrust_delayed(std::vector<DriveFit>& fits) {
     if (fit.explains) {
       fit.delay = late->delay;
       fit.explains = false;
-      for (IdentifiedParameter& one : fit.parameters) {
-        one.told = false;
-        one.uncertainty = 0;
-      }
-      leave(fit, reason_delayed);
+      distrust(fit, reason_delayed);
     }
   }
 }

@@ -21,8 +21,8 @@ struct DriveFit {
   double following_error = 0;  ///< root mean square, less its mean [mm]
   double left = 0;             ///< the same of what the drive that was found does not explain [mm]
   bool explains = false;       ///< the drive explains the following errors
-  /// By which the actual positions were recorded later than the set ones, if that is certain; then nothing is
-  /// told [s].
+  /// Of the actual positions against the set ones, where it explains them clearly better than none; nothing
+  /// is told then. Else 0 [s].
   double delay = 0;
 };
 
@@ -37,15 +37,15 @@ std::string axes_with_drives(const std::vector<const Trace*>& traces);
 /// correlated from sample to sample, what the guess of the set position between samples, and what leaving out
 /// each twelfth in turn say. A lag that makes no difference is taken as none. Nothing is told if the axis
 /// hardly moves, or if more than a third of the following error is left over: a linear drive is then not what
-/// moves it. Drives with delays of the
-/// actual positions, by some samples late or early, are tried, too: where one explains the record better than
-/// none, nothing is told; where it explains it as well, its values are within the uncertainty.
+/// moves it. Delays of the actual positions, of some samples to both sides, are tried too: where one explains
+/// the record clearly better than none, nothing is told; where one explains it as well, its values are within
+/// the uncertainty. Nor is anything told where the feed-forward would be outside 0 to 1.
 ///
 /// `start`: what a machine file has of the drive; it stays where nothing is told. Throws Cancelled.
 DriveFit fit_drive(const std::vector<const Trace*>& traces, char axis, const AxisDrive& start,
                    Progress* progress = nullptr);
 
-/// Positions of one recording are all of one time or none: where one axis has a delay for certain, nothing is
+/// Positions of one recording are all of one time or none: where one axis has a delay, nothing is
 /// told of the others either.
 void distrust_delayed(std::vector<DriveFit>& fits);
 

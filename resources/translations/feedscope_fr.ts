@@ -4622,8 +4622,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>Un entraînement linéaire laisse plus d’un tiers de l’écart de poursuite inexpliqué : frottement, élasticité, ou positions qui n’ont pas été enregistrées au même instant.</translation>
     </message>
     <message>
-        <source>It would be outside 0 to 1: the positions were not recorded at the same time, or the drive has more than a linear loop.</source>
-        <translation>Elle serait hors de 0 à 1 : les positions n’ont pas été enregistrées au même instant, ou l’entraînement a plus qu’une boucle linéaire.</translation>
+        <source>The feed-forward would be outside 0 to 1: the positions were not recorded at the same time, or the drive has more than a linear loop.</source>
+        <translation>L’anticipation serait hors de 0 à 1 : les positions n’ont pas été enregistrées au même instant, ou l’entraînement a plus qu’une boucle linéaire.</translation>
     </message>
     <message>
         <source>cycles and curves have made more than %1 motions</source>

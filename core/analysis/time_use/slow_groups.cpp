@@ -190,7 +190,7 @@ struct GroupSums {
     }
   }
 
-  /// A stretch like those of the group that is no place.
+  /// A stretch of the same cause that is not listed as a place: its loss, or gain, counts.
   void add_other(const SlowPlace& stretch) {
     loss.add(stretch.loss);
     by_axis[stretch.cause.axis] += stretch.loss;
