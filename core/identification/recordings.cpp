@@ -24,6 +24,7 @@ AxisDrive drive_of(const Machine& machine, char axis) {
 
 void Recordings::add(std::shared_ptr<const Trace> trace, const LoadedProgram& program) {
   items_.push_back({std::move(trace), {}, {}, program});
+  drives_.clear();
 }
 
 void Recordings::add(std::vector<SectionTime> times, const std::string& name, const LoadedProgram& program) {
@@ -52,10 +53,9 @@ std::vector<FitParameter> Recordings::usual_parameters(const Setup& start) const
 
 /// Of the axes that a drive parameter is of, put into the machine of `setup`.
 std::vector<DriveFit> Recordings::fit_drives(const std::vector<FitParameter>& parameters, Setup& setup,
-                                             Progress* progress) const {
+                                             Progress* progress) {
   std::vector<DriveFit> drives;
-  const std::vector<const Trace*> all = traces();
-  const std::string recorded = axes_with_drives(all);
+  const std::string recorded = axes_with_drives(traces());
   for (const FitParameter& parameter : parameters) {
     const char axis = parameter.key.front();
     if (!is_drive_parameter(parameter) || std::ranges::find(drives, axis, &DriveFit::axis) != drives.end()) {
@@ -67,7 +67,7 @@ std::vector<DriveFit> Recordings::fit_drives(const std::vector<FitParameter>& pa
           "and name it if need be, as --columns actual_{}=5:mm",
           parameter.key, axis, static_cast<char>(axis - 'X' + 'x')));
     }
-    drives.push_back(fit_drive(all, axis, drive_of(setup.machine, axis), progress));
+    drives.push_back(drive_of_axis(axis, drive_of(setup.machine, axis), progress));
   }
   distrust_delayed(drives);
   for (const DriveFit& drive : drives) {
@@ -77,6 +77,17 @@ std::vector<DriveFit> Recordings::fit_drives(const std::vector<FitParameter>& pa
     }
   }
   return drives;
+}
+
+/// Found once for all models.
+const DriveFit& Recordings::drive_of_axis(char axis, const AxisDrive& start, Progress* progress) {
+  const auto known = std::ranges::find_if(
+      drives_, [&](const FoundDrive& drive) { return drive.fit.axis == axis && drive.start == start; });
+  if (known != drives_.end()) {
+    return known->fit;
+  }
+  drives_.push_back({start, fit_drive(traces(), axis, start, progress)});
+  return drives_.back().fit;
 }
 
 /// With the sources of its values.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -44,10 +45,18 @@ class Recordings {
 
   std::vector<const Trace*> traces() const;
   std::vector<DriveFit> fit_drives(const std::vector<FitParameter>& parameters, Setup& setup,
-                                   Progress* progress) const;
+                                   Progress* progress);
+  const DriveFit& drive_of_axis(char axis, const AxisDrive& start, Progress* progress);
   void add_drive(Identification& found, const DriveFit& drive, const std::string& date) const;
 
+  /// A drive that was found: no model of the control changes it.
+  struct FoundDrive {
+    AxisDrive start;
+    DriveFit fit;
+  };
+
   std::vector<Item> items_;
+  std::deque<FoundDrive> drives_;
   std::vector<std::vector<Diagnostic>> remarks_;
 };
 

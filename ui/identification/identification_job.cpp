@@ -25,21 +25,21 @@ Recordings recordings_of(const IdentificationRequest& request) {
   return recordings;
 }
 
-/// One model; `share` of the work.
-Identification fit(const IdentificationRequest& request, const IdentificationStart& start,
+/// One model, with `matched` recordings to be laid beside the program; `share` of the work.
+Identification fit(Recordings& recordings, std::size_t matched, const IdentificationStart& start,
                    const std::string& date, Progress& whole, double share) {
   IdentifyOptions options;
   options.date = date;
   std::deque<Progress> parts;  // they stay where they are
-  const auto matched = static_cast<double>(std::max<std::size_t>(1, request.traces.size()));
   const auto stage = [&](std::string_view title) {
     if (!parts.empty()) {
       parts.back().report(1);
     }
     return &parts.emplace_back(
-        whole, share * (title == "fitting" ? 1 - share_of_matching : share_of_matching / matched));
+        whole, share * (title == "fitting" ? 1 - share_of_matching
+                                           : share_of_matching / static_cast<double>(matched)));
   };
-  return recordings_of(request).fit(start.setup, fit_parameters_of(start.setup, start.keys), options, stage);
+  return recordings.fit(start.setup, fit_parameters_of(start.setup, start.keys), options, stage);
 }
 
 }  // namespace
@@ -60,10 +60,12 @@ void IdentificationJob::start(IdentificationRequest request) {
         outcome->date = date_of_today();
         outcome->program = program_mark(request.program);
         outcome->recordings = used_recordings(request);
+        Recordings recordings = recordings_of(request);
+        const std::size_t matched = std::max<std::size_t>(1, request.traces.size());
         const double share = 1 / static_cast<double>(request.starts.size());
         for (const IdentificationStart& one : request.starts) {
           try {
-            outcome->models.push_back(fit(request, one, outcome->date, control.progress, share));
+            outcome->models.push_back(fit(recordings, matched, one, outcome->date, control.progress, share));
           } catch (const InputError& error) {
             outcome->unfitted.push_back({one.setup.model->info().title, error.what()});
           }

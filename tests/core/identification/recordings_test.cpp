@@ -142,6 +142,26 @@ TEST(Recordings, TellDrivesAloneWithoutAnySearch) {
   EXPECT_EQ(found.agreements.size(), 1U);
 }
 
+/// Drives are looked for once; a trace that is added later counts all the same, and so does another start.
+TEST(Recordings, TellTheSameDriveWithEveryModelAndAnotherOneFromMoreTraces) {
+  const LoadedProgram program = moves();
+  Recordings recordings;
+  recordings.add(trace_with_drives(simulate_run(program, mill({"X.kv=40", "Y.kv=40"}))), program);
+  const auto fit = [&](const std::vector<std::string>& settings, const std::string& model) {
+    const auto start = mill(settings, model);
+    return recordings.fit(start, fit_parameters_of(start, {"X.kv"}));
+  };
+  const Identification first = fit({}, "linuxcnc");
+  const Identification other_model = fit({}, "cam");
+  EXPECT_EQ(other_model.parameters.front().value, first.parameters.front().value);
+  EXPECT_EQ(other_model.drives.front().samples, first.drives.front().samples);
+  EXPECT_EQ(fit({"X.kv=70"}, "cam").parameters.front().start, 70);
+  recordings.add(trace_with_drives(simulate_run(program, mill({"X.kv=80", "Y.kv=40"}))), program);
+  const Identification more = fit({}, "linuxcnc");
+  EXPECT_GT(more.drives.front().samples, first.drives.front().samples);
+  EXPECT_NE(more.parameters.front().value, first.parameters.front().value);
+}
+
 TEST(Recordings, WithoutActualPositionsTellNoDrive) {
   const LoadedProgram program = moves();
   Recordings recordings;
