@@ -18,6 +18,16 @@ QString as_text(const std::string& text) {
   return QString::fromStdString(text);
 }
 
+/// A number; 0 for one that is not given. Throws InputError for what is there and is none, such as null,
+/// which must not pass for 0.
+double number_of(const QJsonObject& json, QLatin1String key, const QString& place) {
+  const QJsonValue value = json[key];
+  if (!value.isUndefined() && !value.isDouble()) {
+    throw input_error(QStringLiteral("%1: \"%2\" is not a number").arg(place, key));
+  }
+  return value.toDouble();
+}
+
 /// A count or row; 0 for what is none.
 std::size_t count_of(const QJsonValue& json) {
   constexpr double most = 1e15;  // a double holds it exactly
@@ -38,7 +48,7 @@ QJsonObject to_json(const UsedRecording& recording) {
 UsedRecording read_recording(const QJsonObject& json, const QString& place, QStringList& notes) {
   note_unknown(json, {"name", "kind", "size", "seconds", "sum"}, place, notes);
   return {json["name"].toString(), json["kind"] == table_kind, count_of(json["size"]),
-          json["seconds"].toDouble(), json["sum"].toDouble()};
+          number_of(json, QLatin1String("seconds"), place), number_of(json, QLatin1String("sum"), place)};
 }
 
 // ---- What a model says of a recording
@@ -89,24 +99,31 @@ Agreement read_agreement(const QJsonObject& json, const QString& place, QStringL
                 "stretches_recorded_s", "stretches_simulated_s", "sections"},
                place, notes);
   Agreement agreement;
-  agreement.measured_time = json["measured_s"].toDouble();
-  agreement.simulated_time = json["cycle_time_s"].toDouble();
-  agreement.feed_rms = json["feed_rms_mm_s"].toDouble();
-  agreement.distance = json["distance_mm"].toDouble();
-  agreement.simulated_distance = json["simulated_distance_mm"].toDouble();
+  agreement.measured_time = number_of(json, QLatin1String("measured_s"), place);
+  agreement.simulated_time = number_of(json, QLatin1String("cycle_time_s"), place);
+  agreement.feed_rms = number_of(json, QLatin1String("feed_rms_mm_s"), place);
+  agreement.distance = number_of(json, QLatin1String("distance_mm"), place);
+  agreement.simulated_distance = number_of(json, QLatin1String("simulated_distance_mm"), place);
   const QJsonArray recorded = json["stretches_recorded_s"].toArray();
   const QJsonArray simulated = json["stretches_simulated_s"].toArray();
   for (qsizetype i = 0; i < std::min(recorded.size(), simulated.size()); ++i) {
+    if (!recorded[i].isDouble() || !simulated[i].isDouble()) {
+      throw input_error(QStringLiteral("%1: a time of \"stretches_recorded_s\" or \"stretches_simulated_s\" "
+                                       "is not a number")
+                            .arg(place));
+    }
     agreement.cells.push_back({0, 0, recorded[i].toDouble(), simulated[i].toDouble()});
   }
   return agreement;
 }
 
-std::vector<SectionAgreement> read_sections(const QJsonArray& json) {
+std::vector<SectionAgreement> read_sections(const QJsonArray& json, const QString& place) {
   std::vector<SectionAgreement> sections;
-  for (const QJsonValue& one : json) {
-    sections.push_back({one["section"].toString().toStdString(), one["measured_s"].toDouble(),
-                        one["simulated_s"].toDouble()});
+  for (const QJsonValue& value : json) {
+    const QJsonObject one = value.toObject();
+    sections.push_back({one["section"].toString().toStdString(),
+                        number_of(one, QLatin1String("measured_s"), place),
+                        number_of(one, QLatin1String("simulated_s"), place)});
   }
   return sections;
 }
@@ -138,14 +155,14 @@ IdentifiedParameter read_parameter(const QJsonObject& json, const QString& place
   IdentifiedParameter one;
   one.parameter.key = json["key"].toString().toStdString();
   one.parameter.unit = json["unit"].toString().toStdString();
-  one.start = json["start"].toDouble();
-  one.value = json["value"].toDouble();
+  one.start = number_of(json, QLatin1String("start"), place);
+  one.value = number_of(json, QLatin1String("value"), place);
   one.told = json["told"].toBool();
-  one.uncertainty = json["uncertainty"].toDouble();
+  one.uncertainty = number_of(json, QLatin1String("uncertainty"), place);
   one.reason = json["reason"].toString().toStdString();
   one.told_by = json["told_by"].toString().toStdString();
   if (json["at_least"].isDouble()) {
-    one.at_least = json["at_least"].toDouble();
+    one.at_least = number_of(json, QLatin1String("at_least"), place);
   }
   return one;
 }
@@ -173,9 +190,9 @@ DriveFit read_drive(const QJsonObject& json, const QString& place, QStringList& 
   drive.axis = axis.front().toLatin1();
   drive.explains = json["explains"].toBool();
   drive.samples = count_of(json["samples"]);
-  drive.following_error = json["following_error_mm"].toDouble();
-  drive.left = json["left_mm"].toDouble();
-  drive.delay = json["delay_s"].toDouble();
+  drive.following_error = number_of(json, QLatin1String("following_error_mm"), place);
+  drive.left = number_of(json, QLatin1String("left_mm"), place);
+  drive.delay = number_of(json, QLatin1String("delay_s"), place);
   return drive;
 }
 
@@ -216,8 +233,8 @@ Identification read_model(const QJsonObject& json, const QString& place, std::si
   Identification found;
   found.setup = read_setup(json, place, machines).setup();
   found.explains = json["explains"].toBool();
-  found.residual = json["residual"].toDouble();
-  found.feed_error = json["feed_error"].toDouble();
+  found.residual = number_of(json, QLatin1String("residual"), place);
+  found.feed_error = number_of(json, QLatin1String("feed_error"), place);
   found.simulations = count_of(json["simulations"]);
   for (const QJsonValue& one : json["parameters"].toArray()) {
     found.parameters.push_back(
@@ -236,7 +253,7 @@ Identification read_model(const QJsonObject& json, const QString& place, std::si
   for (const QJsonValue& one : agreements) {
     found.agreements.push_back(
         read_agreement(one.toObject(), place + QStringLiteral(", \"agreements\""), notes));
-    found.sections.push_back(read_sections(one["sections"].toArray()));
+    found.sections.push_back(read_sections(one["sections"].toArray(), place));
   }
   return found;
 }

@@ -351,6 +351,28 @@ TEST(SessionJson, WhateverTheTypesInTheIdentificationNothingCrashes) {
   }
 }
 
+/// A residual of null for one of 0 would say that the model explains everything.
+TEST(SessionJson, ANumberOfAResultThatIsNoneDoesNotPassForZero) {
+  for (const char* key : {"residual", "feed_error"}) {
+    QJsonObject json = to_json(test::some_session("/a.nc"), "/");
+    QJsonObject identification = json["identification"].toObject();
+    QJsonObject result = identification["result"].toObject();
+    QJsonArray models = result["models"].toArray();
+    QJsonObject model = models[0].toObject();
+    ASSERT_TRUE(model[key].isDouble()) << key;
+    model[key] = QJsonValue();
+    models[0] = model;
+    result["models"] = models;
+    identification["result"] = result;
+    json["identification"] = identification;
+    const ReadSession read = read_session(json, "/", shipped_machines());
+    EXPECT_EQ(read.session.identification.result.outcome, nullptr) << key;
+    EXPECT_THAT(read.notes.join("\n").toStdString(), HasSubstr(std::string("what was identified is omitted")))
+        << key;
+    EXPECT_THAT(read.notes.join("\n").toStdString(), HasSubstr(std::string(key) + "\" is not a number"));
+  }
+}
+
 TEST(SessionJson, WhateverTheTypesNothingCrashes) {
   const QJsonObject good = to_json(test::some_session("/a.nc"), "/");
   const QJsonValue wrong[] = {QJsonValue(), 1e300, -1, "text", QJsonArray{1, "a"}, QJsonObject{{"a", 1}}};
