@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/analysis/envelope/rotary_walk.h"
+#include "core/analysis/rotary_peak_search.h"
 #include "core/analysis/turn_law.h"
 #include "core/toolpath/joint_shape.h"
 #include "core/toolpath/turn_course.h"
@@ -12,12 +12,6 @@ namespace feedscope {
 namespace {
 
 constexpr double no_axis = std::numeric_limits<double>::quiet_NaN();
-
-void add_all(const std::array<AxisState, 3>& axes, std::array<AxisPeaks, 3>& peaks) {
-  for (std::size_t i = 0; i < axes.size(); ++i) {
-    peaks[i].add(axes[i].velocity, axes[i].acceleration, axes[i].jerk);
-  }
-}
 
 /// Where joints turn the tool aside, and half way between them, where two joints may reach.
 class OrientationSearch {
@@ -85,23 +79,12 @@ class OrientationSearch {
 RotaryFigures rotary_figures(const std::shared_ptr<const RotaryCourse>& course, bool limits_jerk) {
   RotaryFigures figures;
   const RotaryWalk::Source source(course);
+  RotaryPeakSearch search;
   for (RotaryWalk walk(source, 0); !walk.done(); walk.next()) {
-    const auto look = [&](double time) {
-      const RotarySample sample = walk.sample(time);
-      add_all(sample.rotary, figures.rotary);
-      if (!std::isnan(sample.linear.front().velocity)) {
-        figures.linear = figures.linear.value_or(std::array<AxisPeaks, 3>{});
-        add_all(sample.linear, *figures.linear);
-      }
-    };
-    const RotaryLooks looks = walk.looks();
-    for (int i = 0; i < looks.count(); ++i) {
-      look(looks.at(i));
-    }
-    for (const double time : walk.reach_ends()) {
-      look(time);
-    }
+    search.add(walk);
   }
+  figures.rotary = search.rotary();
+  figures.linear = search.linear();
   for (const RotaryTurn& turn : course->trajectory().path().programmed()->rotary_turns) {
     for (const RotaryAxis& axis : course->axes()) {
       const RestToRestPlace most = TurnLaw(turn, course->axes(), axis).largest();

@@ -1,6 +1,9 @@
 #include "core/analysis/envelope/rotary_walk.h"
 
+#include <array>
+
 #include "core/base/roots.h"
+#include "core/toolpath/turn_course.h"
 
 namespace feedscope {
 
@@ -41,35 +44,51 @@ RotarySample RotaryWalk::sample(double time) {
   return course_.at(motion().state(time - begin()));
 }
 
-std::vector<double> RotaryWalk::reach_ends() {
+std::vector<double> RotaryWalk::turning_places() {
   constexpr int halvings = 50;
-  std::vector<double> ends;
+  constexpr std::array within_reach{0.25, 0.5, 0.75};
+  constexpr std::array beside_pole{-0.03, -0.01, -0.003, 0.0, 0.003, 0.01, 0.03};  // of the line
+  std::vector<double> times;
   const BlendedPath& path = course_.trajectory().path();
   const std::uint32_t segment = path.segment(walk_.part().element);
   const Toolpath& programmed = *path.programmed();
-  if (programmed.turn_joints.empty() || path.kind(walk_.part().element) != ElementKind::line) {
-    return ends;
+  if (programmed.segment_turns.empty() || path.kind(walk_.part().element) != ElementKind::line) {
+    return times;
   }
   const double length = programmed.segments[segment].length;
   const Vec3& start = programmed.start_of(segment);
   const Vec3 direction = (programmed.segments[segment].end - start) / length;
-  const auto add = [&](double at, bool from_there_on) {
+  const auto add = [&](double at, bool from_there_on = false) {
     const auto before = [&](double tau) {
       return (motion().kinematics(tau).position - start).dot(direction) <= at;
     };
     const double duration = walk_.part().duration;
     if (at > 0 && at < length && before(0) && !before(duration)) {
       const Bracket passed = halve({0, duration}, halvings, before);
-      ends.push_back(begin() + (from_there_on ? passed.high : passed.low));
+      times.push_back(begin() + (from_there_on ? passed.high : passed.low));
     }
   };
   if (const TurnJoint* joint = segment > 0 ? course_.joint_behind(segment - std::size_t{1}) : nullptr) {
-    add(joint->behind, false);
+    add(joint->behind);
+    for (const double share : within_reach) {
+      add(share * joint->behind);
+    }
   }
   if (const TurnJoint* joint = course_.joint_behind(segment)) {
     add(length - joint->before, true);
+    for (const double share : within_reach) {
+      add(length - share * joint->before);
+    }
   }
-  return ends;
+  const SegmentTurn* turn = programmed.segment_turn(segment);
+  if (turn != nullptr && turn->great_circle) {
+    if (const std::optional<double> pole = TurnCourse(course_.chain(), *turn, length).nearest_to_pole()) {
+      for (const double share : beside_pole) {
+        add(*pole + share * length);
+      }
+    }
+  }
+  return times;
 }
 
 void RotaryWalk::next() {

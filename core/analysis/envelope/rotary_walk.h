@@ -57,9 +57,10 @@ class RotaryWalk {
   void add(Band& band, double time);
   /// At an instant of the part [s].
   RotarySample sample(double time);
-  /// Where on a line the tip passes the end of the reach of a joint in this part: the jerk of rotary axes
-  /// jumps there [s].
-  std::vector<double> reach_ends();
+  /// When the tip on a line passes, in this part, the end of the reach of a joint, where the jerk of rotary
+  /// axes jumps, a place within that reach, or the one where the tool is nearest to the first rotary axis
+  /// [s].
+  std::vector<double> turning_places();
   void next();
 
  private:

@@ -14,7 +14,7 @@
 #include "core/analysis/run.h"
 #include "core/analysis/run_notes.h"
 #include "core/base/units.h"
-#include "tests/support/folders.h"
+#include "tests/core/analysis/turned_runs.h"
 
 namespace feedscope {
 namespace {
@@ -23,25 +23,11 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 constexpr double deg = units::pi / 180;
-using TurnedRun = feedscope::Run;  // in tests Run is a member of testing::Test
-
-TurnedRun turned(const std::string& text, const std::string& model = "essid",
-                 const std::vector<std::string>& assignments = {}) {
-  SetupRequest request;
-  request.machine = "five-axis-table-ac";
-  request.model = model;
-  request.assignments = assignments;
-  Setup setup = make_setup(request);
-  ReadOptions options;
-  options.dialect = Dialect::sinumerik;
-  options.unit = LengthUnit::mm;
-  const auto source = std::make_shared<const SourceText>("test.mpf", text);
-  return simulate_run(load_program(source, nullptr, reading_on(options, setup.machine)), setup);
-}
-
-RotarySample at(const TurnedRun& run, double time) {
-  return run.sources.rotary->at(run.trajectory->state(time));
-}
+using test::at;
+using test::random_turns;
+using test::run_of;
+using test::turned;
+using test::TurnedRun;
 
 TEST(RotaryCourse, IsThereOnlyWhereAnAxisTurns) {
   EXPECT_EQ(turned("G0 X10\nG1 X20 F1000\n").sources.rotary, nullptr);
@@ -253,51 +239,6 @@ TEST(RotaryNotes, SayWhichModelAndWhichMachineLeaveThemOut) {
   }
 }
 
-/// The closed form of a turn from rest to rest: its largest values are not those of instants beside them.
-TEST(RotaryPeaks, OfAnIndexingTurnAreThoseOfItsLaw) {
-  const TurnedRun run = turned("G0 C90\n");
-  const RotaryAxis& c = *run.setup.machine.kinematics.find('C');
-  const RestToRestPlace law = rest_to_rest_peaks(90 * deg, c.velocity, c.acceleration, c.jerk);
-  const AxisPeaks& peaks = run.summary.rotary->rotary[2];
-  EXPECT_NEAR(peaks.velocity, law.velocity, 1e-9);
-  EXPECT_NEAR(peaks.acceleration, law.acceleration, 1e-9);
-  EXPECT_NEAR(peaks.jerk, c.jerk, 1e-9);
-  EXPECT_FALSE(run.summary.rotary->linear);
-}
-
-/// Blocks of unequal length, whose joints reach over a part of the longer ones alone: jerk jumps there,
-/// within a piece of the motion.
-TEST(RotaryPeaks, AreNearlyWhatAnyInstantShows) {
-  constexpr double nearly = 0.94;  // they are looked for at some instants of each piece
-  for (const char* model : {"essid", "msaddek"}) {
-    const TurnedRun run = turned(
-        "TRAORI\nG1 F6000 X20 C60 A5\nX40 C70 A5\nX43 C55 A8\nX80 C30 A2\nX82 C31 A2\nX90 C60\nX100 C60\n",
-        model, {"orientation_tolerance_deg=0.2"});
-    std::array<AxisPeaks, 3> seen{};
-    const double duration = run.trajectory->duration();
-    constexpr int looks = 40'000;
-    for (int i = 0; i <= looks; ++i) {
-      const RotarySample sample = at(run, duration * i / looks);
-      for (std::size_t axis = 0; axis < seen.size(); ++axis) {
-        const AxisState& motion = sample.rotary[axis];
-        seen[axis].add(motion.velocity, motion.acceleration, motion.jerk);
-      }
-    }
-    for (const std::size_t axis : {0U, 2U}) {
-      const AxisPeaks& peaks = run.summary.rotary->rotary[axis];
-      SCOPED_TRACE(fmt::format("{} {}", model, axis == 0 ? 'A' : 'C'));
-      EXPECT_GE(peaks.velocity, seen[axis].velocity * (1 - 1e-9));
-      EXPECT_GE(peaks.acceleration, seen[axis].acceleration * nearly);
-      EXPECT_LE(peaks.velocity, seen[axis].velocity * 1.01);
-      EXPECT_LE(peaks.acceleration, seen[axis].acceleration * 1.02);
-      if (std::isfinite(peaks.jerk)) {
-        EXPECT_GE(peaks.jerk, seen[axis].jerk * nearly);
-        EXPECT_LE(peaks.jerk, seen[axis].jerk * 1.05);
-      }
-    }
-  }
-}
-
 /// Trials begin with the program, not with what another machine has made of it.
 TEST(RotaryTrials, WorkOutTheTurnsAnew) {
   const TurnedRun run = turned("TRAORI\nG1 F500 C90\nG1 F6000 X20 C150\nX40\nX60 C0\n");
@@ -312,36 +253,6 @@ TEST(RotaryTrials, WorkOutTheTurnsAnew) {
   faster.feed_factor = 1.2;
   const double alone = 90 / (500.0 / 60);  // C by itself at 500 degrees a minute
   EXPECT_LT(time_with(faster), now - 0.9 * alone * (1 - 1 / 1.2));
-}
-
-/// A shipped program on the machine with a table that tilts.
-TurnedRun run_of(const char* file, const std::vector<std::string>& assignments = {},
-                 const char* model = "essid") {
-  SetupRequest request;
-  request.machine = "five-axis-table-ac";
-  request.model = model;
-  request.assignments = assignments;
-  const feedscope::Setup setup = make_setup(request);
-  const std::string path = std::string(FEEDSCOPE_SOURCE_DIR "/resources/programs/") + file;
-  return simulate_run(load_program(path, nullptr, reading_on({}, setup.machine)), setup);
-}
-
-/// Of the ramps on lines and on blends, whose axes hold the tip where the tool nears the vertical axis.
-TEST(RotaryPeaks, OfTheBladeAreWithinTheLimitsButForTheShareOfJoints) {
-  for (const char* model : {"essid", "gassara", "msaddek", "tapie"}) {
-    const TurnedRun run =
-        run_of("sinumerik_blade.mpf",
-               {"tool_length_mm=150", "part_zero_x_mm=0", "part_zero_y_mm=0", "part_zero_z_mm=-300"}, model);
-    for (const RotaryAxis& axis : run.setup.machine.kinematics.rotary) {
-      const AxisPeaks& peaks = run.summary.rotary->rotary[rotary_names.find(axis.name)];
-      EXPECT_LE(peaks.velocity, 1.001 * axis.velocity) << model << ' ' << axis.name;
-      EXPECT_LE(peaks.acceleration, 1.8 * axis.acceleration) << model << ' ' << axis.name;
-    }
-    for (std::size_t i = 0; i < known_axes.size(); ++i) {
-      const AxisLimits& limits = *run.setup.machine.axes.find(known_axes[i].name);
-      EXPECT_LE((*run.summary.rotary->linear)[i].acceleration, 1.8 * limits.acceleration) << model;
-    }
-  }
 }
 
 /// A part that is turned stands square to the tool before its program turns the axes: they do not jump there.
@@ -383,28 +294,6 @@ TEST(RotaryCourse, GivesTheToolItsDirectionInThePart) {
   // Then C by 90 degrees about Z: -Y becomes +X.
   const double end = run.trajectory->duration();
   EXPECT_LT((direction(end) - Vec3(0.5, 0, std::sqrt(0.75))).norm(), 1e-9);
-}
-
-std::string random_turns(unsigned seed) {
-  std::mt19937 random(seed);
-  const auto any = [&](double from, double to) {
-    return std::uniform_real_distribution<double>(from, to)(random);
-  };
-  std::string text = "G17 G90 F3000\nTRAORI\n";
-  for (int i = 0; i < 60; ++i) {
-    const double which = any(0, 1);
-    if (which < 0.1) {
-      text += fmt::format("G0 A{:.3f} C{:.3f}\n", any(-60, 45), any(-170, 170));
-    } else if (which < 0.2) {
-      text += fmt::format("G0 X{:.3f} Y{:.3f} C{:.3f}\n", any(-50, 50), any(-50, 50), any(-90, 90));
-    } else if (which < 0.3) {
-      text += fmt::format("G1 X{:.3f} Y{:.3f}\n", any(-50, 50), any(-50, 50));
-    } else {
-      text += fmt::format("G1 X{:.3f} Y{:.3f} Z{:.3f} A{:.3f} C{:.3f}\n", any(-50, 50), any(-50, 50),
-                          any(-10, 10), any(-60, 45), any(-170, 170));
-    }
-  }
-  return text;
 }
 
 class RotaryCourses : public testing::TestWithParam<const char*> {};

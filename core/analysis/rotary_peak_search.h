@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/analysis/axis_peaks.h"
+#include "core/analysis/envelope/rotary_walk.h"
+
+namespace feedscope {
+
+/// The largest magnitudes of all axes of a machine while its rotary axes turn. A part of the motion is looked
+/// at at some instants; between three of them of which the one in the middle is largest, the largest
+/// magnitude is narrowed down, where it can be above what was found before.
+class RotaryPeakSearch {
+ public:
+  /// Takes up the part where `walk` is.
+  void add(RotaryWalk& walk);
+
+  /// Of A, B and C.
+  const std::array<AxisPeaks, 3>& rotary() const { return rotary_; }
+  /// Of X, Y and Z of the machine; empty where nothing is known of them.
+  const std::optional<std::array<AxisPeaks, 3>>& linear() const { return linear_; }
+
+ private:
+  static constexpr std::size_t count = 18;  // velocity, acceleration and jerk of six axes
+  using Magnitudes = std::array<double, count>;
+  struct Look {
+    double time = 0;  // [s]
+    Magnitudes of{};
+  };
+
+  Look look(RotaryWalk& walk, double time);
+  void narrow(RotaryWalk& walk, const Look& before, const Look& at, const Look& behind);
+  void narrow_at_end(RotaryWalk& walk, const Look& end, const Look& next);
+  void look_closer();
+  double found(std::size_t quantity) const;
+
+  std::array<AxisPeaks, 3> rotary_{};
+  std::optional<std::array<AxisPeaks, 3>> linear_;
+  std::vector<double> times_;
+  std::vector<Look> looks_;
+};
+
+}  // namespace feedscope
