@@ -21,7 +21,7 @@ TurnLimit limit(double speed, TurnLimit::By by, double slope, std::size_t axis) 
 
 }  // namespace
 
-AxisCourses::AxisCourses(const Machine& machine) {
+AxisCourses::AxisCourses(const Machine& machine, const Shares& shares) : shares_(shares) {
   for (std::size_t i = 0; i < coordinate_names.size(); ++i) {
     if (const AxisLimits* axis = machine.axes.find(coordinate_names[i])) {
       axes_[i] = {0, 0, 0, axis->velocity, axis->acceleration, axis->jerk};
@@ -30,6 +30,11 @@ AxisCourses::AxisCourses(const Machine& machine) {
   for (const RotaryAxis& axis : machine.kinematics.rotary) {
     axes_[coordinate_names.size() + rotary_place(axis.name)] = {
         0, 0, 0, axis.velocity, axis.acceleration, axis.jerk};
+  }
+  if (std::isinf(shares.jerk)) {
+    for (Course& axis : axes_) {
+      axis.jerk = shares.jerk;
+    }
   }
 }
 
@@ -55,15 +60,19 @@ TurnLimit AxisCourses::speed_of_bend() const {
   for (std::size_t i = 0; i < count; ++i) {
     const Course& axis = axes_[i];
     if (axis.second > 0) {
-      lower(least, limit(std::sqrt(turning_acceleration * axis.acceleration / axis.second),
+      lower(least, limit(std::sqrt(shares_.acceleration * axis.acceleration / axis.second),
                          TurnLimit::By::acceleration, axis.second, i));
     }
-    if (axis.third > 0) {
+    if (axis.third > 0 && axis.limits_jerk()) {
       lower(least,
             limit(std::cbrt(turning_jerk * axis.jerk / axis.third), TurnLimit::By::jerk, axis.third, i));
     }
   }
   return least;
+}
+
+bool AxisCourses::Course::limits_jerk() const {
+  return jerk < HUGE_VAL;
 }
 
 double AxisCourses::Course::jerk_in_bend(double speed, double along) const {
@@ -98,10 +107,10 @@ TurnRamp AxisCourses::ramp(double speed, double reach) const {
     bool by_jerk = false;
     if (axis.first > 0) {
       const double left = std::max(axis.acceleration - speed * speed * axis.second,
-                                   (1 - turning_acceleration) * axis.acceleration);
+                                   (1 - shares_.acceleration) * axis.acceleration);
       acceleration = left / (axis.first + 2 * reach * axis.second);
     }
-    if (axis.second > 0 || axis.third > 0) {
+    if ((axis.second > 0 || axis.third > 0) && axis.limits_jerk()) {
       const double in_bend = axis.acceleration_in_bend(speed, reach);
       by_jerk = in_bend < acceleration;
       acceleration = std::min(acceleration, in_bend);
@@ -112,7 +121,7 @@ TurnRamp AxisCourses::ramp(double speed, double reach) const {
   const double fastest = faster(speed, along, reach);
   for (std::size_t i = 0; i < count; ++i) {
     const Course& axis = axes_[i];
-    if (axis.first > 0) {
+    if (axis.first > 0 && axis.limits_jerk()) {
       const double left = std::max(axis.jerk - axis.jerk_in_bend(fastest, along),
                                    (1 - across) * (1 - turning_jerk) * axis.jerk);
       lower(least, {HUGE_VAL, left / axis.first, -1, false, static_cast<std::int8_t>(i)});

@@ -14,13 +14,19 @@ namespace feedscope {
 ///   velocity q1 v, acceleration q2 v^2 + q1 v', jerk q3 v^3 + 3 q2 v v' + q1 v''
 class AxisCourses {
  public:
-  explicit AxisCourses(const Machine& machine);
+  /// What of the limits of an axis turning at a constant speed may take.
+  struct Shares {
+    double acceleration = turning_acceleration;
+    double jerk = turning_jerk;  ///< infinite: no jerk is limited
+  };
+
+  explicit AxisCourses(const Machine& machine) : AxisCourses(machine, Shares()) {}
+  AxisCourses(const Machine& machine, const Shares& shares);
 
   /// Takes up the derivatives of an axis, a place in cause_axes, at a place of the part.
   void add(std::size_t axis, const Series& course);
 
-  /// The speed at which velocity, `turning_acceleration` of the acceleration and `turning_jerk` of the jerk
-  /// are taken by the first terms.
+  /// The speed at which velocity and the shares of acceleration and jerk are taken by the first terms.
   TurnLimit speed() const;
   /// The same without the velocity.
   TurnLimit speed_of_bend() const;
@@ -43,8 +49,10 @@ class AxisCourses {
 
     double jerk_in_bend(double speed, double along) const;
     double acceleration_in_bend(double speed, double reach) const;
+    bool limits_jerk() const;
   };
 
+  Shares shares_;
   std::array<Course, count> axes_{};
 };
 

@@ -203,6 +203,14 @@ class RotaryResolver {
         limiter_.hold_beside(path_, joints[k], false, *between[k].behind);
       }
     }
+    if (limiter_.is_bound()) {
+      for (SegmentTurn& turn : path_.segment_turns) {
+        limiter_.set_bound(path_, turn);
+      }
+      for (std::size_t k = 0; k < joints.size(); ++k) {
+        limiter_.set_bound(path_, between[k].before, between[k].behind, joints[k]);
+      }
+    }
   }
 
   RotaryTurn turn_of(const RotaryMove& move) {

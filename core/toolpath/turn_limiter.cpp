@@ -18,6 +18,7 @@ namespace {
 using Angles = std::array<double, 3>;
 
 constexpr std::size_t linear_count = coordinate_names.size();
+constexpr AxisCourses::Shares of_bound{1, HUGE_VAL};
 /// Of an orientation tolerance of 0 in the program.
 constexpr double tightest = 1e-4 * units::pi / 180;  // [rad]
 
@@ -110,6 +111,8 @@ TurnLimiter::TurnLimiter(const Machine& machine, const KinematicChain& chain, co
   follows_program_ = follows_program_tolerance(settings);
   const std::string period = "interpolation_period_s";
   period_ = settings.has(period) ? settings.number(period) : 0;
+  const std::string jerk = "jerk";
+  is_bound_ = settings.has(jerk) && settings.text(jerk) == "off";
 }
 
 void TurnLimiter::add_linear(const CurvePoint& at, std::span<const Series> angles,
@@ -120,8 +123,8 @@ void TurnLimiter::add_linear(const CurvePoint& at, std::span<const Series> angle
   }
 }
 
-void TurnLimiter::set_limits(const Toolpath& path, SegmentTurn& turn) const {
-  AxisCourses courses(machine_);
+/// The derivatives of all axes along a turn.
+void TurnLimiter::add_turn(const Toolpath& path, const SegmentTurn& turn, AxisCourses& courses) const {
   const double length = path.segments[turn.segment].length;
   const TurnCourse course(chain_, turn, length);
   for (const double along : places_along(course, turn, length)) {
@@ -133,8 +136,15 @@ void TurnLimiter::set_limits(const Toolpath& path, SegmentTurn& turn) const {
       add_linear(point_at(path, turn.segment, along), angles, courses);
     }
   }
+}
+
+void TurnLimiter::set_limits(const Toolpath& path, SegmentTurn& turn) const {
+  AxisCourses courses(machine_);
+  add_turn(path, turn, courses);
   turn.limit = courses.speed();
   turn.ramp = courses.ramp(ramp_speed(path, turn.segment, turn.limit.speed), 0);
+  const double length = path.segments[turn.segment].length;
+  const TurnCourse course(chain_, turn, length);
   turn.tilt = tilt_at(course.angles(course.nearest_to_pole().value_or(length / 2)));
 }
 
@@ -249,6 +259,35 @@ void TurnLimiter::hold_beside(const Toolpath& path, const TurnJoint& joint, bool
                          static_cast<std::int8_t>(linear_count + i)});
     }
   }
+}
+
+void TurnLimiter::set_bound(const Toolpath& path, SegmentTurn& turn) const {
+  AxisCourses courses(machine_, of_bound);
+  add_turn(path, turn, courses);
+  turn.limit = courses.speed();
+  turn.ramp = courses.ramp(0, 0);
+}
+
+void TurnLimiter::set_bound(const Toolpath& path, const SegmentTurn* before, const SegmentTurn* behind,
+                            TurnJoint& joint) const {
+  const Meeting meeting = meeting_of(path, before, behind, joint);
+  joint.ramp = {};
+  if (!(joint.before > 0)) {
+    joint.limit = jump_limit(path, meeting, joint);
+    return;
+  }
+  AxisCourses courses(machine_, of_bound);
+  const Side& side = meeting.sides[0];
+  std::vector<Series> angles = angles_at(meeting.angles, side.slopes);
+  for (std::size_t k = 0; k < axes_.size(); ++k) {
+    const std::size_t axis = rotary_place(axes_[k]->name);
+    angles[k] += joint_turn(joint, axis, -0.0);
+    courses.add(linear_count + axis, angles[k]);
+  }
+  if (meeting.at_tip && part_.known) {
+    add_linear(point_at(path, joint.segment, 1), angles, courses);
+  }
+  joint.limit = courses.speed();
 }
 
 /// How the speed of the tip may grow along a segment [mm/s2].

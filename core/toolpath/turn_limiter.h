@@ -30,7 +30,8 @@ inline constexpr double jump_share = 0.2;
 class TurnLimiter {
  public:
   /// `chain`: of the machine; both outlive it. Of the settings it reads orientation_tolerance_deg,
-  /// program_tolerance (whether those of the program go before) and interpolation_period_s.
+  /// program_tolerance (whether those of the program go before), interpolation_period_s and whether the jerk
+  /// is limited.
   TurnLimiter(const Machine& machine, const KinematicChain& chain, const Settings& settings,
               const PartOnMachine& part);
 
@@ -67,6 +68,13 @@ class TurnLimiter {
   /// (`at_end`) shapes its course (shapes_segment()): there the axis turns more than on the rest.
   void hold_beside(const Toolpath& path, const TurnJoint& joint, bool at_end, SegmentTurn& turn) const;
 
+  /// The model asks what no control can beat: velocities and accelerations are taken whole, jerks are not
+  /// limited (`jerk=off` of a bound). Then the limits that were set last are replaced by those.
+  bool is_bound() const { return is_bound_; }
+  void set_bound(const Toolpath& path, SegmentTurn& turn) const;
+  void set_bound(const Toolpath& path, const SegmentTurn* before, const SegmentTurn* behind,
+                 TurnJoint& joint) const;
+
  private:
   /// One of the two segments that meet.
   struct Side {
@@ -87,6 +95,7 @@ class TurnLimiter {
 
   Meeting meeting_of(const Toolpath& path, const SegmentTurn* before, const SegmentTurn* behind,
                      const TurnJoint& joint) const;
+  void add_turn(const Toolpath& path, const SegmentTurn& turn, AxisCourses& courses) const;
   void add_linear(const CurvePoint& at, std::span<const Series> angles, AxisCourses& courses) const;
   AxisCourses bend_of(const Toolpath& path, const Meeting& meeting, const Neighbours& beside,
                       const TurnJoint& joint) const;
@@ -111,6 +120,7 @@ class TurnLimiter {
   double tolerance_ = 0;         ///< of the orientation where the program gives none [rad]
   bool follows_program_ = true;  ///< it may give one: OTOL, CYCLE832, TA of cycle 32 and of M128
   double period_ = 0;            ///< [s]
+  bool is_bound_ = false;
 };
 
 }  // namespace feedscope

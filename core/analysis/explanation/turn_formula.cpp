@@ -1,9 +1,9 @@
 #include "core/analysis/explanation/turn_formula.h"
 
 #include <array>
+#include <cmath>
 
 #include "core/limits/cause.h"
-#include "core/limits/segment_limits.h"
 #include "core/toolpath/turn_limiter.h"
 
 namespace feedscope {
@@ -73,7 +73,8 @@ Formula formula_of(const TurnLimit& limit, const Machine& machine, double period
     case TurnLimit::By::jerk:
       break;
   }
-  return {symbols.id, {{Symbol::turning_share, -1, turning_share}, axis, slope}};
+  const double taken = std::pow(limit.speed, limit.by == TurnLimit::By::jerk ? 3 : 2) * limit.slope;
+  return {symbols.id, {{Symbol::turning_share, -1, taken / axis.value}, axis, slope}};
 }
 
 }  // namespace feedscope

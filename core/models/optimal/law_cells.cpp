@@ -32,12 +32,13 @@ LawCells::LawCells(const AxisVectors& axes, int fineness)
 void LawCells::add_element(const BlendedPath& path, std::uint32_t index) {
   const SpeedBound programmed = element_ceiling(path, index, axes_.velocity);
   rule_.speed = programmed.value;
+  const SegmentTurn* turn = path.programmed()->segment_turn(path.segment(index));
   path_cells_.clear();
   append_cells(path, index, rule_, path_cells_);
   for (std::size_t i = 0; i < path_cells_.size(); ++i) {
     const PathCell& cell = path_cells_[i];
     if (cell.straight) {
-      add_straight(cell, programmed);
+      add_straight(cell, programmed, turn);
       continue;
     }
     const PathCell* before = i > 0 ? &path_cells_[i - 1] : nullptr;
@@ -47,7 +48,7 @@ void LawCells::add_element(const BlendedPath& path, std::uint32_t index) {
   }
 }
 
-void LawCells::add_straight(const PathCell& cell, const SpeedBound& programmed) {
+void LawCells::add_straight(const PathCell& cell, const SpeedBound& programmed, const SegmentTurn* turn) {
   const Vec3 t = cell.from.t.cwiseProduct(share_of_acceleration_);
   const AccelerationRange range(cell.from.t, t, Vec3::Zero());
   LawCell& added = cells_.emplace_back();
@@ -56,6 +57,10 @@ void LawCells::add_straight(const PathCell& cell, const SpeedBound& programmed) 
   added.ceiling = ceiling_of(programmed, {&cell.from});
   added.acceleration = range.highest(0);
   added.axis = static_cast<std::int8_t>(range.axis_of_highest(0));
+  if (turn != nullptr && turn->ramp.acceleration < added.acceleration) {
+    added.acceleration = turn->ramp.acceleration;
+    added.axis = turn->ramp.acceleration_axis;
+  }
   added.element = cell.element;
   added.straight = true;
 }

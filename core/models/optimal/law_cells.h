@@ -83,7 +83,8 @@ class LawCells {
     Vec3 c;  ///< curvature vector over it [s2/mm2]
   };
 
-  void add_straight(const PathCell& cell, const SpeedBound& programmed);
+  /// `turn`: of rotary axes along it; null for none.
+  void add_straight(const PathCell& cell, const SpeedBound& programmed, const SegmentTurn* turn);
   void add_curved(const PathCell& cell, const SpeedBound& programmed, bool goes_on);
   void add_place(const PathPoint& at);
   SpeedBound ceiling_of(const SpeedBound& programmed, std::initializer_list<const PathPoint*> places) const;

@@ -80,8 +80,13 @@ ModelInfo make_info() {
                         "On the path of ward, jerk=on keeps the jerk except for short peaks where an arc "
                         "begins from a standstill."),
       QT_TRANSLATE_NOOP("core", "Stops only where the path itself has a kink, a reversal or a dwell."),
-      QT_TRANSLATE_NOOP("core",
-                        "Kinks of up to 0.01 rad at arcs are treated as tangent, as in every model.")};
+      QT_TRANSLATE_NOOP("core", "Kinks of up to 0.01 rad at arcs are treated as tangent, as in every model."),
+      QT_TRANSLATE_NOOP(
+          "core",
+          "Where rotary axes turn it is no strict bound: they hold the tip over each whole block "
+          "by their fastest place, along curves and where blocks meet by their velocity and by "
+          "what turning takes, not while the tip speeds up; turns between operations take the "
+          "time of the machine's jerk.")};
   info.limits.along_and_across = true;
   return info;
 }

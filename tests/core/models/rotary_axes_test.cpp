@@ -152,6 +152,28 @@ INSTANTIATE_TEST_SUITE_P(Models, RotaryAxes,
                          testing::Values("essid", "gassara", "tapie", "msaddek", "ward", "optimal"),
                          model_name);
 
+/// C turns by 3 degrees a millimetre: its acceleration holds the ramps of the line, no jerk holds anything.
+TEST(RotaryAxesOfTheBound, HoldItByVelocityAndAccelerationAlone) {
+  const Machine machine = five_axes();
+  const ControlModel& optimal = find_model("optimal");
+  const RotaryAxis& c = *machine.kinematics.find('C');
+  const double slope = units::from_deg(3);  // [rad/mm]
+  const double length = 40;
+  const auto path = turning_path("TRAORI\nG1 X40 C120 F60000\n");
+  const Trajectory bound = optimal.simulate(path, machine, complete_settings(optimal, machine));
+  const double speed = c.velocity / slope;
+  const double acceleration = c.acceleration / slope;
+  EXPECT_NEAR(bound.duration(), length / speed + speed / acceleration, 1e-6);
+  const auto bent = turning_path("TRAORI\nG1 X40 C120 A5 F60000\nX60 Y10 C100 A20\nX70 C100 A3\nX90\n");
+  const Trajectory without_jerk = optimal.simulate(bent, machine, complete_settings(optimal, machine));
+  for (const Piece& piece : without_jerk.pieces()) {
+    EXPECT_NE(piece.cause.kind, CauseKind::axis_jerk) << piece.time;
+  }
+  const ControlModel& essid = find_model("essid");
+  EXPECT_LT(without_jerk.duration(),
+            essid.simulate(bent, machine, complete_settings(essid, machine)).duration());
+}
+
 TEST(RotaryAxesOfCam, WaitToo) {
   const Machine machine = five_axes();
   const ControlModel& model = find_model("cam");

@@ -32,6 +32,18 @@ TEST(AxisCourses, HoldTheTermsOfAConstantSpeed) {
   EXPECT_EQ(with(0, 0, 0).speed, std::numeric_limits<double>::infinity());
 }
 
+TEST(AxisCourses, TakeWholeAccelerationsAndNoJerkForABound) {
+  const Machine machine = table_machine();
+  const RotaryAxis& c = axis_of(machine);
+  AxisCourses courses(machine, {1, HUGE_VAL});
+  courses.add(axis_c, Series(0, 0.05, 0.02, 0.5));
+  EXPECT_EQ(courses.speed().by, TurnLimit::By::acceleration);
+  EXPECT_NEAR(courses.speed().speed, std::sqrt(c.acceleration / 0.02), 1e-9);
+  EXPECT_NEAR(courses.ramp(0, 0).acceleration, c.acceleration / 0.05, 1e-9);
+  EXPECT_NEAR(courses.ramp(0, 3).acceleration, c.acceleration / (0.05 + 2 * 3 * 0.02), 1e-9);
+  EXPECT_EQ(courses.ramp(0, 3).jerk, HUGE_VAL);
+}
+
 TEST(AxisCourses, GiveHalfOfTheJerkThatIsLeftToTheRampInABend) {
   const Machine machine = table_machine();
   AxisCourses courses(machine);
