@@ -15,6 +15,7 @@ constexpr double finest = 1e-3;          // [mm]: what is nearer than that is th
 constexpr double rounded_pause = 4e-3;   // [mm]: between the farthest places of a pause, rounded to 1 um
 constexpr double noise_of_a_pause = 10;  // times the noise: between the farthest places of a pause
 constexpr double noise_of_the_end = 3;   // times the noise: of the last place of the path
+constexpr double usual_growth = 0.02;    // of the way: a corner that is cut leaves the path faster
 constexpr double search_growth = 1.05;   // of the way between two searches where the path is lost
 
 struct Found {
@@ -62,12 +63,14 @@ class Matcher {
       matched_.distance[i] = static_cast<float>(found.distance);
       if (found.distance <= options_.tolerance) {
         if (found.part > part_ || found.share > share_) {
-          usual_ = found.distance;
+          const bool was_lost = i > 0 && std::isnan(matched_.s[i - 1]);
+          usual_ = was_lost ? found.distance : std::min(found.distance, usual_ + usual_growth * moved_);
         }
         part_ = found.part;
         share_ = found.share;
         moved_ = next_search = 0;
         matched_.s[i] = s_of(found);
+        matched_.distance[i] = static_cast<float>(distance_around(found, here));
         matched_.end = i + 1;
         if (matched_.arrival == count && at_end()) {
           matched_.arrival = i;
@@ -146,6 +149,24 @@ class Matcher {
     return best;
   }
 
+  /// From the path beside a place that was found, ahead and back: where a corner is cut, the nearest place is
+  /// on one side of it and the motion already counts as on the other, or still does.
+  double distance_around(const Found& found, const Vec3& place) const {
+    constexpr double reach = 4;  // times the distance
+    double least = found.distance;
+    const double s = s_of(found);
+    const double from = s - reach * found.distance;
+    const double to = s + reach * found.distance;
+    for (std::size_t part = found.part; part > 0 && course_.s(part) > from; --part) {
+      least = std::min(least, project(part - 1, 0, place).distance);
+    }
+    least = std::min(least, project(found.part, 0, place).distance);
+    for (std::size_t part = found.part + 1; part + 1 < course_.size() && course_.s(part) < to; ++part) {
+      least = std::min(least, project(part, 0, place).distance);
+    }
+    return least;
+  }
+
   std::optional<std::size_t> find_start(std::size_t from) {
     if (course_.size() < 2) {
       return std::nullopt;
@@ -192,8 +213,8 @@ class Matcher {
   /// creeps ahead with the noise, as it never goes back: it must not take a later pass through there for
   /// nearer.
   double equal_;
-  /// From the path where the motion last went on [mm]. A motion that runs beside the path, as one rounded to
-  /// steps, comes to a sharp corner nearer to the way back: so far away it is still on its way there.
+  /// From the path where the motion went on lately [mm]. A motion that runs beside the path, as one rounded
+  /// to steps, comes to a sharp corner nearer to the way back: so far away it is still on its way there.
   double usual_ = 0;
   double end_reach_;  ///< the end is reached so far before it [mm]
   MatchedRecord matched_;
