@@ -59,7 +59,11 @@ class Matcher {
       if (moved_ < next_search) {
         continue;
       }
-      const Found found = nearest(here, allowed(i));
+      Found found = nearest(here, allowed(i));
+      if (hints_.guide != nullptr && found.distance > options_.tolerance) {
+        // A control that joins blocks names the last one of them while it is on the first.
+        found = nearest(here, {});
+      }
       matched_.distance[i] = static_cast<float>(found.distance);
       if (found.distance <= options_.tolerance) {
         if (found.part > part_ || found.share > share_) {

@@ -6,7 +6,7 @@
 namespace feedscope {
 namespace {
 
-constexpr double chord_error = 2e-3;  // [mm]
+constexpr double chord_error = 5e-4;  // [mm]
 
 }  // namespace
 

@@ -11,7 +11,7 @@ namespace feedscope {
 /// Which of X, Y and Z a trace has.
 using SeenAxes = std::array<bool, 3>;
 
-/// The programmed path as short lines, arcs within 2 um, to find recorded places on. Axes that are not seen
+/// The programmed path as short lines, arcs within 0.5 um, to find recorded places on. Axes that are not seen
 /// have no extent.
 class ProgrammedCourse {
  public:

@@ -133,6 +133,22 @@ TracePose pose_of_a_part(const ProgrammedCourse& course, const MotionRecord& rec
   return best;
 }
 
+/// Half of what was matched is farther from the path [mm].
+double usual_distance(const MatchedRecord& matched) {
+  std::vector<float> distances;
+  for (std::size_t i = matched.first; i < matched.end; ++i) {
+    if (!std::isnan(matched.s[i])) {
+      distances.push_back(matched.distance[i]);
+    }
+  }
+  if (distances.empty()) {
+    return 0;
+  }
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::ranges::nth_element(distances, middle);
+  return static_cast<double>(*middle);
+}
+
 std::vector<LostStretch> lost_of(const MotionRecord& record, const MatchedRecord& matched, double period) {
   std::vector<LostStretch> lost;
   std::size_t last = matched.first;
@@ -180,7 +196,6 @@ TraceOnProgram find_on_program(const Trace& trace, const ProgrammedCourse& cours
   constexpr double surely = 0.9;
   TraceOnProgram found;
   const MotionRecord recorded = record_of(trace);
-  found.pose = find_pose(course, recorded);
   const double noise = noise_of(recorded);
   const auto options_at = [&](const TracePose& pose) {
     return MatchOptions{usual_deviation + 2 * deviation + 6 * pose.scale * noise, pose.scale * noise};
@@ -213,9 +228,14 @@ TraceOnProgram find_on_program(const Trace& trace, const ProgrammedCourse& cours
     }
     return placed;
   };
-  Placement placement = place(found.pose);
-  if (placement.fit.trace_share < half && (!found.pose.plain() || !found.pose.offset.isZero())) {
-    placement = place(TracePose());  // its reach is that of the program by chance
+  Placement placement = place(TracePose());
+  if (placement.fit.trace_share < surely || placement.fit.path_share < surely) {
+    const TracePose pose = find_pose(course, recorded);
+    if (!pose.plain() || !pose.offset.isZero()) {
+      Placement moved = place(pose);
+      // Else its reach is that of the program by chance.
+      placement = moved.fit.trace_share >= half ? std::move(moved) : place(TracePose());
+    }
   }
   if (placement.fit.trace_share < surely && placement.fit.path_share < surely) {
     const TracePose pose = pose_of_a_part(course, recorded, options_at(TracePose()), placement);
@@ -231,7 +251,10 @@ TraceOnProgram find_on_program(const Trace& trace, const ProgrammedCourse& cours
       TracePose nearer = placement.pose;
       nearer.offset -= left;
       Placement moved = place(nearer);
-      if (moved.fit.trace_share < placement.fit.trace_share - (1 - whole)) {
+      // Corners that are cut on one side alone are no offset: with the right one most of the trace is on the
+      // path.
+      if (moved.fit.trace_share < placement.fit.trace_share - (1 - whole) ||
+          usual_distance(moved.matched) > half * usual_distance(placement.matched)) {
         moved = place(placement.pose);
       }
       placement = std::move(moved);

@@ -1,5 +1,6 @@
 #include "core/analysis/agreement/agreement.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -55,6 +56,35 @@ TEST(Agreement, OfATraceWithItsOwnRunIsExact) {
   EXPECT_NEAR(agreement.simulated_time, agreement.measured_time, 1e-3);
   EXPECT_LT(agreement.feed_rms, 0.05);
   EXPECT_NEAR(found.share, 1, 1e-4);
+}
+
+/// A control that cuts a right angle within 0.02 mm: not the distance from the line before, to its end.
+TEST(Agreement, IsAsFarFromTheProgramAsTheContourErrorOfTheRun) {
+  for (const char* text : {"G21 G90 G17 G64 P0.02\nG1 X30 F6000\nY30\nX10 Y40\nM30\n",
+                           "G21 G90 G17 G64 P0.02\nG1 Z-10 F1000\nX50 F6000\nM30\n"}) {
+    const auto run = run_of(text);
+    const double error = run.summary.max_contour_error;
+    ASSERT_GT(error, 0.01);
+    const auto [found, agreement] = compare(trace_of(run, 1e-3), run);
+    EXPECT_LE(agreement.distance, error + 1e-4);
+    EXPECT_GE(agreement.distance, 0.8 * error) << "between two samples it is a little more";
+    EXPECT_NEAR(agreement.simulated_distance, agreement.distance, 2e-3);
+  }
+}
+
+/// The corners of a wave are cut on its crests alone, which moves all of its reach.
+TEST(Agreement, FindsNoOffsetThatCutCornersMakeButATrueOne) {
+  std::string text = "G21 G90 G17 G64 P0.02\n";
+  for (int i = 1; i <= 30; ++i) {
+    text += fmt::format("G1 X{} Y{} F6000\n", i, i % 2);
+  }
+  const auto run = run_of(text);
+  Trace trace = trace_of(run, 1e-3, 2e-4);
+  const auto [found, agreement] = compare(trace, run);
+  EXPECT_EQ(found.pose.offset, Vec3(Vec3::Zero()));
+  EXPECT_TRUE(agreement.whole);
+  change(trace, 1, 1, 0.05);
+  EXPECT_NEAR(compare(trace, run).found.pose.offset.y(), -0.05, 5e-3);
 }
 
 TEST(Agreement, ToleratesNoiseAndACoarseRate) {

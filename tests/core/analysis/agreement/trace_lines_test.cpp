@@ -85,6 +85,21 @@ TEST_F(RepeatedRounds, AreMatchedByPositionWhereTheLinesAreOfAnotherProgram) {
   EXPECT_NEAR(found(whole_).share, 1, 1e-3);
 }
 
+/// As controls do that join blocks: line 4 is named from the start of line 3 on.
+TEST(FindOnProgram, ATraceThatNamesTheLastOfJoinedBlocksIsFoundOnTheFirst) {
+  const auto run = run_of("G21 G90 G17 F3000\nG1 X20\nX40\nX60\nY30\nM30\n");
+  const ProgrammedCourse course(*run.input.toolpath, {true, true, true});
+  Trace trace = trace_of(run, 1e-3);
+  const MatchedRecord matched = match_record(course, record_of(trace), {0.3, 0});
+  for (const double s : matched.s) {
+    const std::uint32_t line = course.line_at(s);
+    trace.line.push_back(line == 3 ? 4 : line);
+  }
+  const TraceOnProgram found = find_on_program(trace, course, 0.02);
+  EXPECT_TRUE(found.lost.empty());
+  EXPECT_NEAR(found.share, 1, 1e-3);
+}
+
 TEST(BlockNumbers, AreThoseThatLinesBeginWith) {
   const BlockNumbers numbers(
       SourceText("p", "N10 G0 X1\n  n20G1X2\n/2 N30 X3\n:40 X4\n50 L X5\n60X6\nG1 X7 N70\nN10 X8\n"));
