@@ -56,6 +56,9 @@ std::string trace_text(const Trace& trace) {
 std::string agreement_text(const TraceOnProgram& found, const Agreement& agreement, const Run& run) {
   std::string text = fmt::format("\nbeside {} on {}, model {}:\n", run.input.program->source->name(),
                                  run.setup.machine.id, run.setup.model->info().id);
+  if (!found.belongs()) {
+    return text + "  not compared: the trace does not belong to this program\n";
+  }
   if (found.pose.offset.norm() > 1e-3) {
     text += fmt::format("  offset of the trace: {:.4g} {:.4g} {:.4g} mm\n", found.pose.offset.x(),
                         found.pose.offset.y(), found.pose.offset.z());

@@ -85,6 +85,22 @@ double median_step(const std::vector<double>& values) {
   return *middle;
 }
 
+/// As times do, and positions for a while alone.
+bool rises_evenly(const std::vector<double>& values) {
+  constexpr double about = 0.5;
+  constexpr double nearly_all = 0.9;
+  const double usual = median_step(values);
+  std::size_t even = 0;
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    const double step = values[i] - values[i - 1];
+    if (step < 0) {
+      return false;
+    }
+    even += std::abs(step - usual) <= about * usual ? 1 : 0;
+  }
+  return usual > 0 && static_cast<double>(even) >= nearly_all * static_cast<double>(values.size() - 1);
+}
+
 class ColumnFinder {
  public:
   ColumnFinder(const TableHead& head, const TraceColumns& asked, const std::string& name,
@@ -207,7 +223,7 @@ class ColumnFinder {
     const std::vector<double> first = values_of(head_, 0);
     if (are_whole(first) && median_step(first) == 1) {
       take(TraceQuantity::number, next++, 1, "", ", it rises by one");
-    } else if (median_step(first) > 0 && std::ranges::is_sorted(first)) {
+    } else if (rises_evenly(first)) {
       take(TraceQuantity::time, next++, 1, "", ", it rises");
     }
     std::size_t axis = 0;

@@ -11,6 +11,9 @@
 
 namespace feedscope {
 
+/// Faster than any machine tool goes [mm/s]: between two samples farther apart others are missing.
+inline constexpr double fastest_possible = 5000;
+
 /// What a control, or something beside it, recorded while a program ran: 64 bytes a sample at most.
 /// All lists are empty or have one value a sample.
 struct Trace {

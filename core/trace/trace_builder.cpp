@@ -15,24 +15,63 @@ constexpr std::size_t most_samples = 200'000'000;
 constexpr std::size_t least_samples = 10;
 constexpr std::size_t most_listed = 20;
 constexpr std::size_t shown_text = 60;
+constexpr double gap_share = 1.75;  // of the period: a sample is missing
 
-/// Fills what is not a number between two numbers along a straight line over the time; what stands in front
-/// of the first or behind the last stays.
+/// How many values that were missing are filled in.
+struct Filled {
+  std::size_t between = 0;  ///< interpolated
+  std::size_t held = 0;     ///< those of the last known one
+};
+
+/// So many samples after a known one the next may be missing where a signal has a lower rate than others; one
+/// that is missing for longer was left out because it does not change.
 template <class Number>
-std::size_t fill_between(const std::vector<double>& time, std::vector<Number>& values, bool hold) {
-  std::size_t filled = 0;
+std::size_t longest_between(const std::vector<Number>& values) {
+  constexpr std::size_t least = 10;
+  constexpr std::size_t much_longer = 5;
+  std::vector<std::size_t> steps;
+  std::size_t known = values.size();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!std::isnan(values[i])) {
+      if (known < values.size()) {
+        steps.push_back(i - known);
+      }
+      known = i;
+    }
+  }
+  if (steps.empty()) {
+    return least;
+  }
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return std::max(least, much_longer * *middle);
+}
+
+/// Values that are missing between two known ones, evenly; `hold`, and where many are missing, also behind
+/// the last one: those of the one before. What is ahead of the first stays.
+template <class Number>
+Filled fill_between(const std::vector<double>& time, std::vector<Number>& values, bool hold) {
+  Filled filled;
+  const std::size_t longest = longest_between(values);
   std::size_t known = values.size();
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (std::isnan(values[i])) {
       continue;
     }
+    const bool held = hold || i - known > longest;
     for (std::size_t k = known + 1; known < values.size() && k < i; ++k) {
-      const double share = hold ? 0 : (time[k] - time[known]) / (time[i] - time[known]);
+      const double share = held ? 0 : (time[k] - time[known]) / (time[i] - time[known]);
       const auto from = static_cast<double>(values[known]);
       values[k] = static_cast<Number>(from + share * (static_cast<double>(values[i]) - from));
-      ++filled;
+      ++(held ? filled.held : filled.between);
     }
     known = i;
+  }
+  if (known < values.size() && values.size() - known > longest) {
+    for (std::size_t k = known + 1; k < values.size(); ++k) {
+      values[k] = values[known];
+      ++filled.held;
+    }
   }
   return filled;
 }
@@ -176,8 +215,9 @@ void TraceBuilder::keep_longest_part() {
       }
     }
     note(Severity::warning, line_of(begin), "trace-parts",
-         fmt::format("the time goes back {} times; the longest part with {} of {} samples is used",
-                     parts_.size() - 1, most, trace_.time.size()),
+         fmt::format("the time goes back {}; the longest part with {} of {} samples is used",
+                     parts_.size() == 2 ? "once" : fmt::format("{} times", parts_.size() - 1), most,
+                     trace_.time.size()),
          "record one run in one trace");
   }
   keep(begin, end);
@@ -198,18 +238,25 @@ void TraceBuilder::keep(std::size_t begin, std::size_t end) {
 }
 
 void TraceBuilder::fill_missing() {
-  std::size_t filled = 0;
+  Filled filled;
   for (auto* places : {&trace_.place, &trace_.actual}) {
     for (auto& values : *places) {
-      filled += fill_between(trace_.time, values, false);
+      const Filled of_axis = fill_between(trace_.time, values, false);
+      filled.between += of_axis.between;
+      filled.held += of_axis.held;
     }
   }
   fill_between(trace_.time, trace_.feed, false);
   fill_between(trace_.time, lines_, true);
-  if (filled > 0) {
+  if (filled.between > 0) {
     note(Severity::info, 0, "trace-interpolated",
-         fmt::format("{} missing positions are interpolated between their neighbours", filled),
+         fmt::format("{} missing positions are interpolated between their neighbours", filled.between),
          "signals recorded at one rate need none");
+  }
+  if (filled.held > 0) {
+    note(Severity::info, 0, "trace-held",
+         fmt::format("{} positions that are missing for long are those before them", filled.held),
+         "recorders that write changes alone leave them out");
   }
 }
 
@@ -233,8 +280,7 @@ void TraceBuilder::drop_unknown_ends() {
 }
 
 void TraceBuilder::look_at_times() {
-  constexpr double gap_share = 1.75;  // of the period: a sample is missing
-  constexpr double coarse = 0.0101;   // [s]
+  constexpr double coarse = 0.0101;  // [s]
   std::vector<double> steps;
   steps.reserve(trace_.time.size() - 1);
   for (std::size_t i = 1; i < trace_.time.size(); ++i) {
@@ -282,6 +328,48 @@ void TraceBuilder::look_at_times() {
   }
 }
 
+/// Positions that no machine goes through between two samples.
+void TraceBuilder::look_at_jumps() {
+  constexpr double least = 1;       // [mm]
+  constexpr double much_more = 10;  // times the steps beside it
+  std::size_t count = 0;
+  const auto step = [&](std::size_t from, std::size_t to) {
+    return (trace_.place_at(to) - trace_.place_at(from)).norm();
+  };
+  const auto report = [&](std::size_t i, std::string message, std::string hint) {
+    if (count++ < most_listed) {
+      note(Severity::warning, line_of(i), "trace-jump", std::move(message), std::move(hint));
+    }
+  };
+  for (std::size_t i = 1; i + 1 < trace_.size(); ++i) {
+    const double here = step(i - 1, i);
+    const double time = trace_.time[i] - trace_.time[i - 1];
+    if (here < least || here <= fastest_possible * time || time > gap_share * trace_.period) {
+      continue;
+    }
+    const double behind = step(i, i + 1);
+    const double before = i > 1 ? step(i - 2, i - 1) : 0;
+    const double at = trace_.time[i] - trace_.time.front();
+    if (behind > here / 2 && step(i - 1, i + 1) * much_more < here) {
+      report(i,
+             fmt::format("the sample at {:.6g} s lies {:.4g} mm beside those before and behind it", at, here),
+             "it is not compared; the others are right");
+      ++i;
+    } else if (here > much_more * std::max(before, behind)) {
+      report(i,
+             fmt::format("the position jumps by {:.4g} mm within {:.4g} ms at {:.6g} s", here,
+                         units::to_ms(time), at),
+             "samples are missing there without a gap in the times: all later times, and the cycle time, are "
+             "too short by an unknown time");
+    }
+  }
+  if (count > most_listed) {
+    note(Severity::warning, 0, "trace-jump",
+         fmt::format("{} more jumps of the position", count - most_listed),
+         "check how the trace was recorded");
+  }
+}
+
 Trace TraceBuilder::finish() {
   if (skipped_ > 0) {
     note(Severity::warning, first_skipped_, "trace-row",
@@ -311,6 +399,7 @@ Trace TraceBuilder::finish() {
                                  trace_.time.size(), least_samples));
   }
   look_at_times();
+  look_at_jumps();
   const double first = trace_.time.front();
   for (double& time : trace_.time) {
     time -= first;

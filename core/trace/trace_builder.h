@@ -61,6 +61,7 @@ class TraceBuilder {
   void fill_missing();
   void drop_unknown_ends();
   void look_at_times();
+  void look_at_jumps();
   std::uint32_t line_of(std::size_t sample) const;
 
   Trace trace_;

@@ -74,6 +74,7 @@ SideBySide::SideBySide(Workbench& workbench, SceneView& first, RenderBackend bac
   follow_workbench();
   show_program();
   show_current();
+  show_overlays();
 }
 
 SideBySide::~SideBySide() {

@@ -172,7 +172,10 @@ void fill_corners(QStandardItemModel& table, const ShownTrace& shown) {
 QString verdict_of(const ShownTrace& shown) {
   const Agreement& agreement = shown.agreement;
   const QString percent = plain(std::abs(100 * agreement.time_error()), 2);
-  const QString time = agreement.time_error() < 0
+  constexpr double not_shown = 0.5e-4;  // in percent with two decimals
+  const QString time = std::abs(agreement.time_error()) < not_shown
+                           ? TraceTables::tr("The simulation is as fast as the control")
+                       : agreement.time_error() < 0
                            ? TraceTables::tr("The simulation is %1 % faster than the control").arg(percent)
                            : TraceTables::tr("The simulation is %1 % slower than the control").arg(percent);
   if (!shown.found.belongs()) {

@@ -24,6 +24,7 @@
 #include "ui/shared/panel_action.h"
 #include "ui/shared/paths.h"
 #include "ui/shared/row_copy.h"
+#include "ui/shared/wrapped_names.h"
 #include "ui/trace/trace_import_dialog.h"
 #include "ui/trace/trace_tables.h"
 #include "ui/workbench/trace_messages.h"
@@ -33,7 +34,7 @@ namespace feedscope::ui {
 namespace {
 
 constexpr int progress_steps = 1000;
-constexpr int least_figures = 200;  // width of their table [px]
+constexpr int least_name = 130;  // of a figure, in several lines [px]
 
 /// In which all columns show their contents [px].
 int wanted_width(const QTreeView& view) {
@@ -137,6 +138,8 @@ void TraceView::make_layout() {
   head->addWidget(verdict_);
   head->addWidget(remarks_);
   figures_view_ = add_table(figures_, tr("Figures of the agreement"));
+  figures_view_->setUniformRowHeights(false);
+  new WrappedNames(*figures_view_);
   places_view_ = add_table(places_, tr("Places where trace and run differ most"));
   corners_view_ = add_table(corners_, tr("Corners, where trace and run differ most first"));
   tables_->setChildrenCollapsible(false);
@@ -259,11 +262,13 @@ void TraceView::show_result() {
   for (QTreeView* view : {figures_view_, places_view_, corners_view_}) {
     view->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
   }
-  figures_view_->header()->setSectionResizeMode(0,
-                                                QHeaderView::Stretch);  // long titles of operations are cut
+  figures_view_->header()->setSectionResizeMode(
+      0,
+      QHeaderView::Stretch);  // long titles of operations are wrapped
+  const int figures = wanted_width(*figures_view_) - figures_view_->header()->sectionSize(0) + least_name;
   const int places = wanted_width(*places_view_);
   const int corners = wanted_width(*corners_view_);
-  tables_->setSizes({std::max(tables_->width() - places - corners, least_figures), places, corners});
+  tables_->setSizes({std::max(tables_->width() - places - corners, figures), places, corners});
 }
 
 void TraceView::show_progress() {

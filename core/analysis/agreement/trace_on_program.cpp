@@ -12,6 +12,7 @@ namespace {
 
 constexpr double half = 0.5;
 constexpr double whole = 0.99;
+constexpr double begun_jump = 1;    // [mm]
 constexpr double gap_share = 1.75;  // of the period: a sample is missing
 
 /// A trace laid onto the path in one way.
@@ -157,8 +158,11 @@ std::vector<LostStretch> lost_of(const MotionRecord& record, const MatchedRecord
       continue;
     }
     const bool off = i - last > 2;
-    if (off || record.time[i] - record.time[last] > 2 * gap_share * period) {
-      lost.push_back({record.time[last], record.time[i], matched.s[last], matched.s[i], off});
+    const double time = record.time[i] - record.time[last];
+    const bool jumps =
+        !off && (record.place[i] - record.place[last]).norm() > fastest_possible * time + begun_jump;
+    if (off || jumps || time > 2 * gap_share * period) {
+      lost.push_back({record.time[last], record.time[i], matched.s[last], matched.s[i], off, jumps});
     }
     last = i;
   }

@@ -27,6 +27,7 @@ struct LostStretch {
   double from_s = 0;  ///< programmed path length [mm]
   double to_s = 0;
   bool recorded = false;  ///< there are samples, which are too far from the path
+  bool jumps = false;     ///< the places are farther apart than the tool can have come
 };
 
 /// A trace found on the path of its program.

@@ -100,7 +100,7 @@ void add_lost(std::vector<Diagnostic>& remarks, const TraceOnProgram& found, con
     std::size_t count = 0;
     LostStretch longest;
     for (const LostStretch& stretch : found.lost) {
-      if (stretch.recorded == recorded) {
+      if (stretch.recorded == recorded && !stretch.jumps) {  // those are said of the trace itself
         time += stretch.to - stretch.from;
         ++count;
         longest = stretch.to - stretch.from > longest.to - longest.from ? stretch : longest;

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <functional>
 
 #include "core/base/error.h"
 
@@ -109,6 +110,43 @@ TEST(ReadTrace, ReadsHalsamplerByItsValues) {
   EXPECT_THAT(codes(trace), HasSubstr("trace-columns:1 trace-period:0"));
 }
 
+/// As it records without -t: a position that rises is no time.
+TEST(ReadTrace, ReadsHalsamplerWithoutSampleNumbers) {
+  std::string text;
+  for (int i = 0; i < 200; ++i) {
+    const double x = 5e-4 * i * i;  // speeds up
+    text += fmt::format("{:.6f} {:.6f} 0.5 7 12.5\n", x, -x / 2);
+  }
+  const Trace trace = parse_trace(text, "t.txt");
+  EXPECT_NEAR(trace.place[0][100], 5, 1e-9);
+  EXPECT_NEAR(trace.place[1][100], -2.5, 1e-9);
+  EXPECT_EQ(trace.line[100], 7U);
+  EXPECT_NEAR(trace.period, 1e-3, 1e-12);
+}
+
+/// Rows of a motion at 100 mm/s, one each millisecond; `change` may move a place [mm].
+std::string even_motion(const std::function<double(int)>& change) {
+  std::string text = "time_s,x_mm\n";
+  for (int i = 0; i < 100; ++i) {
+    text += fmt::format("{:.3f},{:.4f}\n", i * 1e-3, 0.1 * i + change(i));
+  }
+  return text;
+}
+
+TEST(ReadTrace, SaysWhereSamplesAreMissingWithoutAGapInTheTimes) {
+  const Trace trace = parse_trace(even_motion([](int i) { return i >= 50 ? 40.0 : 0; }), "t.csv");
+  EXPECT_EQ(codes(trace), "trace-jump:52 ");
+  EXPECT_THAT(trace.notes[0].message, HasSubstr("jumps by 40.1 mm within 1 ms at 0.05 s"));
+  EXPECT_THAT(trace.notes[0].hint, HasSubstr("too short"));
+  EXPECT_THAT(parse_trace(even_motion([](int) { return 0.0; }), "t.csv").notes, IsEmpty());
+}
+
+TEST(ReadTrace, SaysWhichSampleLiesBesideTheOthers) {
+  const Trace trace = parse_trace(even_motion([](int i) { return i == 50 ? 500.0 : 0; }), "t.csv");
+  EXPECT_EQ(codes(trace), "trace-jump:52 ");
+  EXPECT_THAT(trace.notes[0].message, HasSubstr("the sample at 0.05 s lies 500.1 mm beside"));
+}
+
 TEST(ReadTrace, TakesThePeriodAndColumnsThatAreGiven) {
   const Trace trace =
       parse_trace(table("", "{n} {y} {x}\n"), "t.txt", parse_trace_columns("number=1,x=3:-mm,rate=500"));
@@ -207,6 +245,21 @@ std::string sinumerik_records() {
                            i % 2 == 0 ? fmt::format(" f3=\"{}\"", -i) : "");
   }
   return records;
+}
+
+/// Records with what changes alone: Y stands after its first value, X before it moves.
+TEST(ReadTrace, TakesWhatIsMissingForLongForUnchanged) {
+  std::string records = "<rec time=\"0\" f2=\"1\" f3=\"5\"/>\n";
+  for (int i = 1; i < 100; ++i) {
+    const std::string x = i < 40 ? "" : fmt::format(" f2=\"{:.3f}\"", 0.1 * (i - 29));
+    records += fmt::format("<rec time=\"{}\"{}/>\n", 0.004 * i, x);
+  }
+  const Trace trace = parse_trace(sinumerik(records), "t.xml");
+  ASSERT_EQ(trace.size(), 100U);
+  EXPECT_EQ(trace.place[0][39], 1);
+  EXPECT_NEAR(trace.place[0][40], 1.1, 1e-12);
+  EXPECT_EQ(trace.place[1][99], 5);
+  EXPECT_THAT(codes(trace), HasSubstr("trace-held"));
 }
 
 TEST(ReadTrace, ReadsSinumerikXmlByItsKeysAndInterpolatesMissingFields) {
