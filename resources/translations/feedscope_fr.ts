@@ -8153,6 +8153,170 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <source>The positions go together better with a delay between set and actual ones than without, which cannot be told from a following error: record both in one cycle.</source>
         <translation>Les positions vont mieux ensemble avec un décalage entre consignes et positions réelles que sans, ce qui ne se distingue pas d’un écart de poursuite : les enregistrer dans un même cycle.</translation>
     </message>
+    <message>
+        <source>grbl rejects the line (error %1: %2: %3); it is not run</source>
+        <translation>grbl rejette la ligne (erreur %1&#xa0;: %2&#xa0;: %3)&#xa0;; elle n&apos;est pas exécutée</translation>
+    </message>
+    <message>
+        <source>grbl rejects the line (error %1: %2); it is not run</source>
+        <translation>grbl rejette la ligne (erreur %1&#xa0;: %2)&#xa0;; elle n&apos;est pas exécutée</translation>
+    </message>
+    <message>
+        <source>a word must begin with a letter</source>
+        <translation>un mot doit commencer par une lettre</translation>
+    </message>
+    <message>
+        <source>a letter has no number</source>
+        <translation>une lettre est sans nombre</translation>
+    </message>
+    <message>
+        <source>system commands are not part of a program</source>
+        <translation>les commandes du système n&apos;ont pas leur place dans un programme</translation>
+    </message>
+    <message>
+        <source>the value must not be negative</source>
+        <translation>la valeur ne doit pas être négative</translation>
+    </message>
+    <message>
+        <source>the line has more than 79 characters</source>
+        <translation>la ligne compte plus de 79 caractères</translation>
+    </message>
+    <message>
+        <source>the command is not supported</source>
+        <translation>la commande n&apos;est pas prise en charge</translation>
+    </message>
+    <message>
+        <source>two commands of one group</source>
+        <translation>deux commandes du même groupe</translation>
+    </message>
+    <message>
+        <source>no feed is given</source>
+        <translation>aucune avance n&apos;est donnée</translation>
+    </message>
+    <message>
+        <source>the number of the command must be whole</source>
+        <translation>le numéro de la commande doit être entier</translation>
+    </message>
+    <message>
+        <source>two commands both use the axis words</source>
+        <translation>deux commandes utilisent toutes deux les mots d&apos;axe</translation>
+    </message>
+    <message>
+        <source>a word is repeated</source>
+        <translation>un mot est répété</translation>
+    </message>
+    <message>
+        <source>axis words of the plane are missing</source>
+        <translation>il manque les mots d&apos;axe du plan</translation>
+    </message>
+    <message>
+        <source>a value is missing</source>
+        <translation>il manque une valeur</translation>
+    </message>
+    <message>
+        <source>the work offset does not exist</source>
+        <translation>le décalage d&apos;origine n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>G53 needs G0 or G1</source>
+        <translation>G53 demande G0 ou G1</translation>
+    </message>
+    <message>
+        <source>axis words without a command that uses them</source>
+        <translation>mots d&apos;axe sans commande qui les utilise</translation>
+    </message>
+    <message>
+        <source>the arc does not fit its end point</source>
+        <translation>l&apos;arc ne correspond pas à son point final</translation>
+    </message>
+    <message>
+        <source>the radius is smaller than half the distance of the ends</source>
+        <translation>le rayon est inférieur à la moitié de la distance entre les extrémités</translation>
+    </message>
+    <message>
+        <source>centre offsets of the plane are missing</source>
+        <translation>il manque les décalages du centre dans le plan</translation>
+    </message>
+    <message>
+        <source>a word is not used by any command of the line</source>
+        <translation>un mot n&apos;est utilisé par aucune commande de la ligne</translation>
+    </message>
+    <message>
+        <source>G43.1 takes Z only</source>
+        <translation>G43.1 n&apos;accepte que Z</translation>
+    </message>
+    <message>
+        <source>the tool number is too large</source>
+        <translation>le numéro d&apos;outil est trop grand</translation>
+    </message>
+    <message>
+        <source>the line is not accepted</source>
+        <translation>la ligne n&apos;est pas acceptée</translation>
+    </message>
+    <message>
+        <source>radius %1 mm at its start, %2 mm at its end</source>
+        <translation>rayon de %1 mm au début, de %2 mm à la fin</translation>
+    </message>
+    <message>
+        <source>F of G93</source>
+        <translation>F de G93</translation>
+    </message>
+    <message>
+        <source>P of G4</source>
+        <translation>P de G4</translation>
+    </message>
+    <message>
+        <source>P of G10</source>
+        <translation>P de G10</translation>
+    </message>
+    <message>
+        <source>L or P of G10</source>
+        <translation>L ou P de G10</translation>
+    </message>
+    <message>
+        <source>Klipper rejects the line (%1); it is not run</source>
+        <translation>Klipper rejette la ligne (%1)&#xa0;; elle n&apos;est pas exécutée</translation>
+    </message>
+    <message>
+        <source>G20: inches are not supported</source>
+        <translation>G20&#xa0;: les pouces ne sont pas pris en charge</translation>
+    </message>
+    <message>
+        <source>unknown command %1</source>
+        <translation>commande %1 inconnue</translation>
+    </message>
+    <message>
+        <source>invalid speed F</source>
+        <translation>vitesse F non valide</translation>
+    </message>
+    <message>
+        <source>%1 has no number</source>
+        <translation>%1 est sans nombre</translation>
+    </message>
+    <message>
+        <source>arcs need absolute coordinates</source>
+        <translation>les arcs demandent des coordonnées absolues</translation>
+    </message>
+    <message>
+        <source>arcs by radius are not supported</source>
+        <translation>les arcs par rayon ne sont pas pris en charge</translation>
+    </message>
+    <message>
+        <source>invalid time P</source>
+        <translation>temps P non valide</translation>
+    </message>
+    <message>
+        <source>invalid factor S</source>
+        <translation>facteur S non valide</translation>
+    </message>
+    <message>
+        <source>invalid value of %1</source>
+        <translation>valeur de %1 non valide</translation>
+    </message>
+    <message>
+        <source>M204 needs S, or P and T</source>
+        <translation>M204 demande S, ou P et T</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ActionTable</name>

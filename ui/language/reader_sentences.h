@@ -12,6 +12,8 @@ std::span<const char* const> general_sentences();
 std::span<const char* const> iso_sentences();
 std::span<const char* const> sinumerik_sentences();
 std::span<const char* const> heidenhain_sentences();
+/// Why a simulated control rejects a line (core/models/grbl, klipper).
+std::span<const char* const> control_sentences();
 /// Of the notes on an imported configuration of a control (core/machine/import).
 std::span<const char* const> import_sentences();
 

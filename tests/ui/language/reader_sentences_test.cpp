@@ -16,6 +16,8 @@
 #include "core/analysis/run.h"
 #include "core/base/error.h"
 #include "core/machine/import/machine_import.h"
+#include "core/models/grbl/grbl_reading.h"
+#include "core/models/klipper/klipper_reading.h"
 #include "core/program/program.h"
 #include "tests/support/folders.h"
 #include "tests/ui/language/source_literals.h"
@@ -36,7 +38,7 @@ std::string with_plain_places(const std::string& pattern) {
 std::set<std::string> all_patterns() {
   std::set<std::string> all;
   for (const auto& of_reader : {general_sentences(), iso_sentences(), sinumerik_sentences(),
-                                heidenhain_sentences(), import_sentences()}) {
+                                heidenhain_sentences(), control_sentences(), import_sentences()}) {
     for (const char* const text : of_reader) {
       EXPECT_TRUE(all.insert(text).second) << "twice: " << text;
     }
@@ -78,9 +80,15 @@ TEST(ReaderSentences, HaveEveryMessageOfTheSourcesOfTheReaders) {
   for (const std::string& pattern : all_patterns()) {
     patterns.insert(with_plain_places(pattern));
   }
-  std::vector<std::filesystem::path> sources{
-      checkout / "core/toolpath/rotary_resolver.cpp", checkout / "core/toolpath/rotary_notes.cpp",
-      checkout / "core/toolpath/rotary_positions.cpp", checkout / "core/analysis/chord_error.cpp"};
+  std::vector<std::filesystem::path> sources{checkout / "core/toolpath/rotary_resolver.cpp",
+                                             checkout / "core/toolpath/rotary_notes.cpp",
+                                             checkout / "core/toolpath/rotary_positions.cpp",
+                                             checkout / "core/analysis/chord_error.cpp",
+                                             checkout / "core/models/grbl/grbl_reading.cpp",
+                                             checkout / "core/models/grbl/grbl_line.cpp",
+                                             checkout / "core/models/grbl/grbl_arc_words.cpp",
+                                             checkout / "core/models/klipper/klipper_reading.cpp",
+                                             checkout / "core/models/klipper/klipper_limits.cpp"};
   // What these say is in composed_text, or on the page of messages.
   const std::set<std::string> others{"path_control.cpp", "program_unit.cpp", "message_codes.h",
                                      "message_codes.cpp"};
@@ -214,6 +222,25 @@ TEST_F(FrenchMessages, OfConfigurationsInTheTestsOfImports) {
     }
   }
   EXPECT_GT(said().size(), 20U);
+}
+
+/// A line for every reason of a control to reject it.
+TEST_F(FrenchMessages, OfLinesThatControlsReject) {
+  const std::string for_grbl = "1X\nG\n$H\nF-1\n" + std::string(80, '1') +
+                               "\nG5\nD1\nG1 G0\nG90.05\nG28 G92 X1\nX1 X2\nG92\nG10 L2 P9 X1\nG10 X1\nG10 "
+                               "L2 P1\nG10 L3 P1 X1\nG53 G2 X1 I1 "
+                               "F100\nG1 X1\nF100\nG80 X1\nG2 X10 I1\nG2 X10 R1\nG2 X0 R1\nG2 X10\nG2 I1\nG0 "
+                               "X1 P1\nG43.1 X1\nT256\nG4\nG93\n"
+                               "G1 X2\n";
+  const Program by_grbl = read_as_grbl(std::make_shared<SourceText>("part.nc", for_grbl), 0.002F);
+  EXPECT_GE(by_grbl.diagnostics.size(), 28U);
+  look_at(by_grbl.diagnostics);
+  const Program by_klipper = read_as_klipper(std::make_shared<SourceText>(
+      "part.nc",
+      "G20\nG5\nG1 X1 F0\nG1 X\nG91\nG2 X1 I1\nG90\nG2 X1 R1\nG2 X1\nG4 P-1\nM220 S0\nM204\nM204 S-1\n"));
+  EXPECT_EQ(by_klipper.diagnostics.size(), 11U);
+  look_at(by_klipper.diagnostics);
+  EXPECT_EQ(said().size(), by_grbl.diagnostics.size() + by_klipper.diagnostics.size());
 }
 
 TEST_F(FrenchMessages, OfTheCorpus) {
