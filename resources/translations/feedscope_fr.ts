@@ -8317,6 +8317,614 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <source>M204 needs S, or P and T</source>
         <translation>M204 demande S, ou P et T</translation>
     </message>
+    <message>
+        <source>&apos;%1&apos; is a folder; give a %2</source>
+        <translation>&apos;%1&apos; est un dossier&#xa0;; il faut un fichier&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>cannot read %1 &apos;%2&apos;: %3</source>
+        <translation>&apos;%2&apos; ne peut pas être lu (%1)&#xa0;: %3</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is larger than %2 MiB and cannot be a %3</source>
+        <translation>&apos;%1&apos; dépasse %2 Mio et ne peut pas être ce qui est attendu&#xa0;: %3</translation>
+    </message>
+    <message>
+        <source>machine file</source>
+        <translation>fichier de machine</translation>
+    </message>
+    <message>
+        <source>load file</source>
+        <translation>fichier de charge</translation>
+    </message>
+    <message>
+        <source>file of materials</source>
+        <translation>fichier de matières</translation>
+    </message>
+    <message>
+        <source>lesson</source>
+        <translation>leçon</translation>
+    </message>
+    <message>
+        <source>configuration of a control</source>
+        <translation>configuration d&apos;une commande</translation>
+    </message>
+    <message>
+        <source>configuration</source>
+        <translation>configuration</translation>
+    </message>
+    <message>
+        <source>table of section times</source>
+        <translation>table de temps de sections</translation>
+    </message>
+    <message>
+        <source>column specification</source>
+        <translation>spécification des colonnes</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;%1&apos; in %2; %3</source>
+        <translation>clé &apos;%1&apos; inconnue dans %2&#xa0;; %3</translation>
+    </message>
+    <message>
+        <source>known: %1</source>
+        <translation>sont connus&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>key &apos;%1&apos; is missing in %2</source>
+        <translation>il manque la clé &apos;%1&apos; dans %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in %2 must be a table</source>
+        <translation>&apos;%1&apos; dans %2 doit être une table</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in %2 must be a text in quotes</source>
+        <translation>&apos;%1&apos; dans %2 doit être un texte entre guillemets</translation>
+    </message>
+    <message>
+        <source>the file</source>
+        <translation>le fichier</translation>
+    </message>
+    <message>
+        <source>not valid TOML: %1</source>
+        <translation>TOML non valide&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>aucun fichier ou dossier de ce nom</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>accès refusé</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>c&apos;est un dossier</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>il n&apos;y a plus de place sur le support</translation>
+    </message>
+    <message>
+        <source>cannot read machine folder &apos;%1&apos;: %2</source>
+        <translation>le dossier de machines &apos;%1&apos; ne peut pas être lu&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>unknown machine &apos;%1&apos;: neither a machine id nor a file; %2</source>
+        <translation>machine &apos;%1&apos; inconnue&#xa0;: ni identifiant de machine, ni fichier&#xa0;; %2</translation>
+    </message>
+    <message>
+        <source>ids: %1</source>
+        <translation>identifiants&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>machine &apos;%1&apos;: %2</source>
+        <translation>machine &apos;%1&apos;&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>machine &apos;%1&apos;: axis %2 moves in this program, but one of its limits is %3; every limit of an axis that moves must be above 0</source>
+        <translation>machine &apos;%1&apos;&#xa0;: l&apos;axe %2 se déplace dans ce programme, mais l&apos;une de ses limites vaut %3&#xa0;; toute limite d&apos;un axe qui se déplace doit être supérieure à 0</translation>
+    </message>
+    <message>
+        <source>axis %1 has values of a drive but no position gain; give %2.kv in 1/s, or remove the others</source>
+        <translation>l&apos;axe %1 a des valeurs d&apos;entraînement mais pas de gain de position&#xa0;; donnez %2.kv en 1/s, ou supprimez les autres</translation>
+    </message>
+    <message>
+        <source>axis %1 has a friction spike but no time in which it decays; give %2.friction_time in ms</source>
+        <translation>l&apos;axe %1 a un pic de frottement mais pas de temps de décroissance&#xa0;; donnez %2.friction_time en ms</translation>
+    </message>
+    <message>
+        <source>axis %1 is a rotary axis, and the file does not say where it is; add [kinematics] with its chain, and %2 with direction and point</source>
+        <translation>l&apos;axe %1 est un axe rotatif, et le fichier ne dit pas où il se trouve&#xa0;; ajoutez [kinematics] avec sa chaîne, et %2 avec direction et point</translation>
+    </message>
+    <message>
+        <source>%1 has no limits; add [axes.%2]</source>
+        <translation>%1 n&apos;a pas de limites&#xa0;; ajoutez [axes.%2]</translation>
+    </message>
+    <message>
+        <source>the chain &apos;%1&apos; %2; name X, Y, Z and the rotary axes once each from the part to the tool, with the word frame between those that carry the part and those that carry the tool, as in &quot;C A Y frame X Z&quot;</source>
+        <translation>la chaîne &apos;%1&apos; %2&#xa0;; nommez X, Y, Z et les axes rotatifs une fois chacun, de la pièce à l&apos;outil, avec le mot frame entre ceux qui portent la pièce et ceux qui portent l&apos;outil, comme dans &quot;C A Y frame X Z&quot;</translation>
+    </message>
+    <message>
+        <source>the travel of axis %1 is empty, from %2 to %3 degrees</source>
+        <translation>la course de l&apos;axe %1 est vide, de %2 à %3 degrés</translation>
+    </message>
+    <message>
+        <source>%1 is not a work offset; write it as programs name it, such as G55, &quot;G54.1 P3&quot; or G505</source>
+        <translation>%1 n&apos;est pas un décalage d&apos;origine&#xa0;; écrivez-le comme les programmes le nomment, par exemple G55, &quot;G54.1 P3&quot; ou G505</translation>
+    </message>
+    <message>
+        <source>%1 is given twice; remove one</source>
+        <translation>%1 est donné deux fois&#xa0;; supprimez-en un</translation>
+    </message>
+    <message>
+        <source>%1 must have one of source = &quot;paper, table&quot; and assumed = &quot;reason&quot;</source>
+        <translation>%1 doit avoir soit source = &quot;paper, table&quot;, soit assumed = &quot;reason&quot;</translation>
+    </message>
+    <message>
+        <source>%1 needs a source: write { value = ..., source = &quot;paper, table&quot; } or { value = ..., assumed = &quot;reason&quot; }</source>
+        <translation>%1 demande une source&#xa0;: écrivez { value = ..., source = &quot;paper, table&quot; } ou { value = ..., assumed = &quot;reason&quot; }</translation>
+    </message>
+    <message>
+        <source>value of %1 must be a number</source>
+        <translation>la valeur de %1 doit être un nombre</translation>
+    </message>
+    <message>
+        <source>value of %1 must be a number or text</source>
+        <translation>la valeur de %1 doit être un nombre ou un texte</translation>
+    </message>
+    <message>
+        <source>%1 of %2 must be a number</source>
+        <translation>%1 de %2 doit être un nombre</translation>
+    </message>
+    <message>
+        <source>unknown axis &apos;%1&apos;; the axes are %2</source>
+        <translation>axe &apos;%1&apos; inconnu&#xa0;; les axes sont %2</translation>
+    </message>
+    <message>
+        <source>unknown limit &apos;%1&apos; of axis %2; %3</source>
+        <translation>limite &apos;%1&apos; inconnue de l&apos;axe %2&#xa0;; %3</translation>
+    </message>
+    <message>
+        <source>the limits are %1</source>
+        <translation>les limites sont %1</translation>
+    </message>
+    <message>
+        <source>unknown model &apos;%1&apos;; known models: %2</source>
+        <translation>modèle &apos;%1&apos; inconnu&#xa0;; modèles connus&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>unknown model &apos;%1&apos;; did you mean &apos;%2&apos;? known models: %3</source>
+        <translation>modèle &apos;%1&apos; inconnu&#xa0;; vouliez-vous dire &apos;%2&apos;&#xa0;? modèles connus&#xa0;: %3</translation>
+    </message>
+    <message>
+        <source>%1 = &apos;%2&apos; is not a number; it must be %3</source>
+        <translation>%1 = &apos;%2&apos; n&apos;est pas un nombre&#xa0;; il doit être %3</translation>
+    </message>
+    <message>
+        <source>%1 = &apos;%2&apos;: %3</source>
+        <translation>%1 = &apos;%2&apos;&#xa0;: %3</translation>
+    </message>
+    <message>
+        <source>%1 = &apos;%2&apos; is text; it must be a number %3</source>
+        <translation>%1 = &apos;%2&apos; est un texte&#xa0;; ce doit être un nombre&#xa0;: %3</translation>
+    </message>
+    <message>
+        <source>setting &apos;%1&apos; has no value</source>
+        <translation>le réglage &apos;%1&apos; est sans valeur</translation>
+    </message>
+    <message>
+        <source>a number has one decimal separator and no thousands separators; write %1</source>
+        <translation>un nombre a un seul séparateur décimal et pas de séparateur de milliers&#xa0;; écrivez %1</translation>
+    </message>
+    <message>
+        <source>the comma could be a decimal or a thousands separator; write %1 or %2</source>
+        <translation>la virgule pourrait être un séparateur décimal ou de milliers&#xa0;; écrivez %1 ou %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a folder; give a trace</source>
+        <translation>&apos;%1&apos; est un dossier&#xa0;; il faut un enregistrement</translation>
+    </message>
+    <message>
+        <source>cannot read trace &apos;%1&apos;: %2</source>
+        <translation>l&apos;enregistrement &apos;%1&apos; ne peut pas être lu&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is written in UTF-16; save it as UTF-8</source>
+        <translation>&apos;%1&apos; est écrit en UTF-16&#xa0;; enregistrez-le en UTF-8</translation>
+    </message>
+    <message>
+        <source>%1:%2: the line is longer than 1 MiB; this is no table of samples</source>
+        <translation>%1:%2&#xa0;: la ligne dépasse 1 Mio&#xa0;; ce n&apos;est pas une table d&apos;échantillons</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has no column that is known as the position of X, Y or Z; it has %2; say which, as --columns x=2:mm,y=3:mm</source>
+        <translation>&apos;%1&apos; n&apos;a aucune colonne reconnue comme position de X, Y ou Z&#xa0;; colonnes&#xa0;: %2&#xa0;; indiquez lesquelles, comme --columns x=2:mm,y=3:mm</translation>
+    </message>
+    <message>
+        <source>no title of a column says which are the positions of X, Y and Z</source>
+        <translation>aucun titre de colonne n&apos;indique les positions de X, Y et Z</translation>
+    </message>
+    <message>
+        <source>the columns have no titles</source>
+        <translation>les colonnes n&apos;ont pas de titres</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has no signal that is known as the position of X, Y or Z; it has %2; say which, as --columns x=1:mm,y=2:mm</source>
+        <translation>&apos;%1&apos; n&apos;a aucun signal reconnu comme position de X, Y ou Z&#xa0;; signaux&#xa0;: %2&#xa0;; indiquez lesquels, comme --columns x=1:mm,y=2:mm</translation>
+    </message>
+    <message>
+        <source>%1:%2: no samples follow the head of the TwinCAT Scope export</source>
+        <translation>%1:%2&#xa0;: aucun échantillon ne suit l&apos;en-tête de l&apos;export TwinCAT Scope</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has no record of a SINUMERIK trace</source>
+        <translation>&apos;%1&apos; ne contient aucune donnée d&apos;une trace SINUMERIK</translation>
+    </message>
+    <message>
+        <source>%1:%2: %3; this is no whole XML file</source>
+        <translation>%1:%2&#xa0;: %3&#xa0;; ce n&apos;est pas un fichier XML complet</translation>
+    </message>
+    <message>
+        <source>%1:%2: the trace has more than %3 million samples</source>
+        <translation>%1:%2&#xa0;: l&apos;enregistrement compte plus de %3 millions d&apos;échantillons</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has no position of X, Y or Z; name their columns, as --columns x=2:mm,y=3:mm</source>
+        <translation>&apos;%1&apos; n&apos;a pas de position de X, Y ou Z&#xa0;; nommez leurs colonnes, comme --columns x=2:mm,y=3:mm</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has %2 samples; a trace has at least %3</source>
+        <translation>&apos;%1&apos; compte %2 échantillons&#xa0;; il en faut au moins %3</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has no column &apos;%2&apos; for %3; %4</source>
+        <translation>&apos;%1&apos; n&apos;a pas de colonne &apos;%2&apos; pour %3&#xa0;; %4</translation>
+    </message>
+    <message>
+        <source>it has %1 columns without names</source>
+        <translation>il a %1 colonnes sans nom</translation>
+    </message>
+    <message>
+        <source>it has %1</source>
+        <translation>il contient %1</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no trace: no row of numbers in its first %2 lines; known are LinuxCNC halsampler, SINUMERIK trace (XML), TwinCAT Scope (text) and tables of samples</source>
+        <translation>&apos;%1&apos; n&apos;est pas un enregistrement&#xa0;: aucune ligne de nombres dans ses %2 premières lignes&#xa0;; sont connus halsampler de LinuxCNC, la trace SINUMERIK (XML), TwinCAT Scope (texte) et les tables d&apos;échantillons</translation>
+    </message>
+    <message>
+        <source>column specification: %1</source>
+        <translation>spécification des colonnes&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>%1=%2 must be a number from %3 to %4</source>
+        <translation>%1=%2 doit être un nombre de %3 à %4</translation>
+    </message>
+    <message>
+        <source>separator=%1 must be tab, comma, semicolon or blank</source>
+        <translation>separator=%1 doit être tab, comma, semicolon ou blank</translation>
+    </message>
+    <message>
+        <source>decimal=%1 must be point or comma</source>
+        <translation>decimal=%1 doit être point ou comma</translation>
+    </message>
+    <message>
+        <source>%1= needs the number or the name of a column, such as %2=2</source>
+        <translation>%1= demande le numéro ou le nom d&apos;une colonne, par exemple %2=2</translation>
+    </message>
+    <message>
+        <source>unit &apos;%1&apos; of %2 is not known; known: %3</source>
+        <translation>l&apos;unité &apos;%1&apos; de %2 n&apos;est pas connue&#xa0;; unités connues&#xa0;: %3</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;%1&apos;; %2</source>
+        <translation>clé &apos;%1&apos; inconnue&#xa0;; %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not KEY=VALUE</source>
+        <translation>&apos;%1&apos; n&apos;est pas de la forme KEY=VALUE</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no preset of columns; known: %2; or write a specification such as time=1:ms,x=2:mm,y=3:mm</source>
+        <translation>&apos;%1&apos; n&apos;est pas un préréglage de colonnes&#xa0;; sont connus&#xa0;: %2&#xa0;; ou écrivez une spécification comme time=1:ms,x=2:mm,y=3:mm</translation>
+    </message>
+    <message>
+        <source>the load file has an operation for tool %1, but the program changes to no tool; omit &apos;tool&apos;, so that the operation applies to all motions</source>
+        <translation>le fichier de charge a une opération pour l&apos;outil %1, mais le programme n&apos;appelle aucun outil&#xa0;; supprimez &apos;tool&apos;, pour que l&apos;opération s&apos;applique à tous les déplacements</translation>
+    </message>
+    <message>
+        <source>the load file has an operation for tool %1, which the program never changes to; %2</source>
+        <translation>le fichier de charge a une opération pour l&apos;outil %1, que le programme n&apos;appelle jamais&#xa0;; %2</translation>
+    </message>
+    <message>
+        <source>its tools are %1</source>
+        <translation>ses outils sont %1</translation>
+    </message>
+    <message>
+        <source>did you mean tool %1?</source>
+        <translation>vouliez-vous dire l&apos;outil %1&#xa0;?</translation>
+    </message>
+    <message>
+        <source>the load file has an operation for lines %1-%2, but the program has %3 lines; correct the range</source>
+        <translation>le fichier de charge a une opération pour les lignes %1-%2, mais le programme compte %3 lignes&#xa0;; corrigez la plage</translation>
+    </message>
+    <message>
+        <source>operation of %1: %2</source>
+        <translation>opération de %1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>all tools</source>
+        <translation>tous les outils</translation>
+    </message>
+    <message>
+        <source>all tools, lines %1</source>
+        <translation>tous les outils, lignes %1</translation>
+    </message>
+    <message>
+        <source>tool %1</source>
+        <translation>outil %1</translation>
+    </message>
+    <message>
+        <source>tool %1, lines %2</source>
+        <translation>outil %1, lignes %2</translation>
+    </message>
+    <message>
+        <source>material &apos;%1&apos; is not known; %2, or add a [[material]] with its coefficients</source>
+        <translation>la matière &apos;%1&apos; n&apos;est pas connue&#xa0;; %2, ou ajoutez un [[material]] avec ses coefficients</translation>
+    </message>
+    <message>
+        <source>use one such as &apos;%1&apos;</source>
+        <translation>utilisez-en une comme &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>ae_mm %1 is larger than diameter_mm %2; a tool is engaged over its diameter at most: lower ae_mm, %3 is a full slot</source>
+        <translation>ae_mm %1 dépasse diameter_mm %2&#xa0;; un outil est engagé au plus sur son diamètre&#xa0;: réduisez ae_mm, %3 est un rainurage en pleine matière</translation>
+    </message>
+    <message>
+        <source>lines %1-%2 is no range; write FIRST-LAST, counted from 1</source>
+        <translation>lignes %1-%2&#xa0;: ce n&apos;est pas une plage&#xa0;; écrivez PREMIÈRE-DERNIÈRE, comptées à partir de 1</translation>
+    </message>
+    <message>
+        <source>min_chip_um %1 is not below max_chip_um %2; every chip would be out of bounds</source>
+        <translation>min_chip_um %1 n&apos;est pas inférieur à max_chip_um %2&#xa0;; tout copeau serait hors limites</translation>
+    </message>
+    <message>
+        <source>operations %1 (%2) and %3 (%4) apply to the same motions; remove one, or give each its own tool or lines</source>
+        <translation>les opérations %1 (%2) et %3 (%4) s&apos;appliquent aux mêmes déplacements&#xa0;; supprimez-en une, ou donnez à chacune son outil ou ses lignes</translation>
+    </message>
+    <message>
+        <source>%1 in %2 must be a number</source>
+        <translation>%1 dans %2 doit être un nombre</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be tables; begin each with [[%2]]</source>
+        <translation>&apos;%1&apos; doit contenir des tables&#xa0;; commencez chacune par [[%2]]</translation>
+    </message>
+    <message>
+        <source>&apos;lines&apos; must be ranges of lines of the program in quotes, such as &quot;10-25&quot; or &quot;10-25, 40-52&quot;</source>
+        <translation>&apos;lines&apos; doit donner des plages de lignes du programme entre guillemets, comme &quot;10-25&quot; ou &quot;10-25, 40-52&quot;</translation>
+    </message>
+    <message>
+        <source>&apos;tool&apos; must be its number, or its name in quotes, as the program calls it</source>
+        <translation>&apos;tool&apos; doit être son numéro, ou son nom entre guillemets, tel que le programme l&apos;appelle</translation>
+    </message>
+    <message>
+        <source>milling &apos;%1&apos; is not known; write &quot;up&quot; (conventional) or &quot;down&quot; (climb)</source>
+        <translation>fraisage &apos;%1&apos; inconnu&#xa0;; écrivez &quot;up&quot; (en opposition) ou &quot;down&quot; (en avalant)</translation>
+    </message>
+    <message>
+        <source>law &apos;%1&apos; is not known; write &quot;linear-edge&quot; or &quot;kienzle&quot;</source>
+        <translation>loi &apos;%1&apos; inconnue&#xa0;; écrivez &quot;linear-edge&quot; ou &quot;kienzle&quot;</translation>
+    </message>
+    <message>
+        <source>%1 has no tangential cutting force; %2 must be above 0</source>
+        <translation>%1 n&apos;a pas d&apos;effort de coupe tangentiel&#xa0;; %2 doit être supérieur à 0</translation>
+    </message>
+    <message>
+        <source>material &apos;%1&apos; is given twice; remove one or give it another id</source>
+        <translation>la matière &apos;%1&apos; est donnée deux fois&#xa0;; supprimez-en une ou donnez-lui un autre identifiant</translation>
+    </message>
+    <message>
+        <source>load files of version %1 are not known; this program reads version %2</source>
+        <translation>les fichiers de charge de la version %1 ne sont pas connus&#xa0;; ce programme lit la version %2</translation>
+    </message>
+    <message>
+        <source>the file has no operation; add an [[operation]] with tool, diameter_mm, teeth, helix_deg, ae_mm, ap_mm, milling and material</source>
+        <translation>le fichier n&apos;a pas d&apos;opération&#xa0;; ajoutez une [[operation]] avec tool, diameter_mm, teeth, helix_deg, ae_mm, ap_mm, milling et material</translation>
+    </message>
+    <message>
+        <source>radius = %1 mm is out of bounds; it must be at least 0.001 mm and at most %2 mm</source>
+        <translation>rayon = %1 mm hors limites&#xa0;; il doit être d&apos;au moins 0,001 mm et d&apos;au plus %2 mm</translation>
+    </message>
+    <message>
+        <source>feed = %1 mm/min is out of bounds; it must be above 0 mm/min</source>
+        <translation>avance = %1 mm/min hors limites&#xa0;; elle doit être supérieure à 0 mm/min</translation>
+    </message>
+    <message>
+        <source>sweep = %1 degrees is out of bounds; it must be above 0 and at most 360</source>
+        <translation>angle = %1 degrés hors limites&#xa0;; il doit être supérieur à 0 et d&apos;au plus 360</translation>
+    </message>
+    <message>
+        <source>entry radius = %1 mm is out of bounds; it must be at least 0 mm and at most the radius of %2 mm</source>
+        <translation>rayon d&apos;entrée = %1 mm hors limites&#xa0;; il doit être d&apos;au moins 0 mm et au plus du rayon de %2 mm</translation>
+    </message>
+    <message>
+        <source>sweep &apos;%1&apos;: %2; write KEY=FROM:TO:logN, KEY=FROM:TO:linN or &quot;KEY=A;B;C&quot;, such as tolerance=0.005:0.1:log12</source>
+        <translation>balayage &apos;%1&apos;&#xa0;: %2&#xa0;; écrivez KEY=FROM:TO:logN, KEY=FROM:TO:linN ou &quot;KEY=A;B;C&quot;, par exemple tolerance=0.005:0.1:log12</translation>
+    </message>
+    <message>
+        <source>from %1 to %2 is not a range</source>
+        <translation>de %1 à %2, ce n&apos;est pas une plage</translation>
+    </message>
+    <message>
+        <source>equal ratios need ends above 0, not %1</source>
+        <translation>des rapports égaux demandent des bornes supérieures à 0, et non %1</translation>
+    </message>
+    <message>
+        <source>%1 values; there must be 2 to %2</source>
+        <translation>%1 valeurs&#xa0;; il en faut de 2 à %2</translation>
+    </message>
+    <message>
+        <source>the sweeps need more than %1 runs; use fewer values</source>
+        <translation>les balayages demandent plus de %1 simulations&#xa0;; prenez moins de valeurs</translation>
+    </message>
+    <message>
+        <source>setting path: the path of ward needs more than %1 curves to be approximated within %2 mm, up to line %3; choose the path of another model</source>
+        <translation>réglage path&#xa0;: la trajectoire de ward demande plus de %1 courbes pour être approchée à %2 mm près, jusqu&apos;à la ligne %3&#xa0;; choisissez la trajectoire d&apos;un autre modèle</translation>
+    </message>
+    <message>
+        <source>%1 is told by set and actual positions of %2; no trace has both: record the actual position too, and name it if need be, as --columns actual_%3=5:mm</source>
+        <translation>%1 se détermine par les positions de consigne et réelles de %2&#xa0;; aucun enregistrement n&apos;a les deux&#xa0;: enregistrez aussi la position réelle, et nommez-la au besoin, comme --columns actual_%3=5:mm</translation>
+    </message>
+    <message>
+        <source>%1 = %2 %3 is out of bounds; it must be from %4 to %5 %6</source>
+        <translation>%1 = %2 %3 hors limites&#xa0;; il faut de %4 à %5 %6</translation>
+    </message>
+    <message>
+        <source>identification needs at least one trace</source>
+        <translation>l&apos;identification demande au moins un enregistrement</translation>
+    </message>
+    <message>
+        <source>cannot read session &apos;%1&apos;: %2</source>
+        <translation>la session &apos;%1&apos; ne peut pas être lue&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>cannot write session &apos;%1&apos;: %2</source>
+        <translation>la session &apos;%1&apos; ne peut pas être écrite&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>cannot use session &apos;%1&apos;: %2</source>
+        <translation>la session &apos;%1&apos; ne peut pas être utilisée&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is larger than 64 MiB and cannot be a session</source>
+        <translation>&apos;%1&apos; dépasse 64 Mio et ne peut pas être une session</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a session: %2 (%3)</source>
+        <translation>&apos;%1&apos; n&apos;est pas une session&#xa0;: %2 (%3)</translation>
+    </message>
+    <message>
+        <source>it is not a Feedscope session: its &quot;format&quot; is not &quot;%1&quot;</source>
+        <translation>ce n&apos;est pas une session de Feedscope&#xa0;: son &quot;format&quot; n&apos;est pas &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>it is of version %1, written by a newer Feedscope; this one reads up to version %2</source>
+        <translation>elle est de la version %1, écrite par un Feedscope plus récent&#xa0;; celui-ci lit jusqu&apos;à la version %2</translation>
+    </message>
+    <message>
+        <source>its &quot;version&quot; is not a whole number from 1 to %1</source>
+        <translation>sa &quot;version&quot; n&apos;est pas un nombre entier de 1 à %1</translation>
+    </message>
+    <message>
+        <source>it names no program: &quot;program&quot; has no &quot;file&quot;</source>
+        <translation>elle ne nomme pas de programme&#xa0;: &quot;program&quot; n&apos;a pas de &quot;file&quot;</translation>
+    </message>
+    <message>
+        <source>it has no runs: &quot;runs&quot; is empty or missing</source>
+        <translation>elle n&apos;a pas de simulations&#xa0;: &quot;runs&quot; est vide ou absent</translation>
+    </message>
+    <message>
+        <source>cannot write &apos;%1&apos; as a picture; its name must end in .png, .svg or .pdf</source>
+        <translation>&apos;%1&apos; ne peut pas être écrit comme image&#xa0;; son nom doit finir par .png, .svg ou .pdf</translation>
+    </message>
+    <message>
+        <source>cannot write &apos;%1&apos;: %2</source>
+        <translation>&apos;%1&apos; ne peut pas être écrit&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>not everything could be written; is there room for it?</source>
+        <translation>tout n&apos;a pas pu être écrit&#xa0;; y a-t-il assez de place&#xa0;?</translation>
+    </message>
+    <message>
+        <source>this build of Feedscope has no Theora video</source>
+        <translation>cette version de Feedscope est sans vidéo Theora</translation>
+    </message>
+    <message>
+        <source>the program does not move, so that there is nothing to film</source>
+        <translation>le programme ne se déplace pas&#xa0;: il n&apos;y a rien à filmer</translation>
+    </message>
+    <message>
+        <source>the film would begin at %1 s and end at %2 s; give --from a time before that of --to</source>
+        <translation>le film commencerait à %1 s et finirait à %2 s&#xa0;; donnez à --from un temps avant celui de --to</translation>
+    </message>
+    <message>
+        <source>the film would end at %1 s, but the run takes %2 s; use a smaller --to</source>
+        <translation>le film finirait à %1 s, mais la simulation dure %2 s&#xa0;; prenez un --to plus petit</translation>
+    </message>
+    <message>
+        <source>the film would have %1 frames, and at most %2 can be written; use --speed %3 or more, a smaller --fps, or a shorter stretch by --from and --to</source>
+        <translation>le film aurait %1 images, et %2 au plus peuvent être écrites&#xa0;; prenez --speed %3 ou plus, un --fps plus petit, ou une partie plus courte par --from et --to</translation>
+    </message>
+    <message>
+        <source>a film of %1 x %2 units is too small; use a larger --size or a smaller --scale</source>
+        <translation>un film de %1 x %2 unités est trop petit&#xa0;; prenez un --size plus grand ou un --scale plus petit</translation>
+    </message>
+    <message>
+        <source>a film of %1 x %2 units is too small for the view and the charts; use a larger --size or a smaller --scale</source>
+        <translation>un film de %1 x %2 unités est trop petit pour la vue et les graphiques&#xa0;; prenez un --size plus grand ou un --scale plus petit</translation>
+    </message>
+    <message>
+        <source>charts of %1 x %2 units are too small; they need at least %3 x %4: use a larger --size or a smaller --scale</source>
+        <translation>des graphiques de %1 x %2 unités sont trop petits&#xa0;; il leur faut au moins %3 x %4&#xa0;: prenez un --size plus grand ou un --scale plus petit</translation>
+    </message>
+    <message>
+        <source>the 3D view would have %1 x %2 pixels, and each side may have 1 to %3; use a smaller --size, --scale or --dpi</source>
+        <translation>la vue 3D aurait %1 x %2 pixels, et chaque côté peut en avoir de 1 à %3&#xa0;; prenez un --size, --scale ou --dpi plus petit</translation>
+    </message>
+    <message>
+        <source>a sheet of %1 x %2 units is too small; it needs at least %3 on its longer and %4 on its shorter side: use a larger --size or a smaller --scale</source>
+        <translation>une fiche de %1 x %2 unités est trop petite&#xa0;; il lui faut au moins %3 sur le grand côté et %4 sur le petit&#xa0;: prenez un --size plus grand ou un --scale plus petit</translation>
+    </message>
+    <message>
+        <source>cannot read the template &apos;%1&apos;: %2</source>
+        <translation>le modèle de page &apos;%1&apos; ne peut pas être lu&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes, and a template may have %2</source>
+        <translation>il compte %1 octets, et un modèle de page peut en avoir %2</translation>
+    </message>
+    <message>
+        <source>%1: unknown placeholder %2; %3</source>
+        <translation>%1&#xa0;: emplacement %2 inconnu&#xa0;; %3</translation>
+    </message>
+    <message>
+        <source>did you mean %1?</source>
+        <translation>vouliez-vous dire %1&#xa0;?</translation>
+    </message>
+    <message>
+        <source>%1: section %2 is not closed; write %3 after it</source>
+        <translation>%1&#xa0;: la section %2 n&apos;est pas fermée&#xa0;; écrivez %3 après elle</translation>
+    </message>
+    <message>
+        <source>%1: %2 closes no section</source>
+        <translation>%1&#xa0;: %2 ne ferme aucune section</translation>
+    </message>
+    <message>
+        <source>%1: %2 closes no section; %3 is open</source>
+        <translation>%1&#xa0;: %2 ne ferme aucune section&#xa0;; %3 est ouverte</translation>
+    </message>
+    <message>
+        <source>%1: &apos;{{&apos; without &apos;}}&apos;</source>
+        <translation>%1&#xa0;: &apos;{{&apos; sans &apos;}}&apos;</translation>
+    </message>
+    <message>
+        <source>machine &apos;%1&apos; has no rotary axes to draw; choose a machine with [kinematics], such as five-axis-table-ac</source>
+        <translation>la machine &apos;%1&apos; n&apos;a pas d&apos;axes rotatifs à dessiner&#xa0;; choisissez une machine avec [kinematics], comme five-axis-table-ac</translation>
+    </message>
+    <message>
+        <source>picture &apos;%1&apos; cannot be read: %2</source>
+        <translation>l&apos;image &apos;%1&apos; ne peut pas être lue&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>picture &apos;%1&apos; has %2 bytes, and a picture may have %3</source>
+        <translation>l&apos;image &apos;%1&apos; compte %2 octets, et une image peut en avoir %3</translation>
+    </message>
+    <message>
+        <source>picture &apos;%1&apos; is not a picture; PNG, JPEG, SVG and other formats of Qt are supported</source>
+        <translation>l&apos;image &apos;%1&apos; n&apos;est pas une image&#xa0;; PNG, JPEG, SVG et d&apos;autres formats de Qt sont pris en charge</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ActionTable</name>

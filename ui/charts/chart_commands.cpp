@@ -7,6 +7,7 @@
 
 #include "ui/charts/chart_export.h"
 #include "ui/charts/charts_panel.h"
+#include "ui/language/failure_text.h"
 #include "ui/shared/panel_action.h"
 
 namespace feedscope::ui {
@@ -204,7 +205,7 @@ void ChartCommands::ask_for_picture() {
     save_picture(file);
     emit exported(tr("%1 has been written").arg(QFileInfo(file).fileName()));
   } catch (const std::exception& error) {
-    emit failed(QString::fromUtf8(error.what()));
+    emit failed(failure_text(error));
   }
 }
 

@@ -28,6 +28,7 @@
 #include "ui/fields/focus_outline.h"
 #include "ui/fields/number_box.h"
 #include "ui/fields/number_list_field.h"
+#include "ui/language/failure_text.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/shared/panel_action.h"
 #include "ui/shared/row_copy.h"
@@ -263,7 +264,7 @@ void CircularView::run() {
     job_.test(std::move(requests), workbench_.setup().setup(),
               [this](const JobOutcome<CircularResult>& outcome) { take(outcome); });
   } catch (const InputError& error) {
-    show_idle(QString::fromUtf8(error.what()));
+    show_idle(failure_text(error));
   }
 }
 
@@ -396,7 +397,7 @@ void CircularView::save_picture() {
       save_png(file, size, 2, draw);
     }
   } catch (const InputError& error) {
-    show_idle(QString::fromUtf8(error.what()));
+    show_idle(failure_text(error));
   }
 }
 

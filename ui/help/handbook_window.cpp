@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include "core/base/error.h"
+#include "ui/language/failure_text.h"
 #include "ui/language/language.h"
 
 namespace feedscope::ui {
@@ -92,7 +93,7 @@ void HandbookWindow::load() {
     handbook_.emplace(chosen_language().toStdString());
   } catch (const InputError& error) {
     handbook_.reset();
-    text_->setPlainText(QString::fromStdString(error.what()));
+    text_->setPlainText(failure_text(error));
   }
 }
 

@@ -16,6 +16,7 @@
 #include "ui/fields/focus_outline.h"
 #include "ui/identification/identification_texts.h"
 #include "ui/language/core_texts.h"
+#include "ui/language/failure_text.h"
 #include "ui/theme/type_size.h"
 
 namespace feedscope::ui {
@@ -273,7 +274,7 @@ void FitChoice::refresh() {
     }
   } catch (const InputError& error) {
     starts_.clear();
-    problem_ = QString::fromUtf8(error.what());
+    problem_ = failure_text(error);
   }
   list_parameters();
   emit changed();

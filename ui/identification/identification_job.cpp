@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "ui/language/composed_text.h"
 #include "ui/language/core_texts.h"
 
 namespace feedscope::ui {
@@ -85,7 +84,7 @@ void IdentificationJob::deliver(const JobOutcome<Result>& outcome) {
   } else if (outcome.cancelled()) {
     emit cancelled();
   } else {
-    emit failed(composed_text(outcome.failure));
+    emit failed(outcome.failure);
   }
 }
 

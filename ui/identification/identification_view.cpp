@@ -20,7 +20,7 @@
 #include "ui/identification/recordings_box.h"
 #include "ui/identification/result_box.h"
 #include "ui/identification/test_program_dialog.h"
-#include "ui/language/composed_text.h"
+#include "ui/language/failure_text.h"
 #include "ui/shared/flow_layout.h"
 #include "ui/shared/panel_action.h"
 #include "ui/shared/paths.h"
@@ -355,7 +355,7 @@ void IdentificationView::add_table(const std::filesystem::path& file) {
   try {
     recordings_->add_table(file);
   } catch (const InputError& error) {
-    say(composed_text(QString::fromUtf8(error.what())));
+    say(failure_text(error));
   }
 }
 

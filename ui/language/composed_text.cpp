@@ -321,8 +321,9 @@ class Patterns {
   Patterns() {
     add(sentences, true);
     add(clauses, false);
-    for (const auto& of_reader : {general_sentences(), iso_sentences(), sinumerik_sentences(),
-                                  heidenhain_sentences(), control_sentences(), import_sentences()}) {
+    for (const auto& of_reader :
+         {general_sentences(), iso_sentences(), sinumerik_sentences(), heidenhain_sentences(),
+          control_sentences(), import_sentences(), failure_sentences()}) {
       add(of_reader, true);
     }
     std::ranges::stable_sort(all_, std::ranges::greater(),

@@ -16,5 +16,7 @@ std::span<const char* const> heidenhain_sentences();
 std::span<const char* const> control_sentences();
 /// Of the notes on an imported configuration of a control (core/machine/import).
 std::span<const char* const> import_sentences();
+/// Of what is thrown as InputError: what is wrong with a file or with what was asked for.
+std::span<const char* const> failure_sentences();
 
 }  // namespace feedscope::ui

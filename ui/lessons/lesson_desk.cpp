@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "ui/language/failure_text.h"
 #include "ui/lessons/lesson_tries.h"
 
 namespace feedscope::ui {
@@ -95,7 +96,7 @@ LessonDesk::Catalogue LessonDesk::read_catalogue(const std::string& language) {
           {file, QString::fromStdString(lesson.title), QString::fromStdString(lesson.learn), lesson.minutes});
     }
   } catch (const std::exception& error) {
-    catalogue.failure = QString::fromUtf8(error.what());
+    catalogue.failure = failure_text(error);
   }
   return catalogue;
 }

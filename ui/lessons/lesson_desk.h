@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/lessons/lesson_runs.h"
+#include "ui/language/failure_text.h"
 #include "ui/lessons/lesson_work.h"
 #include "ui/shared/job.h"
 #include "ui/workbench/workbench.h"
@@ -107,7 +108,7 @@ class LessonDesk : public QObject {
   void measure();
   Place place() const { return {open_->lesson.id, question_}; }
   void follow_run();
-  void report(const std::exception& error) { emit failed(QString::fromUtf8(error.what())); }
+  void report(const std::exception& error) { emit failed(failure_text(error)); }
 
   Workbench& workbench_;
   std::string language_;

@@ -18,6 +18,7 @@
 #include "core/load/load_model.h"
 #include "ui/fields/choice_delegate.h"
 #include "ui/fields/focus_outline.h"
+#include "ui/language/failure_text.h"
 #include "ui/load/load_figures_table.h"
 #include "ui/load/load_places_table.h"
 #include "ui/load/load_texts.h"
@@ -175,14 +176,14 @@ void LoadView::apply() {
   problem_.clear();
   for (const Engagement& operation : setup.operations) {
     if (problem_.isEmpty()) {
-      problem_ = QString::fromStdString(operation_problem(operation));
+      problem_ = failure_text(operation_problem(operation));
     }
   }
   if (problem_.isEmpty() && !setup.empty() && input.program != nullptr) {
     try {
       const LoadModel model(setup, *input.program, *input.toolpath);
     } catch (const InputError& error) {
-      problem_ = QString::fromUtf8(error.what());
+      problem_ = failure_text(error);
     }
   }
   const QScopedValueRollback<bool> guard(applying_, true);
@@ -267,7 +268,7 @@ void LoadView::open_file(const QString& file) {
   try {
     set_setup(read_load_file(to_path(file)));
   } catch (const InputError& error) {
-    emit failed(QString::fromUtf8(error.what()));
+    emit failed(failure_text(error));
   }
 }
 

@@ -19,6 +19,7 @@
 #include "core/machine/contour_tolerance.h"
 #include "ui/fields/number_box.h"
 #include "ui/fields/number_text.h"
+#include "ui/language/failure_text.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"
 #include "ui/shared/panel_action.h"
@@ -205,7 +206,7 @@ QString RunsView::add_tolerances(const QString& text) {
       setups.back().set_tolerance(from_shown_unit(tolerance, Dimension::length));
     }
   } catch (const InputError& error) {
-    return QString::fromUtf8(error.what());
+    return failure_text(error);
   }
   runs_.history().beginMacro(tr("runs with other tolerances"));
   for (const SetupState& setup : setups) {

@@ -9,6 +9,7 @@
 #include "ui/fields/choice_delegate.h"
 #include "ui/fields/number_text.h"
 #include "ui/language/core_texts.h"
+#include "ui/language/failure_text.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"
 
@@ -136,7 +137,7 @@ bool SetupTable::setData(const QModelIndex& index, const QVariant& value, int ro
                                                   : parse_setting(spec, text.toStdString()));
     return true;
   } catch (const InputError& error) {
-    emit refused(index, QString::fromUtf8(error.what()));
+    emit refused(index, failure_text(error));
     return false;
   }
 }

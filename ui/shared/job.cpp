@@ -5,6 +5,7 @@
 #include <new>
 
 #include "core/base/happens_before.h"
+#include "ui/language/failure_text.h"
 
 namespace feedscope::ui {
 namespace {
@@ -21,7 +22,7 @@ QString failure_of(const std::function<void()>& work) {
   } catch (const std::bad_alloc&) {
     return JobBase::tr("The program needs more memory than is available.");
   } catch (const std::exception& error) {
-    return QString::fromUtf8(error.what());
+    return failure_text(error);
   }
   return {};
 }

@@ -26,6 +26,7 @@
 #include "ui/fields/number_box.h"
 #include "ui/fields/whole_number_box.h"
 #include "ui/language/core_texts.h"
+#include "ui/language/failure_text.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"
 #include "ui/shared/panel_action.h"
@@ -301,7 +302,7 @@ void StudyView::run() {
                              QString::fromStdString(studied_.file().machine.name));
     forget_results();
   } catch (const InputError& error) {
-    verdict_->setText(QString::fromUtf8(error.what()));
+    verdict_->setText(failure_text(error));
     return;
   }
   progress_->setValue(0);

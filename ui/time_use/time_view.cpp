@@ -15,6 +15,7 @@
 #include "core/analysis/refused_lines.h"
 #include "core/base/error.h"
 #include "ui/fields/focus_outline.h"
+#include "ui/language/failure_text.h"
 #include "ui/shared/flow_layout.h"
 #include "ui/shared/panel_action.h"
 #include "ui/shared/row_copy.h"
@@ -381,7 +382,7 @@ void TimeView::want_run() {
       }
     }
   } catch (const InputError& error) {
-    emit failed(QString::fromStdString(error.what()));
+    emit failed(failure_text(error));
     return;
   }
   emit run_wanted(setup);

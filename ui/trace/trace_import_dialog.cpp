@@ -16,6 +16,7 @@
 #include "core/trace/read_trace.h"
 #include "core/trace/table_columns.h"
 #include "core/trace/trace_text.h"
+#include "ui/language/failure_text.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/shared/paths.h"
 #include "ui/trace/trace_import_fields.h"
@@ -198,7 +199,7 @@ bool TraceImportDialog::show_rows() {
     return true;
   } catch (const InputError& error) {
     preview_->setRowCount(0);
-    outcome_->setText(QString::fromUtf8(error.what()));
+    outcome_->setText(failure_text(error));
     return false;
   }
 }
@@ -225,7 +226,7 @@ void TraceImportDialog::refresh() {
                             .arg(locale.toString(static_cast<qulonglong>(trace.size())), parts.join(", ")));
     } catch (const InputError& error) {
       good = false;
-      outcome_->setText(QString::fromUtf8(error.what()));
+      outcome_->setText(failure_text(error));
     }
   }
   buttons_->button(QDialogButtonBox::Ok)->setEnabled(good);

@@ -21,6 +21,7 @@
 #include "core/export/trace.h"
 #include "core/trace/guess_trace.h"
 #include "ui/fields/focus_outline.h"
+#include "ui/language/failure_text.h"
 #include "ui/shared/panel_action.h"
 #include "ui/shared/paths.h"
 #include "ui/shared/row_copy.h"
@@ -164,7 +165,7 @@ void TraceView::open(const std::filesystem::path& file) {
   emit attention_wanted();
   const GuessedTrace guessed = guess_trace(file);
   if (guessed.guess == TraceGuess::columns_wanted) {
-    ask_for_columns(file, QString::fromStdString(guessed.problem));
+    ask_for_columns(file, failure_text(guessed.problem));
     return;
   }
   workbench_.traces().add(file);
@@ -190,7 +191,7 @@ void TraceView::ask_for_columns(const std::filesystem::path& file, const QString
     });
     dialog->open();
   } catch (const InputError& error) {
-    emit failed(QString::fromUtf8(error.what()));
+    emit failed(failure_text(error));
   }
 }
 
@@ -212,7 +213,7 @@ void TraceView::change_columns() {
     });
     dialog->open();
   } catch (const InputError& error) {
-    emit failed(QString::fromUtf8(error.what()));
+    emit failed(failure_text(error));
   }
 }
 

@@ -22,6 +22,7 @@
 #include "core/base/error.h"
 #include "ui/fields/number_box.h"
 #include "ui/fields/whole_number_box.h"
+#include "ui/language/failure_text.h"
 #include "ui/language/texts.h"
 #include "ui/report/ogg_film.h"
 #include "ui/session/session_file.h"
@@ -327,7 +328,7 @@ void FilmDialog::save(const QString& file) {
   try {
     write_session(subject_.session, to_path(session));
   } catch (const InputError& error) {
-    show_state(QString::fromUtf8(error.what()), true);
+    show_state(failure_text(error), true);
     return;
   }
   const QFileInfo target(file);

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "ui/language/composed_text.h"
 #include "ui/language/core_texts.h"
+#include "ui/language/failure_text.h"
 #include "ui/shared/paths.h"
 #include "ui/workbench/workbench.h"
 
@@ -56,7 +57,7 @@ void MachineOpening::offer(const std::filesystem::path& file) {
     connect(box, &QMessageBox::accepted, this, [this, imported, name] { use(imported, name); });
     box->open();
   } catch (const InputError& error) {
-    emit failed(QString::fromUtf8(error.what()));
+    emit failed(failure_text(error));
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "ui/charts/chart_export.h"
 #include "ui/charts/charts_panel.h"
+#include "ui/language/failure_text.h"
 #include "ui/report/picture_file.h"
 #include "ui/shared/panel_action.h"
 #include "ui/shared/paths.h"
@@ -105,7 +106,7 @@ void PictureCommands::ask_and_save(Part part) {
     save(part, file);
     emit saved(tr("%1 has been written").arg(QFileInfo(file).fileName()));
   } catch (const std::exception& error) {
-    emit failed(QString::fromUtf8(error.what()));
+    emit failed(failure_text(error));
   }
 }
 

@@ -19,6 +19,7 @@
 #include "core/base/error.h"
 #include "ui/fields/number_box.h"
 #include "ui/fields/whole_number_box.h"
+#include "ui/language/failure_text.h"
 #include "ui/session/session_file.h"
 #include "ui/shared/paths.h"
 #include "ui/window/language_box.h"
@@ -107,7 +108,7 @@ PictureDialog::PictureDialog(Subject subject, const QString& executable, QWidget
     write_session(subject_.session, to_path(QDir(folder_.path()).filePath(picture_session)));
     make_preview();
   } catch (const InputError& error) {
-    show_state(QString::fromUtf8(error.what()), true);
+    show_state(failure_text(error), true);
   }
 }
 

@@ -13,6 +13,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "ui/language/failure_text.h"
 #include "ui/report/paged_pdf.h"
 #include "ui/session/session_file.h"
 #include "ui/shared/paths.h"
@@ -146,7 +147,7 @@ void PrintDialog::make_pages() {
       write_session(*subject_.session, to_path(QDir(folder_.path()).filePath(printed_session)));
     }
   } catch (const InputError& error) {
-    show_state(QString::fromUtf8(error.what()), true);
+    show_state(failure_text(error), true);
     return;
   }
   show_state(tr("Making the pages …"));
@@ -161,7 +162,7 @@ void PrintDialog::read_pages() {
     }
     show_pages(RecordedPages::from_bytes(file.readAll()));
   } catch (const InputError& error) {
-    show_state(QString::fromUtf8(error.what()), true);
+    show_state(failure_text(error), true);
   }
 }
 

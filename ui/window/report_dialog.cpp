@@ -19,6 +19,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "ui/language/failure_text.h"
 #include "ui/session/session_file.h"
 #include "ui/shared/paths.h"
 #include "ui/window/language_box.h"
@@ -236,7 +237,7 @@ void ReportDialog::make_preview() {
   try {
     write_session(with_runs(subject_.session, asked.runs), to_path(folder.filePath(session_name)));
   } catch (const InputError& error) {
-    show_state(QString::fromUtf8(error.what()), true);
+    show_state(failure_text(error), true);
     return;
   }
   show_state(tr("Making the preview …"));
@@ -312,7 +313,7 @@ void ReportDialog::save(const QString& file) {
   try {
     write_session(with_runs(subject_.session, asked.runs), to_path(session));
   } catch (const InputError& error) {
-    show_state(QString::fromUtf8(error.what()), true);
+    show_state(failure_text(error), true);
     return;
   }
   previewing_.cancel();

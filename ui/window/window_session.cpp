@@ -13,6 +13,7 @@
 #include "ui/charts/charts_panel.h"
 #include "ui/circular/circular_view.h"
 #include "ui/identification/identification_view.h"
+#include "ui/language/failure_text.h"
 #include "ui/lessons/lesson_view.h"
 #include "ui/load/load_view.h"
 #include "ui/program_text/program_panel.h"
@@ -32,7 +33,7 @@ bool is_there(const std::filesystem::path& file) {
 }
 
 QString message_of(const InputError& error) {
-  return QString::fromUtf8(error.what());
+  return failure_text(error);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/trace/read_trace.h"
-#include "ui/language/composed_text.h"
+#include "ui/language/failure_text.h"
 #include "ui/shared/paths.h"
 #include "ui/workbench/run_list.h"
 
@@ -222,7 +222,7 @@ void TraceList::work_on() {
             try {
               result.shown = lay_beside(result.trace, run, &control.progress);
             } catch (const InputError& error) {
-              result.failure = composed_text(std::string(error.what()));  // but it has been read
+              result.failure = failure_text(error);  // but it has been read
             }
           }
           return result;

@@ -9,6 +9,7 @@
 #include "core/analysis/control_dialect.h"
 #include "core/base/error.h"
 #include "core/machine/contour_tolerance.h"
+#include "ui/language/failure_text.h"
 #include "ui/shared/paths.h"
 #include "ui/workbench/own_machines.h"
 
@@ -184,7 +185,7 @@ void Workbench::choose_machine(const QString& id_or_file) {
     }
     use_machine(std::move(machine));
   } catch (const InputError& error) {
-    emit failed(QString::fromUtf8(error.what()));
+    emit failed(failure_text(error));
   }
 }
 
@@ -311,7 +312,7 @@ void Workbench::use_default_machine() {
                      .arg(QString::fromStdString(runs_.current_item().setup.file().machine.name),
                           QString::fromUtf8(info_of(program_.input.program->dialect).title.data())));
   } catch (const InputError& error) {
-    emit failed(QString::fromUtf8(error.what()));
+    emit failed(failure_text(error));
   }
 }
 

@@ -37,8 +37,9 @@ std::string with_plain_places(const std::string& pattern) {
 
 std::set<std::string> all_patterns() {
   std::set<std::string> all;
-  for (const auto& of_reader : {general_sentences(), iso_sentences(), sinumerik_sentences(),
-                                heidenhain_sentences(), control_sentences(), import_sentences()}) {
+  for (const auto& of_reader :
+       {general_sentences(), iso_sentences(), sinumerik_sentences(), heidenhain_sentences(),
+        control_sentences(), import_sentences(), failure_sentences()}) {
     for (const char* const text : of_reader) {
       EXPECT_TRUE(all.insert(text).second) << "twice: " << text;
     }
