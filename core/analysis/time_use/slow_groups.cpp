@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -161,8 +162,10 @@ class ShapeFinder {
 /// Where a place is slowest, within it: one that is cut where a rapid begins may be slowest at its end, which
 /// is the rapid's already [s].
 double instant_of(const SlowPlace& place) {
-  constexpr double within = 1e-9;  // of its time
-  return std::min(place.slowest, place.to - within * (place.to - place.from));
+  constexpr double within = 1e-9;                                         // of its time
+  constexpr double digits = 16 * std::numeric_limits<double>::epsilon();  // of a sum of times
+  const double margin = std::max(within * (place.to - place.from), digits * place.to);
+  return std::min(place.slowest, std::max(place.from, place.to - margin));
 }
 
 /// A group while places come in.
