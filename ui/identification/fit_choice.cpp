@@ -23,7 +23,7 @@ namespace feedscope::ui {
 namespace {
 
 constexpr int key_role = Qt::UserRole;
-constexpr int shown_models = 4;
+constexpr int shown_models = 5;
 constexpr int shown_parameters = 7;
 constexpr int machine_characters = 8;
 
@@ -47,6 +47,8 @@ FitChoice::FitChoice(Workbench& workbench, QWidget* parent)
   machines_->installEventFilter(this);
   models_->setAccessibleName(tr("Control models that are fitted"));
   models_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  models_->setWordWrap(true);
+  models_->setResizeMode(QListView::Adjust);
   new FocusOutline(*models_);
   for (const ControlModel* model : all_models()) {
     auto* item = new QListWidgetItem(core_text(model->info().title), models_);
@@ -67,9 +69,6 @@ FitChoice::FitChoice(Workbench& workbench, QWidget* parent)
 
   auto* machine_label = new QLabel(tr("&Begin with machine"), this);
   machine_label->setBuddy(machines_);
-  auto* machine = new QHBoxLayout;
-  machine->addWidget(machine_label);
-  machine->addWidget(machines_, 1);
   auto* models_label =
       new QLabel(tr("Control mo&dels: tick several to see which one explains the recording best"), this);
   models_label->setBuddy(models_);
@@ -93,7 +92,8 @@ FitChoice::FitChoice(Workbench& workbench, QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(4);
-  layout->addLayout(machine);
+  layout->addWidget(machine_label);
+  layout->addWidget(machines_);
   layout->addWidget(models_label);
   layout->addWidget(models_);
   layout->addLayout(heading);

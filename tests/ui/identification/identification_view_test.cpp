@@ -8,6 +8,8 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QStyle>
+#include <QStyleOptionComboBox>
 #include <QTest>
 #include <QTreeWidget>
 #include <QWheelEvent>
@@ -23,6 +25,7 @@
 #include "ui/identification/recordings_box.h"
 #include "ui/identification/residual_chart.h"
 #include "ui/identification/result_box.h"
+#include "ui/language/language.h"
 
 namespace feedscope::ui {
 namespace {
@@ -330,6 +333,34 @@ TEST_F(IdentificationViewTest, TheWheelOnItsWayChoosesNoMachine) {
                    Qt::NoScrollPhase, false);
   QCoreApplication::sendEvent(&machines, &turn);
   EXPECT_EQ(machines.currentIndex(), before);
+}
+
+/// As wide as the panel is in a window of 1280x800, in the language with the longest names.
+TEST(FitChoice, ShowsTheMachineAndAllModelsWholeOnASmallScreen) {
+  speak(QStringLiteral("fr"));
+  Workbench model{shipped_machines(), make_setup({})};
+  FitChoice choice(model);
+  choice.resize(355, 600);
+  choice.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&choice));
+  const auto& machines = *choice.findChild<QComboBox*>();
+  QStyleOptionComboBox option;
+  option.initFrom(&machines);
+  const QRect field =
+      machines.style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &machines);
+  EXPECT_LE(machines.fontMetrics().horizontalAdvance(machines.currentText()), field.width())
+      << machines.currentText().toStdString();
+  QListWidget& models = choice.models();
+  for (int row = 0; row < models.count(); ++row) {
+    const QRect place = models.visualItemRect(models.item(row));
+    const int box = models.style()->pixelMetric(QStyle::PM_IndicatorWidth) + 8;
+    const QString text = models.item(row)->text();
+    const QRect needed =
+        models.fontMetrics().boundingRect(QRect(0, 0, place.width() - box, 1000), Qt::TextWordWrap, text);
+    EXPECT_GE(place.height(), needed.height()) << text.toStdString();
+    EXPECT_LE(place.right(), models.viewport()->width()) << text.toStdString();
+  }
+  speak(QStringLiteral("en"));
 }
 
 TEST_F(IdentificationViewTest, BeginsWithATypicalMachineOfEachModelWhereThatIsWanted) {
