@@ -24,6 +24,31 @@ double round_up_125(double step) {
   return 10 * power;
 }
 
+double step_of_two(double low, double high, int most) {
+  const auto has_two = [&](double step) { return std::floor(high / step) - std::ceil(low / step) >= 1; };
+  const double usual = round_up_125((high - low) / most);
+  if (has_two(usual)) {
+    return usual;
+  }
+  // The largest that has two; below a third of the range every step has.
+  for (double power = std::pow(10.0, std::ceil(std::log10(usual)));; power /= 10) {
+    for (const double factor : {8.0, 6.0, 5.0, 4.0, 3.0, 2.5, 2.0, 1.5, 1.2, 1.0}) {
+      if (has_two(factor * power)) {
+        return factor * power;
+      }
+    }
+  }
+}
+
+int step_decimals(double step) {
+  constexpr int most = 12;
+  int decimals = 0;
+  for (double left = step; decimals < most && std::abs(left - std::round(left)) > 1e-9 * left; left *= 10) {
+    ++decimals;
+  }
+  return decimals;
+}
+
 std::string tick_label(double value, double step) {
   const int decimals = std::clamp(static_cast<int>(-std::floor(std::log10(step) + 1e-9)), 0, 12);
   return fmt::format("{:.{}f}", value, decimals);

@@ -44,22 +44,12 @@ QValueAxis* make_axis(QChart* chart, Qt::Alignment side) {
   return axis;
 }
 
-/// A round step with `most` ticks at most, but two ticks at least.
-double tick_step(const Interval& range, int most) {
-  double step = round_up_125(range.width() / most);
-  while (std::floor(range.upper / step) - std::ceil(range.lower / step) < 1) {
-    step = round_up_125(step * 0.3);
-  }
-  return step;
-}
-
 void set_range(QValueAxis* axis, const Interval& range, int max_ticks) {
-  const double step = tick_step(range, max_ticks);
+  const double step = step_of_two(range.lower, range.upper, max_ticks);
   if (std::max(std::abs(range.lower), std::abs(range.upper)) >= long_number) {
     axis->setLabelFormat(QStringLiteral("%.4g"));
   } else {
-    const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
-    axis->setLabelFormat(QStringLiteral("%.%1f").arg(decimals));
+    axis->setLabelFormat(QStringLiteral("%.%1f").arg(step_decimals(step)));
   }
   axis->setTickInterval(step);
   constexpr double nudge = 1e-9;  // of a step: rounding must not make "-0.0" of 0

@@ -82,6 +82,30 @@ TEST(Ticks, AreNoneForARangeThatIsEmptyOrNotFinite) {
   EXPECT_THAT(round_ticks(0, 1, 0).values, IsEmpty());
 }
 
+/// On a low chart: there is room for two labels, and an axis of one says nothing.
+TEST(Ticks, AreTwoAndFarApartWhereThereIsRoomForTwo) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> exponent(-4, 5);
+  std::uniform_real_distribution<double> share(0, 1);
+  for (int i = 0; i < 10'000; ++i) {
+    const double range = std::pow(10, exponent(random));
+    const double low = -range * share(random);
+    const double high = low + range;
+    const double step = step_of_two(low, high, 2);
+    SCOPED_TRACE(testing::Message() << low << " to " << high << ": " << step);
+    EXPECT_GE(std::floor(high / step) - std::ceil(low / step), 1);
+    EXPECT_GE(step, 0.37 * range);
+    const double scaled = step * std::pow(10, step_decimals(step));
+    EXPECT_NEAR(scaled, std::round(scaled), 1e-6);
+  }
+  EXPECT_EQ(step_of_two(-4000, 3300, 3), 4000);  // 5000 has zero alone
+  EXPECT_EQ(step_of_two(0, 3000, 10), 500);
+  EXPECT_EQ(step_decimals(0.15), 2);
+  EXPECT_EQ(step_decimals(0.25), 2);
+  EXPECT_EQ(step_decimals(2.5), 1);
+  EXPECT_EQ(step_decimals(20), 0);
+}
+
 TEST(Ticks, AreNeverMoreThanAskedForAndAtLeastAThird) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> exponent(-6, 6);
