@@ -195,6 +195,7 @@ class ColumnFinder {
     }
     for (std::size_t axis = 0; axis < measured.size(); ++axis) {
       auto& place = best[static_cast<std::size_t>(place_quantities[axis])];
+      only_actual_[axis] = !place && measured[axis];
       (place ? best[static_cast<std::size_t>(actual_quantities[axis])] : place) = measured[axis];
     }
     const bool places_asked =
@@ -211,6 +212,25 @@ class ColumnFinder {
       take(quantity, best[q]->place, trace_unit(quantity, unit).value_or(1), unit,
            is_place && unit.empty() ? ", mm assumed" : "");
       unit_known_[q] = !unit.empty();
+      if (is_place && quantity <= TraceQuantity::z) {
+        used_actual_ += only_actual_[axis_of(quantity)] ? to_string(quantity) : std::string_view();
+      }
+    }
+    note_actual();
+  }
+
+  /// Where the only positions of an axis are those that were reached.
+  void note_actual() {
+    std::vector<std::string> axes;
+    for (const char axis : used_actual_) {
+      axes.emplace_back(1, static_cast<char>(axis - 'x' + 'X'));
+    }
+    if (!axes.empty()) {
+      builder_.note(Severity::info, 0, "trace-actual",
+                    fmt::format("the trace has no set positions of {}: the actual ones are used instead",
+                                fmt::join(axes, ", ")),
+                    "feeds, ramps and corners contain what the drives do; record the set positions too to "
+                    "tell them apart");
     }
   }
 
@@ -273,6 +293,8 @@ class ColumnFinder {
   TraceBuilder& builder_;
   FoundColumns found_;
   std::array<bool, trace_quantity_count> unit_known_{};
+  std::array<bool, actual_quantities.size()> only_actual_{};  ///< by axis
+  std::string used_actual_;                                   ///< axes of which these are used: "xy"
 };
 
 }  // namespace

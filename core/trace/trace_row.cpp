@@ -17,6 +17,23 @@ std::string_view bare(std::string_view field) {
                                          : field.substr(first, field.find_last_not_of(" \t\"") - first + 1);
 }
 
+/// Behind the field in quotes that `line` begins with, which a separator or the end follows; else 0.
+std::size_t end_of_quotes(std::string_view line, char separator) {
+  const std::string_view around = separator == '\t' ? " " : blanks;
+  const auto open = line.find_first_not_of(around);
+  if (open == std::string_view::npos || line[open] != '"') {
+    return 0;
+  }
+  for (auto close = line.find('"', open + 1); close != std::string_view::npos;
+       close = line.find('"', close + 1)) {
+    const auto next = line.find_first_not_of(around, close + 1);
+    if (next == std::string_view::npos || line[next] == separator) {
+      return close + 1;
+    }
+  }
+  return 0;
+}
+
 }  // namespace
 
 void split_row(std::string_view line, char separator, std::vector<std::string_view>& fields) {
@@ -30,7 +47,7 @@ void split_row(std::string_view line, char separator, std::vector<std::string_vi
     return;
   }
   for (;;) {
-    const auto end = line.find(separator);
+    const auto end = line.find(separator, end_of_quotes(line, separator));
     fields.push_back(bare(line.substr(0, end)));
     if (end == std::string_view::npos) {
       return;
@@ -59,7 +76,7 @@ RowStyle find_row_style(const std::vector<std::string_view>& lines, char separat
   std::vector<std::string_view> fields;
   for (const char s : {'\t', ';', ',', ' '}) {
     for (const char d : {'.', ','}) {
-      if ((separator != 0 && s != separator) || (decimal != 0 && d != decimal) || s == d) {
+      if ((separator != 0 && s != separator) || (decimal != 0 && d != decimal)) {
         continue;
       }
       std::size_t numbers = 0;

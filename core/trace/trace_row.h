@@ -6,8 +6,8 @@
 
 namespace feedscope {
 
-/// Parts of a line between separators, without blanks and quotes around them; ' ' as separator stands for
-/// any number of blanks and tabs.
+/// Parts of a line between separators, without blanks and quotes around them, in which a separator may stand;
+/// ' ' as separator stands for any number of blanks and tabs.
 void split_row(std::string_view line, char separator, std::vector<std::string_view>& fields);
 
 /// A finite number that fills the whole field; `decimal`: '.' or ','.

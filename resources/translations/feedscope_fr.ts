@@ -8523,11 +8523,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is a folder; give a trace</source>
-        <translation>&apos;%1&apos; est un dossier&#xa0;; il faut un enregistrement</translation>
+        <translation>&apos;%1&apos; est un dossier&#xa0;; il faut une trace</translation>
     </message>
     <message>
         <source>cannot read trace &apos;%1&apos;: %2</source>
-        <translation>l&apos;enregistrement &apos;%1&apos; ne peut pas être lu&#xa0;: %2</translation>
+        <translation>la trace &apos;%1&apos; ne peut pas être lue&#xa0;: %2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is written in UTF-16; save it as UTF-8</source>
@@ -8567,7 +8567,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1:%2: the trace has more than %3 million samples</source>
-        <translation>%1:%2&#xa0;: l&apos;enregistrement compte plus de %3 millions d&apos;échantillons</translation>
+        <translation>%1:%2&#xa0;: la trace compte plus de %3 millions d&apos;échantillons</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has no position of X, Y or Z; name their columns, as --columns x=2:mm,y=3:mm</source>
@@ -8591,7 +8591,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is no trace: no row of numbers in its first %2 lines; known are LinuxCNC halsampler, SINUMERIK trace (XML), TwinCAT Scope (text) and tables of samples</source>
-        <translation>&apos;%1&apos; n&apos;est pas un enregistrement&#xa0;: aucune ligne de nombres dans ses %2 premières lignes&#xa0;; sont connus halsampler de LinuxCNC, la trace SINUMERIK (XML), TwinCAT Scope (texte) et les tables d&apos;échantillons</translation>
+        <translation>&apos;%1&apos; n&apos;est pas une trace&#xa0;: aucune ligne de nombres dans ses %2 premières lignes&#xa0;; sont connus halsampler de LinuxCNC, la trace SINUMERIK (XML), TwinCAT Scope (texte) et les tables d&apos;échantillons</translation>
     </message>
     <message>
         <source>column specification: %1</source>
@@ -8775,7 +8775,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 is told by set and actual positions of %2; no trace has both: record the actual position too, and name it if need be, as --columns actual_%3=5:mm</source>
-        <translation>%1 se détermine par les positions de consigne et réelles de %2&#xa0;; aucun enregistrement n&apos;a les deux&#xa0;: enregistrez aussi la position réelle, et nommez-la au besoin, comme --columns actual_%3=5:mm</translation>
+        <translation>%1 se détermine par les positions de consigne et réelles de %2&#xa0;; aucune trace n&apos;a les deux&#xa0;: enregistrez aussi la position réelle, et nommez-la au besoin, comme --columns actual_%3=5:mm</translation>
     </message>
     <message>
         <source>%1 = %2 %3 is out of bounds; it must be from %4 to %5 %6</source>
@@ -8783,7 +8783,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>identification needs at least one trace</source>
-        <translation>l&apos;identification demande au moins un enregistrement</translation>
+        <translation>l&apos;identification demande au moins une trace</translation>
     </message>
     <message>
         <source>cannot read session &apos;%1&apos;: %2</source>
@@ -8924,6 +8924,14 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>picture &apos;%1&apos; is not a picture; PNG, JPEG, SVG and other formats of Qt are supported</source>
         <translation>l&apos;image &apos;%1&apos; n&apos;est pas une image&#xa0;; PNG, JPEG, SVG et d&apos;autres formats de Qt sont pris en charge</translation>
+    </message>
+    <message>
+        <source>the trace has no set positions of %1: the actual ones are used instead</source>
+        <translation>la trace n&apos;a pas de positions de consigne de %1&#xa0;: les positions réelles sont utilisées à leur place</translation>
+    </message>
+    <message>
+        <source>feeds, ramps and corners contain what the drives do; record the set positions too to tell them apart</source>
+        <translation>avances, rampes et coins contiennent ce que font les entraînements&#xa0;; enregistrez aussi les positions de consigne pour les distinguer</translation>
     </message>
 </context>
 <context>

@@ -174,6 +174,11 @@ constexpr std::array sentences{
     QT_TRANSLATE_NOOP("core", "say it: --columns time=%1:ms"),
     QT_TRANSLATE_NOOP("core", "the trace has no times: one sample each millisecond is assumed"),
     QT_TRANSLATE_NOOP("core", "say the rate in samples a second: --columns linuxcnc, or ...,rate=1000"),
+    QT_TRANSLATE_NOOP("core", "the trace has no set positions of %1: the actual ones are used instead"),
+    QT_TRANSLATE_NOOP(
+        "core",
+        "feeds, ramps and corners contain what the drives do; record the set positions too to tell them "
+        "apart"),
     QT_TRANSLATE_NOOP("core", "the XML ends early: %1"),
     QT_TRANSLATE_NOOP("core", "the records before it are used"),
 };

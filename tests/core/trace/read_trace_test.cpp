@@ -67,6 +67,39 @@ TEST(ReadTrace, FindsSeparatorDecimalMarkAndUnits) {
   EXPECT_THAT(parse_trace(table("time_s,x_mm,y_mm\n", "{t},{x},{y}\n"), "t.csv").notes, IsEmpty());
 }
 
+TEST(ReadTrace, ReadsNumbersInQuotesWithTheSeparatorAsDecimalMark) {
+  const std::string quoted = with_commas(table("", "\"{t:.3f}\"|\"{x:.2f}\"|\"{y:.2f}\"\n"));
+  const auto with_separator = [&](char separator) {
+    std::string text = "\"Zeit [s]\"|\"X [mm]\"|\"Y [mm]\"\n" + quoted;
+    std::ranges::replace(text, '|', separator);
+    return text;
+  };
+  for (const char separator : {',', ';', '\t'}) {
+    SCOPED_TRACE(separator);
+    const Trace trace = parse_trace(with_separator(separator), "t.csv");
+    expect_table(trace);
+    EXPECT_THAT(trace.notes, IsEmpty());
+  }
+  // Titles with the separator inside; quotes around some fields alone.
+  expect_table(parse_trace(with_commas(table("t [s],\"X [mm], set\",\"Y [mm], set\"\n",
+                                             "\"{t:.3f}\", \"{x:.2f}\" ,\"{y:.2f}\"\n")),
+                           "t.csv"));
+}
+
+TEST(ReadTrace, SaysThatActualPositionsAreUsedWhereThereAreNoOthers) {
+  const Trace actual = parse_trace(table("time_s,actual_x_mm,actual_y_mm\n", "{t},{x},{y}\n"), "t.csv");
+  expect_table(actual);
+  EXPECT_EQ(codes(actual), "trace-actual:0 ");
+  EXPECT_THAT(actual.notes[0].message, HasSubstr("no set positions of X, Y"));
+  const Trace one = parse_trace(table("time_s,x_mm,actual_y_mm\n", "{t},{x},{y}\n"), "t.csv");
+  EXPECT_THAT(one.notes[0].message, HasSubstr("no set positions of Y:"));
+  // Whoever names the columns knows.
+  EXPECT_THAT(parse_trace(table("time_s,actual_x_mm,actual_y_mm\n", "{t},{x},{y}\n"), "t.csv",
+                          parse_trace_columns("x=actual_x_mm,y=actual_y_mm"))
+                  .notes,
+              IsEmpty());
+}
+
 TEST(ReadTrace, KeepsActualPositionsBesideSetOnes) {
   const Trace both = parse_trace(
       table("time_s,x_mm,actual_x_mm,Y actual [um],following_error_x_um\n", "{t},{x},{y},{y},{x}\n"),

@@ -77,6 +77,14 @@ TEST_F(ComposedText, SaysInFrenchWhatIsWrongWithATrace) {
       "t.txt", parse_trace_columns("time=1:s,x=2,y=3"));
   EXPECT_GE(read.notes.size(), 4U);
   messages.insert(messages.end(), read.notes.begin(), read.notes.end());
+  std::string reached = "time_s,actual_x_mm,actual_y_mm\n";
+  for (const char* const row : {"0,0,0\n", "1,1,0\n", "2,2,0\n", "3,3,0\n", "4,4,0\n", "5,5,0\n", "6,6,0\n",
+                                "7,7,0\n", "8,8,0\n", "9,9,0\n"}) {
+    reached += row;
+  }
+  const Trace actual = parse_trace(reached, "t.csv");
+  EXPECT_EQ(actual.notes.front().code, "trace-actual");
+  messages.insert(messages.end(), actual.notes.begin(), actual.notes.end());
   for (const Diagnostic& message : messages) {
     expect_french(message.message);
     if (!message.hint.empty()) {
