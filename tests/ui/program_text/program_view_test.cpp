@@ -193,6 +193,28 @@ TEST_F(ProgramViewTest, LongLinesScrollSideways) {
   EXPECT_EQ(view.place_rect({1, 0}).left() >= 0, true);
 }
 
+/// Where a program just fits, one scroll bar takes the room that makes the other one needed: of that, the
+/// view went on laying itself out until the stack was full.
+TEST_F(ProgramViewTest, AProgramThatJustFitsIsLaidOutOnce) {
+  show_text(many_lines(16) + "L X+100.000 Y+100.000 Z+100.000\n", Dialect::heidenhain);
+  int width = 100;  // in which the longest line just fits
+  for (view.resize(width, 600); view.horizontalScrollBar()->maximum() > 0; view.resize(width, 600)) {
+    ++width;
+  }
+  const int height = 17 * view.line_height();
+  for (const QSize before : {QSize(0, 0), QSize(300, 0), QSize(0, 300), QSize(300, 300)}) {
+    for (int wider = -4; wider <= 20; ++wider) {
+      for (int higher = -4; higher <= 30; ++higher) {
+        view.resize(QSize(width - 50, height - 50) + before);
+        view.resize(width + wider, height + higher);
+        QCoreApplication::processEvents();
+      }
+    }
+  }
+  EXPECT_FALSE(view.horizontalScrollBar()->isVisible());
+  EXPECT_FALSE(view.verticalScrollBar()->isVisible());
+}
+
 TEST_F(ProgramViewTest, CtrlWheelZoomsTheFontWithinBounds) {
   show_text(many_lines(10));
   const auto wheel = [&](int steps) {
