@@ -78,15 +78,15 @@ std::string merge_text(const MergedComparison& merged) {
   for (const MergedProgram& program : merged.programs) {
     const std::string defect = defect_text(program);
     table.add_heading(defect.empty() ? program.file : fmt::format("{} ({})", program.file, defect));
-    const MergedRun* best = merged.fastest(program);
-    for (const MergedRun& run : program.runs) {
-      add(run, 1, true, &run == best);
+    const std::vector<bool> marks = merged.fastest(program);
+    for (std::size_t i = 0; i < program.runs.size(); ++i) {
+      add(program.runs[i], 1, true, marks[i]);
     }
   }
   table.add_heading(total_heading(merged));
-  const MergedSum* best = merged.fastest_sum();
-  for (const MergedSum& sum : merged.sums) {
-    add(sum.run, sum.programs, false, &sum == best);
+  const std::vector<bool> marks = merged.fastest_sums();
+  for (std::size_t i = 0; i < merged.sums.size(); ++i) {
+    add(merged.sums[i].run, merged.sums[i].programs, false, marks[i]);
   }
   return table.text("llllrrrrr") + fastest_text(merged);
 }

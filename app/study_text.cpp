@@ -62,7 +62,8 @@ std::string main_causes(const StudyRun& run) {
   return parts.empty() ? "nothing" : fmt::format("{}", fmt::join(parts, ", "));
 }
 
-std::string curve_table(const Study& study, std::span<const StudyRun> curve, const StudyRun* best) {
+std::string curve_table(const Study& study, std::span<const StudyRun> curve) {
+  const std::vector<bool> marks = fastest_marks(curve, study.within);
   TextTable table;
   const Sweep& sweep = study.sweeps.front();
   const std::string unit = sweep_unit(sweep.key);
@@ -78,10 +79,11 @@ std::string curve_table(const Study& study, std::span<const StudyRun> curve, con
   head_units.emplace_back("");
   table.add(head);
   table.add(head_units);
-  for (const StudyRun& run : curve) {
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    const StudyRun& run = curve[i];
     const Summary& summary = run.summary;
     const std::vector<CauseShare> causes = limiting_causes(summary);
-    std::vector<std::string> cells{&run == best ? "*" : "",
+    std::vector<std::string> cells{marks[i] ? "*" : "",
                                    fmt::format("{}", run.swept.front()),
                                    fmt::format("{:.3f}", summary.cycle_time),
                                    clock_text(summary.cycle_time),
@@ -111,18 +113,6 @@ const StudyRun& min_error(std::span<const StudyRun> runs) {
   return *std::ranges::min_element(runs, {}, [](const StudyRun& run) {
     return std::tuple(run.refused, run.lines_not_run, run.summary.max_contour_error);
   });
-}
-
-/// All take the same time, none of the bound or of refused lines apart from the others.
-bool makes_no_difference(std::span<const StudyRun> runs, std::optional<double> within) {
-  constexpr double rounding = 1e-9;  // of the cycle time; mm
-  const StudyRun& first = runs.front();
-  return runs.size() > 1 && std::ranges::all_of(runs, [&](const StudyRun& run) {
-           return !run.refused && run.lines_not_run == first.lines_not_run &&
-                  std::abs(run.summary.cycle_time - first.summary.cycle_time) <=
-                      rounding * first.summary.cycle_time &&
-                  (!within || run.summary.max_contour_error <= *within + rounding);
-         });
 }
 
 /// "X.jerk makes no difference: 12.3 s with every value. ..." of a curve.
@@ -232,7 +222,7 @@ std::string study_text(const LoadedProgram& program, const Study& study,
     const bool all_equal = makes_no_difference(curve, study.within);
     const StudyRun* best = all_equal ? nullptr : fastest(curve, study.within);
     text +=
-        fmt::format("\n{}\n{}{}\n", curve_title(study, curve.front()), curve_table(study, curve, best),
+        fmt::format("\n{}\n{}{}\n", curve_title(study, curve.front()), curve_table(study, curve),
                     wrapped(all_equal ? no_difference_text(study, curve) : optimum_text(study, curve), 0));
     if (const std::string ends = ends_text(study, curve); !ends.empty()) {
       text += wrapped(ends, 0) + "\n";

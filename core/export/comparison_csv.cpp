@@ -226,10 +226,11 @@ std::string study_csv(const Study& study) {
   append(titles, columns_of(figures));
   std::string text = fmt::format("{}\n", fmt::join(titles, ","));
   for (const auto& curve : study.curves()) {
-    const StudyRun* best = fastest(curve, study.within);
-    for (const StudyRun& run : curve) {
+    const std::vector<bool> marks = fastest_marks(curve, study.within);
+    for (std::size_t at = 0; at < curve.size(); ++at) {
+      const StudyRun& run = curve[at];
       std::vector<std::string> row = row_of(run, causes);
-      append(row, study_cells(study, run, &run == best));
+      append(row, study_cells(study, run, marks[at]));
       row.resize(own);
       append(row, cells_of(figures, run.summary));
       text += fmt::format("{}\n", fmt::join(row, ","));

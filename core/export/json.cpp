@@ -450,15 +450,16 @@ std::string study_json(const LoadedProgram& program, const Study& study) {
   Json list = Json::array();
   std::vector<double> times;
   for (const auto& curve : study.curves()) {
-    const StudyRun* best = fastest(curve, study.within);
-    for (const StudyRun& run : curve) {
+    const std::vector<bool> marks = fastest_marks(curve, study.within);
+    for (std::size_t at = 0; at < curve.size(); ++at) {
+      const StudyRun& run = curve[at];
       Json json = run_json(program, run);
       Json swept = Json::object();
       for (std::size_t i = 0; i < study.sweeps.size(); ++i) {
         swept[study.sweeps[i].key] = run.swept[i];
       }
       json["swept"] = std::move(swept);
-      json["fastest"] = &run == best;
+      json["fastest"] = static_cast<bool>(marks[at]);
       json["limiting_share"] = limits_json(run);
       if (!study.operations.empty()) {
         json["operations"] = operations_json(study, run);

@@ -4,9 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <limits>
 #include <nlohmann/json.hpp>
 
+#include "core/analysis/fastest_runs.h"
 #include "core/base/error.h"
 #include "core/export/csv_field.h"
 
@@ -206,9 +206,16 @@ std::string csv_row(const std::string& program, const MergedRun& run, std::size_
                      has_feed ? figure(run.mean_feed) : "", figure(run.max_contour_error));
 }
 
-bool is_faster(const MergedRun& run, const MergedRun& than) {
-  return std::pair(run.cycle_time, run.max_contour_error) <
-         std::pair(than.cycle_time, than.max_contour_error);
+RunTime time_of(const MergedRun& run, bool competes) {
+  return {run.cycle_time, run.max_contour_error, run.lines_not_run, competes && !run.refused};
+}
+
+std::vector<bool> marks_of(const std::vector<RunTime>& times, std::optional<double> within) {
+  std::vector<bool> marks(times.size());
+  for (const std::size_t i : fastest_runs(times, within)) {
+    marks[i] = true;
+  }
+  return marks;
 }
 
 void add_to_sums(std::vector<MergedSum>& sums, const MergedRun& run) {
@@ -235,40 +242,29 @@ void add_to_sums(std::vector<MergedSum>& sums, const MergedRun& run) {
 }  // namespace
 
 bool MergedComparison::keeps(const MergedRun& run) const {
-  constexpr double rounding = 1e-9;  // mm
-  return !run.refused && (!within || run.max_contour_error <= *within + rounding);
+  return !run.refused && keeps_bound(run.max_contour_error, within);
 }
 
-const MergedRun* MergedComparison::fastest(const MergedProgram& program) const {
-  std::size_t least_not_run = std::numeric_limits<std::size_t>::max();
+std::vector<bool> MergedComparison::fastest(const MergedProgram& program) const {
+  std::vector<RunTime> times;
   for (const MergedRun& run : program.runs) {
-    least_not_run = run.refused ? least_not_run : std::min(least_not_run, run.lines_not_run);
+    times.push_back(time_of(run, within && program.segments > 0));
   }
-  const MergedRun* best = nullptr;
-  for (const MergedRun& run : program.runs) {
-    if (within && program.segments > 0 && run.lines_not_run == least_not_run && keeps(run) &&
-        (best == nullptr || is_faster(run, *best))) {
-      best = &run;
-    }
+  return marks_of(times, within);
+}
+
+std::vector<bool> MergedComparison::fastest_sums() const {
+  std::vector<RunTime> times;
+  for (const MergedSum& sum : sums) {
+    times.push_back(time_of(sum.run, within && sum.programs == programs.size()));
   }
-  return best;
+  return marks_of(times, within);
 }
 
 const MergedSum* MergedComparison::fastest_sum() const {
-  std::size_t least_not_run = std::numeric_limits<std::size_t>::max();
-  for (const MergedSum& sum : sums) {
-    const bool of_all = sum.programs == programs.size();
-    least_not_run = of_all ? std::min(least_not_run, sum.run.lines_not_run) : least_not_run;
-  }
-  const MergedSum* best = nullptr;
-  for (const MergedSum& sum : sums) {
-    const bool of_all = sum.programs == programs.size();
-    if (within && of_all && sum.run.lines_not_run == least_not_run && keeps(sum.run) &&
-        (best == nullptr || is_faster(sum.run, best->run))) {
-      best = &sum;
-    }
-  }
-  return best;
+  const std::vector<bool> marks = fastest_sums();
+  const auto first = std::ranges::find(marks, true);
+  return first == marks.end() ? nullptr : &sums[static_cast<std::size_t>(first - marks.begin())];
 }
 
 MergedComparison merge_comparisons(const std::vector<NamedText>& files, std::optional<double> within) {
@@ -300,18 +296,20 @@ std::string merged_csv(const MergedComparison& merged) {
   std::size_t errors = 0;
   std::size_t segments = 0;
   for (const MergedProgram& program : merged.programs) {
-    const MergedRun* best = merged.fastest(program);
-    for (const MergedRun& run : program.runs) {
+    const std::vector<bool> marks = merged.fastest(program);
+    for (std::size_t i = 0; i < program.runs.size(); ++i) {
+      const MergedRun& run = program.runs[i];
       text += fmt::format("{},{},{},{}\n", csv_row(program.file, run, 1, true), program.errors,
-                          program.segments, marks_csv(merged, run, &run == best));
+                          program.segments, marks_csv(merged, run, marks[i]));
     }
     errors += program.errors;
     segments += program.segments;
   }
-  const MergedSum* best = merged.fastest_sum();
-  for (const MergedSum& sum : merged.sums) {
+  const std::vector<bool> marks = merged.fastest_sums();
+  for (std::size_t i = 0; i < merged.sums.size(); ++i) {
+    const MergedSum& sum = merged.sums[i];
     text += fmt::format("{},{},{},{}\n", csv_row(all_programs, sum.run, sum.programs, false), errors,
-                        segments, marks_csv(merged, sum.run, &sum == best));
+                        segments, marks_csv(merged, sum.run, marks[i]));
   }
   return text;
 }
@@ -319,12 +317,13 @@ std::string merged_csv(const MergedComparison& merged) {
 std::string merged_json(const MergedComparison& merged) {
   Json programs = Json::array();
   for (const MergedProgram& program : merged.programs) {
-    const MergedRun* best = merged.fastest(program);
+    const std::vector<bool> marks = merged.fastest(program);
     Json runs = Json::array();
-    for (const MergedRun& run : program.runs) {
+    for (std::size_t i = 0; i < program.runs.size(); ++i) {
+      const MergedRun& run = program.runs[i];
       Json row = figures_json(run);
       row["mean_feed_mm_min"] = figure_json(run, run.mean_feed);
-      add_marks(row, merged, run, &run == best);
+      add_marks(row, merged, run, marks[i]);
       runs.push_back(std::move(row));
     }
     programs.push_back({{"file", program.file},
@@ -332,12 +331,13 @@ std::string merged_json(const MergedComparison& merged) {
                         {"segments", program.segments},
                         {"runs", std::move(runs)}});
   }
-  const MergedSum* best = merged.fastest_sum();
+  const std::vector<bool> marks = merged.fastest_sums();
   Json sums = Json::array();
-  for (const MergedSum& sum : merged.sums) {
+  for (std::size_t i = 0; i < merged.sums.size(); ++i) {
+    const MergedSum& sum = merged.sums[i];
     Json row = figures_json(sum.run);
     row["programs"] = sum.programs;
-    add_marks(row, merged, sum.run, &sum == best);
+    add_marks(row, merged, sum.run, marks[i]);
     sums.push_back(std::move(row));
   }
   return Json({{"format", {{"name", "feedscope-merge"}, {"version", 1}}},

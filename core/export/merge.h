@@ -41,10 +41,11 @@ struct MergedComparison {
 
   /// Whether a run keeps the bound; true where there is none, never of one that is refused.
   bool keeps(const MergedRun& run) const;
-  /// The fastest run of a program with motion that keeps the bound, the fastest sum over all programs that
-  /// does; never one of which the control refuses more lines than of another. nullptr where no run keeps
-  /// the bound, and without a bound.
-  const MergedRun* fastest(const MergedProgram& program) const;
+  /// By run of a program with motion whether it is the fastest that keeps the bound, by sum over all programs
+  /// whether that is: all that fastest_runs() names. None where no run keeps the bound, and without a bound.
+  std::vector<bool> fastest(const MergedProgram& program) const;
+  std::vector<bool> fastest_sums() const;
+  /// The first of fastest_sums().
   const MergedSum* fastest_sum() const;
 };
 

@@ -13070,6 +13070,10 @@ Ensemble&#xa0;: %4</translation>
         <source>The control refuses the program in all runs.</source>
         <translation>La commande refuse le programme dans toutes les simulations.</translation>
     </message>
+    <message>
+        <source>All runs take %1.</source>
+        <translation>Toutes les simulations durent %1.</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::SceneActions</name>
@@ -14120,6 +14124,10 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>Lines that the control refuses and that are not run: %1.</source>
         <translation>Lignes que la commande refuse et qui ne sont pas exécutées&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>%1 makes no difference to the cycle time: %2 with every value. %3</source>
+        <translation>%1 est sans effet sur le temps de cycle&#xa0;: %2 avec chaque valeur. %3</translation>
     </message>
 </context>
 <context>

@@ -3,8 +3,8 @@
 #include <QFont>
 #include <QLocale>
 #include <algorithm>
-#include <limits>
 
+#include "core/analysis/fastest_runs.h"
 #include "core/analysis/refused_lines.h"
 #include "core/base/units.h"
 #include "ui/language/core_texts.h"
@@ -17,8 +17,6 @@
 namespace feedscope::ui {
 
 namespace {
-
-constexpr double rounding = 1e-9;  // a run that is at the bound keeps it [mm]
 
 QString number(double value, int decimals) {
   return QLocale().toString(value, 'f', decimals);
@@ -107,25 +105,23 @@ std::size_t RunTable::lines_not_run(std::size_t row) const {
 }
 
 bool RunTable::keeps_bound(const Summary& summary) const {
-  return !bound_ || summary.max_contour_error <= *bound_ + rounding;
+  return feedscope::keeps_bound(summary.max_contour_error, bound_);
 }
 
-std::optional<std::size_t> RunTable::best() const {
-  std::size_t least_not_run = std::numeric_limits<std::size_t>::max();  // what is not run takes no time
-  for (std::size_t row = 0; row < runs_.items().size(); ++row) {
-    if (summary(row) != nullptr && !refused(row)) {
-      least_not_run = std::min(least_not_run, lines_not_run(row));
-    }
-  }
-  std::optional<std::size_t> found;
+std::vector<std::size_t> RunTable::fastest() const {
+  std::vector<RunTime> times;
   for (std::size_t row = 0; row < runs_.items().size(); ++row) {
     const Summary* figures = summary(row);
-    if (figures != nullptr && !refused(row) && lines_not_run(row) == least_not_run && keeps_bound(*figures) &&
-        (!found || figures->cycle_time < summary(*found)->cycle_time)) {
-      found = row;
-    }
+    times.push_back(figures == nullptr ? RunTime{0, 0, 0, false}
+                                       : RunTime{figures->cycle_time, figures->max_contour_error,
+                                                 lines_not_run(row), !refused(row)});
   }
-  return found;
+  return fastest_runs(times, bound_);
+}
+
+bool RunTable::is_marked(std::size_t row) const {
+  const std::vector<std::size_t> rows = fastest();
+  return rows.size() < runs_.items().size() && std::ranges::find(rows, row) != rows.end();
 }
 
 bool RunTable::all_refused() const {
@@ -165,18 +161,18 @@ QString RunTable::figure(std::size_t row, int column) const {
   }
   switch (column) {
     case cycle_time:
-      return best() == row && runs_.items().size() > 1
-                 ? QStringLiteral("★ %1").arg(clock_text(figures->cycle_time))
-                 : clock_text(figures->cycle_time);
+      return is_marked(row) ? QStringLiteral("★ %1").arg(clock_text(figures->cycle_time))
+                            : clock_text(figures->cycle_time);
     case difference: {
-      const auto fastest = best();
-      if (!fastest || *fastest == row || !(summary(*fastest)->cycle_time > 0)) {
+      const std::vector<std::size_t> best = fastest();
+      if (best.empty() || std::ranges::find(best, row) != best.end() ||
+          !(summary(best.front())->cycle_time > 0)) {
         return {};
       }
-      if (lines_not_run(row) > lines_not_run(*fastest)) {
+      if (lines_not_run(row) > lines_not_run(best.front())) {
         return QStringLiteral("–");
       }
-      const double percent = 100 * (figures->cycle_time / summary(*fastest)->cycle_time - 1);
+      const double percent = 100 * (figures->cycle_time / summary(best.front())->cycle_time - 1);
       return signed_number(percent, 1);
     }
     case mean_feed:
@@ -233,7 +229,7 @@ QString RunTable::explanation(std::size_t row) const {
     lines.append(tr("Its contour error of %1 is above the bound of %2.")
                      .arg(amount_text(figures->max_contour_error, Dimension::error),
                           amount_text(*bound_, Dimension::error)));
-  } else if (figures != nullptr && best() == row && runs_.items().size() > 1) {
+  } else if (figures != nullptr && is_marked(row)) {
     lines.append(tr("★ The fastest of these runs."));
   }
   if (figures != nullptr) {
@@ -278,11 +274,12 @@ QString RunTable::trace_text(std::size_t trace, int column) const {
       }
       return shown->agreement.whole ? clock_text(shown->agreement.measured_time) : QStringLiteral("–");
     case difference: {
-      const auto fastest = best();
-      if (shown == nullptr || !shown->agreement.whole || !fastest || !(summary(*fastest)->cycle_time > 0)) {
+      const std::vector<std::size_t> best = fastest();
+      if (shown == nullptr || !shown->agreement.whole || best.empty() ||
+          !(summary(best.front())->cycle_time > 0)) {
         return {};
       }
-      const double percent = 100 * (shown->agreement.measured_time / summary(*fastest)->cycle_time - 1);
+      const double percent = 100 * (shown->agreement.measured_time / summary(best.front())->cycle_time - 1);
       return signed_number(percent, 1);
     }
     case contour_error:

@@ -2,6 +2,7 @@
 
 #include <QAbstractTableModel>
 #include <optional>
+#include <vector>
 
 #include "core/analysis/source_figures.h"
 #include "ui/workbench/run_list.h"
@@ -32,9 +33,9 @@ class RunTable : public QAbstractTableModel {
 
   /// Largest contour error that counts [mm]; none: every run counts.
   void set_error_bound(std::optional<double> bound);
-  /// Row of the fastest run that keeps the bound, of those of which the control refuses the fewest lines;
-  /// none while no result is there, or if none keeps it or all are refused.
-  std::optional<std::size_t> best() const;
+  /// Rows of the fastest runs that keep the bound (fastest_runs), of those that have a result; none if none
+  /// keeps it or all are refused.
+  std::vector<std::size_t> fastest() const;
   /// Whether there are results, all of runs that the control refuses.
   bool all_refused() const;
 
@@ -55,6 +56,8 @@ class RunTable : public QAbstractTableModel {
   bool refused(std::size_t row) const;
   std::size_t lines_not_run(std::size_t row) const;
   bool keeps_bound(const Summary& summary) const;
+  /// Whether a run is one of the fastest, and others are slower or not within the bound.
+  bool is_marked(std::size_t row) const;
   QVariant trace_data(std::size_t trace, int column, int role) const;
   QString trace_text(std::size_t trace, int column) const;
   QString trace_explanation(std::size_t trace) const;

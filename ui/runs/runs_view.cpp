@@ -275,8 +275,8 @@ QString RunsView::verdict() const {
   if (count < 2) {
     return tr("Duplicate the run and change a value to compare.");
   }
-  const auto best = model_->best();
-  if (!best) {
+  const std::vector<std::size_t> fastest = model_->fastest();
+  if (fastest.empty()) {
     std::size_t done = 0;
     std::size_t given_up = 0;
     for (std::size_t row = 0; row < count; ++row) {
@@ -296,13 +296,16 @@ QString RunsView::verdict() const {
     return model_->all_refused() ? tr("The control refuses the program in all runs.")
                                  : tr("No run is within this bound.");
   }
+  const QString time = clock_text(runs_.result(fastest.front())->run.summary.cycle_time);
+  if (fastest.size() == count) {
+    return tr("All runs take %1.").arg(time);
+  }
   const QString lead =
       bounded_->isChecked()
           ? tr("Fastest within %1")
                 .arg(amount_text(from_shown_unit(bound_->value(), Dimension::error), Dimension::error))
           : tr("Fastest");
-  return tr("%1: %2 with %3.")
-      .arg(lead, runs_.title(runs_.items()[*best]), clock_text(runs_.result(*best)->run.summary.cycle_time));
+  return tr("%1: %2 with %3.").arg(lead, runs_.title(runs_.items()[fastest.front()]), time);
 }
 
 /// As wide as the names are, so that what is cut last is a name.

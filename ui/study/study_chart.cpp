@@ -354,10 +354,10 @@ void StudyChart::draw_curve(QPainter& painter, const Layout& layout, std::size_t
   for (const QPointF& at : line) {
     painter.fillPath(study_marker(index, at, marker), color);
   }
-  if (curve.fastest) {
-    painter.setPen(QPen(theme_colours(palette()).text, line_pixels(1.8)));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawEllipse(line[static_cast<qsizetype>(*curve.fastest)], 2 * marker, 2 * marker);
+  painter.setPen(QPen(theme_colours(palette()).text, line_pixels(1.8)));
+  painter.setBrush(Qt::NoBrush);
+  for (const std::size_t best : curve.fastest) {
+    painter.drawEllipse(line[static_cast<qsizetype>(best)], 2 * marker, 2 * marker);
   }
 }
 
@@ -407,10 +407,10 @@ void StudyChart::draw_labels(QPainter& painter, const Layout& layout, bool is_er
     taken.push_back(label);
   }
   for (const StudyCurve& curve : study_.curves) {
-    if (!curve.fastest) {
+    if (curve.fastest.empty()) {
       continue;
     }
-    const StudyPoint& best = curve.points[*curve.fastest];
+    const StudyPoint& best = curve.points[curve.fastest.front()];
     const QString text = is_error ? significant_text(best.error, Dimension::error, 4)
                                   : tr("%1 s at %2").arg(number(best.time, 5), number(best.value));
     const QSizeF size(metrics.horizontalAdvance(text) + 4, metrics.height());

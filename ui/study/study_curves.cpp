@@ -25,10 +25,10 @@ StudyCurves study_curves(const Study& study) {
       curve.name += QStringLiteral(", %1 %2").arg(setting_title(study.sweeps[i].key),
                                                   QLocale().toString(runs.front().swept[i], 'g', 4));
     }
-    const StudyRun* best = fastest(runs, study.within);
+    const std::vector<bool> marks = fastest_marks(runs, study.within);
     for (const StudyRun& run : runs) {
-      if (&run == best) {
-        curve.fastest = curve.points.size();
+      if (marks[curve.points.size()]) {
+        curve.fastest.push_back(curve.points.size());
       }
       curve.points.push_back(
           {run.swept.front() * unit.factor, run.summary.cycle_time, run.summary.max_contour_error});

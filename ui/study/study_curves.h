@@ -19,7 +19,7 @@ struct StudyPoint {
 struct StudyCurve {
   QString name;
   std::vector<StudyPoint> points;
-  std::optional<std::size_t> fastest;  ///< within the bound
+  std::vector<std::size_t> fastest;  ///< within the bound: all that are equally fast
 };
 
 /// What a machine took for the program, drawn across the whole range of the setting.

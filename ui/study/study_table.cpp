@@ -23,7 +23,9 @@ void StudyTable::set_study(std::shared_ptr<const Study> study) {
   beginResetModel();
   study_ = std::move(study);
   figures_.clear();
+  marks_.clear();
   if (study_ != nullptr) {
+    marks_ = fastest_marks(study_->runs, study_->within);
     figures_ = source_figures_of(study_->runs, [](const StudyRun& run) { return &run.summary; });
   }
   endResetModel();
@@ -41,8 +43,9 @@ QVariant StudyTable::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= rowCount()) {
     return {};
   }
-  const StudyRun& run = study_->runs[static_cast<std::size_t>(index.row())];
-  const bool best = &run == fastest(study_->runs, study_->within);
+  const auto row = static_cast<std::size_t>(index.row());
+  const StudyRun& run = study_->runs[row];
+  const bool best = marks_[row];
   switch (role) {
     case Qt::DisplayRole:
       return index.column() == cycle_time && best ? QStringLiteral("★ ") + text(run, cycle_time)

@@ -2,13 +2,14 @@
 
 #include <QAbstractTableModel>
 #include <memory>
+#include <vector>
 
 #include "core/analysis/source_figures.h"
 #include "core/analysis/study/study.h"
 
 namespace feedscope::ui {
 
-/// The runs of a study of one setting as rows; the fastest within the bound is marked.
+/// The runs of a study of one setting as rows; the fastest within the bound are marked (fastest_marks).
 class StudyTable : public QAbstractTableModel {
   Q_OBJECT
 
@@ -30,6 +31,7 @@ class StudyTable : public QAbstractTableModel {
   QString text(const StudyRun& run, int column) const;
 
   std::shared_ptr<const Study> study_;
+  std::vector<bool> marks_;                   ///< by row
   std::vector<const SourceFigure*> figures_;  ///< behind `columns`
 };
 

@@ -361,6 +361,15 @@ QString StudyView::verdict() const {
         .arg(amount_text(*study_->within, Dimension::error));
   }
   const QString key = setting_title(study_->sweeps.front().key);
+  const QString rest =
+      best->lines_not_run == 0
+          ? ends_text()
+          : tr("Lines that the control refuses and that are not run: %1.").arg(best->lines_not_run) +
+                QLatin1Char(' ') + ends_text();
+  if (makes_no_difference(study_->runs, study_->within)) {
+    return tr("%1 makes no difference to the cycle time: %2 with every value. %3")
+        .arg(key, clock_text(best->summary.cycle_time), rest);
+  }
   const KeyUnit unit = key_unit(sweep_unit(study_->sweeps.front().key));
   const QString lead = study_->within
                            ? tr("Fastest within %1").arg(amount_text(*study_->within, Dimension::error))
@@ -369,11 +378,7 @@ QString StudyView::verdict() const {
       .arg(lead, key,
            (locale.toString(best->swept.front() * unit.factor, 'g', 5) + ' ' + unit.text).trimmed(),
            clock_text(best->summary.cycle_time),
-           amount_text(best->summary.max_contour_error, Dimension::error),
-           best->lines_not_run == 0
-               ? ends_text()
-               : tr("Lines that the control refuses and that are not run: %1.").arg(best->lines_not_run) +
-                     QLatin1Char(' ') + ends_text());
+           amount_text(best->summary.max_contour_error, Dimension::error), rest);
 }
 
 QString StudyView::ends_text() const {

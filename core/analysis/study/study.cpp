@@ -4,8 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
+#include "core/analysis/fastest_runs.h"
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
 
@@ -89,6 +90,14 @@ std::size_t combinations(const std::vector<Sweep>& sweeps) {
   return count;
 }
 
+std::vector<RunTime> times_of(std::span<const StudyRun> runs) {
+  std::vector<RunTime> times;
+  for (const StudyRun& run : runs) {
+    times.push_back({run.summary.cycle_time, run.summary.max_contour_error, run.lines_not_run, !run.refused});
+  }
+  return times;
+}
+
 }  // namespace
 
 std::vector<StudySetup> setups_to_study(const StudyRequest& request) {
@@ -152,23 +161,30 @@ std::vector<std::span<const StudyRun>> Study::curves() const {
 }
 
 const StudyRun* fastest(std::span<const StudyRun> runs, std::optional<double> within) {
-  constexpr double rounding = 1e-9;  // mm
-  std::size_t least_not_run = std::numeric_limits<std::size_t>::max();
-  for (const StudyRun& run : runs) {
-    least_not_run = run.refused ? least_not_run : std::min(least_not_run, run.lines_not_run);
+  const std::vector<std::size_t> found = fastest_runs(times_of(runs), within);
+  return found.empty() ? nullptr : &runs[found.front()];
+}
+
+bool makes_no_difference(std::span<const StudyRun> runs, std::optional<double> within) {
+  constexpr double rounding = 1e-9;  // of the cycle time
+  const StudyRun& first = runs.front();
+  return runs.size() > 1 && std::ranges::all_of(runs, [&](const StudyRun& run) {
+           return !run.refused && run.lines_not_run == first.lines_not_run &&
+                  std::abs(run.summary.cycle_time - first.summary.cycle_time) <=
+                      rounding * first.summary.cycle_time &&
+                  keeps_bound(run.summary.max_contour_error, within);
+         });
+}
+
+std::vector<bool> fastest_marks(std::span<const StudyRun> curve, std::optional<double> within) {
+  std::vector<bool> marks(curve.size());
+  if (curve.empty() || makes_no_difference(curve, within)) {
+    return marks;
   }
-  const StudyRun* best = nullptr;
-  for (const StudyRun& run : runs) {
-    const bool keeps = !run.refused && run.lines_not_run == least_not_run &&
-                       (!within || run.summary.max_contour_error <= *within + rounding);
-    const auto rank = [](const StudyRun& of) {
-      return std::pair(of.summary.cycle_time, of.summary.max_contour_error);
-    };
-    if (keeps && (best == nullptr || rank(run) < rank(*best))) {
-      best = &run;
-    }
+  for (const std::size_t i : fastest_runs(times_of(curve), within)) {
+    marks[i] = true;
   }
-  return best;
+  return marks;
 }
 
 }  // namespace feedscope

@@ -57,9 +57,15 @@ struct Study {
 /// Runs them all as compare_runs does. Throws as that.
 Study run_study(const LoadedProgram& program, const StudyRequest& request, Progress* progress = nullptr);
 
-/// The fastest run whose largest contour error is at most `within` [mm], of equally fast ones the one with
-/// the least error; none if none keeps it. Without a bound the fastest of all. Never a run that is refused,
-/// nor one of which the control refuses more lines than of another: what is not run takes no time.
+/// The first of those that fastest_runs() names; null for none.
 const StudyRun* fastest(std::span<const StudyRun> runs, std::optional<double> within);
+
+/// Whether several runs all take the same time, none of the bound or of refused lines apart from the others:
+/// of a curve, that its setting makes no difference.
+bool makes_no_difference(std::span<const StudyRun> runs, std::optional<double> within);
+
+/// By run of a curve whether it is marked as its fastest: all that fastest_runs() names; none where the
+/// setting makes no difference.
+std::vector<bool> fastest_marks(std::span<const StudyRun> curve, std::optional<double> within);
 
 }  // namespace feedscope

@@ -137,6 +137,16 @@ TEST(Study, FindsTheFastestWithinABound) {
   EXPECT_EQ(fastest(curve, std::nullopt), &curve.back());
 }
 
+TEST(Study, MarksAllValuesThatAreEquallyFastAndNoneWhereAllAre) {
+  const LoadedProgram program = program_of("G1 X20 F3000\nY20\n");
+  const Study study = run_study(program, request_of({"X.velocity=1;40;50"}, {"essid"}));
+  EXPECT_THAT(fastest_marks(study.runs, std::nullopt), ElementsAre(false, true, true));
+  EXPECT_EQ(fastest(study.runs, std::nullopt), &study.runs[1]);
+  const Study equal = run_study(program, request_of({"X.velocity=40;50"}, {"essid"}));
+  EXPECT_TRUE(makes_no_difference(equal.runs, std::nullopt));
+  EXPECT_THAT(fastest_marks(equal.runs, std::nullopt), ElementsAre(false, false));
+}
+
 TEST(Study, CausesAddUpToTheCycleTime) {
   const Study study = run_study(program_of("G1 X20 F3000\nY20\n"), request_of({"X.jerk=5;50"}, {"essid"}));
   for (const StudyRun& run : study.runs) {

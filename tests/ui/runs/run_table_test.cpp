@@ -13,7 +13,9 @@ namespace feedscope::ui {
 namespace {
 
 using testing::AllOf;
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
 
@@ -55,24 +57,38 @@ TEST_F(RunTableTest, IsASoundItemModel) {
 
 TEST_F(RunTableTest, AResultThatIsNotThereYetIsADot) {
   EXPECT_EQ(text(0, RunTable::cycle_time), "…");
-  EXPECT_FALSE(table.best().has_value());
+  EXPECT_THAT(table.fastest(), IsEmpty());
 }
 
 TEST_F(RunTableTest, TheFastestRunIsMarkedAndTheOthersSayHowMuchSlowerTheyAre) {
   simulate();
-  EXPECT_EQ(table.best(), 2U);
+  EXPECT_THAT(table.fastest(), ElementsAre(2U));
   EXPECT_THAT(text(2, RunTable::cycle_time), StartsWith("★"));
   EXPECT_THAT(text(1, RunTable::difference), StartsWith("+"));
   EXPECT_EQ(text(2, RunTable::difference), "");
 }
 
+TEST_F(RunTableTest, AllThatAreEquallyFastAreMarkedUnlessAllAre) {
+  runs.duplicate(2);
+  simulate();
+  EXPECT_THAT(table.fastest(), ElementsAre(2U, 3U));
+  for (const int row : {2, 3}) {
+    EXPECT_THAT(text(row, RunTable::cycle_time), StartsWith("★"));
+    EXPECT_EQ(text(row, RunTable::difference), "");
+  }
+  runs.remove(0);
+  runs.remove(0);
+  EXPECT_THAT(table.fastest(), ElementsAre(0U, 1U));
+  EXPECT_THAT(text(0, RunTable::cycle_time), Not(StartsWith("★")));
+}
+
 TEST_F(RunTableTest, ARunAboveTheErrorBoundDoesNotCompete) {
   simulate();
   table.set_error_bound(0.15);
-  EXPECT_EQ(table.best(), 0U);
+  EXPECT_THAT(table.fastest(), ElementsAre(0U));
   EXPECT_THAT(table.index(2, 0).data(Qt::ToolTipRole).toString().toStdString(), HasSubstr("bound of 150.0"));
   table.set_error_bound(1e-6);
-  EXPECT_FALSE(table.best().has_value());
+  EXPECT_THAT(table.fastest(), IsEmpty());
 }
 
 TEST_F(RunTableTest, NameAndVisibilityAreEditedInPlace) {
@@ -132,7 +148,7 @@ TEST_F(RefusedRunTest, HasNoFiguresAndDoesNotCompete) {
     EXPECT_EQ(text(0, column), "–");
     EXPECT_NE(text(1, column), "–");
   }
-  EXPECT_EQ(table.best(), 1U);
+  EXPECT_THAT(table.fastest(), ElementsAre(1U));
   EXPECT_THAT(tip(0), AllOf(HasSubstr("The control refuses the program"), HasSubstr("are not run: 2.")));
   EXPECT_FALSE(table.all_refused());
 }
@@ -140,7 +156,7 @@ TEST_F(RefusedRunTest, HasNoFiguresAndDoesNotCompete) {
 TEST_F(RefusedRunTest, WhatIsNotRunTakesNoTime) {
   simulate("G21 G90\nG1 X10 F1000\nG1 X200 H1\nX10\n");
   EXPECT_LT(runs.result(0)->run.summary.cycle_time, runs.result(1)->run.summary.cycle_time);
-  EXPECT_EQ(table.best(), 1U);
+  EXPECT_THAT(table.fastest(), ElementsAre(1U));
   EXPECT_EQ(text(0, RunTable::difference), "–");
   EXPECT_THAT(tip(0), AllOf(HasSubstr("are not run: 1."), Not(HasSubstr("refuses the program"))));
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLocale>
 #include <QTableView>
@@ -14,11 +15,14 @@
 #include "tests/ui/trace_fixture.h"
 #include "ui/fields/number_box.h"
 #include "ui/fields/whole_number_box.h"
+#include "ui/study/study_table.h"
 
 namespace feedscope::ui {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 
 class StudyViewTest : public testing::Test {
  protected:
@@ -62,6 +66,26 @@ TEST_F(StudyViewTest, TheResultsAreThoseOfSimulatingEachValue) {
   }
   EXPECT_EQ(view.table()->model()->rowCount(), 3);
   EXPECT_THAT(view.verdict().toStdString(), HasSubstr("Fastest within 10.0 µm: Contour tolerance"));
+}
+
+TEST_F(StudyViewTest, MarksAllValuesThatAreEquallyFastAndNoneWhereAllAre) {
+  open();
+  view.findChildren<QCheckBox*>().last()->setChecked(false);  // no bound of the error
+  study("Z.velocity", 10, 20, 3);                   // nothing moves along Z
+  EXPECT_THAT(view.chart()->study().curves[0].fastest, IsEmpty());
+  EXPECT_THAT(view.verdict().toStdString(), HasSubstr("makes no difference to the cycle time"));
+  const auto starred = [this] {
+    int rows = 0;
+    const QAbstractItemModel& rows_of = *view.table()->model();
+    for (int row = 0; row < rows_of.rowCount(); ++row) {
+      rows += rows_of.index(row, StudyTable::cycle_time).data().toString().startsWith("★") ? 1 : 0;
+    }
+    return rows;
+  };
+  EXPECT_EQ(starred(), 0);
+  study("X.velocity", 0.5, 100, 3);  // no feed is above 50 m/min
+  EXPECT_THAT(view.chart()->study().curves[0].fastest, ElementsAre(1U, 2U));
+  EXPECT_EQ(starred(), 2);
 }
 
 TEST_F(StudyViewTest, ValuesAreOnesThatPeopleCanSetAndStayApart) {

@@ -95,7 +95,7 @@ TEST_F(TraceViewTest, TheTraceIsOneMoreRowOfTheRuns) {
   EXPECT_EQ(model.traces().items()[0].name, "before service");
   EXPECT_TRUE(table.setData(table.index(1, RunTable::name), Qt::Unchecked, Qt::CheckStateRole));
   EXPECT_FALSE(model.traces().items()[0].visible);
-  EXPECT_EQ(table.best(), 0U) << "a trace is no run to choose";
+  EXPECT_EQ(table.fastest(), std::vector<std::size_t>{0}) << "a trace is no run to choose";
 }
 
 TEST_F(TraceViewTest, APartOfTheProgramHasNoCycleTime) {
