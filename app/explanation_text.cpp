@@ -255,8 +255,10 @@ std::string error_text(const TriedChange& change) {
 }
 
 /// "feedscope simulate part.nc --set X.jerk=20", which gives what the trial gave; "" where the program has to
-/// be changed. Another machine takes the place of all that was asked for; of a session "..." is its program.
-std::string command_text(const Remedy& remedy, const Setup& setup, const RunOptions* asked) {
+/// be changed, or the machine of a session is in no file. Another machine takes the place of all that was
+/// asked for.
+std::string command_text(const Remedy& remedy, const Setup& setup, const ProgramOptions& program,
+                         const RunOptions* asked) {
   const std::string options = as_options(remedy, setup);
   if (options.empty()) {
     return "";
@@ -264,8 +266,10 @@ std::string command_text(const Remedy& remedy, const Setup& setup, const RunOpti
   if (asked == nullptr) {
     const std::vector<std::string> shipped = shipped_machines().ids();
     const bool knows_all = std::ranges::find(shipped, setup.machine.id) != shipped.end();
-    return fmt::format("feedscope simulate ... {}",
-                       knows_all ? setup_options(with_remedy(setup, remedy)) : options);
+    return knows_all || !remedy.machine.empty()
+               ? fmt::format("feedscope simulate {} {}", program_text(program),
+                             knows_all ? setup_options(with_remedy(setup, remedy)) : options)
+               : "";
   }
   RunOptions kept = *asked;
   if (!remedy.machine.empty()) {
@@ -280,7 +284,8 @@ std::string command_text(const Remedy& remedy, const Setup& setup, const RunOpti
   return fmt::format("feedscope simulate {}{} {}", program_text(*asked), run_text(kept), options);
 }
 
-std::string changes_text(const Run& run, const TimeReport& report, const RunOptions* asked) {
+std::string changes_text(const Run& run, const TimeReport& report, const ProgramOptions& program,
+                         const RunOptions* asked) {
   const ChangeTrials& trials = report.changes;
   const double now = report.use.cycle_time;
   TextTable table;
@@ -312,7 +317,7 @@ std::string changes_text(const Run& run, const TimeReport& report, const RunOpti
   }
   std::string commands;
   for (const std::size_t i : trials.best) {
-    if (const std::string command = command_text(trials.tried[i].remedy, run.setup, asked);
+    if (const std::string command = command_text(trials.tried[i].remedy, run.setup, program, asked);
         !command.empty()) {
       commands += fmt::format("  {}\n", command);
     }
@@ -322,7 +327,8 @@ std::string changes_text(const Run& run, const TimeReport& report, const RunOpti
 
 }  // namespace
 
-std::string explanation_text(const Run& run, const TimeReport& report, const RunOptions* asked) {
+std::string explanation_text(const Run& run, const TimeReport& report, const ProgramOptions& program,
+                             const RunOptions* asked) {
   const TimeUse& use = report.use;
   std::string out =
       fmt::format("{} on {} ({}), model {}\n\n{}", run.input.program->source->name(), run.setup.machine.name,
@@ -341,7 +347,7 @@ std::string explanation_text(const Run& run, const TimeReport& report, const Run
   }
   out += "\nPlaces that lose most\n" + groups_text(report);
   out += "\nWhat would help (each simulated; whether machine, tool and material bear it is not checked)\n" +
-         changes_text(run, report, asked);
+         changes_text(run, report, program, asked);
   return out;
 }
 

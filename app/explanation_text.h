@@ -7,8 +7,9 @@
 
 namespace feedscope {
 
-/// Where the time of a run goes and what would help, for people. `asked`: what asked for the run, for the
-/// commands that make the changes; null for a run of a session.
-std::string explanation_text(const Run& run, const TimeReport& report, const RunOptions* asked);
+/// Where the time of a run goes and what would help, for people. For the commands that make the changes:
+/// `program` and how it is read, and `asked`, what asked for the run; null for a run of a session.
+std::string explanation_text(const Run& run, const TimeReport& report, const ProgramOptions& program,
+                             const RunOptions* asked);
 
 }  // namespace feedscope

@@ -172,6 +172,27 @@ ReadOptions ProgramOptions::reading() const {
   return options;
 }
 
+ProgramOptions ProgramOptions::of(const std::string& file, const ReadOptions& reading) {
+  ProgramOptions options;
+  options.file = file;
+  options.dialect = reading.dialect ? std::string(info_of(*reading.dialect).id) : "";
+  options.unit = reading.unit ? std::string(to_string(*reading.unit)) : "";
+  options.skip_deleted = reading.skip_deleted_blocks;
+  options.repeat_limit = reading.repeat_limit;
+  options.call_depth = reading.call_depth;
+  for (const auto& [tool, radius] : reading.radii.all()) {
+    options.radii.push_back(fmt::format("{}={}", tool, radius));
+  }
+  for (const auto& [name, zero] : reading.offsets.all()) {
+    options.offsets.push_back(fmt::format("{}={},{},{}", name, zero.x(), zero.y(), zero.z()));
+  }
+  options.tool_table = reading.tool_table.string();
+  options.table_unit = reading.table_unit == 1 ? "mm" : "inch";
+  options.wear_only = reading.wear_only;
+  options.simulate_cut_off = reading.simulate_cut_off;
+  return options;
+}
+
 std::string machine_help() {
   return fmt::format("Machine id or machine file [{}; {} for Heidenhain programs]", default_machine,
                      default_machine_of(Dialect::heidenhain));

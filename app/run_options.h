@@ -28,6 +28,8 @@ struct ProgramOptions {
 
   /// Throws InputError for a dialect that is not known, a radius or an offset that is none.
   ReadOptions reading() const;
+  /// The options whose reading() is `reading`.
+  static ProgramOptions of(const std::string& file, const ReadOptions& reading);
 };
 
 /// The options that every command with a simulation has: --machine --model --tolerance --set.

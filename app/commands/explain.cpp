@@ -56,7 +56,8 @@ int explain(const ExplainOptions& options) {
   print_diagnostics(run.input.lines_not_run, *run.input.program);
   print_diagnostics(run.input.toolpath->machine_faults, *run.input.program);
   if (options.json != "-") {
-    fmt::print("{}", explanation_text(run, report, asked.is_session() ? nullptr : &options.run));
+    fmt::print("{}", explanation_text(run, report, ProgramOptions::of(asked.file, asked.reading),
+                                      asked.is_session() ? nullptr : &options.run));
   }
   return has_errors(run.input.program->diagnostics) ? exit_code::program_errors : exit_code::done;
 }

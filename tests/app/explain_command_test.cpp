@@ -87,6 +87,31 @@ TEST_F(ExplainCommand, TheCommandsThatItPrintsGiveWhatItSays) {
   }
 }
 
+/// In another folder than the session's, with a program whose name a shell would take apart.
+TEST_F(ExplainCommand, TheCommandsOfASessionNameItsProgramAndHowItIsRead) {
+  fs::create_directories(folder_ / "kept");
+  fs::copy(folder_ / "stairs.nc", folder_ / "kept" / "part 7's steps.nc");
+  write("kept/part.feedscope", R"({"format": "feedscope-session", "version": 1,
+    "program": {"file": "part 7's steps.nc"},
+    "reading": {"dialect": "fanuc", "unit": "mm", "cutter_radii_mm": {"1": 5}, "work_offsets_mm": {"G55": [1, 2.5, -3]}},
+    "runs": [{"machine": "spinner-mvc850", "model": "essid", "name": "one", "colour": "#0072b2",
+              "set": {"contour_tolerance_mm": 0.05}}]})");
+  const Result result = run("explain kept/part.feedscope");
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(result.out,
+              AllOf(HasSubstr(" --dialect fanuc --unit mm --tool 1=5 --offset G55=1,2.5,-3 --machine "),
+                    Not(HasSubstr("..."))));
+  std::istringstream lines(result.out);
+  std::size_t commands = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("  feedscope ")) {
+      ++commands;
+      EXPECT_EQ(run(line.substr(std::string("  feedscope ").size())).code, 0) << line;
+    }
+  }
+  EXPECT_GE(commands, 1U);
+}
+
 TEST_F(ExplainCommand, SaysWhyThePlacesAddUpToAnotherTotal) {
   const std::string out = run("explain stairs.nc").out;
   EXPECT_THAT(out, AllOf(HasSubstr("path shorter than programmed"),

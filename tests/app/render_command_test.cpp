@@ -175,6 +175,21 @@ TEST_F(RenderCommand, PdfFilesHoldTextsOfEveryLetter) {
   EXPECT_THAT(sheet, testing::Not(HasSubstr("cycle time")));
 }
 
+/// The command at the foot of a sheet is there to be run again: on two lines rather than with a piece
+/// omitted.
+TEST_F(RenderCommand, ASheetHoldsItsWholeCommandHoweverLong) {
+  const std::string name = std::string(100, 'p') + "art_of_a_long_name.nc";
+  std::filesystem::copy(folder_ / "corner.nc", folder_ / name);
+  const std::string command = name + " --view sheet --title " + std::string(260, 'T') + " --out t.pdf";
+  ASSERT_EQ(run(command).code, 0);
+  ASSERT_EQ(std::system(("cd '" + folder_.string() + "' && pdftotext t.pdf t.txt").c_str()), 0);
+  std::ifstream printed(folder_ / "t.txt", std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(printed), {}};
+  std::erase_if(text, [](char c) { return c == ' ' || c == '\n'; });
+  EXPECT_THAT(text, HasSubstr(std::string(100, 'p') + "art_of_a_long_name.nc--viewsheet"));
+  EXPECT_THAT(text, HasSubstr(std::string(260, 'T') + "--outt.pdf"));
+}
+
 TEST_F(RenderCommand, WritesToStandardOutput) {
   EXPECT_EQ(run("corner.nc --size 200x100 --out - > piped.png").code, 0);
   EXPECT_EQ(read_png((folder_ / "piped.png").string()).size.width, 200);

@@ -167,12 +167,16 @@ class SheetPainter {
 
   void draw_footer(const QRectF& room) {
     const QString command = input_.commands.value(0);
-    constexpr int smallest = 5;  // [1/96 inch]
+    constexpr int smallest = 3;  // [1/96 inch]
+    const int wrapped = Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWrapAnywhere;
     int pixels = 9;
-    while (pixels > smallest && QFontMetricsF(paper_font(pixels)).horizontalAdvance(command) > room.width()) {
+    while (pixels > smallest &&
+           QFontMetricsF(paper_font(pixels)).boundingRect(room, wrapped, command).height() > room.height()) {
       --pixels;  // a command with a piece omitted could not be run
     }
-    write(room, paper_font(pixels), colours_.muted, Qt::AlignLeft, command);
+    painter_.setFont(paper_font(pixels));
+    painter_.setPen(colours_.muted);
+    painter_.drawText(room, wrapped | Qt::TextDontClip, command);
     write(room, paper_font(9), colours_.muted, Qt::AlignRight,
           input_.commands.isEmpty() ? QStringLiteral("Feedscope %1").arg(QStringLiteral(FEEDSCOPE_VERSION))
                                     : QString());
