@@ -39,14 +39,20 @@ void ChartRows::show_columns(const ChartColumns& columns, const OverlayCurves& o
   show_notes();
 }
 
-void ChartRows::show_usual(const UsualMotion& usual, QVBoxLayout& layout) const {
+void ChartRows::show_usual(const UsualMotion& usual) const {
   for (KinematicChart* chart : charts) {
     chart->set_usual(usual.ranges, UsualCurves::columns_a_stretch);
   }
   shares->set_feeds(usual.feeds);
-  layout.setContentsMargins(0, 0, usual.feeds.empty() ? 0 : FeedShares::usual_width(), 0);
-  place_shares();
   show_notes();
+}
+
+void ChartRows::give_shares_room(QLayout& layout, int width) const {
+  const int charts_alone = layout.minimumSize().width() - layout.contentsMargins().right();
+  const bool fits = !shares->is_empty() && charts_alone + FeedShares::usual_width() <= width;
+  layout.setContentsMargins(0, 0, fits ? FeedShares::usual_width() : 0, 0);
+  shares->setVisible(fits);
+  place_shares();
 }
 
 void ChartRows::show_notes() const {
@@ -107,6 +113,7 @@ QSize ChartRows::least_size(const QWidget& content) const {
   const bool is_low = window != nullptr && window->height() < low;
   const int most = std::max(2, static_cast<int>(std::lround((is_low ? 2 : 4) / scale)));
   QSize size = content.minimumSizeHint();
+  size.rwidth() -= content.layout()->contentsMargins().right();  // give_shares_room() takes it back
   int shown = 0;
   for (const KinematicChart* chart : charts) {
     shown += chart->isVisibleTo(&content) ? 1 : 0;

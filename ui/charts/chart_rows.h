@@ -32,9 +32,11 @@ struct ChartRows {
   /// last of them carries the abscissa, with this title.
   void show(const Envelope* envelope, const QString& abscissa, QVBoxLayout& layout) const;
   void show_columns(const ChartColumns& columns, const OverlayCurves& overlays) const;
-  /// Where the curves usually are, and beside the first chart the time at each feed. `layout`: of the
-  /// charts.
-  void show_usual(const UsualMotion& usual, QVBoxLayout& layout) const;
+  /// Where the curves usually are, and the time at each feed.
+  void show_usual(const UsualMotion& usual) const;
+  /// Gives the time at each feed its room beside the charts where they need less than `width`; else it is
+  /// not shown. `layout`: of the charts.
+  void give_shares_room(QLayout& layout, int width) const;
   /// Beside each chart what its plot leaves out or adds.
   void show_notes() const;
   /// Beside the first chart, when that has moved.

@@ -2,6 +2,7 @@
 
 #include <QEvent>
 #include <QLayout>
+#include <QScrollBar>
 #include <algorithm>
 
 namespace feedscope::ui {
@@ -32,6 +33,17 @@ ChartScroll::ChartScroll(const ChartRows& rows, QWidget* parent) : QScrollArea(p
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setFocusPolicy(Qt::NoFocus);
   setWidget(new Content(*this));
+}
+
+/// As if the charts had to be scrolled: whether they have to may depend on it.
+void ChartScroll::fit_shares() {
+  rows_.give_shares_room(*widget()->layout(),
+                         maximumViewportSize().width() - verticalScrollBar()->sizeHint().width());
+}
+
+void ChartScroll::resizeEvent(QResizeEvent* event) {
+  QScrollArea::resizeEvent(event);
+  fit_shares();
 }
 
 bool ChartScroll::eventFilter(QObject* watched, QEvent* event) {

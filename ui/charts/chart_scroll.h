@@ -14,8 +14,11 @@ class ChartScroll : public QScrollArea {
   explicit ChartScroll(const ChartRows& rows, QWidget* parent = nullptr);
 
   QSize minimumSizeHint() const override { return rows_.least_size(*widget()); }
+  /// Shows the time at each feed where there is room beside the charts.
+  void fit_shares();
 
  protected:
+  void resizeEvent(QResizeEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:

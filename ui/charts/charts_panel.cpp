@@ -83,7 +83,10 @@ ChartsPanel::ChartsPanel(Cursor& cursor, ViewRange& range, QWidget* parent)
   connect(&rest_, &QTimer::timeout, this, &ChartsPanel::rest);
   connect(&range_, &ViewRange::changed, &refresh_, qOverload<>(&QTimer::start));
   connect(&range_, &ViewRange::rapids_shown_changed, &refresh_, qOverload<>(&QTimer::start));
-  connect(&usual_, &UsualCurves::changed, this, [this] { rows_.show_usual(usual_.found(), *layout_); });
+  connect(&usual_, &UsualCurves::changed, this, [this] {
+    rows_.show_usual(usual_.found());
+    scroll_->fit_shares();
+  });
   connect(&range_, &ViewRange::changed, this, &ChartsPanel::begin_rest);
   connect(&cursor_, &Cursor::changed, this, &ChartsPanel::show_cursor);
 }

@@ -28,7 +28,6 @@ FeedShares::FeedShares(const KinematicChart& chart, QWidget* parent) : QWidget(p
 
 void FeedShares::set_feeds(std::vector<float> feeds) {
   feeds_ = std::move(feeds);
-  setVisible(!feeds_.empty());
   update();
 }
 

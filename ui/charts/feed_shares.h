@@ -21,6 +21,7 @@ class FeedShares : public QWidget {
 
   /// Achieved, ascending [mm/s]: each stands for as much time.
   void set_feeds(std::vector<float> feeds);
+  bool is_empty() const { return feeds_.empty(); }
   /// Of the bars from the lowest feed of the ordinate above 0 on; their sum is 1. Empty without feeds.
   std::vector<double> shares() const;
   /// "820 to 860 mm/min: 12 % of the time" of the bar at this height; empty outside.

@@ -7,8 +7,10 @@
 #include <QTest>
 #include <memory>
 
+#include "tests/support/folders.h"
 #include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
+#include "ui/charts/charts_panel.h"
 #include "ui/language/language.h"
 #include "ui/window/main_window.h"
 
@@ -40,7 +42,12 @@ TEST_P(SmallScreenTest, EveryPanelFitsIntoTheWindow) {
   MainWindow window(model, RenderBackend::software);
   window.resize(screen);
   window.show();
-  model.show(test::simulate_text(test::small_program));
+  // Long enough for bands of the usual motion, with the time at each feed beside the charts.
+  const auto program = std::make_shared<const SourceText>(
+      SourceText::from_file(std::string(FEEDSCOPE_SOURCE_DIR) + "/resources/programs/trochoidal_slot.nc"));
+  model.show(simulate_run(load_program(program), make_setup({})));
+  const FeedShares& shares = window.part<ChartsPanel>().shares();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !shares.is_empty(); }, patience));
   for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
     dock->show();
     dock->raise();
