@@ -10844,7 +10844,7 @@ max. : %1 %</translation>
     </message>
     <message>
         <source>Save machine file …</source>
-        <translation>Enregistrer le fichier machine …</translation>
+        <translation>Enregistrer la machine …</translation>
     </message>
     <message>
         <source>What was recorded</source>

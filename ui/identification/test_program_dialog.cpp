@@ -86,7 +86,7 @@ TestProgramDialog::TestProgramDialog(Dialect dialect, Setup setup, const std::fi
   parts_->headerItem()->setToolTip(time_column, tr("On %1").arg(QString::fromStdString(setup_.machine.name)));
   parts_->setAccessibleName(tr("Parts of the test program"));
   parts_->setRootIsDecorated(false);
-  parts_->setUniformRowHeights(true);
+  parts_->setWordWrap(true);
   parts_->setAlternatingRowColors(true);
   parts_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
   parts_->header()->setSectionResizeMode(tells_column, QHeaderView::Stretch);

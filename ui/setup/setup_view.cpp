@@ -1,6 +1,7 @@
 #include "ui/setup/setup_view.h"
 
 #include <QAction>
+#include <QEvent>
 #include <QHeaderView>
 #include <QLabel>
 #include <QScrollArea>
@@ -76,8 +77,13 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
   for (QTableView* table : {axes_, drives_}) {
     table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    table->verticalHeader()->setTextElideMode(Qt::ElideNone);
+    table->verticalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter |
+                                                 static_cast<Qt::Alignment>(Qt::TextWordWrap));
   }
   settings_->verticalHeader()->hide();
+  settings_->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);  // on a small screen
+  settings_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
   // With Fixed, text that its width breaks into more lines than it hints at is cut.
   QSizePolicy as_high_as_its_text(QSizePolicy::Preferred, QSizePolicy::Minimum);
   as_high_as_its_text.setHeightForWidth(true);
@@ -151,6 +157,7 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
   connect(axis_model_, &QAbstractItemModel::dataChanged, this, [this] { explain(explained_); });
   fit_tables();
   fit_type();
+  axes_->installEventFilter(this);
 }
 
 /// Rows as high as their type.
@@ -160,14 +167,46 @@ void SetupView::fit_type() {
   for (QTableView* table : {axes_, drives_}) {
     table->verticalHeader()->setMinimumSectionSize(type_pixels(row_height));
     table->verticalHeader()->setDefaultSectionSize(type_pixels(row_height));
-    table->setFixedHeight(full_height(table));
   }
+  fit_names();
   settings_->verticalHeader()->setMinimumSectionSize(type_pixels(row_height));
   settings_->resizeRowsToContents();
   fit_settings();
   settings_->setMinimumHeight(
       std::min(settings_->maximumHeight(), (least_settings + 1) * type_pixels(row_height)));
   help_->setMinimumHeight(help_lines * fontMetrics().height());
+}
+
+/// The names of limits on as many lines as leave the values of all axes their room.
+void SetupView::fit_names() {
+  constexpr int beside = 12;  // [px] left and right of a name
+  for (QTableView* table : {axes_, drives_}) {
+    const QAbstractItemModel& model = *table->model();
+    QHeaderView* names = table->verticalHeader();
+    const QHeaderView& axes = *table->horizontalHeader();
+    const auto& view = static_cast<const QAbstractItemView&>(*table);  // in which size hints are public
+    int values = 2 * table->frameWidth();
+    for (int column = 0; column < model.columnCount(); ++column) {
+      values +=
+          std::max({view.sizeHintForColumn(column), axes.sectionSizeHint(column), axes.minimumSectionSize()});
+    }
+    names->setMaximumWidth(std::max(table->width() / 3, table->width() - values));
+    const int room = std::min(names->maximumWidth(), names->sizeHint().width()) - type_pixels(beside);
+    for (int row = 0; row < model.rowCount(); ++row) {
+      const QString name = model.headerData(row, Qt::Vertical).toString();
+      const QRect words = names->fontMetrics().boundingRect(QRect(0, 0, room, 1000), Qt::TextWordWrap, name);
+      const int above = type_pixels(row_height) - names->fontMetrics().height();
+      names->resizeSection(row, words.height() + std::max(0, above));
+    }
+    table->setFixedHeight(full_height(table));
+  }
+}
+
+bool SetupView::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == axes_ && event->type() == QEvent::Resize) {
+    fit_names();
+  }
+  return Panel::eventFilter(watched, event);
 }
 
 void SetupView::fit_settings() {
@@ -242,6 +281,7 @@ void SetupView::fit_tables() {
   const bool any_settings = settings_model_->rowCount() > 0;
   hide_unset();
   hide_drives();
+  fit_names();
   const QString how =
       tr("Select a value to see what it means. Bold: changed. Italic: assumed, without a source.");
   help_->setText(any_settings ? how : tr("This model has no control settings.") + "<br>" + how);

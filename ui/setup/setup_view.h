@@ -33,12 +33,16 @@ class SetupView : public Panel {
   /// What of the program the model does not follow; empty: nothing.
   void show_run_notes(const QStringList& sentences);
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   void explain(const QModelIndex& index);
   void refuse(QTableView* table, const QModelIndex& index, const QString& message);
   void fit_tables();
   void fit_type();
   void fit_settings();
+  void fit_names();
   void show_changes();
   static QString unset_tip(bool has_rotary_axes);
   void hide_unset();

@@ -35,6 +35,7 @@ SlowPlacesView::SlowPlacesView(QWidget* parent)
     say_sum();
   });
   sum_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  sum_->setWordWrap(true);
 
   list_->setModel(model_);
   list_->setRootIsDecorated(false);

@@ -3,7 +3,10 @@
 
 #include <QApplication>
 #include <QDockWidget>
+#include <QHeaderView>
 #include <QLayout>
+#include <QScrollArea>
+#include <QTableView>
 #include <QTest>
 #include <memory>
 
@@ -31,6 +34,29 @@ std::string needs(const MainWindow& window) {
   return text.toStdString();
 }
 
+/// What is wider than its place in `dock` and cannot be scrolled sideways: contents of scroll areas, columns
+/// of tables.
+std::string cut_in(const QDockWidget& dock) {
+  QString text;
+  for (const QScrollArea* area : dock.findChildren<QScrollArea*>()) {
+    const bool fixed = area->isVisible() && area->horizontalScrollBarPolicy() == Qt::ScrollBarAlwaysOff;
+    if (fixed && area->widget()->minimumSizeHint().width() > area->viewport()->width()) {
+      text += QStringLiteral("contents of %1 in %2 ")
+                  .arg(area->widget()->minimumSizeHint().width())
+                  .arg(area->viewport()->width());
+    }
+  }
+  for (const QTableView* table : dock.findChildren<QTableView*>()) {
+    const bool fixed = table->isVisible() && table->horizontalScrollBarPolicy() == Qt::ScrollBarAlwaysOff;
+    if (fixed && table->horizontalHeader()->length() > table->viewport()->width()) {
+      text += QStringLiteral("columns of %1 in %2 ")
+                  .arg(table->horizontalHeader()->length())
+                  .arg(table->viewport()->width());
+    }
+  }
+  return text.toStdString();
+}
+
 class SmallScreenTest : public testing::TestWithParam<const char*> {
  protected:
   SmallScreenTest() { install_language(GetParam()); }
@@ -52,6 +78,7 @@ TEST_P(SmallScreenTest, EveryPanelFitsIntoTheWindow) {
     dock->show();
     dock->raise();
     QApplication::processEvents();
+    EXPECT_EQ(cut_in(*dock), "") << dock->objectName().toStdString();
     const QSize least = window.layout()->minimumSize();
     EXPECT_LE(least.width(), screen.width()) << dock->objectName().toStdString() << ": " << needs(window);
     EXPECT_LE(least.height(), screen.height()) << dock->objectName().toStdString() << ": " << needs(window);
