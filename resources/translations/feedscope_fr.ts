@@ -2264,6 +2264,10 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <source>The trace covers %1 % of the path. %2 there (%3 and %4).</source>
         <translation>La trace couvre %1 % de la trajectoire. %2 sur cette partie (%3 et %4).</translation>
     </message>
+    <message>
+        <source>The simulation is as fast as the control</source>
+        <translation>La simulation est aussi rapide que la commande</translation>
+    </message>
 </context>
 <context>
     <name>VersionTexts</name>
@@ -8936,6 +8940,42 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>Where rotary axes turn it is no strict bound: they hold the tip over each whole block by their fastest place, along curves and where blocks meet by their velocity and by what turning takes, not while the tip speeds up; turns between operations take the time of the machine&apos;s jerk.</source>
         <translation>Là où des axes rotatifs tournent, ce n&apos;est pas une borne stricte&#xa0;: ils retiennent la pointe sur tout le bloc d&apos;après leur endroit le plus rapide, le long des courbes et aux jonctions de blocs d&apos;après leur vitesse et ce que demande la rotation, mais pas pendant que la pointe accélère&#xa0;; les rotations entre opérations prennent le temps du jerk de la machine.</translation>
+    </message>
+    <message>
+        <source>the time goes back once; the longest part with %1 of %2 samples is used</source>
+        <translation>le temps recule une fois ; la plus longue partie, %1 des %2 échantillons, est utilisée</translation>
+    </message>
+    <message>
+        <source>%1 positions that are missing for long are those before them</source>
+        <translation>%1 positions absentes pendant longtemps gardent leur dernière valeur</translation>
+    </message>
+    <message>
+        <source>recorders that write changes alone leave them out</source>
+        <translation>les enregistreurs qui n’écrivent que les changements les omettent</translation>
+    </message>
+    <message>
+        <source>the sample at %1 s lies %2 mm beside those before and behind it</source>
+        <translation>l’échantillon à %1 s se trouve à %2 mm de ceux qui l’entourent</translation>
+    </message>
+    <message>
+        <source>it is not compared; the others are right</source>
+        <translation>il n’est pas comparé ; les autres sont justes</translation>
+    </message>
+    <message>
+        <source>the position jumps by %1 mm within %2 ms at %3 s</source>
+        <translation>la position saute de %1 mm en %2 ms à %3 s</translation>
+    </message>
+    <message>
+        <source>samples are missing there without a gap in the times: all later times, and the cycle time, are too short by an unknown time</source>
+        <translation>des échantillons y manquent sans lacune dans les temps : tous les temps suivants, et le temps de cycle, sont trop courts d’une durée inconnue</translation>
+    </message>
+    <message>
+        <source>%1 more jumps of the position</source>
+        <translation>%1 autres sauts de la position</translation>
+    </message>
+    <message>
+        <source>check how the trace was recorded</source>
+        <translation>vérifiez comment la trace a été enregistrée</translation>
     </message>
 </context>
 <context>
