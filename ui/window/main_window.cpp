@@ -10,6 +10,7 @@
 #include <QTabBar>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "core/identification/recordings.h"
@@ -200,13 +201,20 @@ void MainWindow::make_menus() {
   for (const QAction* action : runs_->panel_actions()) {
     connect(action, &QAction::triggered, &dock_of(*runs_), &QDockWidget::raise);
   }
-  runs->addActions(study_->panel_actions());
-  runs->addActions(contour_->panel_actions());
-  runs->addActions(circular_->panel_actions());
-  runs->addActions(load_->panel_actions());
-  runs->addActions(traces_->panel_actions());
-  runs->addActions(identification_->panel_actions());
-  runs->addActions(versions_->panel_actions());
+  runs->addSeparator();
+  const std::array panels{static_cast<Panel*>(study_),    static_cast<Panel*>(contour_),
+                          static_cast<Panel*>(circular_), static_cast<Panel*>(load_),
+                          static_cast<Panel*>(traces_),   static_cast<Panel*>(identification_),
+                          static_cast<Panel*>(versions_)};
+  for (const Panel* panel : panels) {  // what opens it; the rest of its commands is a menu of its own
+    runs->addAction(panel->panel_actions().front());
+  }
+  runs->addSeparator();
+  for (const Panel* panel : panels) {
+    if (const QList<QAction*> rest = panel->panel_actions().mid(1); !rest.isEmpty()) {
+      runs->addMenu(dock_of(*panel).windowTitle())->addActions(rest);
+    }
+  }
   runs->addSeparator();
   runs->addAction(make_action(this, tr("&Cancel simulation"),
                               tr("Stop reading, simulating or comparing runs"), Qt::Key_Escape,
