@@ -24,17 +24,12 @@ double round_up_125(double step) {
   return 10 * power;
 }
 
-double step_of_two(double low, double high, int most) {
-  const auto has_two = [&](double step) { return std::floor(high / step) - std::ceil(low / step) >= 1; };
-  const double usual = round_up_125((high - low) / most);
-  if (has_two(usual)) {
-    return usual;
-  }
-  // The largest that has two; below a third of the range every step has.
-  for (double power = std::pow(10.0, std::ceil(std::log10(usual)));; power /= 10) {
+double step_of_two(double low, double high) {
+  for (double power = std::pow(10.0, std::ceil(std::log10(high - low)));; power /= 10) {
     for (const double factor : {8.0, 6.0, 5.0, 4.0, 3.0, 2.5, 2.0, 1.5, 1.2, 1.0}) {
-      if (has_two(factor * power)) {
-        return factor * power;
+      const double step = factor * power;
+      if (std::floor(high / step) - std::ceil(low / step) >= 1) {
+        return step;
       }
     }
   }

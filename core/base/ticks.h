@@ -16,9 +16,9 @@ struct Ticks {
 /// The smallest of 1, 2 and 5 times a power of ten that is at least `step`; step > 0.
 double round_up_125(double step);
 
-/// A round step of a scale from `low` to `high` > `low`, on which at least two of its multiples lie: with
-/// `most` of them at most where that is possible, else as far apart as round numbers allow.
-double step_of_two(double low, double high, int most);
+/// The largest round step of which at least two multiples lie between `low` and `high` > `low`: as far apart
+/// as round numbers allow.
+double step_of_two(double low, double high);
 /// How many decimals the multiples of `step` > 0 have, 12 at most.
 int step_decimals(double step);
 

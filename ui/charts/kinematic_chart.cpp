@@ -44,8 +44,24 @@ QValueAxis* make_axis(QChart* chart, Qt::Alignment side) {
   return axis;
 }
 
-void set_range(QValueAxis* axis, const Interval& range, int max_ticks) {
-  const double step = step_of_two(range.lower, range.upper, max_ticks);
+/// A round step with `most` ticks at most, but two ticks at least; where these would be less than `closest`
+/// apart, so that labels were left out, the two that are farthest apart.
+double tick_step(const Interval& range, int most, double closest) {
+  const auto has_two = [&range](double step) {
+    return std::floor(range.upper / step) - std::ceil(range.lower / step) >= 1;
+  };
+  double step = round_up_125(range.width() / most);
+  if (has_two(step)) {
+    return step;
+  }
+  while (!has_two(step)) {
+    step = round_up_125(step * 0.3);
+  }
+  return step < closest ? step_of_two(range.lower, range.upper) : step;
+}
+
+void set_range(QValueAxis* axis, const Interval& range, int max_ticks, double closest = 0) {
+  const double step = tick_step(range, max_ticks, closest);
   if (std::max(std::abs(range.lower), std::abs(range.upper)) >= long_number) {
     axis->setLabelFormat(QStringLiteral("%.4g"));
   } else {
@@ -238,7 +254,8 @@ void KinematicChart::fit() {
   }
   values_ = chosen_values_.value_or(values_);
   const QRectF plot = chart()->plotArea();
-  set_range(ordinate_, values_, std::max(2, static_cast<int>(plot.height() / type_pixels(tick_distance))));
+  set_range(ordinate_, values_, std::max(2, static_cast<int>(plot.height() / type_pixels(tick_distance))),
+            values_.width() * type_pixels(tick_distance + 1) / std::max(1.0, plot.height()));
   set_range(abscissa_, {range_.lower(), range_.upper()},
             std::max(2, static_cast<int>(plot.width() / type_pixels(80))));
   picture_ = {};

@@ -91,15 +91,15 @@ TEST(Ticks, AreTwoAndFarApartWhereThereIsRoomForTwo) {
     const double range = std::pow(10, exponent(random));
     const double low = -range * share(random);
     const double high = low + range;
-    const double step = step_of_two(low, high, 2);
+    const double step = step_of_two(low, high);
     SCOPED_TRACE(testing::Message() << low << " to " << high << ": " << step);
     EXPECT_GE(std::floor(high / step) - std::ceil(low / step), 1);
     EXPECT_GE(step, 0.37 * range);
     const double scaled = step * std::pow(10, step_decimals(step));
     EXPECT_NEAR(scaled, std::round(scaled), 1e-6);
   }
-  EXPECT_EQ(step_of_two(-4000, 3300, 3), 4000);  // 5000 has zero alone
-  EXPECT_EQ(step_of_two(0, 3000, 10), 500);
+  EXPECT_EQ(step_of_two(-4000, 3300), 4000);
+  EXPECT_EQ(step_of_two(0, 3000), 3000);
   EXPECT_EQ(step_decimals(0.15), 2);
   EXPECT_EQ(step_decimals(0.25), 2);
   EXPECT_EQ(step_decimals(2.5), 1);
