@@ -96,9 +96,9 @@ std::string times_table(std::span<const ComparedRun> runs) {
   table.add_head(head);
   table.add_units(head_units);
   for (const ComparedRun& run : runs) {
-    if (run.refused) {
+    if (!run.is_possible()) {
       Cells cells(head.size(), "-");
-      cells.front() = refused_word;
+      cells.front() = run.refused ? refused_word : out_of_reach_word;
       table.add_run(run, std::move(cells));
       continue;
     }
@@ -120,8 +120,8 @@ std::string times_table(std::span<const ComparedRun> runs) {
 void add_shares(Cells& cells, const ComparedRun& run, double AxisPeaks::*peak, double AxisLimits::*limit) {
   for (const AxisInfo& axis : known_axes) {
     const AxisPeaks* const found = run.summary.axes.find(axis.name);
-    cells.push_back(found == nullptr ? ""
-                    : run.refused    ? "-"
+    cells.push_back(found == nullptr     ? ""
+                    : !run.is_possible() ? "-"
                     : std::isnan(found->*peak)
                         ? "jumps"
                         : percent(found->*peak / run.setup.machine.axes.find(axis.name)->*limit));
@@ -177,7 +177,9 @@ std::string causes_table(std::span<const ComparedRun> runs) {
   for (const ComparedRun& run : runs) {
     const std::vector<std::string> lines =
         run.refused ? std::vector<std::string>{"refused by the control: none of its feed motions is run"}
-                    : causes_text(run.summary);
+        : run.out_of_reach
+            ? std::vector<std::string>{"out of reach: rotary axes would have to go where they cannot"}
+            : causes_text(run.summary);
     table.add_run(run, {lines.front()});
     for (std::size_t i = 1; i < lines.size(); ++i) {
       table.add_more({lines[i]});

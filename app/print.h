@@ -40,6 +40,7 @@ std::string without_pauses_text(double pauses);
 
 /// Shown instead of the cycle time of a program that the control refuses.
 inline constexpr const char* refused_word = "refused";
+inline constexpr const char* out_of_reach_word = "out of reach";
 /// " The control refuses 4 lines of the program; they are not run."; empty for none.
 std::string not_run_text(std::size_t lines);
 

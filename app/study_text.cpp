@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <ranges>
 #include <span>
 #include <tuple>
 
@@ -89,14 +90,14 @@ std::string curve_table(const Study& study, std::span<const StudyRun> curve) {
                                    clock_text(summary.cycle_time),
                                    fmt::format("{:.1f}", units::to_mm_min(summary.mean_feed)),
                                    fmt::format("{:.4f}", summary.max_contour_error)};
-    if (run.refused) {
+    if (!run.is_possible()) {
       std::ranges::fill(cells.begin() + 2, cells.end(), "-");
-      cells[2] = refused_word;
+      cells[2] = run.refused ? refused_word : out_of_reach_word;
     }
     for (const SourceFigure* figure : figures) {
-      cells.push_back(run.refused ? "-" : figure_text(*figure, summary));
+      cells.push_back(run.is_possible() ? figure_text(*figure, summary) : "-");
     }
-    cells.push_back(causes.empty() ? "" : share_text(causes.front()));
+    cells.push_back(causes.empty() || run.out_of_reach ? "" : share_text(causes.front()));
     table.add(std::move(cells));
   }
   return table.text("lrrrrr" + std::string(figures.size(), 'r') + "l");
@@ -104,14 +105,22 @@ std::string curve_table(const Study& study, std::span<const StudyRun> curve) {
 
 constexpr const char* refused_text = "The control refuses the program: none of its feed motions is run.";
 
-bool all_refused(std::span<const StudyRun> runs) {
-  return std::ranges::all_of(runs, &StudyRun::refused);
+bool none_possible(std::span<const StudyRun> runs) {
+  return std::ranges::none_of(runs, &StudyRun::is_possible);
 }
 
-/// Of `runs`, one of which is not refused; of those of which most lines are run.
+/// Of runs of which none is possible.
+std::string none_possible_text(std::span<const StudyRun> runs) {
+  return std::ranges::all_of(runs, &StudyRun::refused)
+             ? refused_text
+             : "No run is possible: the program sends the rotary axes where the machine cannot turn them; "
+               "simulate says in which lines.";
+}
+
+/// Of `runs`, one of which is possible; of those of which most lines are run.
 const StudyRun& min_error(std::span<const StudyRun> runs) {
   return *std::ranges::min_element(runs, {}, [](const StudyRun& run) {
-    return std::tuple(run.refused, run.lines_not_run, run.summary.max_contour_error);
+    return std::tuple(!run.is_possible(), run.lines_not_run, run.summary.max_contour_error);
   });
 }
 
@@ -137,8 +146,8 @@ std::string no_difference_text(const Study& study, std::span<const StudyRun> cur
 }
 
 std::string optimum_text(const Study& study, std::span<const StudyRun> runs) {
-  if (all_refused(runs)) {
-    return refused_text;
+  if (none_possible(runs)) {
+    return none_possible_text(runs);
   }
   const StudyRun* best = fastest(runs, study.within);
   if (best == nullptr) {
@@ -157,9 +166,9 @@ std::string optimum_text(const Study& study, std::span<const StudyRun> runs) {
                      where, not_run_text(best->lines_not_run));
 }
 
-/// Empty where an end is refused.
+/// Empty where an end is not possible.
 std::string ends_text(const Study& study, std::span<const StudyRun> curve) {
-  if (curve.front().refused || curve.back().refused) {
+  if (!curve.front().is_possible() || !curve.back().is_possible()) {
     return "";
   }
   const Sweep& sweep = study.sweeps.front();
@@ -196,8 +205,8 @@ std::string operations_text(const Study& study, const StudyRun& run) {
 }
 
 std::string fastest_text(const Study& study) {
-  if (all_refused(study.runs)) {
-    return fmt::format("{}\n", refused_text);
+  if (none_possible(study.runs)) {
+    return fmt::format("{}\n", none_possible_text(study.runs));
   }
   const StudyRun* best = fastest(study.runs, study.within);
   if (best == nullptr) {
@@ -228,13 +237,13 @@ std::string study_text(const LoadedProgram& program, const Study& study,
       text += wrapped(ends, 0) + "\n";
     }
     std::vector<ToleranceRun> tolerances;
-    for (const StudyRun& run : curve) {
+    for (const StudyRun& run : curve | std::views::filter(&StudyRun::is_possible)) {
       tolerances.push_back({&run.setup, &run.summary});
     }
     for (const SlowerTolerance& slower : slower_with_wider_tolerance(tolerances)) {
       text += fmt::format("{}\n", wrapped(to_string(slower, tolerances), 0));
     }
-    if (!study.operations.empty() && !all_refused(curve)) {
+    if (!study.operations.empty() && !none_possible(curve)) {
       const StudyRun& shown = best != nullptr ? *best : min_error(curve);
       text +=
           fmt::format("\nOperations at {}\n{}", setting_text(study, shown), operations_text(study, shown));

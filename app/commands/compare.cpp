@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -20,6 +21,7 @@
 #include "app/watch.h"
 #include "core/analysis/control_dialect.h"
 #include "core/analysis/program_difference/program_difference.h"
+#include "core/analysis/refused_lines.h"
 #include "core/base/error.h"
 #include "core/export/export.h"
 #include "core/export/merge.h"
@@ -254,12 +256,14 @@ int compare_two(const CompareOptions& options) {
   note_runs(now.input, {now.setup});
   for (const Run* run : {&old, &now}) {
     print_diagnostics(*run->input.program);
+    print_diagnostics(run->input.toolpath->machine_faults, *run->input.program);
   }
   if (options.json != "-") {
     fmt::print("{}", program_difference_text(old, now, difference));
   }
-  const bool faulty =
-      has_errors(old.input.program->diagnostics) || has_errors(now.input.program->diagnostics);
+  const bool faulty = std::ranges::any_of(std::array{&old, &now}, [](const Run* run) {
+    return has_errors(run->input.program->diagnostics) || is_out_of_reach(*run);
+  });
   return faulty ? exit_code::program_errors : exit_code::done;
 }
 
@@ -306,7 +310,9 @@ int compare(const CompareOptions& options) {
   if (!files.to_standard_output()) {
     fmt::print("{}", text_of(options, program, study));
   }
-  return has_errors(program.program->diagnostics) ? exit_code::program_errors : exit_code::done;
+  const bool out_of_reach = std::ranges::any_of(study.runs, &StudyRun::out_of_reach);
+  return has_errors(program.program->diagnostics) || out_of_reach ? exit_code::program_errors
+                                                                  : exit_code::done;
 }
 
 }  // namespace

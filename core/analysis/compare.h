@@ -20,6 +20,11 @@ struct ComparedRun {
   /// The control refuses the program: no feed motion of it is run, and the figures mean nothing.
   bool refused = false;
   std::size_t lines_not_run = 0;  ///< that the control refuses: the figures are those of the others
+  /// is_out_of_reach(): the figures are those of axes that stay, or go beyond their travel.
+  bool out_of_reach = false;
+
+  /// Control and machine run the program: its figures may be set beside those of others.
+  bool is_possible() const { return !refused && !out_of_reach; }
 
   /// Cycle time over that of the model `cam`, which is the programmed time; 1 for an empty program.
   double against_cam() const {

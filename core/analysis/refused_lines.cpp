@@ -28,6 +28,10 @@ bool is_refused(const Run& run) {
          std::ranges::none_of(run.input.toolpath->segments, is_feed_motion);
 }
 
+bool is_out_of_reach(const Run& run) {
+  return has_errors(run.input.toolpath->machine_faults);
+}
+
 std::string line_list(const std::vector<Diagnostic>& lines) {
   constexpr std::size_t most = 8;  // ranges that are named
   std::string list;

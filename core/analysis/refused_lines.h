@@ -18,6 +18,10 @@ std::vector<Diagnostic> refused_as_written(const LoadedProgram& program, const S
 /// whatever time rapids and dwells take.
 bool is_refused(const Run& run);
 
+/// Whether the program sends the machine where it cannot go (an error in Toolpath::machine_faults): a control
+/// refuses such a block.
+bool is_out_of_reach(const Run& run);
+
 /// "5, 9, 20 to 22 and 7 more": numbers of the first of these lines.
 std::string line_list(const std::vector<Diagnostic>& lines);
 

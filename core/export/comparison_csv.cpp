@@ -97,7 +97,7 @@ std::vector<std::string> row_of(const ComparedRun& run, const std::vector<std::s
   for (const std::size_t cause : causes) {
     row.push_back(csv_number(summary.time_by_cause[cause]));
   }
-  if (run.refused) {
+  if (!run.is_possible()) {
     const std::vector<std::string> titles = header(causes);
     for (std::size_t column = name_columns; column < row.size(); ++column) {
       row[column] = titles[column].starts_with("tolerance_") ? row[column] : "";
@@ -133,9 +133,10 @@ std::vector<std::string> study_cells(const Study& study, const StudyRun& run, bo
   for (const double value : run.swept) {
     cells.push_back(csv_number(value));
   }
-  cells.push_back(run.refused ? "" : bound_text(study.within, run.summary.max_contour_error));
+  cells.push_back(run.is_possible() ? bound_text(study.within, run.summary.max_contour_error) : "");
   cells.emplace_back(is_fastest ? "1" : "0");
-  const std::vector<CauseShare> causes = limiting_causes(run.summary);
+  const std::vector<CauseShare> causes =
+      run.out_of_reach ? std::vector<CauseShare>() : limiting_causes(run.summary);
   cells.push_back(causes.empty() ? "" : cause_key(causes.front().cause));
   cells.push_back(causes.empty() ? "" : csv_number(causes.front().share));
   return cells;

@@ -258,12 +258,13 @@ Json actual_json(const Summary& summary) {
             {"of_control_mm", rounded_length(actual.worst.of_control)}}}};
 }
 
-/// What a run is and what came out of it: the same keys whichever command ran it.
-Json run_json(const LoadedProgram& program, const ComparedRun& run) {
+/// What a run is and what came out of it: the same keys whichever command ran it, null for times, feeds and
+/// errors of a run without `figures`.
+Json run_json(const LoadedProgram& program, const ComparedRun& run, bool figures) {
   const Machine& machine = run.setup.machine;
   const ModelInfo& model = run.setup.model->info();
   const Summary& summary = run.summary;
-  const auto figure = [&](const Json& value) { return run.refused ? Json() : value; };
+  const auto figure = [&](const Json& value) { return figures ? value : Json(); };
   return {{"machine", {{"id", machine.id}, {"name", machine.name}, {"control", machine.control}}},
           {"model", {{"id", model.id}, {"title", model.title}, {"reference", model.reference}}},
           {"settings", settings_values(run.setup.settings)},
@@ -272,6 +273,7 @@ Json run_json(const LoadedProgram& program, const ComparedRun& run) {
           {"tolerance_set_by", run.tolerance ? Json(to_string(run.tolerance->set_by)) : Json()},
           {"notes", run_notes(program, run.setup)},
           {"lines_not_run", run.lines_not_run},
+          {"out_of_reach", run.out_of_reach},
           {"cycle_time_s", figure(finite(summary.cycle_time))},
           {"programmed_time_s", figure(finite(summary.programmed_time))},
           {"against_cam", figure(finite(run.against_cam()))},
@@ -351,7 +353,7 @@ std::vector<Diagnostic> messages_of(const LoadedProgram& program) {
 
 Json run_head_json(const LoadedProgram& program, const ComparedRun& run) {
   Json json{{"program", program_json(*program.program, *program.toolpath)}};
-  json.update(run_json(program, run));
+  json.update(run_json(program, run, !run.refused));
   return json;
 }
 
@@ -437,7 +439,7 @@ std::string comparison_json(const LoadedProgram& program, std::span<const Compar
   Json list = Json::array();
   std::vector<double> times;
   for (const ComparedRun& run : runs) {
-    list.push_back(run_json(program, run));
+    list.push_back(run_json(program, run, run.is_possible()));
     times.push_back(run.simulate_time);
   }
   Json json = with_runs("comparison", program, std::move(list));
@@ -453,7 +455,7 @@ std::string study_json(const LoadedProgram& program, const Study& study) {
     const std::vector<bool> marks = fastest_marks(curve, study.within);
     for (std::size_t at = 0; at < curve.size(); ++at) {
       const StudyRun& run = curve[at];
-      Json json = run_json(program, run);
+      Json json = run_json(program, run, run.is_possible());
       Json swept = Json::object();
       for (std::size_t i = 0; i < study.sweeps.size(); ++i) {
         swept[study.sweeps[i].key] = run.swept[i];

@@ -48,6 +48,32 @@ TEST_F(StudyCommand, SaysTheFastestWithinTheBoundAndWhatLimitsAtBothEnds) {
           "No value has a contour error within 0.001 mm; the smallest is 0.0566 mm at tolerance 0.1 mm"));
 }
 
+TEST_F(StudyCommand, AClampingThatTheMachineDoesNotReachIsNeverTheFastest) {
+  write("tilt.mpf",
+        "G17 G710 G90 G94\nTRAORI\nG0 X0 Y0 Z20 A3=0 B3=0.5 C3=0.866\n"
+        "G1 X10 A3=0.3 B3=0.5 C3=0.8 F3000\nG1 X20 A3=0.5 B3=0 C3=0.866\nM30\n");
+  const std::string on_machine = "compare tilt.mpf --machine five-axis-table-ac --model essid ";
+  const Result study = run(on_machine + "--sweep 'part_angle_x_deg=0;180' --csv tilt.csv --json tilt.json");
+  EXPECT_EQ(study.code, 1);
+  EXPECT_THAT(study.out, HasSubstr("180  out of reach"));
+  EXPECT_THAT(in_one_line(study.out), HasSubstr("Fastest: part_angle_x_deg 0"));
+  const json runs = json::parse(contents(folder_ / "tilt.json"))["runs"];
+  EXPECT_EQ(runs[0]["fastest"], true);
+  EXPECT_EQ(runs[0]["out_of_reach"], false);
+  EXPECT_EQ(runs[1]["fastest"], false);
+  EXPECT_EQ(runs[1]["out_of_reach"], true);
+  EXPECT_EQ(runs[1]["cycle_time_s"], nullptr);
+  EXPECT_THAT(contents(folder_ / "tilt.csv"), HasSubstr("five-axis-table-ac,essid,,,"));
+  const Result none = run(on_machine + "--sweep 'part_angle_x_deg=175;180'");
+  EXPECT_EQ(none.code, 1);
+  EXPECT_THAT(in_one_line(none.out),
+              AllOf(HasSubstr("No run is possible"), Not(HasSubstr("Fastest")), Not(HasSubstr("*"))));
+  const Result plain = run(on_machine + "--set part_angle_x_deg=180");
+  EXPECT_EQ(plain.code, 1);
+  EXPECT_THAT(plain.out, HasSubstr("out of reach"));
+  EXPECT_EQ(run(on_machine + "--set part_angle_x_deg=0").code, 0);
+}
+
 TEST_F(StudyCommand, ASettingThatMakesNoDifferenceHasNoFastestValue) {
   const std::string jerk =
       run("compare corner.nc --machine grbl-router --model grbl --sweep 'X.jerk=5;10;20'").out;

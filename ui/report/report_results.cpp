@@ -97,14 +97,15 @@ QString not_counted_sentences(const ReportInput& input) {
   return html;
 }
 
-/// Those of which the control refuses the fewest lines: what is not run takes no time.
+/// Those that the machine can run and of which the control refuses the fewest lines: what is not run takes
+/// no time.
 std::vector<ReportRun> comparable_runs(const std::vector<ReportRun>& runs) {
   std::vector<ReportRun> comparable;
   for (const ReportRun& run : runs) {
     const std::size_t lines = run.shown->run.input.lines_not_run.size();
     const std::size_t least =
         comparable.empty() ? lines : comparable.front().shown->run.input.lines_not_run.size();
-    if (is_refused(run.shown->run) || lines > least) {
+    if (is_refused(run.shown->run) || is_out_of_reach(run.shown->run) || lines > least) {
       continue;
     }
     if (lines < least) {
@@ -147,7 +148,8 @@ QString times_sentence(const ReportInput& input) {
              ? sentence
              : sentence + ' ' +
                    ReportWords::tr(
-                       "Runs of which the control refuses more lines, and that are not compared: %1.")
+                       "Runs of which the control refuses more lines or that the machine does not reach, and "
+                       "that are not compared: %1.")
                        .arg(input.runs.size() - comparable.size());
 }
 

@@ -59,12 +59,13 @@ ComparisonBar bar_of(const ComparedRun& run, const KindFlags& told) {
   const Summary& summary = run.summary;
   ComparisonBar bar{run.setup.model->info().id,
                     run.tolerance,
-                    run.refused ? 0 : summary.cycle_time,  // rapids and dwells are no run of it
+                    run.is_possible() ? summary.cycle_time : 0,  // rapids and dwells are no run of it
                     run.against_cam(),
                     summary.max_contour_error,
                     run.refused,
+                    run.out_of_reach,
                     {}};
-  if (run.refused) {
+  if (!run.is_possible()) {
     return bar;
   }
   double rest = 0;
@@ -105,7 +106,7 @@ ComparisonBars comparison_bars(std::span<const ComparedRun> runs) {
       machine = &run.setup.machine.id;
       result.machines.push_back({run.setup.machine.name, 0, {}});
     }
-    if (!run.refused && result.machines.back().programmed_time == 0) {
+    if (run.is_possible() && result.machines.back().programmed_time == 0) {
       result.machines.back().programmed_time = run.summary.programmed_time;
     }
     const ComparisonBar& bar = result.machines.back().bars.emplace_back(bar_of(run, told));

@@ -24,6 +24,7 @@ struct ComparisonBar {
   double against_cam = 1;                     ///< cycle time over programmed time
   double contour_error = 0;                   ///< largest [mm]
   bool refused = false;                       ///< ComparedRun::refused
+  bool out_of_reach = false;                  ///< ComparedRun::out_of_reach
   std::vector<BarPart> parts;  ///< in the order of all_causes(), the rest last; they add up to cycle_time
 };
 

@@ -136,19 +136,22 @@ std::vector<TextColumn> name_columns(const ComparisonBars& bars) {
                     })};
 }
 
-/// The figures of a run; none where the control refuses the program.
+/// The figures of a run; none where the control refuses the program or the machine cannot reach it.
 template <typename Text>
 TextColumn figure_column(const ComparisonBars& bars, const QString& heading, const QString& below,
                          Text text) {
-  return column_of(bars, heading, below,
-                   [&](const ComparisonBar& bar) { return bar.refused ? QStringLiteral("–") : text(bar); });
+  return column_of(bars, heading, below, [&](const ComparisonBar& bar) {
+    return bar.refused || bar.out_of_reach ? QStringLiteral("–") : text(bar);
+  });
 }
 
 std::vector<TextColumn> figure_columns(const ComparisonBars& bars) {
   const QLocale locale;
   std::vector<TextColumn> columns{
       column_of(bars, Comparison::tr("cycle time"), QStringLiteral("[s]"), [&](const ComparisonBar& bar) {
-        return bar.refused ? Comparison::tr("refused") : seconds_text(bar.cycle_time, bars);
+        return bar.refused        ? Comparison::tr("refused")
+               : bar.out_of_reach ? Comparison::tr("out of reach")
+                                  : seconds_text(bar.cycle_time, bars);
       })};
   if (bars.longest >= 60) {
     columns.push_back(figure_column(bars, QString(), QStringLiteral("h:mm:ss"), [](const ComparisonBar& bar) {

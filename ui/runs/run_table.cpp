@@ -99,6 +99,15 @@ bool RunTable::refused(std::size_t row) const {
   return result != nullptr && is_refused(result->run);
 }
 
+bool RunTable::out_of_reach(std::size_t row) const {
+  const auto result = runs_.result(row);
+  return result != nullptr && is_out_of_reach(result->run);
+}
+
+bool RunTable::counts(std::size_t row) const {
+  return summary(row) != nullptr && !refused(row) && !out_of_reach(row);
+}
+
 std::size_t RunTable::lines_not_run(std::size_t row) const {
   const auto result = runs_.result(row);
   return result != nullptr ? result->run.input.lines_not_run.size() : 0;
@@ -114,7 +123,7 @@ std::vector<std::size_t> RunTable::fastest() const {
     const Summary* figures = summary(row);
     times.push_back(figures == nullptr ? RunTime{0, 0, 0, false}
                                        : RunTime{figures->cycle_time, figures->max_contour_error,
-                                                 lines_not_run(row), !refused(row)});
+                                                 lines_not_run(row), counts(row)});
   }
   return fastest_runs(times, bound_);
 }
@@ -159,6 +168,9 @@ QString RunTable::figure(std::size_t row, int column) const {
   if (refused(row)) {
     return column == cycle_time ? tr("refused") : QStringLiteral("–");
   }
+  if (out_of_reach(row) && column == cycle_time) {
+    return tr("%1, out of reach").arg(clock_text(figures->cycle_time));
+  }
   switch (column) {
     case cycle_time:
       return is_marked(row) ? QStringLiteral("★ %1").arg(clock_text(figures->cycle_time))
@@ -169,7 +181,7 @@ QString RunTable::figure(std::size_t row, int column) const {
           !(summary(best.front())->cycle_time > 0)) {
         return {};
       }
-      if (lines_not_run(row) > lines_not_run(best.front())) {
+      if (!counts(row) || lines_not_run(row) > lines_not_run(best.front())) {
         return QStringLiteral("–");
       }
       const double percent = 100 * (figures->cycle_time / summary(best.front())->cycle_time - 1);
@@ -221,6 +233,11 @@ QString RunTable::explanation(std::size_t row) const {
     lines.append(
         tr("The control refuses the program: none of its feed motions is run, and there is no cycle time."));
   }
+  if (out_of_reach(row)) {
+    lines.append(
+        tr("The program sends rotary axes where the machine cannot turn them: the time is not that of the "
+           "program."));
+  }
   if (const std::size_t not_run = lines_not_run(row); not_run > 0) {
     lines.append(tr("Lines that the control refuses and that are not run: %1.").arg(not_run));
   }
@@ -242,8 +259,8 @@ void RunTable::append_slower_tolerance(std::size_t row, QStringList& lines) cons
   std::vector<ToleranceRun> runs;
   std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < runs_.items().size(); ++i) {
-    if (const Summary* figures = summary(i); figures != nullptr && !refused(i)) {
-      runs.push_back({&runs_.result(i)->run.setup, figures});
+    if (counts(i)) {
+      runs.push_back({&runs_.result(i)->run.setup, summary(i)});
       rows.push_back(i);
     }
   }

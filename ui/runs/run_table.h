@@ -34,7 +34,7 @@ class RunTable : public QAbstractTableModel {
   /// Largest contour error that counts [mm]; none: every run counts.
   void set_error_bound(std::optional<double> bound);
   /// Rows of the fastest runs that keep the bound (fastest_runs), of those that have a result; none if none
-  /// keeps it or all are refused.
+  /// keeps it or is possible.
   std::vector<std::size_t> fastest() const;
   /// Whether there are results, all of runs that the control refuses.
   bool all_refused() const;
@@ -54,6 +54,10 @@ class RunTable : public QAbstractTableModel {
   const Summary* summary(std::size_t row) const;
   /// Whether the control refuses so much of the program that there is no cycle time; false without a result.
   bool refused(std::size_t row) const;
+  /// Whether the program sends the machine where it cannot go; false without a result.
+  bool out_of_reach(std::size_t row) const;
+  /// There is a result, of a run that control and machine can do.
+  bool counts(std::size_t row) const;
   std::size_t lines_not_run(std::size_t row) const;
   bool keeps_bound(const Summary& summary) const;
   /// Whether a run is one of the fastest, and others are slower or not within the bound.

@@ -294,7 +294,9 @@ QString RunsView::verdict() const {
       return tr("%1 of %2 runs are simulated.").arg(done).arg(count);
     }
     return model_->all_refused() ? tr("The control refuses the program in all runs.")
-                                 : tr("No run is within this bound.");
+           : bounded_->isChecked()
+               ? tr("No run is within this bound.")
+               : tr("The machine cannot turn its rotary axes as the program asks in any run.");
   }
   const QString time = clock_text(runs_.result(fastest.front())->run.summary.cycle_time);
   if (fastest.size() == count) {

@@ -26,14 +26,20 @@ StudyCurves study_curves(const Study& study) {
                                                   QLocale().toString(runs.front().swept[i], 'g', 4));
     }
     const std::vector<bool> marks = fastest_marks(runs, study.within);
-    for (const StudyRun& run : runs) {
-      if (marks[curve.points.size()]) {
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      const StudyRun& run = runs[i];
+      if (!run.is_possible()) {
+        continue;
+      }
+      if (marks[i]) {
         curve.fastest.push_back(curve.points.size());
       }
       curve.points.push_back(
           {run.swept.front() * unit.factor, run.summary.cycle_time, run.summary.max_contour_error});
     }
-    shown.curves.push_back(std::move(curve));
+    if (!curve.points.empty()) {
+      shown.curves.push_back(std::move(curve));
+    }
   }
   return shown;
 }

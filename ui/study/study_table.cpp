@@ -59,7 +59,9 @@ QVariant StudyTable::data(const QModelIndex& index, int role) const {
       return font;
     }
     case Qt::ToolTipRole:
-      return best ? tr("The fastest within the bound") : QVariant();
+      return best               ? tr("The fastest within the bound")
+             : run.out_of_reach ? tr("The program sends rotary axes where the machine cannot turn them.")
+                                : QVariant();
     default:
       return {};
   }
@@ -68,8 +70,8 @@ QVariant StudyTable::data(const QModelIndex& index, int role) const {
 QString StudyTable::text(const StudyRun& run, int column) const {
   const QLocale locale;
   const Summary& summary = run.summary;
-  if (run.refused && column != value) {
-    return column == cycle_time ? tr("refused") : QStringLiteral("–");
+  if (!run.is_possible() && column != value) {
+    return column != cycle_time ? QStringLiteral("–") : run.refused ? tr("refused") : tr("out of reach");
   }
   switch (column) {
     case value:

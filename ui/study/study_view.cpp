@@ -16,6 +16,7 @@
 #include <QTableView>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <ranges>
 #include <cmath>
 
 #include "core/analysis/slower_tolerance.h"
@@ -354,6 +355,9 @@ QString StudyView::verdict() const {
   if (std::ranges::all_of(study_->runs, &StudyRun::refused)) {
     return tr("The control refuses the program: none of its feed motions is run.");
   }
+  if (std::ranges::none_of(study_->runs, &StudyRun::is_possible)) {
+    return tr("No run is possible: the program sends rotary axes where the machine cannot turn them.");
+  }
   const QLocale locale;
   const StudyRun* best = fastest(study_->runs, study_->within);
   if (best == nullptr) {
@@ -382,11 +386,13 @@ QString StudyView::verdict() const {
 }
 
 QString StudyView::ends_text() const {
-  QString text =
-      tr("At the first value %1, at the last %2.")
-          .arg(main_cause_text(study_->runs.front().summary), main_cause_text(study_->runs.back().summary));
+  const auto end_text = [](const StudyRun& run) {
+    return run.is_possible() ? main_cause_text(run.summary) : tr("no possible run");
+  };
+  QString text = tr("At the first value %1, at the last %2.")
+                     .arg(end_text(study_->runs.front()), end_text(study_->runs.back()));
   std::vector<ToleranceRun> runs;
-  for (const StudyRun& run : study_->runs) {
+  for (const StudyRun& run : study_->runs | std::views::filter(&StudyRun::is_possible)) {
     runs.push_back({&run.setup, &run.summary});
   }
   for (const SlowerTolerance& slower : slower_with_wider_tolerance(runs)) {

@@ -93,7 +93,7 @@ std::size_t combinations(const std::vector<Sweep>& sweeps) {
 std::vector<RunTime> times_of(std::span<const StudyRun> runs) {
   std::vector<RunTime> times;
   for (const StudyRun& run : runs) {
-    times.push_back({run.summary.cycle_time, run.summary.max_contour_error, run.lines_not_run, !run.refused});
+    times.push_back({run.summary.cycle_time, run.summary.max_contour_error, run.lines_not_run, run.is_possible()});
   }
   return times;
 }
@@ -169,7 +169,7 @@ bool makes_no_difference(std::span<const StudyRun> runs, std::optional<double> w
   constexpr double rounding = 1e-9;  // of the cycle time
   const StudyRun& first = runs.front();
   return runs.size() > 1 && std::ranges::all_of(runs, [&](const StudyRun& run) {
-           return !run.refused && run.lines_not_run == first.lines_not_run &&
+           return run.is_possible() && run.lines_not_run == first.lines_not_run &&
                   std::abs(run.summary.cycle_time - first.summary.cycle_time) <=
                       rounding * first.summary.cycle_time &&
                   keeps_bound(run.summary.max_contour_error, within);

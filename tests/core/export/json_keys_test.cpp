@@ -162,6 +162,7 @@ class Files {
                               "tolerance_set_by",
                               "notes",
                               "lines_not_run",
+                              "out_of_reach",
                               "cycle_time_s",
                               "programmed_time_s",
                               "against_cam",

@@ -84,7 +84,7 @@ TEST(SimulationJson, HoldsTheKeysOfTheDesignInTheirOrder) {
     "limits": {"axes": {"X": {"velocity_mm_min": 6000.0, "acceleration_m_s2": 1.0, "jerk_m_s3": 20.0},
                         "Y": {"velocity_mm_min": 6000.0, "acceleration_m_s2": 1.0, "jerk_m_s3": 20.0},
                         "Z": {"velocity_mm_min": 6000.0, "acceleration_m_s2": 1.0, "jerk_m_s3": 20.0}}},
-    "tolerance_in_force_mm": null, "tolerance_set_by": null, "notes": [], "lines_not_run": 0,
+    "tolerance_in_force_mm": null, "tolerance_set_by": null, "notes": [], "lines_not_run": 0, "out_of_reach": false,
     "cycle_time_s": 3.75,
     "programmed_time_s": 3.0,
     "against_cam": 1.25,

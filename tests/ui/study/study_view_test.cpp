@@ -15,6 +15,7 @@
 #include "tests/ui/trace_fixture.h"
 #include "ui/fields/number_box.h"
 #include "ui/fields/whole_number_box.h"
+#include "ui/study/study_curves.h"
 #include "ui/study/study_table.h"
 
 namespace feedscope::ui {
@@ -71,7 +72,7 @@ TEST_F(StudyViewTest, TheResultsAreThoseOfSimulatingEachValue) {
 TEST_F(StudyViewTest, MarksAllValuesThatAreEquallyFastAndNoneWhereAllAre) {
   open();
   view.findChildren<QCheckBox*>().last()->setChecked(false);  // no bound of the error
-  study("Z.velocity", 10, 20, 3);                   // nothing moves along Z
+  study("Z.velocity", 10, 20, 3);                             // nothing moves along Z
   EXPECT_THAT(view.chart()->study().curves[0].fastest, IsEmpty());
   EXPECT_THAT(view.verdict().toStdString(), HasSubstr("makes no difference to the cycle time"));
   const auto starred = [this] {
@@ -167,6 +168,31 @@ TEST_F(StudyViewTest, ASettingWithoutAValueIsOfferedOnceItHasOne) {
   model.setup().set("tool_change_time_s", 4.0);
   model.choose_model("cam");
   EXPECT_GE(view.key()->findData("tool_change_time_s"), 0);
+}
+
+/// The first of two runs goes where the machine cannot, in half of the time.
+TEST(StudyTableTest, ARunOutOfReachIsMarkedAndNeverTheFastest) {
+  const auto study = std::make_shared<Study>();
+  study->sweeps = {parse_sweep("part_angle_x_deg=1;2")};
+  for (const double value : study->sweeps.front().values) {
+    StudyRun& run = study->runs.emplace_back();
+    run.setup = make_setup({});
+    run.summary.cycle_time = value;
+    run.swept = {value};
+  }
+  study->runs.front().out_of_reach = true;
+  StudyTable table;
+  table.set_study(study);
+  const auto time = [&](int row) {
+    return table.data(table.index(row, StudyTable::cycle_time)).toString().toStdString();
+  };
+  EXPECT_EQ(time(0), "out of reach");
+  EXPECT_THAT(time(1), testing::StartsWith("★"));
+  const StudyCurves curves = study_curves(*study);
+  ASSERT_EQ(curves.curves.size(), 1U);
+  ASSERT_EQ(curves.curves[0].points.size(), 1U);
+  EXPECT_EQ(curves.curves[0].points[0].value, 2);
+  EXPECT_THAT(curves.curves[0].fastest, ElementsAre(0U));
 }
 
 TEST_F(StudyViewTest, EndingWhileItRunsIsClean) {
