@@ -148,6 +148,8 @@ constexpr std::array sinumerik_patterns{
     QT_TRANSLATE_NOOP("core",
                       "the plane is shown without rotation; program angles about one axis after the other"),
     QT_TRANSLATE_NOOP("core", "CYCLE800 says no direction (_DIR) of the rotary axes"),
+    QT_TRANSLATE_NOOP("core", "the tool retracts before the axes turn (_FR %1 of CYCLE800)"),
+    QT_TRANSLATE_NOOP("core", "where to, the machine's data says: this motion is neither drawn nor timed"),
     QT_TRANSLATE_NOOP("core", "they turn the shortest way to the plane"),
     QT_TRANSLATE_NOOP("core", "the dwell is skipped; write F with seconds or S with revolutions"),
     QT_TRANSLATE_NOOP("core", "a dwell of %1 revolutions without a spindle speed"),

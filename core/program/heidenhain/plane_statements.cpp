@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "core/base/units.h"
 #include "core/program/text/read_fault.h"
@@ -60,6 +62,7 @@ bool PlaneStatements::run(Scanner& scanner, std::uint32_t column) {
     return false;
   }
   const Positioning positioning = read_positioning(scanner);
+  retract(positioning, column);
   coordinates_.set_tilt(tilt, column);
   turn_axes(positioning, !tilt, column);
   return true;
@@ -119,11 +122,10 @@ CoordinateFrame PlaneStatements::by_points(Scanner& scanner, std::uint32_t colum
   return *tilt;
 }
 
-/// How the axes turn there: no matter for the path on the workpiece.
+/// How the axes turn there.
 PlaneStatements::Positioning PlaneStatements::read_positioning(Scanner& scanner) const {
   Positioning positioning;
-  constexpr std::array<std::string_view, 8> names{"MOVE",  "TURN",  "MAX",   "FMAX",
-                                                  "FAUTO", "TABLE", "COORD", "ROT"};
+  constexpr std::array<std::string_view, 7> names{"TURN", "MAX", "FMAX", "FAUTO", "TABLE", "COORD", "ROT"};
   const auto take_a_name = [&] {
     return std::any_of(names.begin(), names.end(),
                        [&](std::string_view name) { return scanner.take_keyword(name); });
@@ -133,15 +135,18 @@ PlaneStatements::Positioning PlaneStatements::read_positioning(Scanner& scanner)
       positioning.turns = false;
       continue;
     }
+    if (scanner.take_keyword("MOVE")) {
+      positioning.shifts = true;
+      continue;
+    }
     if (take_a_name()) {
       continue;
     }
     if (scanner.take("SEQ") || scanner.take("SYM")) {
       positioning.side = scanner.take('+') ? 1 : scanner.take('-') ? -1 : 0;
     } else if (scanner.take("MB")) {
-      if (!scanner.take_keyword("MAX")) {
-        read_value(scanner);
-      }
+      positioning.retract =
+          scanner.take_keyword("MAX") ? std::numeric_limits<double>::infinity() : read_length(scanner);
     } else if (scanner.take('F')) {
       if (!scanner.take_keyword("MAX") && !scanner.take_keyword("AUTO")) {
         positioning.feed = units::from_deg(read_value(scanner) / 60);
@@ -153,6 +158,34 @@ PlaneStatements::Positioning PlaneStatements::read_positioning(Scanner& scanner)
     }
   }
   return positioning;
+}
+
+/// Before the axes turn: along the tool, which stands normal to the plane in force (TNC 620 user's manual,
+/// 10/2017, PLANE: MB).
+void PlaneStatements::retract(const Positioning& positioning, std::uint32_t column) {
+  if (!positioning.turns) {
+    return;
+  }
+  const bool to_limit = positioning.retract && !std::isfinite(*positioning.retract);
+  if (to_limit || positioning.shifts) {
+    report(to_limit ? Severity::warning : Severity::info, "swivel-retract", to_limit ? 1 : 2, column, [&] {
+      return to_limit ? Text{"the tool retracts to the end of travel before the axes turn (MB MAX)",
+                             "this motion is neither drawn nor timed, nor is the way back"}
+                      : Text{"X, Y and Z move while the rotary axes turn (MOVE)",
+                             "this motion is neither drawn nor timed"};
+    });
+  }
+  if (!positioning.retract || to_limit || *positioning.retract == 0) {
+    return;
+  }
+  ContourElement element;
+  element.target = contour_.position();
+  element.target[normal_axis(plane())] += *positioning.retract;
+  element.plane = plane();
+  element.feed.rapid = true;
+  element.place = contour_place(column, 0);
+  contour_.add(element);
+  end_contour(column);
 }
 
 /// RESET goes to zero. With STAY the program positions the axes itself, by Q120 to Q122.

@@ -34,8 +34,12 @@ class PlaneStatements : private Part {
     bool turns = true;  ///< MOVE, TURN
     int side = 0;       ///< SEQ, SYM
     double feed = 0;    ///< [rad/s]; 0: a rapid
+    /// MB: how far the tool moves back along its axis before [mm]; infinite: MB MAX.
+    std::optional<double> retract;
+    bool shifts = false;  ///< MOVE, which turns about a place at a distance from the tip (DIST)
   };
   Positioning read_positioning(Scanner& scanner) const;
+  void retract(const Positioning& positioning, std::uint32_t column);
   void turn_axes(const Positioning& positioning, bool resets, std::uint32_t column);
 
   Coordinates& coordinates_;

@@ -187,8 +187,30 @@ void Cycles::swivel(const SubprogramCall& call) {
   }
   frame = frame * CoordinateFrame::shift(vector(10) * to_mm(1));
   const bool additive = static_cast<int>(number_at(values, 2)) % 10 == 1;
+  retract(call);
   parts_.coordinates.swivel(frame, additive);
   turn_tool(call);
+}
+
+/// Before the axes turn: by _FR_I along the tool, which stands normal to the plane in force, or to where the
+/// machine's data says.
+void Cycles::retract(const SubprogramCall& call) {
+  constexpr int along_tool = 5;
+  constexpr std::size_t way_place = 14;
+  const int kind = static_cast<int>(number_at(call.arguments, 0));
+  const double way = to_mm(number_at(call.arguments, way_place));
+  if (kind == along_tool && way > 0) {
+    Vec3 target = path().position();
+    target[normal_axis(modal_.plane)] += way;
+    parts_.last.set_line();
+    parts_.path_modes.use(true);
+    path().rapid(target);
+  } else if (kind != 0) {
+    report(Severity::warning, "swivel-retract", 0, call.column, [&] {
+      return Text{fmt::format("the tool retracts before the axes turn (_FR {} of CYCLE800)", kind),
+                  "where to, the machine's data says: this motion is neither drawn nor timed"};
+    });
+  }
 }
 
 /// Where CYCLE800 turns the rotary axes: _DIR is the side, 0: it only calculates the plane. Without arguments

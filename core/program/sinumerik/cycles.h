@@ -40,6 +40,7 @@ class Cycles : private Part {
   void hole_pattern(const SubprogramCall& call, const SubprogramCall* modal);
   void high_speed_settings(const SubprogramCall& call);
   void swivel(const SubprogramCall& call);
+  void retract(const SubprogramCall& call);
   void turn_tool(const SubprogramCall& call);
 
   Parts parts_;

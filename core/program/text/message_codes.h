@@ -101,6 +101,8 @@ constexpr auto message_codes = std::to_array<MessageCodeInfo>({
     {"frame-range", "error", "`ASCALE X1000` in a long loop", "Coordinates"},
     {"frame-value", "error", "`$P_PFRAME=CROTS(X,9)`", "Coordinates"},
     {"swivel", "error", "`CYCLE800` in an unsupported mode", "Coordinates"},
+    {"swivel-retract", "warning, info", "`CYCLE800(1, ...)`, `PLANE ... MB MAX`, `MOVE DIST50`",
+     "Coordinates"},
     {"tilted-plane", "warning", "`G68.2`", "Coordinates"},
     {"plane", "error", "`PLANE VECTOR` with parallel vectors", "Coordinates"},
     {"rotary-way", "info", "`C350`, then `C10`: 340 degrees back, on a machine with the axis C",

@@ -23,7 +23,7 @@ INSTANTIATE_TEST_SUITE_P(
     Forms, HeidenhainPlane,
     testing::Values(
         PlaneCase{"PLANE SPATIAL SPA+90 SPB+0 SPC+0 STAY", {1, -3, 2}},
-        PlaneCase{"PLANE SPATIAL SPA+0 SPB+90 SPC+0 TURN MB MAX FMAX SEQ- TABLE ROT", {3, 2, -1}},
+        PlaneCase{"PLANE SPATIAL SPA+0 SPB+90 SPC+0 TURN FMAX SEQ- TABLE ROT", {3, 2, -1}},
         // About the fixed axes, X first.
         PlaneCase{"PLANE SPATIAL SPA90 SPB0 SPC180 MOVE DIST50 F2000 SYM+ COORD ROT", {-1, 3, 2}},
         PlaneCase{"Q5=90\nPLANE SPATIAL SPA+Q5 SPB+90 SPC+0 STAY", {2, -3, -1}},
@@ -41,7 +41,7 @@ INSTANTIATE_TEST_SUITE_P(
         PlaneCase{"CYCL DEF 7.1 X+10\nCYCL DEF 7.2 Y+9\nPLANE SPATIAL SPA+90 SPB+0 SPC+0 STAY\nCYCL DEF 7.1 "
                   "X+0\nCYCL DEF 7.2 Y+0\nPLANE RESET STAY",
                   {1, 2, 3}},
-        PlaneCase{"PLANE AXIAL A+90 TURN MB MAX FMAX", {1, -3, 2}},
+        PlaneCase{"PLANE AXIAL A+90 TURN FMAX", {1, -3, 2}},
         PlaneCase{"CYCL DEF 19.0 WORKING PLANE\nCYCL DEF 19.1 A+90 B+0 C+0 F500 ABST50", {1, -3, 2}},
         PlaneCase{"CYCL DEF 19.1 A+90 SETUP50\nCYCL DEF 19.0 WORKING PLANE\nCYCL DEF 19.1", {1, 2, 3}}));
 
@@ -57,6 +57,17 @@ TEST(HeidenhainPlanes, ADatumOfTheMachineEndsTheTransformationsButTheTilt) {
                 "Q339=1\n" +
                 to)),
             "r1,-3,2");
+}
+
+TEST(HeidenhainPlanes, RetractAlongTheToolBeforeTheAxesTurn) {
+  const std::string to = "L X+1 Y+2 Z+3 FMAX\n";
+  EXPECT_EQ(path_of(read_clean_heidenhain(to + "PLANE SPATIAL SPA+90 SPB+0 SPC+0 TURN MB50 FMAX\n")),
+            "r1,2,3 r1,2,53");
+  // In the plane that is in force: its Z is -Y of the part.
+  EXPECT_EQ(path_of(read_clean_heidenhain("PLANE SPATIAL SPA+90 SPB+0 SPC+0 STAY\n" + to +
+                                          "PLANE RESET TURN MB10 FMAX\n")),
+            "r1,-3,2 r1,-13,2");
+  EXPECT_EQ(path_of(read_clean_heidenhain(to + "PLANE SPATIAL SPA+90 SPB+0 SPC+0 STAY MB50\n")), "r1,2,3");
 }
 
 TEST(HeidenhainPlanes, ArcsAndHolesLieInTheTiltedPlane) {

@@ -141,6 +141,9 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"G0 X1 F100\nCYCLE81(10,0,2,-5,,0,10)",
              "f:2:1: error: the depth of CYCLE81 at the tool's diameter or shank is not supported "
              "[hole-depth] (it is used as the depth of the tip)"},
+        Case{"G0 X1\nCYCLE800(1,\"T\",0,57,0,0,0,30,0,0,0,0,0,-1)",
+             "f:2:1: warning: the tool retracts before the axes turn (_FR 1 of CYCLE800) [swivel-retract] "
+             "(where to, the machine's data says: this motion is neither drawn nor timed)"},
         Case{"G0 X1\nCYCLE800(0,\"\",0,0,0,0,0,0,0,30)",
              "f:2:1: error: CYCLE800 with mode 0 is not supported [swivel] (the plane is shown without "
              "rotation; program angles about one axis after the other)"},

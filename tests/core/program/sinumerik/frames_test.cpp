@@ -32,6 +32,7 @@ INSTANTIATE_TEST_SUITE_P(
         FrameCase{"TRANS X10 Y10\nG58 X5\nG59 X1\nG0 X0 Y0", {6, 10, 0}},
         FrameCase{"G70 TRANS X1\nG0 X0", {25.4, 0, 0}},
         FrameCase{"CYCLE800(0,\"T\",0,57,0,0,10,0,90,0,0,0,0,-1)\nG0 Z1 X0", {1, 0, 10}},
+        FrameCase{"G0 Z3\nCYCLE800(5,\"T\",0,57,0,0,0,90,0,0,0,0,0,-1,20)", {0, 0, 23}},
         FrameCase{"CYCLE800(0,\"T\",0,57,0,0,0,90,0,0,0,0,0)\nCYCLE800()\nG0 Z1", {0, 0, 1}}));
 
 INSTANTIATE_TEST_SUITE_P(
