@@ -27,6 +27,10 @@ constexpr std::array kinds{
          "moves to or from machine positions", "home_x_mm tool_change_x_mm part_zero_x_mm"},
     Kind{&NotCounted::plane_turns, "plane_turn", "turn of rotary axes for a tilted plane",
          "turns of rotary axes for tilted planes", ""},
+    Kind{&NotCounted::tip_followings, "tip_following",
+         "possible delay by X, Y and Z that follow rotary axes (tool length or part zero unknown)",
+         "possible delays by X, Y and Z that follow rotary axes (tool length or part zero unknown)",
+         "tool_length_mm part_zero_x_mm part_zero_y_mm part_zero_z_mm"},
 };
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace feedscope {
 /// One kind of event or motion whose time the cycle time does not contain.
 struct NotCountedItem {
   std::string_view key;  ///< for files: "tool_change", "spindle_start", "stop", "machine_move", "plane_turn",
-                         ///< "other_axis"
+                         ///< "tip_following", "other_axis"
   std::size_t count = 0;      ///< of events; of other_axis: of axes
   std::string_view settings;  ///< that would give the time; "" for none
 };

@@ -110,12 +110,16 @@ RotarySample RotaryCourse::at(const State& state) const {
                          : turning(path().rotary_turns[event.index], state.time - event.start);
   }
   add_joints(way, angles);
+  const auto swings = [&] {  // the axes hold the tip in a turn of its own
+    return after != events_.begin() && !std::prev(after)->along && std::prev(after)->segment == way.segment &&
+           path().rotary_turns[std::prev(after)->index].at_tip;
+  };
   RotarySample sample;
   for (std::size_t i = 0; i < rotary_names.size(); ++i) {
     sample.rotary[i] = has(rotary_names[i]) ? motion_of(angles[i]) : AxisState::unknown();
   }
   const SegmentTurn* turn = knows_linear() ? path().segment_turn(way.segment) : nullptr;
-  if (turn != nullptr && turn->at_tip) {
+  if ((turn != nullptr && turn->at_tip) || (knows_linear() && swings())) {
     sample.linear = linear_axes(state, angles);
   }
   return sample;
@@ -278,6 +282,20 @@ void RotaryCourse::add_joints(const Way& way, Angles& angles) const {
 RotaryCourse::Angles RotaryCourse::turning(const RotaryTurn& turn, double time) const {
   Angles angles;
   std::ranges::copy(turn.to, angles.begin());
+  if (turn.law.way > 0 && turn.great_circle) {
+    SegmentTurn whole;
+    whole.from = turn.from;
+    whole.to = turn.to;
+    whole.great_circle = true;
+    const RestToRestPlace at =
+        rest_to_rest_at(time, turn.law.way, turn.law.velocity, turn.law.acceleration, turn.law.jerk);
+    const Series s(at.way, at.velocity, at.acceleration, at.jerk);
+    const std::vector<Series> by_way = TurnCourse(chain_, whole, turn.law.way).at(at.way);
+    for (std::size_t k = 0; k < by_way.size(); ++k) {
+      angles[rotary_place(chain_.axes()[chain_.rotary()[k]].name)] = chained(by_way[k], s);
+    }
+    return angles;
+  }
   for (const RotaryAxis& axis : axes_) {
     angles[rotary_place(axis.name)] = TurnLaw(turn, axes_, axis).at(time);
   }

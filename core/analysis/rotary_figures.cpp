@@ -86,6 +86,9 @@ RotaryFigures rotary_figures(const std::shared_ptr<const RotaryCourse>& course, 
   figures.rotary = search.rotary();
   figures.linear = search.linear();
   for (const RotaryTurn& turn : course->trajectory().path().programmed()->rotary_turns) {
+    if (turn.great_circle && turn.law.way > 0) {
+      continue;  // the search has seen it
+    }
     for (const RotaryAxis& axis : course->axes()) {
       const RestToRestPlace most = TurnLaw(turn, course->axes(), axis).largest();
       figures.rotary[rotary_place(axis.name)].add(most.velocity, most.acceleration, most.jerk);

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <functional>
+
 #include "core/analysis/control_dialect.h"
 #include "core/analysis/ignored_path_control.h"
 #include "core/analysis/refused_lines.h"
@@ -137,13 +140,15 @@ std::vector<const char*> figure_notes(const Toolpath& path, const Setup& setup) 
   return notes;
 }
 
+const Diagnostic& most_severe(const std::vector<Diagnostic>& faults) {
+  return *std::ranges::max_element(faults, std::ranges::less(), &Diagnostic::severity);
+}
+
 std::string machine_fault_note(const std::vector<Diagnostic>& faults) {
   const auto errors = std::ranges::count(faults, Severity::error, &Diagnostic::severity);
-  if (errors < std::ssize(faults)) {  // what is to be known of them, without places beyond reach first
-    const auto note = std::ranges::find_if(faults, [&](const Diagnostic& fault) {
-      return errors > 0 ? fault.severity == Severity::error : true;
-    });
-    return fmt::format("Rotary axes: line {}: {}.{}", note->line, note->message,
+  if (errors < std::ssize(faults)) {
+    const Diagnostic& note = most_severe(faults);
+    return fmt::format("Rotary axes: line {}: {}.{}", note.line, note.message,
                        faults.size() == 1 ? "" : fmt::format(" {} more.", faults.size() - 1));
   }
   return faults.empty()

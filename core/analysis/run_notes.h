@@ -41,6 +41,8 @@ const char* missing_axes_note(const Toolpath& path, const Machine& machine);
 /// Those of these notes that there are, in a fixed order; `path`: as the machine runs it.
 std::vector<const char*> figure_notes(const Toolpath& path, const Setup& setup);
 
+/// The first of those that are most severe; `faults`: one at least.
+const Diagnostic& most_severe(const std::vector<Diagnostic>& faults);
 /// What of the program the machine cannot do, in one sentence; empty if nothing.
 std::string machine_fault_note(const std::vector<Diagnostic>& faults);
 

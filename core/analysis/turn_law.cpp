@@ -12,6 +12,14 @@ TurnLaw::TurnLaw(const RotaryTurn& turn, std::span<const RotaryAxis> axes, const
   if (from_ == to_) {
     return;
   }
+  if (turn.law.way > 0) {
+    way_ = turn.law.way;
+    share_ = (to_ - from_) / way_;
+    velocity_ = turn.law.velocity;
+    acceleration_ = turn.law.acceleration;
+    jerk_ = turn.law.jerk;
+    return;
+  }
   if (!(turn.feed > 0)) {
     share_ = std::copysign(1, to_ - from_);
     way_ = std::abs(to_ - from_);

@@ -53,6 +53,14 @@ double PathRules::longest_blend(std::size_t segment) const {
   return std::min(rule(segment).longest_blend, rule(segment + 1).longest_blend);
 }
 
+bool PathRules::stops_at_joint(std::size_t segment) const {
+  if (passes_joints_ || toolpath_->turn_joints.empty()) {
+    return false;
+  }
+  const TurnJoint* joint = toolpath_->turn_joint(segment);
+  return joint != nullptr && joint->stops;
+}
+
 bool PathRules::has_acceleration_jumps() const {
   return std::any_of(rules_.begin(), rules_.end(), [](const Rule& rule) { return rule.acceleration_jumps; });
 }
@@ -67,7 +75,7 @@ bool PathRules::may_compress(std::size_t segment, std::size_t next, bool everywh
     const PathControl& control = toolpath_->path_control_of(i);
     return everywhere ? control.mode != PathMode::exact_stop : rule(i).asks_for_curves;
   };
-  return allows(segment) && allows(next);
+  return allows(segment) && allows(next) && !stops_at_joint(segment);
 }
 
 }  // namespace feedscope

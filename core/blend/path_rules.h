@@ -39,6 +39,11 @@ class PathRules {
   bool acceleration_jumps(std::size_t segment) const { return rule(segment).acceleration_jumps; }
   /// On any segment at all.
   bool has_acceleration_jumps() const;
+  /// Whether the tip stops where the segment ends, since rotary axes let it pass no sooner
+  /// (TurnJoint::stops).
+  bool stops_at_joint(std::size_t segment) const;
+  /// For a control that passes all such places.
+  void pass_joints() { passes_joints_ = true; }
   /// Whether the segment may be merged with `next`.
   bool may_compact(std::size_t segment, std::size_t next) const;
   /// Whether a compressor may smooth the junction between them: where the program asks for one, or,
@@ -59,6 +64,7 @@ class PathRules {
   const Rule& rule(std::size_t segment) const { return rules_[toolpath_->segments[segment].path_control]; }
 
   const Toolpath* toolpath_;
+  bool passes_joints_ = false;
   std::vector<Rule> rules_;  ///< by Toolpath::path_controls
 };
 

@@ -79,6 +79,8 @@ constexpr std::array kinds{
               0xf0f800, 0xfffe3b},
     CauseInfo{CauseKind::indexing, "indexing", QT_TRANSLATE_NOOP("core", "indexing of rotary axes"),
               QT_TRANSLATE_NOOP("core", "indexing of axis %1"), 0x230028, 0xaa58ad},
+    CauseInfo{CauseKind::swing, "swing", QT_TRANSLATE_NOOP("core", "swing about the tip"),
+              QT_TRANSLATE_NOOP("core", "swing about the tip, held by axis %1"), 0x1f6b4f, 0x6fc7a5},
 };
 
 constexpr bool in_order() {
@@ -100,7 +102,7 @@ struct AxisRange {
 /// Rotary axes set it, too.
 constexpr bool turns_too(CauseKind kind) {
   return kind == CauseKind::axis_velocity || kind == CauseKind::axis_acceleration ||
-         kind == CauseKind::axis_jerk;
+         kind == CauseKind::axis_jerk || kind == CauseKind::swing;
 }
 
 constexpr AxisRange axes_of(const CauseInfo& info) {

@@ -40,8 +40,9 @@ enum class CauseKind : std::uint8_t {
   tool_change,
   spindle_start,
   indexing,  ///< rotary axes turn while the tool stands
+  swing,     ///< the tool turns about its tip, which X, Y and Z hold
 };
-inline constexpr std::size_t cause_kind_count = static_cast<std::size_t>(CauseKind::indexing) + 1;
+inline constexpr std::size_t cause_kind_count = static_cast<std::size_t>(CauseKind::swing) + 1;
 /// X, Y and Z stand, so nothing limits a feed.
 constexpr bool is_pause(CauseKind kind) {
   return kind >= CauseKind::dwell;

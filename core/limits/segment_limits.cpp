@@ -95,6 +95,11 @@ SpeedBound turn_ceiling(const Toolpath& toolpath, std::size_t i) {
                           : SpeedBound{std::numeric_limits<double>::infinity(), {}};
 }
 
+Cause stop_cause(const Toolpath& toolpath, std::size_t i) {
+  const TurnJoint* joint = toolpath.turn_joints.empty() ? nullptr : toolpath.turn_joint(i);
+  return joint != nullptr && joint->stops ? cause_of(joint->limit) : Cause{CauseKind::exact_stop};
+}
+
 SpeedBound corner_ceiling(const Toolpath& toolpath, std::size_t i, const Vec3& velocity) {
   SpeedBound bound = feed_ceiling(toolpath, i, velocity);
   for (const SpeedBound& other : {feed_ceiling(toolpath, i + 1, velocity), turn_ceiling(toolpath, i)}) {

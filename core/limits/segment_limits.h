@@ -60,6 +60,8 @@ Cause cause_of(const TurnLimit& limit);
 /// What rotary axes allow where segment `i` meets the next one (Toolpath::turn_joints) [mm/s]; infinite where
 /// none changes its slope.
 SpeedBound turn_ceiling(const Toolpath& toolpath, std::size_t i);
+/// Of a stop where segment `i` ends: that of a joint that makes the tip stop there, else exact_stop.
+Cause stop_cause(const Toolpath& toolpath, std::size_t i);
 /// The ceiling that the corner between segment `i` and the next one starts from: feed_ceiling() of both, and
 /// turn_ceiling() [mm/s].
 SpeedBound corner_ceiling(const Toolpath& toolpath, std::size_t i, const Vec3& velocity);

@@ -12,6 +12,7 @@ enum class Pause : std::uint8_t {
   spindle_start,  ///< M3 or M4 with the spindle at rest; its time is the machine's
   stop,           ///< M0, M1; its time is the operator's
   indexing,       ///< rotary axes turn; how long, the machine says
+  swing,          ///< the same, and X, Y and Z hold the tip where it is
   machine_move,   ///< they move, but to, at or from a place that only the machine knows
 };
 

@@ -26,7 +26,7 @@ struct RotaryMove {
   double time = 0;          ///< that the program gives the block (G93) [s]; 0: none
   bool with_rapid = false;  ///< at once with the rapid that follows
   bool with_feed = false;   ///< at once with the feed motion that follows
-  bool at_tip = false;      ///< X, Y and Z of this motion are those of the tool's tip in the part
+  bool at_tip = false;  ///< X, Y and Z are those of the tool's tip in the part, of this motion or meanwhile
   /// Along it the tool's direction goes along a great circle at an even rate, else the axes go linearly.
   bool great_circle = false;
   double per_degree = 0;  ///< of a feed motion: part of the way along which F holds that a degree is [mm]

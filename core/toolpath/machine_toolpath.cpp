@@ -172,6 +172,11 @@ NotCounted not_counted(const Toolpath& path) {
     count.plane_turns += !beside && (next - direction).norm() > same_tilt ? 1 : 0;
     direction = next;
   }
+  if (!path.part.known) {
+    count.tip_followings =
+        static_cast<std::size_t>(std::ranges::count_if(path.segment_turns, &SegmentTurn::at_tip) +
+                                 std::ranges::count_if(path.rotary_turns, &RotaryTurn::at_tip));
+  }
   for (const Segment& segment : path.segments) {
     if (segment.kind != SegmentKind::dwell || path.pause_of(segment).timed) {
       continue;
@@ -179,6 +184,7 @@ NotCounted not_counted(const Toolpath& path) {
     switch (path.pause_of(segment).kind) {
       case Pause::dwell:
       case Pause::indexing:
+      case Pause::swing:
         break;
       case Pause::tool_change:
         ++count.tool_changes;

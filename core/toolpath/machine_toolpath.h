@@ -26,6 +26,8 @@ struct NotCounted {
   std::size_t stops = 0;          ///< M0, M1
   std::size_t machine_moves = 0;  ///< blocks to, at or from machine positions
   std::size_t plane_turns = 0;    ///< of rotary axes for tilted planes, on a machine without rotary axes
+  /// Turns at which X, Y and Z hold the tip, tool length or part zero unknown: what their limits ask for.
+  std::size_t tip_followings = 0;
   std::vector<std::string> other_axes = {};  ///< rotary and secondary ones that move
   bool operator==(const NotCounted&) const = default;
 };

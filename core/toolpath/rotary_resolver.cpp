@@ -12,6 +12,7 @@
 #include "core/program/text/message_codes.h"
 #include "core/toolpath/rotary_notes.h"
 #include "core/toolpath/rotary_positions.h"
+#include "core/toolpath/tip_swing.h"
 #include "core/toolpath/turn_course.h"
 #include "core/toolpath/turn_limiter.h"
 
@@ -48,9 +49,10 @@ class RotaryResolver {
     for (std::size_t i = 0; i <= from_.segments.size(); ++i) {
       for (; move != from_.rotary_moves.end() && move->motion <= i; ++move) {
         const std::array<double, 3> before = positions_.at();
-        const RotaryTurn turn = turn_of(*move);
+        RotaryTurn turn = turn_of(*move);
         const bool along = (move->with_feed || move->with_rapid) && turn_along(*move, i, before);
         if (!along && turn.time > 0) {
+          swing(*move, turn);
           pause(turn, move->line);
         }
       }
@@ -117,7 +119,7 @@ class RotaryResolver {
       if (turn.from != turn.to) {
         turn.at_tip = move.at_tip;
         limiter_.set_limits(from_, turn);
-        note_unknown_tip(turn);
+        note_unknown_tip(turn.at_tip, from_.segments[k].line);
         if (axes_.size() == 2) {
           notes_.add_singular(turn, from_.segments[turn.segment], *axes_.front());
         }
@@ -131,13 +133,13 @@ class RotaryResolver {
   }
 
   /// Once, where tool centre point control is on and it is not known how the linear axes follow.
-  void note_unknown_tip(const SegmentTurn& turn) {
-    if (!turn.at_tip || limiter_.knows_linear() || std::exchange(tip_reported_, true)) {
+  void note_unknown_tip(bool at_tip, std::uint32_t line) {
+    if (!at_tip || limiter_.knows_linear() || std::exchange(tip_reported_, true)) {
       return;
     }
     Diagnostic note;
-    note.severity = Severity::info;
-    note.line = from_.segments[turn.segment].line;
+    note.severity = Severity::warning;
+    note.line = line;
     note.code = std::string(MessageCode("rotary-feed").text());
     note.message = "how X, Y and Z follow the rotary axes is not known without tool length and part zero";
     note.hint =
@@ -185,15 +187,29 @@ class RotaryResolver {
     const auto beside = [&](std::size_t k) {
       const bool follows = k > 0 && joints[k - 1].segment + 1 == joints[k].segment;
       const bool goes_on = k + 1 < joints.size() && joints[k].segment + 1 == joints[k + 1].segment;
-      return TurnLimiter::Neighbours{follows ? &joints[k - 1] : nullptr, goes_on ? &joints[k + 1] : nullptr};
+      const auto rounds = [](const TurnJoint& joint) { return joint.stops ? nullptr : &joint; };
+      return TurnLimiter::Neighbours{follows ? rounds(joints[k - 1]) : nullptr,
+                                     goes_on ? rounds(joints[k + 1]) : nullptr};
     };
     // The best reach of a joint depends on those beside it: it knows the final reach of the one before it,
     // and the longest one of the one behind it.
     for (std::size_t k = 0; k < joints.size(); ++k) {
       limiter_.choose_reach(path_, between[k].before, between[k].behind, beside(k), joints[k]);
     }
-    for (std::size_t k = 0; k < joints.size(); ++k) {
-      limiter_.set_limit(path_, between[k].before, between[k].behind, beside(k), joints[k]);
+    const auto set_limits = [&] {
+      for (std::size_t k = 0; k < joints.size(); ++k) {
+        limiter_.set_limit(path_, between[k].before, between[k].behind, beside(k), joints[k]);
+      }
+    };
+    set_limits();
+    bool some_stop = false;
+    for (std::size_t k = 0; k < joints.size() && !limiter_.is_bound(); ++k) {
+      joints[k].stops = !path_.segments[joints[k].segment].rapid &&  // they stop anyway
+                        limiter_.stops(path_, between[k].before, between[k].behind, joints[k]);
+      some_stop = some_stop || joints[k].stops;
+    }
+    if (some_stop) {  // those beside it are rounded without it
+      set_limits();
     }
     for (std::size_t k = 0; k < joints.size(); ++k) {
       if (between[k].before != nullptr) {
@@ -254,6 +270,17 @@ class RotaryResolver {
     return turn;
   }
 
+  /// Of a turn on its own under tool centre point control X, Y and Z hold the tip.
+  void swing(const RotaryMove& move, RotaryTurn& turn) {
+    turn.at_tip = move.at_tip;
+    turn.great_circle = move.great_circle;
+    note_unknown_tip(turn.at_tip, move.line);
+    if (turn.at_tip && limiter_.knows_linear()) {
+      const Vec3& tip = path_.segments.empty() ? path_.start : path_.segments.back().end;
+      TipSwing(machine_, chain_, path_.part).set_law(tip, move.feed, move.time, turn);
+    }
+  }
+
   void pause(RotaryTurn turn, std::uint32_t line) {
     turn.segment = path_.segments.size();
     Segment segment;
@@ -265,7 +292,8 @@ class RotaryResolver {
       segment.path_control = path_.segments.back().path_control;
       segment.spindle = path_.segments.back().spindle;
     }
-    path_.pauses.push_back({turn.time, Pause::indexing, true, 0, turn.axis});
+    path_.pauses.push_back(
+        {turn.time, turn.law.way > 0 ? Pause::swing : Pause::indexing, true, 0, turn.axis});
     path_.segments.push_back(segment);
     path_.rotary_turns.push_back(turn);
   }

@@ -9,8 +9,8 @@ namespace feedscope {
 
 /// The same path with what its Toolpath::rotary_moves come to on a machine with rotary axes: pauses of
 /// Pause::indexing, each as long as its slowest axis turns (turning_time()), and the angles in
-/// Toolpath::rotary_turns. Where they go to is that of RotaryPositions; tool and part stand still meanwhile:
-/// how the linear axes follow a turn is not part of it.
+/// Toolpath::rotary_turns; of Pause::swing where X, Y and Z hold the tip in it (TipSwing). Where they go to
+/// is that of RotaryPositions.
 ///
 /// Beside a feed motion or a rapid the axes go along it (TurnCourse), and Toolpath::segment_turns holds what
 /// its axes allow: the rotary ones, and where X, Y and Z are those of the tip, the tool length and part_zero

@@ -21,17 +21,28 @@ struct ToolpathPause {
   Pause kind = Pause::dwell;
   bool timed = true;       ///< the time is known
   std::uint32_t move = 0;  ///< machine moves: index into Toolpath::machine_moves
-  std::int8_t axis = -1;   ///< indexing: the axis that turns longest, a place in cause_axes
+  std::int8_t axis = -1;   ///< indexing, swing: the axis that takes the time, a place in cause_axes
 };
 
 /// A turn of rotary axes on a machine, from rest to rest.
 struct RotaryTurn {
+  /// Of a turn whose axes all go by one law of rest_to_rest_at() along the way; a way of 0: there is none.
+  struct Law {
+    double way = 0;           ///< root of the squares of the angles, on a great circle that of the tool [rad]
+    double velocity = 0;      ///< [rad/s]
+    double acceleration = 0;  ///< [rad/s2]
+    double jerk = 0;          ///< [rad/s3]
+  };
+
   std::size_t segment = 0;       ///< its pause
   std::array<double, 3> from{};  ///< angles of A, B and C [rad]
   std::array<double, 3> to{};
   double time = 0;        ///< that it takes [s]
   std::int8_t axis = -1;  ///< that takes this time, a place in cause_axes
   double feed = 0;        ///< of all axes together, which arrive together [rad/s]; 0: each as fast as it can
+  bool at_tip = false;    ///< X, Y and Z hold the tip where it is meanwhile
+  bool great_circle = false;  ///< as SegmentTurn::great_circle
+  Law law;                    ///< where it is known how X, Y and Z hold the tip, instead of `feed`
 };
 
 /// One geometric element of the programmed path; it starts where the one before ends. A dwell ends where it
@@ -103,8 +114,9 @@ struct TurnJoint {
   double before = 0;             ///< how far it reaches; 0: the slopes jump [mm]
   double behind = 0;             ///< [mm]
   TurnLimit limit;
-  TurnRamp ramp;     ///< on the segments that it shapes (joint_shape.h)
-  double tilt = -1;  ///< as SegmentTurn::tilt, at the place
+  TurnRamp ramp;       ///< on the segments that it shapes (joint_shape.h)
+  bool stops = false;  ///< the tip stops there, which is faster than passing within limit and ramp
+  double tilt = -1;    ///< as SegmentTurn::tilt, at the place
 };
 
 /// Neighbouring segments along which the first of two rotary axes holds the feed while the tool lies near it.

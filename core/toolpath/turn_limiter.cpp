@@ -10,6 +10,7 @@
 #include "core/base/units.h"
 #include "core/machine/contour_tolerance.h"
 #include "core/toolpath/joint_shape.h"
+#include "core/toolpath/joint_stop.h"
 #include "core/toolpath/turn_course.h"
 
 namespace feedscope {
@@ -111,6 +112,7 @@ TurnLimiter::TurnLimiter(const Machine& machine, const KinematicChain& chain, co
   follows_program_ = follows_program_tolerance(settings);
   const std::string period = "interpolation_period_s";
   period_ = settings.has(period) ? settings.number(period) : 0;
+  contour_tolerance_ = settings.has(contour_tolerance_key) ? settings.number(contour_tolerance_key) : 0;
   const std::string jerk = "jerk";
   is_bound_ = settings.has(jerk) && settings.text(jerk) == "off";
 }
@@ -244,10 +246,26 @@ void TurnLimiter::set_limit(const Toolpath& path, const SegmentTurn* before, con
   joint.ramp = bend.ramp(speed, std::max(joint.before, joint.behind) / 2);
 }
 
+bool TurnLimiter::stops(const Toolpath& path, const SegmentTurn* before, const SegmentTurn* behind,
+                        const TurnJoint& joint) const {
+  std::array<StopSide, 2> sides;
+  const Meeting meeting = meeting_of(path, before, behind, joint);
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const Side& side = meeting.sides[i];
+    const double reach = reach_of(joint, i);
+    const bool shaped = shapes_segment(reach, side.length);
+    const double top =
+        ramp_speed(path, side.segment, side.turn != nullptr ? side.turn->limit.speed : HUGE_VAL);
+    sides[i] = {shaped ? reach : side.length / 2, top, side.speed_up, side.ramp_up, shaped};
+  }
+  const double blend = least_blend(path, joint.segment, contour_tolerance_, follows_program_);
+  return stop_is_faster(joint, sides, blend);
+}
+
 void TurnLimiter::hold_beside(const Toolpath& path, const TurnJoint& joint, bool at_end,
                               SegmentTurn& turn) const {
   const double reach = at_end ? joint.before : joint.behind;
-  if (!shapes_segment(reach, path.segments[turn.segment].length)) {
+  if (joint.stops || !shapes_segment(reach, path.segments[turn.segment].length)) {
     return;
   }
   const Angles own = slopes_of(path, chain_, &turn, at_end);

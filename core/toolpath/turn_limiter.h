@@ -64,6 +64,9 @@ class TurnLimiter {
   /// reach.
   void set_limit(const Toolpath& path, const SegmentTurn* before, const SegmentTurn* behind,
                  const Neighbours& beside, TurnJoint& joint) const;
+  /// Whether the tip had better stop at a joint whose limit and ramp are set (stop_is_faster()).
+  bool stops(const Toolpath& path, const SegmentTurn* before, const SegmentTurn* behind,
+             const TurnJoint& joint) const;
   /// Lowers the limit of a turn by the velocity that its axes still have where a joint at its end or start
   /// (`at_end`) shapes its course (shapes_segment()): there the axis turns more than on the rest.
   void hold_beside(const Toolpath& path, const TurnJoint& joint, bool at_end, SegmentTurn& turn) const;
@@ -117,9 +120,10 @@ class TurnLimiter {
   const KinematicChain& chain_;
   std::vector<const RotaryAxis*> axes_;
   PartOnMachine part_;
-  double tolerance_ = 0;         ///< of the orientation where the program gives none [rad]
-  bool follows_program_ = true;  ///< it may give one: OTOL, CYCLE832, TA of cycle 32 and of M128
-  double period_ = 0;            ///< [s]
+  double tolerance_ = 0;          ///< of the orientation where the program gives none [rad]
+  bool follows_program_ = true;   ///< it may give one: OTOL, CYCLE832, TA of cycle 32 and of M128
+  double contour_tolerance_ = 0;  ///< where the program gives none [mm]
+  double period_ = 0;             ///< [s]
   bool is_bound_ = false;
 };
 

@@ -11,6 +11,7 @@
 #include "core/base/parallel.h"
 #include "core/base/roots.h"
 #include "core/blend/junction.h"
+#include "core/limits/segment_limits.h"
 
 namespace feedscope {
 
@@ -76,7 +77,7 @@ bool begins_stretch(const Toolpath& toolpath, const PathRules& rules, std::size_
   const JunctionKind kind = junction_kind(toolpath, segment);
   const bool corner = kind == JunctionKind::corner || kind == JunctionKind::arc_corner;
   return kind == JunctionKind::stop || (stop_at_arc_corners && kind == JunctionKind::arc_corner) ||
-         (corner && rules.corner_tolerance(segment - 1) == 0);
+         (corner && rules.corner_tolerance(segment - 1) == 0) || rules.stops_at_joint(segment - 1);
 }
 
 std::size_t next_begin(const Toolpath& toolpath, const PathRules& rules, std::size_t segment,
@@ -200,6 +201,13 @@ void set_junction_ceilings(Stretch& stretch, const BlendedPath& path, const Vec3
   }
   apply_lookahead_horizon(stretch.plan, lookahead_blocks, stretch.ceiling);
   stretch.ceiling.front() = stretch.ceiling.back() = {0, {CauseKind::exact_stop}};
+  if (turns && count > 0) {
+    const Toolpath& toolpath = *path.programmed();
+    if (const std::uint32_t first = path.segment(stretch.element(0)); first > 0) {
+      stretch.ceiling.front().cause = stop_cause(toolpath, first - std::size_t{1});
+    }
+    stretch.ceiling.back().cause = stop_cause(toolpath, path.segment(stretch.element(count - 1)));
+  }
 }
 
 void part_turning(Stretch& stretch, const BlendedPath& path) {

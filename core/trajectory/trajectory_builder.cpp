@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/make_room.h"
+#include "core/limits/segment_limits.h"
 
 namespace feedscope {
 namespace {
@@ -27,6 +28,8 @@ CauseKind cause_of(Pause pause) {
       return CauseKind::spindle_start;
     case Pause::indexing:
       return CauseKind::indexing;
+    case Pause::swing:
+      return CauseKind::swing;
     case Pause::dwell:
     case Pause::stop:
     case Pause::machine_move:
@@ -197,7 +200,11 @@ void TrajectoryBuilder::name_slower_places() {
     const bool from_rest = filtered ? p == 0 || pieces[p - 1].law != Law::filtered ||
                                           path().index(pieces[p - 1].element) != path().index(piece.element)
                                     : piece.v <= 0;
-    ahead = from_rest ? Cause{CauseKind::exact_stop} : piece.cause;
+    const std::uint32_t segment = path().segment(piece.element);
+    ahead = !from_rest ? piece.cause
+            : segment > 0 && path().programmed() != nullptr
+                ? stop_cause(*path().programmed(), segment - std::size_t{1})
+                : Cause{CauseKind::exact_stop};
   }
 }
 

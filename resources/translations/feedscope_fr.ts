@@ -293,6 +293,14 @@
         <source>%1 turns of rotary axes for tilted planes</source>
         <translation>%1 rotations d&apos;axes rotatifs pour des plans inclinés</translation>
     </message>
+    <message>
+        <source>1 possible delay by X, Y and Z that follow rotary axes (tool length or part zero unknown)</source>
+        <translation>1 retard possible par X, Y et Z qui suivent les axes rotatifs (longueur d&apos;outil ou origine de la pièce inconnue)</translation>
+    </message>
+    <message>
+        <source>%1 possible delays by X, Y and Z that follow rotary axes (tool length or part zero unknown)</source>
+        <translation>%1 retards possibles par X, Y et Z qui suivent les axes rotatifs (longueur d&apos;outil ou origine de la pièce inconnue)</translation>
+    </message>
 </context>
 <context>
     <name>FilmFrames</name>
@@ -1678,12 +1686,12 @@
         <translation>La commande refuse le programme&#xa0;: &lt;b&gt;%1&lt;/b&gt; sur %2 n&apos;exécute aucun de ses déplacements en avance.</translation>
     </message>
     <message>
-        <source>Runs of which the control refuses more lines, and that are not compared: %1.</source>
-        <translation>Simulations dont la commande refuse davantage de lignes, et qui ne sont pas comparées&#xa0;: %1.</translation>
-    </message>
-    <message>
         <source>refused</source>
         <translation>refusée</translation>
+    </message>
+    <message>
+        <source>Runs of which the control refuses more lines or that the machine does not reach, and that are not compared: %1.</source>
+        <translation>Simulations dont la commande refuse plus de lignes ou que la machine n&apos;atteint pas, et qui ne sont pas comparées : %1.</translation>
     </message>
 </context>
 <context>
@@ -2537,6 +2545,10 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>Rotary axis %1 turns along this block or beside it: its jerk limit holds the change of speed.</source>
         <translation>L&apos;axe rotatif %1 tourne le long de ce bloc ou à côté : sa limite de jerk retient la variation de vitesse.</translation>
+    </message>
+    <message>
+        <source>The tool turns about its tip, which X, Y and Z hold: it takes what the limits of axis %1 allow, or the programmed feed in degrees a minute if that is lower.</source>
+        <translation>L&apos;outil pivote autour de sa pointe, que X, Y et Z maintiennent : il prend ce que permettent les limites de l&apos;axe %1, ou l&apos;avance programmée en degrés par minute si elle est plus faible.</translation>
     </message>
 </context>
 <context>
@@ -8977,6 +8989,46 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <source>check how the trace was recorded</source>
         <translation>vérifiez comment la trace a été enregistrée</translation>
     </message>
+    <message>
+        <source>swing about the tip</source>
+        <translation>pivotement autour de la pointe</translation>
+    </message>
+    <message>
+        <source>swing about the tip, held by axis %1</source>
+        <translation>pivotement autour de la pointe, retenu par l&apos;axe %1</translation>
+    </message>
+    <message>
+        <source>%1 possible delay by X, Y and Z that follow rotary axes (tool length or part zero unknown)</source>
+        <translation>%1 retard possible par X, Y et Z qui suivent les axes rotatifs (longueur d&apos;outil ou origine de la pièce inconnue)</translation>
+    </message>
+    <message>
+        <source>%1 possible delays by X, Y and Z that follow rotary axes (tool length or part zero unknown)</source>
+        <translation>%1 retards possibles par X, Y et Z qui suivent les axes rotatifs (longueur d&apos;outil ou origine de la pièce inconnue)</translation>
+    </message>
+    <message>
+        <source>the tool retracts to the end of travel before the axes turn (MB MAX)</source>
+        <translation>l&apos;outil se dégage jusqu&apos;en fin de course avant que les axes tournent (MB MAX)</translation>
+    </message>
+    <message>
+        <source>this motion is neither drawn nor timed, nor is the way back</source>
+        <translation>ce mouvement n&apos;est ni tracé ni compté, le retour non plus</translation>
+    </message>
+    <message>
+        <source>X, Y and Z move while the rotary axes turn (MOVE)</source>
+        <translation>X, Y et Z se déplacent pendant que les axes rotatifs tournent (MOVE)</translation>
+    </message>
+    <message>
+        <source>this motion is neither drawn nor timed</source>
+        <translation>ce mouvement n&apos;est ni tracé ni compté</translation>
+    </message>
+    <message>
+        <source>the tool retracts before the axes turn (_FR %1 of CYCLE800)</source>
+        <translation>l&apos;outil se dégage avant que les axes tournent (_FR %1 de CYCLE800)</translation>
+    </message>
+    <message>
+        <source>where to, the machine&apos;s data says: this motion is neither drawn nor timed</source>
+        <translation>jusqu&apos;où, les données de la machine le disent : ce mouvement n&apos;est ni tracé ni compté</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ActionTable</name>
@@ -9768,6 +9820,10 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     <message>
         <source>refused</source>
         <translation>refusé</translation>
+    </message>
+    <message>
+        <source>out of reach</source>
+        <translation>hors de portée</translation>
     </message>
 </context>
 <context>
@@ -12919,6 +12975,14 @@ Ensemble&#xa0;: %4</translation>
         <source>Lines that the control refuses and that are not run: %1.</source>
         <translation>Lignes que la commande refuse et qui ne sont pas exécutées&#xa0;: %1.</translation>
     </message>
+    <message>
+        <source>%1, out of reach</source>
+        <translation>%1, hors de portée</translation>
+    </message>
+    <message>
+        <source>The program sends rotary axes where the machine cannot turn them: the time is not that of the program.</source>
+        <translation>Le programme envoie des axes rotatifs là où la machine ne peut pas les tourner : le temps n&apos;est pas celui du programme.</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::RunsView</name>
@@ -13117,6 +13181,10 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>All runs take %1.</source>
         <translation>Toutes les simulations durent %1.</translation>
+    </message>
+    <message>
+        <source>The machine cannot turn its rotary axes as the program asks in any run.</source>
+        <translation>La machine ne peut tourner ses axes rotatifs comme le programme le demande dans aucune simulation.</translation>
     </message>
 </context>
 <context>
@@ -14006,6 +14074,14 @@ Ensemble&#xa0;: %4</translation>
         <source>refused</source>
         <translation>refusé</translation>
     </message>
+    <message>
+        <source>The program sends rotary axes where the machine cannot turn them.</source>
+        <translation>Le programme envoie des axes rotatifs là où la machine ne peut pas les tourner.</translation>
+    </message>
+    <message>
+        <source>out of reach</source>
+        <translation>hors de portée</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::StudyView</name>
@@ -14172,6 +14248,14 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>%1 makes no difference to the cycle time: %2 with every value. %3</source>
         <translation>%1 est sans effet sur le temps de cycle&#xa0;: %2 avec chaque valeur. %3</translation>
+    </message>
+    <message>
+        <source>No run is possible: the program sends rotary axes where the machine cannot turn them.</source>
+        <translation>Aucune simulation n&apos;est possible : le programme envoie des axes rotatifs là où la machine ne peut pas les tourner.</translation>
+    </message>
+    <message>
+        <source>no possible run</source>
+        <translation>aucune simulation possible</translation>
     </message>
 </context>
 <context>

@@ -196,6 +196,12 @@ constexpr std::array clauses{
     QT_TRANSLATE_NOOP("core", "%1 moves to or from machine positions"),
     QT_TRANSLATE_NOOP("core", "%1 turn of rotary axes for a tilted plane"),
     QT_TRANSLATE_NOOP("core", "%1 turns of rotary axes for tilted planes"),
+    QT_TRANSLATE_NOOP("core",
+                      "%1 possible delay by X, Y and Z that follow rotary axes (tool length or part zero "
+                      "unknown)"),
+    QT_TRANSLATE_NOOP("core",
+                      "%1 possible delays by X, Y and Z that follow rotary axes (tool length or part zero "
+                      "unknown)"),
     // Path control (program/path_control); names of units.
     QT_TRANSLATE_NOOP("core", "exact stops"),
     QT_TRANSLATE_NOOP("core", "exact stops (%1)"),

@@ -56,6 +56,7 @@ QString not_counted_tip(Pause pause) {
           "the machine");
     case Pause::dwell:
     case Pause::indexing:
+    case Pause::swing:
       break;
   }
   return {};

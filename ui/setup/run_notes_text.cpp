@@ -65,8 +65,8 @@ QStringList run_note_texts(const Run& run) {
   }
   if (const std::vector<Diagnostic>& faults = run.input.toolpath->machine_faults; !faults.empty()) {
     sentences.append(RunNotes::tr("Rotary axes: line %1: %2.")
-                         .arg(faults.front().line)
-                         .arg(composed_text(faults.front().message)));
+                         .arg(most_severe(faults).line)
+                         .arg(composed_text(most_severe(faults).message)));
   }
   if (const auto unadvised = unadvised_tolerance(run.input.chord_error,
                                                  tolerance_in_force(run.input.feed_controls, run.setup))) {

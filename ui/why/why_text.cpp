@@ -338,6 +338,10 @@ QString WhyText::limit_sentence(const Reason& reason, const State& state) {
       return tr("Rotary axis %1 turns while the tool stands: it takes what the limits of this axis allow, or "
                 "the programmed feed if that is lower.")
           .arg(QLatin1Char(axis_name(reason.cause)));
+    case CauseKind::swing:
+      return tr("The tool turns about its tip, which X, Y and Z hold: it takes what the limits of axis %1 "
+                "allow, or the programmed feed in degrees a minute if that is lower.")
+          .arg(QLatin1Char(axis_name(reason.cause)));
     default:
       return blend_sentence(reason);
   }

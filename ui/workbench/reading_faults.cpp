@@ -45,6 +45,10 @@ QString not_counted_text(const NotCounted& counts) {
       Faults::tr("%1 moves to or from machine positions"));
   add(counts.plane_turns, Faults::tr("1 turn of rotary axes for a tilted plane"),
       Faults::tr("%1 turns of rotary axes for tilted planes"));
+  add(counts.tip_followings,
+      Faults::tr("1 possible delay by X, Y and Z that follow rotary axes (tool length or part zero unknown)"),
+      Faults::tr("%1 possible delays by X, Y and Z that follow rotary axes (tool length or part zero "
+                 "unknown)"));
   if (!counts.other_axes.empty()) {
     QStringList axes;
     for (const std::string& axis : counts.other_axes) {

@@ -41,6 +41,7 @@ TimeKind kind_of_pause(Pause pause) {
     case Pause::spindle_start:
       return TimeKind::spindle_start;
     case Pause::indexing:
+    case Pause::swing:
       return TimeKind::indexing;
     default:
       return TimeKind::dwell;
@@ -211,6 +212,7 @@ TimeUse time_use(const Run& run, OperationSplit split, Progress* progress) {
                           : part.cause.kind == CauseKind::tool_change   ? TimeKind::tool_change
                           : part.cause.kind == CauseKind::spindle_start ? TimeKind::spindle_start
                           : part.cause.kind == CauseKind::indexing      ? TimeKind::indexing
+                          : part.cause.kind == CauseKind::swing         ? TimeKind::indexing
                                                                         : TimeKind::dwell;
     const double as_programmed =
         waits ? part.duration : length_of(trajectory, walk) / trajectory.feed_of(part.element);

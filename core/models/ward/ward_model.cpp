@@ -128,7 +128,8 @@ Trajectory WardModel::do_simulate(const std::shared_ptr<const Toolpath>& shared,
   const std::size_t count = shared->segments.size();
   builder.reserve(count, count + count / 4);
   const WardSettings own(settings);
-  const PathRules rules(*shared, settings);
+  PathRules rules(*shared, settings);
+  rules.pass_joints();
   const auto smoothed =
       own.compressor.smooths(*shared) ? std::make_shared<Toolpath>(*shared) : std::shared_ptr<Toolpath>();
   run_stretches(

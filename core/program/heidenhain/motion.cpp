@@ -261,6 +261,7 @@ void Motions::orient_tool(const MotionWords& words) {
   const bool rapid = words.feed_word == FeedWord::rapid;
   AxisBlock block = turning(rapid);
   block.alone = !moves;
+  block.at_tip = true;
   block.great_circle = modal_.great_circle;
   machining_.other_axes.orient_tool(*tool, rapid ? AxisMotion::positions : AxisMotion::at_tip,
                                     words.vector_column, block);

@@ -92,7 +92,7 @@ void OtherAxes::note_turn(std::size_t axis, double target, AxisMotion motion, st
   move.time = block.time;
   move.with_rapid = !block.alone && motion == AxisMotion::positions;
   move.with_feed = !block.alone && motion != AxisMotion::positions;
-  move.at_tip = move.with_feed && (block.at_tip || motion == AxisMotion::at_tip);
+  move.at_tip = (move.with_feed || block.alone) && (block.at_tip || motion == AxisMotion::at_tip);
   move.great_circle = move.at_tip && block.great_circle;
   move.per_degree = move.at_tip ? 0 : block.per_degree;
 }
@@ -121,7 +121,7 @@ void OtherAxes::orient_tool(const Vec3& direction, AxisMotion motion, std::uint3
   move.time = block.time;
   move.with_rapid = !block.alone && motion == AxisMotion::positions;
   move.with_feed = !block.alone && motion != AxisMotion::positions;
-  move.at_tip = move.with_feed && (block.at_tip || motion == AxisMotion::at_tip);
+  move.at_tip = (move.with_feed || block.alone) && (block.at_tip || motion == AxisMotion::at_tip);
   move.great_circle = move.at_tip && block.great_circle;
   if (!turns()) {
     this->move("tool orientation", 0, motion, column, block);

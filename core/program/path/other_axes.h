@@ -24,7 +24,7 @@ struct AxisBlock {
   bool alone = false;         ///< X, Y and Z do not move in it
   double feed = 0;            ///< of the rotary axes [rad/s]; 0: a rapid
   double time = 0;            ///< that the program gives it [s]; 0: none
-  bool at_tip = false;        ///< in a feed motion: X, Y and Z are those of the tool's tip
+  bool at_tip = false;        ///< in a feed motion or alone: X, Y and Z are those of the tool's tip
   bool great_circle = false;  ///< in one at the tip: RotaryMove::great_circle
   double per_degree = 0;      ///< in one: RotaryMove::per_degree [mm]
   /// Which way an endless axis goes to its angle: as written, the shortest, or always this one.

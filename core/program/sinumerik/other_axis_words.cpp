@@ -29,6 +29,7 @@ void OtherAxisWords::go(const std::string& name, const BlockWords::Value& word, 
   const double unit = modal_.inch_feed ? units::from_inch(1) : 1;
   AxisBlock block = turning_alone(path(), unit, !cuts);
   block.alone = alone;
+  block.at_tip = oriented_;
   block.great_circle = great_circle_;
   block.way = word.reading == Reading::shortest   ? AxisBlock::Way::shortest
               : word.reading == Reading::positive ? AxisBlock::Way::positive
@@ -64,6 +65,7 @@ bool OtherAxisWords::orient(bool alone) {
   const double unit = modal_.inch_feed ? units::from_inch(1) : 1;
   AxisBlock block = turning_alone(path(), unit, !cuts);
   block.alone = alone;
+  block.at_tip = oriented_;
   block.great_circle = great_circle_;
   machining_.other_axes.orient_tool(*tool, cuts ? AxisMotion::at_tip : AxisMotion::positions, column, block);
   return true;

@@ -14,6 +14,7 @@ TEST(Cause, HasAStableKeyWithItsAxis) {
   EXPECT_EQ(cause_key({CauseKind::axis_velocity, -1}), "axis_velocity");
   EXPECT_EQ(cause_key({CauseKind::axis_velocity, 3}), "axis_velocity_a");
   EXPECT_EQ(cause_key({CauseKind::indexing, 5}), "indexing_c");
+  EXPECT_EQ(cause_key({CauseKind::swing, 1}), "swing_y");
 }
 
 TEST(Cause, HasATitleForPeople) {
@@ -43,7 +44,7 @@ TEST(Cause, EveryCauseIsListedOnceUnderItsOwnKeyAndTitle) {
     EXPECT_TRUE(keys.insert(cause_key(cause)).second) << cause_key(cause);
     EXPECT_TRUE(titles.insert(cause_title(cause)).second) << cause_title(cause);
   }
-  EXPECT_EQ(cause_index({CauseKind::indexing, 5}), all_causes().size() - 1);
+  EXPECT_EQ(cause_index({CauseKind::swing, 5}), all_causes().size() - 1);
 }
 
 }  // namespace

@@ -344,7 +344,8 @@ TEST(SegmentTurns, KeepEveryAxisWithinItsLimitsByFiniteDifferences) {
 TEST(SegmentTurns, SayWhatIsMissingToFollowTheTip) {
   const auto path = run_on(trunnion(), "TRAORI\nG0 X100 Y0 Z5\nG1 X110 C90 F1000\n", Dialect::sinumerik);
   ASSERT_EQ(path->machine_faults.size(), 1);
-  EXPECT_EQ(path->machine_faults[0].severity, Severity::info);
+  EXPECT_EQ(path->machine_faults[0].severity, Severity::warning);
+  EXPECT_EQ(not_counted(*path).tip_followings, 1U);
   EXPECT_THAT(path->machine_faults[0].message, HasSubstr("not known without tool length and part zero"));
   EXPECT_NEAR(path->segment_turns.at(0).limit.speed, 300 / 9.0, 1e-9);
 }

@@ -166,6 +166,9 @@ TEST(TurnJoints, KeepTheAccelerationBetweenPlacesOfUnevenBlocks) {
     const TurnJoint& before = path->turn_joints[i - 1];
     const TurnJoint& behind = path->turn_joints[i];
     const double length = path->segments[behind.segment].length;
+    if (before.stops || behind.stops) {
+      continue;
+    }
     for (int k = 0; k <= 20; ++k) {
       const double at = length * k / 20;
       const double speed = (at < length / 2 ? before : behind).limit.speed;
