@@ -15,9 +15,10 @@ class TipSwing {
   TipSwing(const Machine& machine, const KinematicChain& chain, const PartOnMachine& part)
       : machine_(machine), chain_(chain), part_(part) {}
 
-  /// Sets RotaryTurn::law, time and axis of a turn whose ends are set. `tip`: as it is programmed [mm];
-  /// `feed`: along RotaryTurn::Law::way [rad/s], 0: as fast as the axes may; `time`: that the program gives
-  /// it instead [s], 0: none.
+  /// Sets RotaryTurn::law, time and axis of a turn whose ends are set; along a great circle that does not
+  /// lead to its end the axes go linearly. `tip`: as it is programmed [mm]; `feed`: along
+  /// RotaryTurn::Law::way [rad/s], 0: as fast as the axes may; `time`: that the program gives it instead [s],
+  /// 0: none.
   void set_law(const Vec3& tip, double feed, double time, RotaryTurn& turn) const;
 
  private:

@@ -167,7 +167,8 @@ void PlaneStatements::retract(const Positioning& positioning, std::uint32_t colu
     return;
   }
   const bool to_limit = positioning.retract && !std::isfinite(*positioning.retract);
-  if (to_limit || positioning.shifts) {
+  const bool shifts = positioning.shifts && machining_.other_axes.turns();
+  if (to_limit || shifts) {
     report(to_limit ? Severity::warning : Severity::info, "swivel-retract", to_limit ? 1 : 2, column, [&] {
       return to_limit ? Text{"the tool retracts to the end of travel before the axes turn (MB MAX)",
                              "this motion is neither drawn nor timed, nor is the way back"}

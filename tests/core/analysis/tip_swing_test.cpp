@@ -65,11 +65,13 @@ TEST(TipSwing, TakesAboutAsLongAsBesideATinyMotion) {
 
 /// All axes within their limits, and where their velocities say.
 TEST(TipSwing, HoldsTheLimitsOfAllAxes) {
-  for (const char* way : {"ORIAXES", "ORIVECT"}) {
-    const TurnedRun run = turned(fmt::format("TRAORI\n{}\nG0 X60 Y-30 Z40 A3=0.3 B3=0.4 C3=0.8\n"
-                                             "G1 A3=-0.5 B3=0.1 C3=0.8 F1000000\n",
-                                             way),
-                                 "essid", known());
+  // No great circle leads to the nearer position of the second vector: it passes the pole aside.
+  for (const std::string way : {"ORIAXES A3=0.1 B3=0.7 C3=0.8", "ORIVECT A3=0.1 B3=0.7 C3=0.8",
+                                "ORIAXES A3=-0.5 B3=0.1 C3=0.8", "ORIVECT A3=-0.5 B3=0.1 C3=0.8"}) {
+    const TurnedRun run =
+        turned(fmt::format("TRAORI\n{}\nG0 X60 Y-30 Z40 A3=0.3 B3=0.4 C3=0.8\nG1 {} F1000000\n",
+                           way.substr(0, 7), way.substr(8)),
+               "essid", known());
     const double begin = run.trajectory->duration() - swing_time(run);
     ASSERT_GT(swing_time(run), 0);
     constexpr int steps = 2000;

@@ -145,8 +145,6 @@ INSTANTIATE_TEST_SUITE_P(
         DiagnosticCase{"PLANE SPATIAL SPA+90 SPB+0 SPC+0 TURN MB MAX FMAX\n",
                        "1:1: warning: the tool retracts to the end of travel before the axes turn (MB MAX) "
                        "[swivel-retract]"},
-        DiagnosticCase{"PLANE SPATIAL SPA+90 SPB+0 SPC+0 MOVE DIST50 F2000\n",
-                       "1:1: info: X, Y and Z move while the rotary axes turn (MOVE) [swivel-retract]"},
         DiagnosticCase{"CYCL DEF 19.1 A+90 C+30\n",
                        "1:1: warning: the plane is tilted by angles of more than one axis [tilt-angles]"},
         DiagnosticCase{"Q1 = Q108\n", "1:6: warning: the tool radius Q108 is not known [unset-parameter]"},

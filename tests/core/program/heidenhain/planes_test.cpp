@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/core/program/heidenhain/read_heidenhain.h"
 
 namespace feedscope {
@@ -68,6 +70,17 @@ TEST(HeidenhainPlanes, RetractAlongTheToolBeforeTheAxesTurn) {
                                           "PLANE RESET TURN MB10 FMAX\n")),
             "r1,-3,2 r1,-13,2");
   EXPECT_EQ(path_of(read_clean_heidenhain(to + "PLANE SPATIAL SPA+90 SPB+0 SPC+0 STAY MB50\n")), "r1,2,3");
+}
+
+TEST(HeidenhainPlanes, SayThatXYAndZFollowAMoveOfTheMachine) {
+  const auto reported = [](const char* axes) {
+    ReadOptions options{.dialect = Dialect::heidenhain};
+    options.rotary_axes = axes;
+    const Program program = read_heidenhain("PLANE SPATIAL SPA+30 SPB+0 SPC+0 MOVE DIST50 F2000\n", options);
+    return std::ranges::count(program.diagnostics, "swivel-retract", &Diagnostic::code);
+  };
+  EXPECT_EQ(reported("AC"), 1);
+  EXPECT_EQ(reported(""), 0);
 }
 
 TEST(HeidenhainPlanes, ArcsAndHolesLieInTheTiltedPlane) {
