@@ -32,6 +32,7 @@ std::shared_ptr<const ui::IdentificationOutcome> outcome_of(const Identification
     outcome->recordings.push_back(used(recording));
   }
   outcome->models = made.models;
+  outcome->unfitted = made.unfitted;
   return outcome;
 }
 

@@ -6,6 +6,7 @@
 
 #include "app/watch.h"
 #include "core/identification/recordings.h"
+#include "core/identification/unfitted_model.h"
 
 namespace feedscope {
 
@@ -20,6 +21,7 @@ struct ReportedRecording {
 /// What a report of an identification is made of.
 struct IdentificationReport {
   std::vector<Identification> models;  ///< the one that explains best first
+  std::vector<UnfittedModel> unfitted;
   std::vector<ReportedRecording> recordings;
   std::string machine_file;  ///< that was written; "" for none
   std::string command;       ///< that makes it again

@@ -90,29 +90,49 @@ std::string sections_text(const Identification& found) {
   return text;
 }
 
+/// That a model does not explain the traces; the drives, which are found without it, are told all the same.
+std::string unexplained_text(const Identification& found) {
+  if (found.explains) {
+    return "";
+  }
+  const auto is_drive = [](const IdentifiedParameter& one) { return is_drive_parameter(one.parameter); };
+  const std::string id = found.setup.model->info().id;
+  const bool drives_alone = !found.parameters.empty() && std::ranges::all_of(found.parameters, is_drive);
+  if (drives_alone) {
+    return fmt::format(
+        "model {} as it is does not explain the times of the traces; drives are found without it\n", id);
+  }
+  const bool has_drive = std::ranges::any_of(found.parameters, is_drive);
+  return fmt::format("model {} does not explain the traces: no value of it is told; try another --model{}\n",
+                     id, has_drive ? " (drives are found without it)" : "");
+}
+
 }  // namespace
 
 std::string identification_text(const std::vector<Identification>& models,
-                                const std::vector<std::string>& traces) {
+                                const std::vector<std::string>& traces,
+                                const std::vector<UnfittedModel>& unfitted) {
   std::string text;
-  if (models.size() > 1) {
+  if (models.size() + unfitted.size() > 1) {
     TextTable table;
     table.add({"model", "residual (noise = 1)", "feed error", "explains the traces"});
     for (const Identification& found : models) {
       table.add({found.setup.model->info().id, fmt::format("{:.2f}", found.residual),
                  fmt::format("{:.2f} %", 100 * found.feed_error), found.explains ? "yes" : "no"});
     }
-    text += table.text("lrrl") + "\n";
+    for (const UnfittedModel& one : unfitted) {
+      table.add({one.id, "-", "-", "not fitted"});
+    }
+    text += table.text("lrrl");
+    for (const UnfittedModel& one : unfitted) {
+      text += fmt::format("{}: {}\n", one.id, one.reason);
+    }
+    text += "\n";
   }
   const Identification& best = models.front();
   text += fmt::format("model {}, {} simulations\n", best.setup.model->info().id, best.simulations);
   text += parameters_text(best) + traces_text(best, traces) + drives_text(best) + sections_text(best);
-  text +=
-      best.explains
-          ? ""
-          : fmt::format("model {} does not explain the traces: no value of it is told; try another --model\n",
-                        best.setup.model->info().id);
-  return text;
+  return text + unexplained_text(best);
 }
 
 }  // namespace feedscope

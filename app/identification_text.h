@@ -4,11 +4,13 @@
 #include <vector>
 
 #include "core/identification/identify.h"
+#include "core/identification/unfitted_model.h"
 
 namespace feedscope {
 
-/// What identification found, for people; the best model first.
+/// What identification found, for people; the best model first. `unfitted`: models that failed.
 std::string identification_text(const std::vector<Identification>& models,
-                                const std::vector<std::string>& traces);
+                                const std::vector<std::string>& traces,
+                                const std::vector<UnfittedModel>& unfitted = {});
 
 }  // namespace feedscope

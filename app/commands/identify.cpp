@@ -118,31 +118,47 @@ class Work {
     }
   }
 
-  Identification fit(const std::string& model) {
-    SetupRequest request;
-    request.machine = options_.machine.empty() ? usual_machine_of(model) : options_.machine;
-    request.model = model;
-    request.assignments = options_.set;
-    request.dialect = programs_.front().program->dialect;
-    const Setup start = make_setup(request);
+  /// What each model that was asked for begins with. Throws InputError for one that is not known.
+  std::vector<Setup> starts() const {
+    std::vector<Setup> starts;
+    for (const std::string& model :
+         options_.models.empty() ? std::vector<std::string>{""} : options_.models) {
+      starts.push_back(start_of(model));
+    }
+    return starts;
+  }
+
+  Identification fit(const Setup& start) {
     IdentifyOptions how;
     how.date = date_of_today();
-    return recordings_.fit(start,
-                           options_.fit.empty() ? recordings_.usual_parameters(start)
-                                                : fit_parameters_of(start, keys_of(options_.fit)),
-                           how, [this](const char* title) { return watch_.stage(title); });
+    Identification found =
+        recordings_.fit(start,
+                        options_.fit.empty() ? recordings_.usual_parameters(start)
+                                             : fit_parameters_of(start, keys_of(options_.fit)),
+                        how, [this](const char* title) { return watch_.stage(title); });
+    remarks_ = recordings_.remarks();
+    return found;
   }
 
   /// What is wrong with each trace that was read.
   const std::vector<std::pair<std::string, std::vector<Diagnostic>>>& notes() const { return notes_; }
   const std::vector<LoadedProgram>& programs() const { return programs_; }
   /// What is wrong with each trace on its program; known after fit().
-  const std::vector<std::vector<Diagnostic>>& remarks() const { return recordings_.remarks(); }
+  const std::vector<std::vector<Diagnostic>>& remarks() const { return remarks_; }
   /// By recording; null and empty where it is of the other kind.
   const std::vector<std::shared_ptr<const Trace>>& traces() const { return traces_; }
   const std::vector<std::vector<SectionTime>>& tables() const { return tables_; }
 
  private:
+  Setup start_of(const std::string& model) const {
+    SetupRequest request;
+    request.machine = options_.machine.empty() ? usual_machine_of(model) : options_.machine;
+    request.model = model;
+    request.assignments = options_.set;
+    request.dialect = programs_.front().program->dialect;
+    return make_setup(request);
+  }
+
   const IdentifyCommandOptions& options_;
   Watch& watch_;
   std::vector<std::pair<std::string, std::vector<Diagnostic>>> notes_;
@@ -150,7 +166,31 @@ class Work {
   std::vector<std::shared_ptr<const Trace>> traces_;
   std::vector<std::vector<SectionTime>> tables_;
   Recordings recordings_;
+  std::vector<std::vector<Diagnostic>> remarks_;
 };
+
+/// What each model found, the one that explains best first, and the models that failed.
+struct Compared {
+  std::vector<Identification> models;
+  std::vector<UnfittedModel> unfitted;
+};
+
+/// Throws InputError if no model can be fitted.
+Compared compare(Work& work) {
+  Compared compared;
+  for (const Setup& start : work.starts()) {
+    try {
+      compared.models.push_back(work.fit(start));
+    } catch (const InputError& error) {
+      compared.unfitted.push_back({start.model->info().title, error.what(), start.model->info().id});
+    }
+  }
+  if (compared.models.empty()) {
+    throw InputError(compared.unfitted.front().reason);
+  }
+  sort_by_explanation(compared.models);
+  return compared;
+}
 
 #ifdef FEEDSCOPE_WITH_UI
 
@@ -178,10 +218,10 @@ std::string command_of(const IdentifyCommandOptions& options) {
   return command;
 }
 
-std::string report_of(const IdentifyCommandOptions& options, const Work& work,
-                      const std::vector<Identification>& found, Watch& watch) {
-  IdentificationReport report{
-      found, {}, options.out == "-" ? "" : options.out, command_of(options), options.language};
+std::string report_of(const IdentifyCommandOptions& options, const Work& work, const Compared& found,
+                      Watch& watch) {
+  IdentificationReport report{found.models,        found.unfitted,  {}, options.out == "-" ? "" : options.out,
+                              command_of(options), options.language};
   for (std::size_t i = 0; i < options.traces.size(); ++i) {
     report.recordings.push_back(
         {options.traces[i], work.traces()[i], work.tables()[i], i == 0 || options.programs.size() == 1});
@@ -272,7 +312,7 @@ int identify_machine(const IdentifyCommandOptions& options) {
 #ifdef FEEDSCOPE_WITH_UI
   std::ostream* report = options.report.empty() ? nullptr : &files.add(options.report);
 #endif
-  std::vector<Identification> found;
+  Compared found;
   bool wrong_programs = false;
   {
     Watch watch;
@@ -284,13 +324,10 @@ int identify_machine(const IdentifyCommandOptions& options) {
       print_diagnostics(*program.program);
       wrong_programs = wrong_programs || has_errors(program.program->diagnostics);
     }
-    for (const std::string& model : options.models.empty() ? std::vector<std::string>{""} : options.models) {
-      found.push_back(work.fit(model));
-    }
+    found = compare(work);
     for (std::size_t i = 0; i < options.traces.size(); ++i) {
       print_diagnostics(work.remarks()[i], options.traces[i]);
     }
-    sort_by_explanation(found);
 #ifdef FEEDSCOPE_WITH_UI
     if (report != nullptr) {
       *report << report_of(options, work, found, watch);
@@ -298,19 +335,19 @@ int identify_machine(const IdentifyCommandOptions& options) {
 #endif
   }
   if (out != nullptr) {
-    *out << write_machine(identified_machine(found.front(), options.out));
+    *out << write_machine(identified_machine(found.models.front(), options.out));
   }
   if (json != nullptr) {
-    *json << identification_json(found, options.traces);
+    *json << identification_json(found.models, options.traces, found.unfitted);
   }
   files.commit();
   if (options.out != "-" && options.json != "-" && options.report != "-") {
-    fmt::print("{}", identification_text(found, options.traces));
+    fmt::print("{}", identification_text(found.models, options.traces, found.unfitted));
     if (!options.out.empty()) {
       fmt::print("{}: machine file; see: feedscope machines {}\n", options.out, options.out);
     }
   }
-  return wrong_programs || !found.front().explains ? exit_code::program_errors : exit_code::done;
+  return wrong_programs || !found.models.front().explains ? exit_code::program_errors : exit_code::done;
 }
 
 }  // namespace

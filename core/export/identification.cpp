@@ -63,7 +63,8 @@ Json model_json(const Identification& found, const std::vector<std::string>& tra
 }  // namespace
 
 std::string identification_json(std::span<const Identification> models,
-                                const std::vector<std::string>& traces) {
+                                const std::vector<std::string>& traces,
+                                std::span<const UnfittedModel> unfitted) {
   Json json = with_format("identification");
   if (!models.empty()) {
     json["parameters"] = parameters_json(models.front());
@@ -75,6 +76,10 @@ std::string identification_json(std::span<const Identification> models,
     list.push_back(model_json(found, traces));
   }
   json["models"] = std::move(list);
+  json["unfitted"] = Json::array();
+  for (const UnfittedModel& one : unfitted) {
+    json["unfitted"].push_back({{"id", one.id}, {"reason", one.reason}});
+  }
   return text_of(json);
 }
 

@@ -122,7 +122,9 @@ Identification Recordings::fit(const Setup& start, const std::vector<FitParamete
   for (std::size_t i = 0; i < items_.size(); ++i) {
     const Item& item = items_[i];
     if (item.trace == nullptr) {
-      cases.push_back(std::make_shared<const SectionCase>(item.times, item.name, item.program));
+      const auto table = std::make_shared<const SectionCase>(item.times, item.name, item.program);
+      table->check_times(start);
+      cases.push_back(table);
       continue;
     }
     const auto found = std::make_shared<const TraceCase>(item.trace, item.program, start, begin("matching"));

@@ -29,7 +29,8 @@ class Recordings {
 
   /// The `parameters` of `start` with which its model explains all of them best; those of drives by
   /// fit_drive(). Throws InputError for a recording that is not of its program or holds too little of it, for
-  /// a drive without set and actual positions, and what identify() throws.
+  /// section times that no machine takes (SectionCase::check_times()), for a drive without set and actual
+  /// positions, and what identify() throws.
   Identification fit(const Setup& start, const std::vector<FitParameter>& parameters,
                      const IdentifyOptions& options = {}, const Stage& stage = {});
   /// What is wrong with each of them on its program: known after fit(), of tables nothing.

@@ -1,15 +1,37 @@
 #include "core/identification/section_case.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "core/analysis/line_times.h"
+#include "core/base/error.h"
+#include "core/base/translatable.h"
 
 namespace feedscope {
 namespace {
 
 constexpr double clock_share = 5e-4;  // of a time: clocks of controls and the override
 constexpr std::size_t rounds = 12;    // neighbours go to different ones
+
+constexpr double most_apart = 20;  // times as long as simulated, or as short, no machine is
+
+/// What times are that are `ratio` times those of a simulation, and what to do.
+const char* remedy_of(double ratio) {
+  constexpr double milliseconds = 1000;
+  constexpr double minutes = 60;
+  constexpr double roughly = 4;
+  const auto is_about = [&](double factor) { return ratio > factor / roughly && ratio < factor * roughly; };
+  return is_about(milliseconds)
+             ? QT_TRANSLATE_NOOP("core", "they seem to be in ms: give their column the title ms")
+         : is_about(1 / milliseconds)
+             ? QT_TRANSLATE_NOOP("core", "they seem to be in s: give their column the title seconds")
+         : is_about(1 / minutes)
+             ? QT_TRANSLATE_NOOP("core", "they seem to be in minutes: write them in seconds")
+             : QT_TRANSLATE_NOOP(
+                   "core", "give the program that ran, and its times in seconds, or in ms under this title");
+}
 
 }  // namespace
 
@@ -18,6 +40,27 @@ SectionCase::SectionCase(std::vector<SectionTime> times, std::string name, const
   const ProgramSections sections(*program_.program->source);
   for (const SectionTime& time : times_) {
     lines_.push_back(sections.lines_of(time, name_));
+  }
+}
+
+void SectionCase::check_times(const Setup& start) const {
+  const std::vector<double> as_simulated =
+      simulated(start.model->simulate(program_.toolpath, start.machine, start.settings));
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < times_.size(); ++i) {
+    if (as_simulated[i] > 0) {
+      ratios.push_back(times_[i].seconds / as_simulated[i]);
+    }
+  }
+  if (ratios.empty()) {
+    return;
+  }
+  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+  std::ranges::nth_element(ratios, middle);
+  if (*middle > most_apart || *middle < 1 / most_apart) {
+    throw InputError(
+        fmt::format("{}: the sections take {:.4g} times what machine '{}' takes in the simulation; {}", name_,
+                    *middle, start.machine.id, remedy_of(*middle)));
   }
 }
 

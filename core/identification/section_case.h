@@ -15,6 +15,10 @@ class SectionCase : public FitCase {
   /// `name`: of the table. Throws InputError for sections that the program does not have.
   SectionCase(std::vector<SectionTime> times, std::string name, const LoadedProgram& program);
 
+  /// Throws InputError if the times are far from what the program takes by `start`, saying what they seem to
+  /// be: a search would take them for a machine that is a thousand times as slow.
+  void check_times(const Setup& start) const;
+
   const std::string& name() const override { return name_; }
   const LoadedProgram& program() const override { return program_; }
   std::size_t size() const override { return times_.size(); }

@@ -80,6 +80,43 @@ TEST_F(IdentifyCommand, ComparesModelsByHowWellTheyExplain) {
   EXPECT_EQ(report["models"].size(), 2U);
 }
 
+/// Klipper refuses arcs by their radius, so that what it runs is another path than the trace's.
+TEST_F(IdentifyCommand, ComparesTheOtherModelsWhereOneCannotBeFitted) {
+  write("arcs.ngc", "G21 G90 G17\nG1 X10 F6000\nG2 X110 R60\nG2 X210 R60\nG1 X300 Y40\nM30\n");
+  run("simulate arcs.ngc --machine linuxcnc-mill --set X.acceleration=1.3 --csv arcs.csv --step 0.001");
+  const std::string identify =
+      "identify arcs.csv --program arcs.ngc --fit X.acceleration --dialect linuxcnc ";
+  const Result result = run(identify + "--model klipper --model linuxcnc --json arcs.json");
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("not fitted"));
+  EXPECT_THAT(result.out, HasSubstr("klipper: arcs.csv: the trace does not belong to its program"));
+  const json report = json::parse(contents(folder_ / "arcs.json"));
+  ASSERT_EQ(report["models"].size(), 1U);
+  EXPECT_EQ(report["models"][0]["id"], "linuxcnc");
+  ASSERT_EQ(report["unfitted"].size(), 1U);
+  EXPECT_EQ(report["unfitted"][0]["id"], "klipper");
+  EXPECT_THAT(report["unfitted"][0]["reason"].get<std::string>(), HasSubstr("does not belong"));
+  expect_wrong_use(identify + "--model klipper", "does not belong to its program");
+  expect_wrong_use(identify + "--model linuxcnc --model klippr", "klippr");
+#ifdef FEEDSCOPE_WITH_UI
+  EXPECT_EQ(run(identify + "--model klipper --model linuxcnc --report arcs.html").code, 0);
+  EXPECT_THAT(contents(folder_ / "arcs.html"), HasSubstr("not fitted"));
+#endif
+}
+
+/// The drives follow whatever set positions there were.
+TEST_F(IdentifyCommand, TellsDrivesWhereTheModelDoesNotExplainTheTimes) {
+  run("simulate moves.nc --machine linuxcnc-mill --set X.kv=40 --set X.acceleration=0.2 --csv drives.csv "
+      "--step 0.001");
+  const std::string identify = "identify drives.csv --program moves.nc --model linuxcnc --fit ";
+  const Result alone = run(identify + "X.kv");
+  EXPECT_THAT(alone.out, HasSubstr("model linuxcnc as it is does not explain the times"));
+  EXPECT_EQ(alone.out.find("no value of it is told"), std::string::npos);
+  const Result with_others = run(identify + "X.kv,Z.acceleration");
+  EXPECT_THAT(with_others.out, HasSubstr("no value of it is told"));
+  EXPECT_THAT(with_others.out, HasSubstr("drives are found without it"));
+}
+
 #ifdef FEEDSCOPE_WITH_UI
 TEST_F(IdentifyCommand, WritesAReportOnTheMachineThatWasFound) {
   const std::string identify =
@@ -143,6 +180,12 @@ TEST_F(IdentifyCommand, TakesTimesOfSectionsInsteadOfATrace) {
   EXPECT_NEAR(report["parameters"]["Y.acceleration"]["value"].get<double>(), 0.6, 0.012);
   EXPECT_EQ(report["models"][0]["traces"][0]["sections"].size(), rows.size());
   EXPECT_THAT(contents(folder_ / "mine.toml"), HasSubstr("identified from times.csv"));
+  std::string wrong = "lines,seconds\n";
+  for (const auto& [line, count] : rows) {
+    wrong += fmt::format("{}-{},{}\n", line, line, count);
+  }
+  write("wrong.csv", wrong);
+  expect_wrong_use("identify wrong.csv --program moves.nc --model linuxcnc", "they seem to be in ms");
   write("few.csv", "section,seconds\n1,2\n");
   expect_wrong_use("identify few.csv --program moves.nc --model linuxcnc", "at least 4 can tell something");
   write("other.csv", "section,seconds\n1,2\n2,2\n3,2\n4,2\n");

@@ -66,7 +66,8 @@ void IdentificationJob::start(IdentificationRequest request) {
           try {
             outcome->models.push_back(fit(recordings, matched, one, outcome->date, control.progress, share));
           } catch (const InputError& error) {
-            outcome->unfitted.push_back({one.setup.model->info().title, error.what()});
+            outcome->unfitted.push_back(
+                {one.setup.model->info().title, error.what(), one.setup.model->info().id});
           }
         }
         if (outcome->models.empty()) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/identification/recordings.h"
+#include "core/identification/unfitted_model.h"
 
 namespace feedscope::ui {
 
@@ -47,14 +48,6 @@ struct UsedRecording {
   double sum = 0;        ///< of all coordinates [mm] or times [s]
 
   bool operator==(const UsedRecording&) const = default;
-};
-
-/// A model that could not be fitted.
-struct UnfittedModel {
-  std::string title;  ///< of the model
-  std::string reason;
-
-  bool operator==(const UnfittedModel&) const = default;
 };
 
 /// What was identified. One that a session kept has no Identification::runs, of the agreements only times,

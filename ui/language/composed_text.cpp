@@ -99,6 +99,12 @@ constexpr std::array sentences{
     QT_TRANSLATE_NOOP("core",
                       "nothing was recorded for %1 s in %2 stretches, the longest from %3 s on at %4"),
     QT_TRANSLATE_NOOP("core", "nothing was recorded for %1 s from %2 s on at %3"),
+    QT_TRANSLATE_NOOP("core",
+                      "the trace stands still for %1 s from %2 s on at line %3, where the program does not"),
+    QT_TRANSLATE_NOOP("core",
+                      "a feed hold, or a stop that the simulation does not know; half a second before it and "
+                      "behind it is not "
+                      "compared, and its time not counted"),
     QT_TRANSLATE_NOOP("core", "the time of the whole is right; feeds, ramps and corners there are not known"),
     QT_TRANSLATE_NOOP("core", "the trace covers %1 % of the path of the program, %2; only that is compared"),
     QT_TRANSLATE_NOOP("core",
@@ -131,6 +137,7 @@ constexpr std::array sentences{
         "%1:%2: '%3' is not a section and its time; a row is like 12,1.234, with a time above 0 and "
         "below %4 s"),
     QT_TRANSLATE_NOOP("core", "%1: %2 section times; at least %3 can tell something"),
+    QT_TRANSLATE_NOOP("core", "%1: the sections take %2 times what machine '%3' takes in the simulation; %4"),
     QT_TRANSLATE_NOOP(
         "core",
         "%1:%2: %3 has no section '%4'; a section is marked by the comments SECTION 12 BEGINS and "

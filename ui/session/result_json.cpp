@@ -308,7 +308,7 @@ IdentificationResult read_result(const QJsonObject& json, const MachineLibrary& 
   }
   for (const QJsonValue& one : json["unfitted"].toArray()) {
     outcome->unfitted.push_back(
-        {one["title"].toString().toStdString(), one["reason"].toString().toStdString()});
+        {one["title"].toString().toStdString(), one["reason"].toString().toStdString(), ""});
   }
   const std::size_t chosen = std::min(count_of(json["chosen"]), outcome->models.size() - 1);
   return {std::move(outcome), chosen, json["stale"].toBool()};
