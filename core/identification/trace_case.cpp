@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/identification/held_stretches.h"
 
 namespace feedscope {
 namespace {
@@ -41,6 +42,7 @@ TraceCase::TraceCase(std::shared_ptr<const Trace> trace, const LoadedProgram& pr
         trace_->name, 100 * found_.fit.trace_share, found_.tolerance, 100 * found_.fit.path_share));
   }
   step_ = std::clamp(trace_->period / 4, finest_step, coarsest_step);
+  leave_out_holds(law_of(run));
   const double duration = found_.law.times().back() - found_.law.times().front();
   borders_ = cell_borders(found_.law, std::max(samples_a_stretch * trace_->period, duration / most_stretches),
                           std::max(least_length, 20 * found_.noise));
@@ -81,6 +83,29 @@ TraceCase::TraceCase(std::shared_ptr<const Trace> trace, const LoadedProgram& pr
   }
 }
 
+TimeLaw TraceCase::law_of(const Trajectory& run) const {
+  const MotionRecord record = record_of(run, step_);
+  return {record.time, match_record(*course_, record, {found_.tolerance, found_.noise})};
+}
+
+void TraceCase::leave_out_holds(const TimeLaw& run) {
+  for (const HeldStretch& one : held_stretches(found_.law, run, found_.noise)) {
+    held_ += one.held;
+    found_.lost.push_back({one.from, one.to, one.from_s, one.to_s, true});
+    found_.remarks.push_back(
+        {.severity = Severity::warning,
+         .line = 0,
+         .column = 0,
+         .code = "trace-held",
+         .message = fmt::format(
+             "the trace stands still for {:.3g} s from {:.4g} s on at line {}, where the program does not",
+             one.held, one.from, course_->line_at((one.from_s + one.to_s) / 2)),
+         .hint = "a feed hold, or a stop that the simulation does not know; half a second before it and "
+                 "behind it is not compared, and its time not counted"});
+  }
+  std::ranges::stable_sort(found_.lost, {}, &LostStretch::from);
+}
+
 void TraceCase::add_span(std::size_t first, std::size_t last) {
   spans_.push_back({first, last});
   scale_.push_back(std::hypot(time_noise_[first], time_noise_[last]));
@@ -89,8 +114,7 @@ void TraceCase::add_span(std::size_t first, std::size_t last) {
 
 std::vector<double> TraceCase::residuals(const Setup& setup) const {
   const Trajectory run = setup.model->simulate(program_.toolpath, setup.machine, setup.settings);
-  const MotionRecord record = record_of(run, step_);
-  const TimeLaw law(record.time, match_record(*course_, record, {found_.tolerance, found_.noise}));
+  const TimeLaw law = law_of(run);
   std::vector<double> off(size(), hopeless);
   if (law.empty() || law.last_s() < borders_.back() || law.first_s() > borders_.front()) {
     return off;
@@ -126,6 +150,7 @@ AxisVector<AxisReach> TraceCase::reach() const {
 FitResult TraceCase::result(const Run& run) const {
   FitResult result;
   result.agreement = agreement_of(found_, *course_, run);
+  result.agreement.measured_time -= held_;
   const double length = found_.law.last_s() - found_.law.first_s();
   const double mean_feed = length / std::max(result.agreement.measured_time, 1e-9);
   result.feed_error = result.agreement.feed_rms / mean_feed;

@@ -11,7 +11,9 @@ namespace feedscope {
 ///
 /// What is compared are the times over stretches of the programmed path, each ending where a sample of the
 /// trace lies: short ones, eight, and 64 together, and the whole; and the distance from the path in each,
-/// where it is clearly above the noise. Residuals are in units of what noise and sampling make of them.
+/// where it is clearly above the noise. Where the trace stands still and a run of `start` does not, as in a
+/// feed hold, nothing is compared, and the time is taken off; found().remarks say so. Residuals are in units
+/// of what noise and sampling make of them.
 class TraceCase : public FitCase {
  public:
   /// `start`: a setup of the model. Throws InputError if the trace is nowhere on the path.
@@ -37,11 +39,14 @@ class TraceCase : public FitCase {
     std::size_t last = 0;
   };
   void add_span(std::size_t first, std::size_t last);
+  TimeLaw law_of(const Trajectory& run) const;
+  void leave_out_holds(const TimeLaw& run);
 
   std::shared_ptr<const Trace> trace_;
   LoadedProgram program_;
   std::shared_ptr<const ProgrammedCourse> course_;
   TraceOnProgram found_;
+  double held_ = 0;              ///< what the trace stands longer than the program has it stand [s]
   double step_ = 1e-3;           ///< of sampling a run [s]
   std::vector<double> borders_;  ///< programmed path length [mm]
   std::vector<double> times_;    ///< measured there [s]

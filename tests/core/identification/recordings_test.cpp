@@ -187,6 +187,65 @@ TEST(Recordings, SayWhatIsWrongWithATraceOnItsProgram) {
   EXPECT_THAT(recordings.remarks()[0][0].message, HasSubstr("axis X of the trace is mirrored"));
 }
 
+/// As a feed hold of three seconds in the middle of a move leaves it.
+TEST(Recordings, AreComparedWithoutAStretchInWhichTheMachineWasHeld) {
+  const LoadedProgram program = moves();
+  Trace held = *trace_of(simulate_run(program, mill(truth)));
+  constexpr double hold = 3;
+  const auto at = static_cast<std::size_t>(0.2 / held.period);  // in the move of line 2
+  for (std::size_t i = at; i < held.size(); ++i) {
+    held.time[i] += hold;
+  }
+  for (std::size_t n = 1; n < static_cast<std::size_t>(hold / held.period); ++n) {
+    const auto place = static_cast<std::ptrdiff_t>(at);
+    held.time.insert(held.time.begin() + place,
+                     held.time[at - 1] + hold - static_cast<double>(n) * held.period);
+    for (auto& axis : held.place) {
+      axis.insert(axis.begin() + place, axis[at - 1]);
+    }
+  }
+  Recordings recordings;
+  recordings.add(std::make_shared<const Trace>(held), program);
+  const auto start = mill({});
+  const Identification found =
+      recordings.fit(start, fit_parameters_of(start, {"X.acceleration", "Y.acceleration"}));
+  EXPECT_TRUE(found.explains);
+  EXPECT_NEAR(found.parameters[0].value, 1.3, 0.026);
+  EXPECT_NEAR(found.parameters[1].value, 0.6, 0.012);
+  EXPECT_NEAR(found.agreements[0].time_error(), 0, 0.01);
+  ASSERT_EQ(recordings.remarks()[0].size(), 1U);
+  EXPECT_EQ(recordings.remarks()[0][0].code, "trace-held");
+  EXPECT_THAT(recordings.remarks()[0][0].message, HasSubstr("stands still for 3 s from 0.2 s on at line 2"));
+}
+
+/// A search for the machine that takes so long would go on for minutes, and find nothing.
+TEST(Recordings, WithTimesThatNoMachineTakesAreRefusedWithWhatTheySeemToBe) {
+  const LoadedProgram program = moves();
+  const auto run = simulate_run(program, mill(truth));
+  const LineTimes times(*run.trajectory);
+  const auto refusal = [&](double factor) {
+    std::vector<SectionTime> sections;
+    for (std::uint32_t line = 2; line <= 10; line += 2) {
+      sections.push_back({fmt::format("{}-{}", line, line), factor * times.of(line, line).time, 1e-4, line});
+    }
+    Recordings recordings;
+    recordings.add(sections, "times.csv", program);
+    const auto start = mill({});
+    try {
+      recordings.fit(start, fit_parameters_of(start, {"X.acceleration"}));
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("fitted");
+  };
+  EXPECT_THAT(refusal(1000), HasSubstr("times.csv: the sections take "));
+  EXPECT_THAT(refusal(1000), HasSubstr("they seem to be in ms: give their column the title ms"));
+  EXPECT_THAT(refusal(1e-3), HasSubstr("they seem to be in s: give their column the title seconds"));
+  EXPECT_THAT(refusal(1.0 / 60), HasSubstr("they seem to be in minutes"));
+  EXPECT_THAT(refusal(30), HasSubstr("give the program that ran"));
+  EXPECT_EQ(refusal(3), "fitted");
+}
+
 TEST(Recordings, OfAnotherProgramAreRefused) {
   const auto run = simulate_run(moves(), mill({}));
   Recordings recordings;

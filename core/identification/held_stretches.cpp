@@ -1,0 +1,42 @@
+#include "core/identification/held_stretches.h"
+
+#include <algorithm>
+
+namespace feedscope {
+namespace {
+
+constexpr double shortest_hold = 0.5;  // [s]
+constexpr double around_hold =
+    0.5;                            // [s] in which a control slows down before and comes up to its feed again
+constexpr double still_way = 0.01;  // [mm] that still is no motion
+
+}  // namespace
+
+std::vector<HeldStretch> held_stretches(const TimeLaw& trace, const TimeLaw& run, double noise) {
+  std::vector<HeldStretch> held;
+  if (trace.empty() || run.empty()) {
+    return held;
+  }
+  const std::vector<double>& s = trace.places();
+  const std::vector<double>& t = trace.times();
+  const double still = std::max(still_way, 6 * noise);
+  std::size_t j = 0;
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    j = std::max(j, i);
+    while (j + 1 < s.size() && s[j + 1] - s[i] < still) {
+      ++j;
+    }
+    if (s[i] < trace.first_s() + still || s[j] > trace.last_s() - still || t[j] - t[i] < shortest_hold) {
+      continue;
+    }
+    const double longer = t[j] - t[i] - (run.at(s[j] + still) - run.at(s[i] - still));
+    if (longer > shortest_hold) {
+      held.push_back(
+          {t[i], t[j], longer, trace.place_at(t[i] - around_hold).s, trace.place_at(t[j] + around_hold).s});
+      i = j;
+    }
+  }
+  return held;
+}
+
+}  // namespace feedscope

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "core/analysis/agreement/time_law.h"
+
+namespace feedscope {
+
+/// A place where a trace stands still longer than a run: a feed hold, an operator, a door.
+struct HeldStretch {
+  double from = 0;    ///< of the trace [s]
+  double to = 0;      ///< when it goes on [s]
+  double held = 0;    ///< longer than the run is there [s]
+  double from_s = 0;  ///< programmed path length, with half a second of motion on both sides [mm]
+  double to_s = 0;
+};
+
+/// Those of a trace, of half a second and more, in its order. `noise`: of its places [mm]. Dwells that the
+/// run has too are none, nor is the time before the first and after the last motion.
+std::vector<HeldStretch> held_stretches(const TimeLaw& trace, const TimeLaw& run, double noise);
+
+}  // namespace feedscope
