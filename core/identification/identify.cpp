@@ -56,7 +56,7 @@ Setup begun_with_reach(const FitCases& cases, Setup setup, const std::vector<Fit
       continue;
     }
     const AxisReach& reach = most[*axis];
-    constexpr double beyond = 1.5;  // a limit that is not reached must not be begun with
+    constexpr double beyond = 1.05;  // samples fall a little short of a limit
     const double value = parameter.key.ends_with(".velocity")       ? beyond * units::to_m_min(reach.velocity)
                          : parameter.key.ends_with(".acceleration") ? units::to_m(reach.acceleration)
                                                                     : units::to_m(reach.jerk);
@@ -138,6 +138,67 @@ void release_ramps(ParameterSearch& search, const std::vector<bool>& free, std::
     without[p] = std::min(without[p], cost_after);
     if (cost_after > better * cost_before) {
       search.move_to(before);
+    }
+  }
+}
+
+std::vector<bool> all_but(std::vector<bool> some) {
+  some.flip();
+  return some;
+}
+
+/// Adds `others`, and none of `without`.
+void add(std::vector<bool>& some, const std::vector<bool>& others, const std::vector<bool>& without) {
+  for (std::size_t i = 0; i < some.size(); ++i) {
+    some[i] = (some[i] || others[i]) && !without[i];
+  }
+}
+
+/// Evaluations of a joint search: as many as short programs allow, fewer of long ones.
+std::size_t searched_together(const FitCases& cases, const Setup& start, std::size_t most) {
+  constexpr double few = 300;
+  constexpr double of_all = 8000;  // [s] of programs
+  double seconds = 0;
+  for (const auto& one : cases) {
+    seconds += start.model->simulate(one->program().toolpath, start.machine, start.settings).duration();
+  }
+  const auto limit = static_cast<double>(most);
+  return static_cast<std::size_t>(std::clamp(of_all / std::max(seconds, 1e-3), std::min(few, limit), limit));
+}
+
+/// Searches all numbers together from where the search stands and from what the traces reach: several numbers
+/// at once away from their start make hollows that no search of one after the other leaves. Unless both lead
+/// to noise alone, then near the better one, as long as that helps.
+void search_jointly(ParameterSearch& search, const std::vector<bool>& free, const Eigen::VectorXd& reached,
+                    std::size_t most) {
+  constexpr double spread = 0.4;  // of the logarithms
+  constexpr double narrow = 0.2;
+  constexpr double better = 0.98;
+  constexpr int most_rounds = 3;
+  if (std::ranges::count(free, true) < 2) {
+    return;  // nothing stands for another one
+  }
+  const auto cost_here = [&] { return ParameterSearch::cost(search.evaluate(search.logarithms())); };
+  search.search_widely(free, spread, most);
+  const Eigen::VectorXd first = search.logarithms();
+  const double first_cost = cost_here();
+  search.move_to(reached);
+  search.search_widely(free, spread, most);
+  const double second_cost = cost_here();
+  if (second_cost > first_cost) {
+    search.move_to(first);
+  }
+  if (leaves_noise_alone(search) &&
+      better * std::max(first_cost, second_cost) < std::min(first_cost, second_cost)) {
+    return;  // both ways lead there
+  }
+  for (int round = 0; round < most_rounds; ++round) {
+    const double least = cost_here();
+    search.scan(8, 1.19, free);
+    search.scan(1.19, 1.03, free);
+    search.search_widely(free, narrow, most);
+    if (cost_here() > better * least) {
+      return;
     }
   }
 }
@@ -279,21 +340,32 @@ Identification identify(const FitCases& cases, const Setup& start,
     begun.push_back(fit_value(start, parameter));
   }
   ParameterSearch search(cases, start, parameters, progress);
-  {
-    const Eigen::VectorXd as_it_is = search.logarithms();
-    const Eigen::VectorXd reached =
-        ParameterSearch(cases, begun_with_reach(cases, start, parameters), parameters, nullptr).logarithms();
-    const std::vector<Eigen::VectorXd> both = search.evaluate_all({as_it_is, reached});
-    search.move_to(ParameterSearch::cost(both[0]) <= ParameterSearch::cost(both[1]) ? as_it_is : reached);
-  }
+  const Eigen::VectorXd as_it_is = search.logarithms();
+  const Eigen::VectorXd reached =
+      ParameterSearch(cases, begun_with_reach(cases, start, parameters), parameters, nullptr).logarithms();
+  const std::vector<Eigen::VectorXd> both = search.evaluate_all({as_it_is, reached});
+  search.move_to(ParameterSearch::cost(both[0]) <= ParameterSearch::cost(both[1]) ? as_it_is : reached);
   const std::size_t count = parameters.size();
-  search.stage(alone_from, together_from, count * (7 + 9 + 9));
-  search.scan(8, 2);
-  search.scan(2, 1.19);
-  search.scan(1.2, 1.047);
-  const std::vector<bool> free = influences(search);
-  search.stage(together_from, refined_from, options.most_searched);
-  search.search_together(free, 1.5, options.most_searched);
+  search.stage(alone_from, together_from, count * (7 + 9 + 9 + 4 + 4));
+  const std::vector<bool> by_steps = acting_by_steps(search);
+  const std::vector<bool> smooth = all_but(by_steps);
+  search.scan(8, 2, smooth);
+  search.scan(2, 1.19, smooth);
+  search.scan(1.2, 1.047, smooth);
+  std::vector<bool> free = influences(search);
+  {
+    const Eigen::VectorXd scanned = search.logarithms();
+    search.move_to(reached);
+    add(free, influences(search), by_steps);
+    search.move_to(scanned);
+  }
+  const std::size_t together = searched_together(cases, search.setup(), options.most_searched);
+  search.stage(together_from, refined_from, 3 * together);
+  search_jointly(search, free, reached, together);
+  constexpr double near = 1.1;
+  constexpr std::size_t most_near = 100;
+  search.search_together(free, near, most_near);
+  free = influences(search);
   constexpr int most_steps = 10;
   search.stage(refined_from, 0.8, 2 * static_cast<std::size_t>(most_steps) * (2 * count + 5) + count * 18);
   for (const double reach : {1.05, 1.01}) {  // out of the kinks that limits make, into the bottom

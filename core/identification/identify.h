@@ -28,20 +28,22 @@ struct Identification {
 
 /// How long and how the search is done.
 struct IdentifyOptions {
-  std::string date;                 ///< for the sources of the numbers; "" omits it
-  std::size_t most_searched = 300;  ///< simulations of all programs by the joint search
+  std::string date;                  ///< for the sources of the numbers; "" omits it
+  std::size_t most_searched = 2000;  ///< simulations of all programs by each joint search; fewer of long ones
 };
 
 /// Finds the `parameters` of `start` with which its model explains the traces of `cases` best.
 ///
 /// In stages: velocities and accelerations are begun with what the traces reach; each parameter is then
-/// searched alone over a wide range, twice; those without influence are set aside; the others are fitted
-/// together by NLopt (BOBYQA on a robust sum of residuals), and refined by Gauss-Newton steps. The
-/// uncertainty is twice the standard deviation, the larger one of what the residuals at the optimum and what
-/// leaving out each twelfth of the traces in turn say. A parameter whose uncertainty exceeds a fifth of it,
-/// or that can be half or double without showing, is not told. If the model does not explain the traces, none
-/// is. Without `parameters` the start is laid beside the traces as it is. On several threads. Throws
-/// InputError, Cancelled.
+/// searched alone over a wide range, twice; those without influence are set aside; the others are searched
+/// together (CovarianceSearch, on a robust sum of residuals), from there and from what the traces reach;
+/// NLopt (BOBYQA) and Gauss-Newton steps refine what is found. The uncertainty is twice the standard
+/// deviation, the larger one of what the residuals at the optimum and what leaving out each twelfth of the
+/// traces in turn say, and at least as far as places of the search explain the traces as well; more where
+/// long stretches leave more than noise. A parameter whose uncertainty exceeds a fifth of it, or that can be
+/// half or double without showing, is not told. If the model does not explain the traces, none is. Without
+/// `parameters` the start is laid beside the traces as it is. On several threads. Throws InputError,
+/// Cancelled.
 Identification identify(const FitCases& cases, const Setup& start,
                         const std::vector<FitParameter>& parameters, const IdentifyOptions& options = {},
                         Progress* progress = nullptr);

@@ -19,6 +19,11 @@ constexpr double seen = 12;  // change of the sum of squares that is more than n
 // stretch and of those of eight and 64 together, and pulls all that depends on it.
 constexpr double certain = 50;
 constexpr double coarsest = 0.2;  // share of the value beyond which its uncertainty makes it no answer
+// Rise of the sum of squares, in units of what is left over, of what explains as well: neighbours are in
+// several residuals.
+constexpr double no_worse = 45;
+constexpr double least_cost = 0.25;  // units of noise and sampling are rather too large
+constexpr double most_excess = 5;    // beyond which a search may have ended in a wrong hollow
 constexpr double most_in_one_block = 0.85;
 constexpr double model_error = 1e-3;  // share below which no uncertainty is claimed
 constexpr double sureness = 2;        // standard deviations
@@ -32,6 +37,10 @@ constexpr const char* only_upper_bound =
     QT_TRANSLATE_NOOP("core", "These traces show the same with smaller values.");
 constexpr const char* one_place = QT_TRANSLATE_NOOP(
     "core", "One place of these traces alone speaks for it, where something else may limit.");
+constexpr const char* more_than_noise =
+    QT_TRANSLATE_NOOP("core",
+                      "The model leaves over more than noise and sampling of these traces make: another "
+                      "value may explain them.");
 constexpr const char* not_apart =
     QT_TRANSLATE_NOOP("core", "It cannot be told apart from the others by these traces.");
 
@@ -129,7 +138,63 @@ Eigen::Index stretches_of(const ParameterSearch& search) {
   return static_cast<Eigen::Index>(search.stretches());
 }
 
+/// What nine of ten residuals stay below, of short stretches and of the rest: single places where a stop lies
+/// on one side of a border here and on the other one there are not what is asked for.
+struct LeftOver {
+  double of_short = 0;
+  double of_others = 0;
+
+  /// How many times as much as noise would the long stretches leave: it adds nothing there, a wrong number
+  /// does.
+  double excess() const {
+    constexpr double as_much = 1.2;
+    constexpr double little = 0.5;
+    return of_others / std::max(little, as_much * of_short);
+  }
+};
+
+LeftOver left_over(const ParameterSearch& search, const Eigen::VectorXd& residuals) {
+  std::array<std::vector<double>, 2> sizes;
+  for (Eigen::Index i = 0; i < residuals.size(); ++i) {
+    sizes[search.is_short(static_cast<std::size_t>(i)) ? 0 : 1].push_back(std::abs(residuals[i]));
+  }
+  const auto most = [](std::vector<double>& some) {
+    if (some.empty()) {
+      return 0.0;
+    }
+    const auto at = some.begin() + static_cast<std::ptrdiff_t>(some.size() * 9 / 10);
+    std::ranges::nth_element(some, at);
+    return *at;
+  };
+  return {most(sizes[0]), most(sizes[1])};
+}
+
 }  // namespace
+
+bool leaves_noise_alone(ParameterSearch& search) {
+  constexpr double noise = 1.2;
+  const LeftOver left = left_over(search, search.evaluate(search.logarithms()));
+  return left.of_short < noise && left.excess() <= 1;
+}
+
+std::vector<bool> acting_by_steps(ParameterSearch& search) {
+  const std::array steps{1e-3, -1e-3, std::log(1.5), -std::log(1.5)};
+  const Eigen::VectorXd at = search.logarithms();
+  std::vector<Eigen::VectorXd> places{at};
+  for (Eigen::Index p = 0; p < at.size(); ++p) {
+    for (const double step : steps) {
+      places.push_back(at);
+      places.back()[p] += step;
+    }
+  }
+  const std::vector<Eigen::VectorXd> all = search.evaluate_all(places);
+  std::vector<bool> by_steps;
+  for (std::size_t p = 0; p < search.size(); ++p) {
+    const auto change = [&](std::size_t step) { return (all[1 + steps.size() * p + step] - all[0]).norm(); };
+    by_steps.push_back(std::min(change(0), change(1)) == 0 && std::min(change(2), change(3)) > 0);
+  }
+  return by_steps;
+}
 
 std::vector<bool> influences(ParameterSearch& search) {
   const Eigen::VectorXd at = search.logarithms();
@@ -156,6 +221,10 @@ std::vector<IdentifiedParameter> judge_parameters(ParameterSearch& search, const
   const double here = ParameterSearch::cost(residuals);
   const Eigen::MatrixXd derivatives = search.jacobian(at);
   const std::vector<double> deviation = deviations(search, derivatives, residuals);
+  const double excess = std::max(1.0, left_over(search, residuals).excess());
+  const bool is_systematic = excess > most_excess;
+  const Eigen::VectorXd as_well = search.reach_of_places(here + no_worse * std::max(here, least_cost) /
+                                                                    static_cast<double>(search.stretches()));
   std::vector<Eigen::VectorXd> places;
   for (Eigen::Index p = 0; p < at.size(); ++p) {
     for (const double step : {std::log(2.0), -std::log(2.0)}) {
@@ -172,13 +241,15 @@ std::vector<IdentifiedParameter> judge_parameters(ParameterSearch& search, const
     one.value = std::exp(at[static_cast<Eigen::Index>(p)]);
     const bool above = rise(all[2 * p], here, stretches_of(search)) > certain;
     const bool below = rise(all[2 * p + 1], here, stretches_of(search)) > certain;
-    const double share = std::hypot(sureness * deviation[p], model_error);
+    const double share =
+        excess *
+        std::hypot(std::max(sureness * deviation[p], as_well[static_cast<Eigen::Index>(p)]), model_error);
     const auto stretches = static_cast<double>(search.stretches());
     const bool needed = (without[p] - here) * stretches / std::max(here, 1.0) > certain;
     const bool alone =
         search.parameters()[p].unit == "m/min" &&
         share_of_one_block(search, derivatives.col(static_cast<Eigen::Index>(p))) > most_in_one_block;
-    one.told = above && below && needed && !alone && share <= coarsest;
+    one.told = above && below && needed && !alone && !is_systematic && share <= coarsest;
     if (one.told) {
       one.uncertainty = share * one.value;
     } else if (!above && !below) {
@@ -188,6 +259,8 @@ std::vector<IdentifiedParameter> judge_parameters(ParameterSearch& search, const
       one.at_least = bound_below(search, static_cast<Eigen::Index>(p), here, stretches_of(search));
     } else if (!below) {
       one.reason = only_upper_bound;
+    } else if (is_systematic) {
+      one.reason = more_than_noise;
     } else if (alone) {
       one.reason = one_place;
     } else {

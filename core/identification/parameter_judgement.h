@@ -16,4 +16,12 @@ std::vector<IdentifiedParameter> judge_parameters(ParameterSearch& search, const
 /// Which parameters change the residuals by more than noise where they are half as large again or as small.
 std::vector<bool> influences(ParameterSearch& search);
 
+/// Which parameters act by steps, as a tolerance does that a number of chords follows from: half as much
+/// again and as little show, but a little more or a little less changes nothing at all.
+std::vector<bool> acting_by_steps(ParameterSearch& search);
+
+/// Whether what is left over where a search stands is no more than noise makes, and not more over long
+/// stretches than over short ones, where noise adds nothing and a wrong number does.
+bool leaves_noise_alone(ParameterSearch& search);
+
 }  // namespace feedscope

@@ -12,6 +12,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/identification/covariance_search.h"
 
 namespace feedscope {
 namespace {
@@ -108,6 +109,9 @@ std::vector<Eigen::VectorXd> ParameterSearch::evaluate_all(const std::vector<Eig
     }
     all[i] = std::move(residuals);
   });
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    places_.push_back({clamped(places[i]), cost(all[i])});
+  }
   report(places.size());
   return all;
 }
@@ -123,6 +127,16 @@ double ParameterSearch::cost(const Eigen::VectorXd& residuals) {
     sum += 2 * robust_from * robust_from * (std::sqrt(1 + share * share) - 1);
   }
   return sum / static_cast<double>(std::max<Eigen::Index>(1, residuals.size()));
+}
+
+Eigen::VectorXd ParameterSearch::reach_of_places(double cost) const {
+  Eigen::VectorXd reach = Eigen::VectorXd::Zero(at_.size());
+  for (const Place& place : places_) {
+    if (place.cost <= cost) {
+      reach = reach.cwiseMax((place.at - at_).cwiseAbs());
+    }
+  }
+  return reach;
 }
 
 Eigen::MatrixXd ParameterSearch::jacobian(const Eigen::VectorXd& at) {
@@ -143,8 +157,14 @@ Eigen::MatrixXd ParameterSearch::jacobian(const Eigen::VectorXd& at) {
 }
 
 void ParameterSearch::scan(double reach, double ratio) {
+  scan(reach, ratio, std::vector<bool>(size(), true));
+}
+
+void ParameterSearch::scan(double reach, double ratio, const std::vector<bool>& of) {
   for (std::size_t p = 0; p < size(); ++p) {
-    scan_one(p, reach, ratio);
+    if (of[p]) {
+      scan_one(p, reach, ratio);
+    }
   }
 }
 
@@ -167,6 +187,23 @@ void ParameterSearch::scan_one(std::size_t parameter, double reach, double ratio
     }
   }
   at_ = clamped(places[best]);
+}
+
+void ParameterSearch::search_widely(const std::vector<bool>& free, double spread, std::size_t most) {
+  Eigen::VectorXd spreads = Eigen::VectorXd::Zero(at_.size());
+  for (std::size_t p = 0; p < free.size(); ++p) {
+    spreads[static_cast<Eigen::Index>(p)] = free[p] ? spread : 0;
+  }
+  CovarianceSearch wide;
+  wide.most = most;
+  wide.values = [this](const std::vector<Eigen::VectorXd>& places) {
+    std::vector<double> costs;
+    for (const Eigen::VectorXd& residuals : evaluate_all(places)) {
+      costs.push_back(cost(residuals));
+    }
+    return costs;
+  };
+  move_to(wide.best_from(at_, spreads));
 }
 
 namespace {

@@ -35,17 +35,28 @@ class ParameterSearch {
   /// Looks for a better value of each parameter alone among those of a factor of up to `reach` either way, a
   /// factor of `ratio` apart.
   void scan(double reach, double ratio);
+  void scan(double reach, double ratio, const std::vector<bool>& of);  ///< of these alone
   void scan_one(std::size_t parameter, double reach, double ratio);
+  /// CovarianceSearch over the parameters with `free`, whose logarithms are spread by `spread` at the begin.
+  void search_widely(const std::vector<bool>& free, double spread, std::size_t most);
   /// NLopt's BOBYQA over the parameters with `free`.
   void search_together(const std::vector<bool>& free, double reach, std::size_t most);
   /// Gauss-Newton steps with halving over the parameters with `free`.
   void refine(const std::vector<bool>& free, int most);
+  /// Largest change of each logarithm to a place that was evaluated and whose cost is at most `cost`: what
+  /// explains as well, in the valleys and hollows that the search has come through.
+  Eigen::VectorXd reach_of_places(double cost) const;
   /// Number of the twelfth of its trace that a residual belongs to.
   const std::vector<std::size_t>& blocks() const { return blocks_; }
   bool is_short(std::size_t residual) const { return short_[residual]; }  ///< FitCase::is_short()
   static constexpr std::size_t block_count = 12;
 
  private:
+  struct Place {
+    Eigen::VectorXd at;
+    double cost = 0;
+  };
+
   Setup setup_at(const Eigen::VectorXd& at) const;
   Eigen::VectorXd clamped(const Eigen::VectorXd& at) const;
   void report(std::size_t evaluations);
@@ -58,6 +69,7 @@ class ParameterSearch {
   std::size_t count_ = 0;
   std::size_t stretches_ = 0;
   std::size_t simulations_ = 0;
+  std::vector<Place> places_;  ///< all that were evaluated
   std::vector<std::size_t> blocks_;
   std::vector<bool> short_;
   double begin_ = 0;

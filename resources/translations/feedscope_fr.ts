@@ -9029,6 +9029,38 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <source>where to, the machine&apos;s data says: this motion is neither drawn nor timed</source>
         <translation>jusqu&apos;où, les données de la machine le disent : ce mouvement n&apos;est ni tracé ni compté</translation>
     </message>
+    <message>
+        <source>The model leaves over more than noise and sampling of these traces make: another value may explain them.</source>
+        <translation>Le modèle laisse plus que ne font le bruit et l’échantillonnage de ces traces : une autre valeur peut les expliquer.</translation>
+    </message>
+    <message>
+        <source>they seem to be in ms: give their column the title ms</source>
+        <translation>ils semblent être en ms : donner à leur colonne le titre ms</translation>
+    </message>
+    <message>
+        <source>they seem to be in s: give their column the title seconds</source>
+        <translation>ils semblent être en s : donner à leur colonne le titre seconds</translation>
+    </message>
+    <message>
+        <source>they seem to be in minutes: write them in seconds</source>
+        <translation>ils semblent être en minutes : les écrire en secondes</translation>
+    </message>
+    <message>
+        <source>give the program that ran, and its times in seconds, or in ms under this title</source>
+        <translation>donner le programme exécuté, et ses temps en secondes, ou en ms sous ce titre</translation>
+    </message>
+    <message>
+        <source>the trace stands still for %1 s from %2 s on at line %3, where the program does not</source>
+        <translation>la trace reste immobile pendant %1 s à partir de %2 s à la ligne %3, où le programme ne s’arrête pas</translation>
+    </message>
+    <message>
+        <source>a feed hold, or a stop that the simulation does not know; half a second before it and behind it is not compared, and its time not counted</source>
+        <translation>un arrêt d’avance, ou un arrêt que la simulation ne connaît pas ; une demi-seconde avant et après n’est pas comparée, et son temps n’est pas compté</translation>
+    </message>
+    <message>
+        <source>%1: the sections take %2 times what machine &apos;%3&apos; takes in the simulation; %4</source>
+        <translation>%1 : les sections prennent %2 fois le temps de la machine « %3 » dans la simulation ; %4</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ActionTable</name>
