@@ -203,7 +203,7 @@ class RotaryResolver {
     };
     set_limits();
     bool some_stop = false;
-    for (std::size_t k = 0; k < joints.size() && !limiter_.is_bound(); ++k) {
+    for (std::size_t k = 0; k < joints.size(); ++k) {
       joints[k].stops = !path_.segments[joints[k].segment].rapid &&  // they stop anyway
                         limiter_.stops(path_, between[k].before, between[k].behind, joints[k]);
       some_stop = some_stop || joints[k].stops;

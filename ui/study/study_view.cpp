@@ -16,8 +16,8 @@
 #include <QTableView>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <ranges>
 #include <cmath>
+#include <ranges>
 
 #include "core/analysis/slower_tolerance.h"
 #include "core/base/error.h"
