@@ -63,7 +63,7 @@ TEST_F(StudyCommand, AClampingThatTheMachineDoesNotReachIsNeverTheFastest) {
   EXPECT_EQ(runs[1]["fastest"], false);
   EXPECT_EQ(runs[1]["out_of_reach"], true);
   EXPECT_EQ(runs[1]["cycle_time_s"], nullptr);
-  EXPECT_THAT(contents(folder_ / "tilt.csv"), HasSubstr("five-axis-table-ac,essid,,,"));
+  EXPECT_THAT(contents(folder_ / "tilt.csv"), HasSubstr("five-axis-table-ac,essid,0.01,,,"));
   const Result none = run(on_machine + "--sweep 'part_angle_x_deg=175;180'");
   EXPECT_EQ(none.code, 1);
   EXPECT_THAT(in_one_line(none.out),
