@@ -128,6 +128,8 @@ const std::map<std::string, std::string>& french_words() {
       {"velocity filters", "filtres de vitesse"},
       {"indexing of rotary axes", "positionnement des axes rotatifs"},
       {"indexing of axis %1", "positionnement de l’axe %1"},
+      {"swing about the tip", "pivotement autour de la pointe"},
+      {"swing about the tip, held by axis %1", "pivotement autour de la pointe, retenu par l’axe %1"},
       {"junction deviation", "écart de jonction (junction deviation)"},
       {"square corner velocity", "vitesse de coin à 90° (square corner velocity)"},
       {"minimum cruise ratio", "part minimale à vitesse constante"},
