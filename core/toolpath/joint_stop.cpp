@@ -90,7 +90,8 @@ double least_blend(const Toolpath& path, std::size_t segment, double tolerance, 
     const std::optional<double>& own = path.path_control_of(i).contour_tolerance;
     least = std::min(least, own && follows_program ? *own : tolerance);
   }
-  return turn > straight ? least : 0;
+  const double shorter = std::min(path.segments[segment].length, path.segments[segment + 1].length);
+  return turn > straight ? std::min(least, shorter / 4) : 0;
 }
 
 }  // namespace feedscope

@@ -22,8 +22,8 @@ struct StopSide {
 bool stop_is_faster(const TurnJoint& joint, const std::array<StopSide, 2>& sides, double blend);
 
 /// Least length that a curve in the corner where a segment ends has within the contour tolerance, whatever
-/// its shape: that of the program where it gives one and `follows_program`, else `tolerance`; 0 for no corner
-/// [mm].
+/// its shape: that of the program where it gives one and `follows_program`, else `tolerance`; at most a
+/// quarter of the shorter segment; 0 for no corner [mm].
 double least_blend(const Toolpath& path, std::size_t segment, double tolerance, bool follows_program);
 
 }  // namespace feedscope
