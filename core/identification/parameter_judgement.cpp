@@ -22,6 +22,7 @@ constexpr double coarsest = 0.2;  // share of the value beyond which its uncerta
 // Rise of the sum of squares, in units of what is left over, of what explains as well: neighbours are in
 // several residuals.
 constexpr double no_worse = 45;
+constexpr double beyond_tried = 2;   // the search has not been at all places that explain as well
 constexpr double least_cost = 0.25;  // units of noise and sampling are rather too large
 constexpr double most_excess = 5;    // beyond which a search may have ended in a wrong hollow
 constexpr double most_in_one_block = 0.85;
@@ -241,9 +242,9 @@ std::vector<IdentifiedParameter> judge_parameters(ParameterSearch& search, const
     one.value = std::exp(at[static_cast<Eigen::Index>(p)]);
     const bool above = rise(all[2 * p], here, stretches_of(search)) > certain;
     const bool below = rise(all[2 * p + 1], here, stretches_of(search)) > certain;
-    const double share =
-        excess *
-        std::hypot(std::max(sureness * deviation[p], as_well[static_cast<Eigen::Index>(p)]), model_error);
+    const double share = excess * std::hypot(std::max(sureness * deviation[p],
+                                                      beyond_tried * as_well[static_cast<Eigen::Index>(p)]),
+                                             model_error);
     const auto stretches = static_cast<double>(search.stretches());
     const bool needed = (without[p] - here) * stretches / std::max(here, 1.0) > certain;
     const bool alone =

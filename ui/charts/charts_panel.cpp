@@ -76,7 +76,6 @@ ChartsPanel::ChartsPanel(Cursor& cursor, ViewRange& range, QWidget* parent)
   more_->setPopupMode(QToolButton::InstantPopup);
 
   refresh_.setSingleShot(true);
-  refresh_.setInterval(0);
   connect(&refresh_, &QTimer::timeout, this, &ChartsPanel::refresh);
   rest_.setSingleShot(true);
   rest_.setInterval(rest_after);
@@ -373,9 +372,9 @@ void ChartsPanel::move_cursor(int pixels) {
 
 void ChartsPanel::zoom_to_cursors() {
   if (second_.has_value() && points_into_run()) {
-    const double a = range_.position_of(cursor_.state());
-    const double b = range_.position_of(trajectory_->state(*second_));
-    range_.show(std::min(a, b), std::max(a, b));
+    const auto [low, high] =
+        std::minmax({range_.position_of(cursor_.state()), range_.position_of(trajectory_->state(*second_))});
+    range_.show(low, high);
   }
 }
 
@@ -411,11 +410,10 @@ void ChartsPanel::begin_rest() {
 
 void ChartsPanel::rest() {
   rest_.stop();
-  if (trajectory_ == nullptr) {
-    return;
+  if (trajectory_ != nullptr) {
+    history_.rest(view());
+    commands_->set_steps(history_.can_go_back(), history_.can_go_forward());
   }
-  history_.rest(view());
-  commands_->set_steps(history_.can_go_back(), history_.can_go_forward());
 }
 
 bool ChartsPanel::eventFilter(QObject* watched, QEvent* event) {

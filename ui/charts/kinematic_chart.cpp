@@ -11,12 +11,12 @@
 #include <iterator>
 #include <numeric>
 
-#include "core/base/ticks.h"
 #include "ui/charts/chart_input.h"
 #include "ui/charts/curve_columns.h"
 #include "ui/charts/mean_line.h"
 #include "ui/charts/plot_margins.h"
 #include "ui/charts/usual_band.h"
+#include "ui/charts/value_ticks.h"
 #include "ui/theme/type_size.h"
 
 namespace feedscope::ui {
@@ -32,7 +32,6 @@ constexpr int labelled_bottom_margin = 36;
 constexpr int tick_distance = 14;  // [px]
 constexpr double overlay_width = 1.4;
 constexpr double band_edge = 1.3;
-constexpr double long_number = 1e6;   // would not fit beside the plot
 constexpr double finest_zoom = 1e-6;  // of the largest value; beyond, the numbers beside the plot are all one
 constexpr double widest_values = 1e12;
 
@@ -42,35 +41,6 @@ QValueAxis* make_axis(QChart* chart, Qt::Alignment side) {
   axis->setTruncateLabels(false);
   chart->addAxis(axis, side);
   return axis;
-}
-
-/// A round step with `most` ticks at most, but two ticks at least; where these would be less than `closest`
-/// apart, so that labels were left out, the two that are farthest apart.
-double tick_step(const Interval& range, int most, double closest) {
-  const auto has_two = [&range](double step) {
-    return std::floor(range.upper / step) - std::ceil(range.lower / step) >= 1;
-  };
-  double step = round_up_125(range.width() / most);
-  if (has_two(step)) {
-    return step;
-  }
-  while (!has_two(step)) {
-    step = round_up_125(step * 0.3);
-  }
-  return step < closest ? step_of_two(range.lower, range.upper) : step;
-}
-
-void set_range(QValueAxis* axis, const Interval& range, int max_ticks, double closest = 0) {
-  const double step = tick_step(range, max_ticks, closest);
-  if (std::max(std::abs(range.lower), std::abs(range.upper)) >= long_number) {
-    axis->setLabelFormat(QStringLiteral("%.4g"));
-  } else {
-    axis->setLabelFormat(QStringLiteral("%.%1f").arg(step_decimals(step)));
-  }
-  axis->setTickInterval(step);
-  constexpr double nudge = 1e-9;  // of a step: rounding must not make "-0.0" of 0
-  axis->setTickAnchor(nudge * step);
-  axis->setRange(range.lower, range.upper);
 }
 
 QColor mixed(const QColor& a, const QColor& b, double share_of_b) {
@@ -254,10 +224,10 @@ void KinematicChart::fit() {
   }
   values_ = chosen_values_.value_or(values_);
   const QRectF plot = chart()->plotArea();
-  set_range(ordinate_, values_, std::max(2, static_cast<int>(plot.height() / type_pixels(tick_distance))),
-            values_.width() * type_pixels(tick_distance + 1) / std::max(1.0, plot.height()));
-  set_range(abscissa_, {range_.lower(), range_.upper()},
-            std::max(2, static_cast<int>(plot.width() / type_pixels(80))));
+  show_range(ordinate_, values_, std::max(2, static_cast<int>(plot.height() / type_pixels(tick_distance))),
+             values_.width() * type_pixels(tick_distance + 1) / std::max(1.0, plot.height()));
+  show_range(abscissa_, {range_.lower(), range_.upper()},
+             std::max(2, static_cast<int>(plot.width() / type_pixels(80))));
   picture_ = {};
   viewport()->update();
 }

@@ -93,7 +93,8 @@ std::size_t combinations(const std::vector<Sweep>& sweeps) {
 std::vector<RunTime> times_of(std::span<const StudyRun> runs) {
   std::vector<RunTime> times;
   for (const StudyRun& run : runs) {
-    times.push_back({run.summary.cycle_time, run.summary.max_contour_error, run.lines_not_run, run.is_possible()});
+    times.push_back(
+        {run.summary.cycle_time, run.summary.max_contour_error, run.lines_not_run, run.is_possible()});
   }
   return times;
 }

@@ -215,7 +215,8 @@ TEST(Recordings, AreComparedWithoutAStretchInWhichTheMachineWasHeld) {
   EXPECT_NEAR(found.agreements[0].time_error(), 0, 0.01);
   ASSERT_EQ(recordings.remarks()[0].size(), 1U);
   EXPECT_EQ(recordings.remarks()[0][0].code, "trace-held");
-  EXPECT_THAT(recordings.remarks()[0][0].message, HasSubstr("stands still for 3 s from 0.199 s on at line 2"));
+  EXPECT_THAT(recordings.remarks()[0][0].message,
+              HasSubstr("stands still for 3 s from 0.199 s on at line 2"));
 }
 
 /// A search for the machine that takes so long would go on for minutes, and find nothing.
