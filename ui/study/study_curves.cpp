@@ -2,6 +2,7 @@
 
 #include <QLocale>
 
+#include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"
 
 namespace feedscope::ui {
