@@ -154,6 +154,10 @@ void TraceBuilder::add(const TraceSample& sample, std::uint32_t source_line) {
       first_repeated_ = repeated_++ == 0 ? source_line : first_repeated_;
       return;
     }
+    if (step < 0 && -step <= longest_jitter()) {
+      first_late_ = late_++ == 0 ? source_line : first_late_;
+      return;
+    }
     if (step < 0) {
       if (parts_.size() <= most_listed) {
         note(Severity::warning, source_line, "trace-time-back",
@@ -189,6 +193,16 @@ void TraceBuilder::add(const TraceSample& sample, std::uint32_t source_line) {
   if (is_there(TraceQuantity::line)) {
     lines_.push_back(static_cast<float>(sample.line));
   }
+}
+
+/// By which a time that jitters may lie before that of the sample ahead [s]; 0 while too little is known.
+double TraceBuilder::longest_jitter() const {
+  constexpr double periods = 3;
+  const std::size_t begin = parts_.back().begin;
+  const std::size_t count = trace_.time.size() - begin;
+  return count < least_samples
+             ? 0
+             : periods * (trace_.time.back() - trace_.time[begin]) / static_cast<double>(count - 1);
 }
 
 std::uint32_t TraceBuilder::line_of(std::size_t sample) const {
@@ -254,7 +268,7 @@ void TraceBuilder::fill_missing() {
          "signals recorded at one rate need none");
   }
   if (filled.held > 0) {
-    note(Severity::info, 0, "trace-held",
+    note(Severity::info, 0, "trace-unchanged",
          fmt::format("{} positions that are missing for long are those before them", filled.held),
          "recorders that write changes alone leave them out");
   }
@@ -382,6 +396,11 @@ Trace TraceBuilder::finish() {
     note(Severity::warning, first_repeated_, "trace-time-repeated",
          fmt::format("{} samples at the time of the one before are skipped", repeated_),
          "record the time with more digits");
+  }
+  if (late_ > 0) {
+    note(Severity::warning, first_late_, "trace-time-jitter",
+         fmt::format("{} samples with a time a little before that of the sample ahead are skipped", late_),
+         "the times jitter by more than a period: record the time of the control's cycle");
   }
   if (!has_place()) {
     throw InputError(

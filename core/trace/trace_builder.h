@@ -62,6 +62,7 @@ class TraceBuilder {
   void drop_unknown_ends();
   void look_at_times();
   void look_at_jumps();
+  double longest_jitter() const;
   std::uint32_t line_of(std::size_t sample) const;
 
   Trace trace_;
@@ -72,6 +73,8 @@ class TraceBuilder {
   std::uint32_t last_source_line_ = 0;
   std::size_t repeated_ = 0;
   std::uint32_t first_repeated_ = 0;
+  std::size_t late_ = 0;
+  std::uint32_t first_late_ = 0;
   std::size_t skipped_ = 0;
   std::uint32_t first_skipped_ = 0;
   std::string skipped_text_;

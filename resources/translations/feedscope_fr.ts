@@ -9061,6 +9061,14 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <source>%1: the sections take %2 times what machine &apos;%3&apos; takes in the simulation; %4</source>
         <translation>%1 : les sections prennent %2 fois le temps de la machine « %3 » dans la simulation ; %4</translation>
     </message>
+    <message>
+        <source>%1 samples with a time a little before that of the sample ahead are skipped</source>
+        <translation>%1 échantillons dont le temps précède un peu celui de l’échantillon d’avant sont omis</translation>
+    </message>
+    <message>
+        <source>the times jitter by more than a period: record the time of the control&apos;s cycle</source>
+        <translation>les temps varient de plus d’une période : enregistrer le temps du cycle de la commande</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ActionTable</name>

@@ -55,7 +55,7 @@ TEST_F(StudyCommand, AClampingThatTheMachineDoesNotReachIsNeverTheFastest) {
   const std::string on_machine = "compare tilt.mpf --machine five-axis-table-ac --model essid ";
   const Result study = run(on_machine + "--sweep 'part_angle_x_deg=0;180' --csv tilt.csv --json tilt.json");
   EXPECT_EQ(study.code, 1);
-  EXPECT_THAT(study.out, HasSubstr("180  out of reach"));
+  EXPECT_THAT(study.out, HasSubstr("180   out of reach"));
   EXPECT_THAT(in_one_line(study.out), HasSubstr("Fastest: part_angle_x_deg 0"));
   const json runs = json::parse(contents(folder_ / "tilt.json"))["runs"];
   EXPECT_EQ(runs[0]["fastest"], true);

@@ -35,7 +35,7 @@ namespace feedscope::ui {
 namespace {
 
 constexpr int progress_steps = 1000;
-constexpr int least_name = 130;  // of a figure, in several lines [px]
+constexpr int least_name = 100;  // of a figure, in several lines [px]
 
 /// In which all columns show their contents [px].
 int wanted_width(const QTreeView& view) {

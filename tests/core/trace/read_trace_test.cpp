@@ -15,6 +15,7 @@ using testing::Contains;
 using testing::Field;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 /// Twenty rows, X = 10 i, Y = -i, at i milliseconds.
 std::string table(const std::string& head, const std::string& row, const std::string& last = "") {
@@ -209,6 +210,19 @@ TEST(ReadTrace, KeepsTheLongestPartWhereTimeGoesBack) {
   EXPECT_EQ(codes(trace), "trace-time-back:22 trace-parts:22 ");
 }
 
+/// Times that jitter by more than a period are no new part each time.
+TEST(ReadTrace, SkipsSamplesWhoseTimesJitterBack) {
+  std::string text = "time_s,x_mm\n";
+  for (int i = 0; i < 200; ++i) {
+    text += fmt::format("{:.4f},{:.4f}\n", i * 1e-3 + (i % 20 == 19 ? 1.5e-3 : 0), 0.1 * i);
+  }
+  const Trace trace = parse_trace(text, "t.csv");
+  EXPECT_EQ(trace.size(), 191U);
+  EXPECT_EQ(trace.place[0].back(), 19.9);
+  EXPECT_THAT(codes(trace), HasSubstr("trace-time-jitter:22"));
+  EXPECT_THAT(codes(trace), Not(HasSubstr("trace-parts")));
+}
+
 TEST(ReadTrace, SaysWhatAnUnknownTimeUnitWasTakenFor) {
   const Trace trace = parse_trace(table("t,x\n", "{ms},{x}\n"), "t.csv");
   EXPECT_NEAR(trace.period, 1e-3, 1e-12);
@@ -292,7 +306,7 @@ TEST(ReadTrace, TakesWhatIsMissingForLongForUnchanged) {
   EXPECT_EQ(trace.place[0][39], 1);
   EXPECT_NEAR(trace.place[0][40], 1.1, 1e-12);
   EXPECT_EQ(trace.place[1][99], 5);
-  EXPECT_THAT(codes(trace), HasSubstr("trace-held"));
+  EXPECT_THAT(codes(trace), HasSubstr("trace-unchanged"));
 }
 
 TEST(ReadTrace, ReadsSinumerikXmlByItsKeysAndInterpolatesMissingFields) {
