@@ -153,7 +153,10 @@ FitResult TraceCase::result(const Run& run) const {
   result.agreement.measured_time -= held_;
   const double length = found_.law.last_s() - found_.law.first_s();
   const double mean_feed = length / std::max(result.agreement.measured_time, 1e-9);
-  result.feed_error = result.agreement.feed_rms / mean_feed;
+  const double cells = static_cast<double>(std::max<std::size_t>(1, result.agreement.cells.size()));
+  const double by_jitter = trace_->jitter * cells / std::max(result.agreement.measured_time, 1e-9);
+  const double share = result.agreement.feed_rms / mean_feed;
+  result.feed_error = std::sqrt(std::max(0.0, share * share - by_jitter * by_jitter));
   return result;
 }
 
