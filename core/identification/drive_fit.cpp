@@ -28,7 +28,7 @@ constexpr double coarsest_value = 0.2;         // a larger share of the value as
 constexpr double coarsest_share = 0.05;        // a larger uncertainty of the feed-forward: not told
 /// Shares of gain and lag, of the feed-forward itself: less is never claimed.
 constexpr std::array least_error{2e-3, 2e-3, 1e-2};
-constexpr std::size_t left_out_parts = 12;  // of the record; each is left out once
+constexpr std::size_t left_out_parts = 12;  // of the record; each is omitted once
 /// What the guess of the set position between samples leaves over, of one sign for long [mm], and as a share
 /// of the following error.
 constexpr double guessed = 2e-6;
@@ -390,8 +390,8 @@ DriveFit fit_drive(const std::vector<const Trace*>& traces, char axis, const Axi
       one.reason = !is_possible ? reason_beyond : can_be_none ? reason_smaller : reason_not_apart;
     }
   }
-  if (fit.parameters[1].reason ==
-      reason_beyond) {  // then gain and lag make up for what is no drive of this kind
+  // Then gain and lag stand in for an effect that a linear drive does not have.
+  if (fit.parameters[1].reason == reason_beyond) {
     fit.explains = false;
     distrust(fit, reason_beyond);
     return fit;

@@ -8,7 +8,7 @@ namespace {
 constexpr double shortest_hold = 0.5;  // [s]
 constexpr double around_hold =
     0.5;                            // [s] in which a control slows down before and comes up to its feed again
-constexpr double still_way = 0.01;  // [mm] that still is no motion
+constexpr double still_way = 0.01;  // [mm]: a shorter way counts as standing still
 
 }  // namespace
 

@@ -20,8 +20,9 @@ std::vector<bool> influences(ParameterSearch& search);
 /// again and as little show, but a little more or a little less changes nothing at all.
 std::vector<bool> acting_by_steps(ParameterSearch& search);
 
-/// Whether what is left over where a search stands is no more than noise makes, and not more over long
-/// stretches than over short ones, where noise adds nothing and a wrong number does.
+/// Whether the residuals at the present place of a search can be noise alone: they are not larger than noise,
+/// and those of long stretches are not larger than those of short ones. A wrong number makes them grow with
+/// the length of the stretch, noise does not.
 bool leaves_noise_alone(ParameterSearch& search);
 
 }  // namespace feedscope

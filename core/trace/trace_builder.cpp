@@ -23,8 +23,8 @@ struct Filled {
   std::size_t held = 0;     ///< those of the last known one
 };
 
-/// So many samples after a known one the next may be missing where a signal has a lower rate than others; one
-/// that is missing for longer was left out because it does not change.
+/// The longest distance of two known samples of a signal that has a lower rate than others, in samples. Where
+/// more are missing, the recorder has omitted them because the value did not change.
 template <class Number>
 std::size_t longest_between(const std::vector<Number>& values) {
   constexpr std::size_t least = 10;

@@ -90,8 +90,8 @@ bool TraceText::next_line(std::string_view& line) {
   while (end == std::string::npos) {
     const std::size_t looked_at = buffer_.size() - begin_;
     if (looked_at > piece) {
-      throw InputError(
-          fmt::format("{}:{}: the line is longer than 1 MiB; this is no table of samples", name_, line_ + 1));
+      throw InputError(fmt::format("{}:{}: the line is longer than 1 MiB; this is not a table of samples",
+                                   name_, line_ + 1));
     }
     if (!fill()) {
       break;

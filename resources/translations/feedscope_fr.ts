@@ -8550,7 +8550,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>&apos;%1&apos; est écrit en UTF-16&#xa0;; enregistrez-le en UTF-8</translation>
     </message>
     <message>
-        <source>%1:%2: the line is longer than 1 MiB; this is no table of samples</source>
+        <source>%1:%2: the line is longer than 1 MiB; this is not a table of samples</source>
         <translation>%1:%2&#xa0;: la ligne dépasse 1 Mio&#xa0;; ce n&apos;est pas une table d&apos;échantillons</translation>
     </message>
     <message>
@@ -8950,7 +8950,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>avances, rampes et coins contiennent ce que font les entraînements&#xa0;; enregistrez aussi les positions de consigne pour les distinguer</translation>
     </message>
     <message>
-        <source>Where rotary axes turn it is no strict bound: they hold the tip over each whole block by their fastest place, along curves and where blocks meet by their velocity and by what turning takes, not while the tip speeds up; turns between operations take the time of the machine&apos;s jerk.</source>
+        <source>Where rotary axes turn the bound is not strict: they hold the tip over each whole block by their fastest place, along curves and where blocks meet by their velocity and by what turning takes, not while the tip speeds up; turns between operations take the time of the machine&apos;s jerk.</source>
         <translation>Là où des axes rotatifs tournent, ce n&apos;est pas une borne stricte&#xa0;: ils retiennent la pointe sur tout le bloc d&apos;après leur endroit le plus rapide, le long des courbes et aux jonctions de blocs d&apos;après leur vitesse et ce que demande la rotation, mais pas pendant que la pointe accélère&#xa0;; les rotations entre opérations prennent le temps du jerk de la machine.</translation>
     </message>
     <message>

@@ -79,7 +79,7 @@ constexpr std::array failure_patterns{
     QT_TRANSLATE_NOOP("core", "'%1' is a folder; give a trace"),
     QT_TRANSLATE_NOOP("core", "cannot read trace '%1': %2"),
     QT_TRANSLATE_NOOP("core", "'%1' is written in UTF-16; save it as UTF-8"),
-    QT_TRANSLATE_NOOP("core", "%1:%2: the line is longer than 1 MiB; this is no table of samples"),
+    QT_TRANSLATE_NOOP("core", "%1:%2: the line is longer than 1 MiB; this is not a table of samples"),
     QT_TRANSLATE_NOOP("core",
                       "'%1' has no column that is known as the position of X, Y or Z; it has %2; say which, "
                       "as --columns x=2:mm,y=3:mm"),

@@ -83,7 +83,7 @@ ModelInfo make_info() {
       QT_TRANSLATE_NOOP("core", "Kinks of up to 0.01 rad at arcs are treated as tangent, as in every model."),
       QT_TRANSLATE_NOOP(
           "core",
-          "Where rotary axes turn it is no strict bound: they hold the tip over each whole block "
+          "Where rotary axes turn the bound is not strict: they hold the tip over each whole block "
           "by their fastest place, along curves and where blocks meet by their velocity and by "
           "what turning takes, not while the tip speeds up; turns between operations take the "
           "time of the machine's jerk.")};
