@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <ranges>
 #include <span>
 #include <tuple>
 
@@ -237,8 +236,10 @@ std::string study_text(const LoadedProgram& program, const Study& study,
       text += wrapped(ends, 0) + "\n";
     }
     std::vector<ToleranceRun> tolerances;
-    for (const StudyRun& run : curve | std::views::filter(&StudyRun::is_possible)) {
-      tolerances.push_back({&run.setup, &run.summary});
+    for (const StudyRun& run : curve) {
+      if (run.is_possible()) {
+        tolerances.push_back({&run.setup, &run.summary});
+      }
     }
     for (const SlowerTolerance& slower : slower_with_wider_tolerance(tolerances)) {
       text += fmt::format("{}\n", wrapped(to_string(slower, tolerances), 0));

@@ -17,7 +17,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 #include "core/analysis/slower_tolerance.h"
 #include "core/base/error.h"
@@ -392,8 +391,10 @@ QString StudyView::ends_text() const {
   QString text = tr("At the first value %1, at the last %2.")
                      .arg(end_text(study_->runs.front()), end_text(study_->runs.back()));
   std::vector<ToleranceRun> runs;
-  for (const StudyRun& run : study_->runs | std::views::filter(&StudyRun::is_possible)) {
-    runs.push_back({&run.setup, &run.summary});
+  for (const StudyRun& run : study_->runs) {
+    if (run.is_possible()) {
+      runs.push_back({&run.setup, &run.summary});
+    }
   }
   for (const SlowerTolerance& slower : slower_with_wider_tolerance(runs)) {
     text += QLatin1Char(' ') + slower_tolerance_text(slower);

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ranges>
 
 #include "ui/scene/path/path_actors.h"
 #include "ui/scene/path/view_detail.h"
@@ -90,15 +89,19 @@ void PathTrail::place(const DrawnPath* path, const Rgb& colour, const SceneFrame
   const double first = std::max(0.0, *time_ - length_);
   FadingLines lines(colour, first, *time_);
   const PathLevel& level = samples.levels[level_of(samples, frame, view, false)];
-  const auto points = std::views::iota(std::size_t{0}, level.size());
   const auto time_at = [&](std::size_t k) { return samples.times[level[k]]; };
   const auto place_at = [&](std::size_t k) -> Eigen::Vector3d {
     return path->positions()[level[k]].cast<double>();
   };
-  const auto begin =
-      static_cast<std::size_t>(std::ranges::upper_bound(points, first, {}, time_at) - points.begin());
-  const auto end =
-      static_cast<std::size_t>(std::ranges::lower_bound(points, *time_, {}, time_at) - points.begin());
+  const auto count_of = [&](const auto& passed) {  // points at times that have passed
+    const auto point_passed = [&](std::uint32_t point) { return passed(samples.times[point]); };
+    return static_cast<std::size_t>(
+        level.points.empty()
+            ? std::ranges::partition_point(samples.times, passed) - samples.times.begin()
+            : std::ranges::partition_point(level.points, point_passed) - level.points.begin());
+  };
+  const std::size_t begin = count_of([&](double time) { return time <= first; });
+  const std::size_t end = count_of([&](double time) { return time < *time_; });
   const auto joined = [&](std::size_t k) { return k > 0 && samples.kinds[level[k - 1]] != SpanKind::gap; };
   if (begin > 0 && begin < level.size() && joined(begin)) {
     const double share = (first - time_at(begin - 1)) / (time_at(begin) - time_at(begin - 1));
