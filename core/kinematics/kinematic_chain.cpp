@@ -280,9 +280,15 @@ std::optional<std::vector<Series>> KinematicChain::turning(const std::array<Seri
   if (axes_[rotary_[0]].direction.cross(now).norm() < parallel) {
     return std::nullopt;
   }
+  const ChainAxis& second = axes_[rotary_[1]];
+  const double side_of_at = turned<double>(tool_, second.direction, sense(rotary_[1]) * at[1])
+                                .dot(axes_[rotary_[0]].direction.cross(second.direction));
   std::optional<std::vector<Series>> best;
   double least = std::numeric_limits<double>::infinity();
   for (const double side : {1.0, -1.0}) {
+    if (std::abs(side_of_at) > parallel && side * side_of_at < 0) {
+      continue;
+    }
     std::vector<Series> angles = angles_of<Series>(course, side);
     double off = 0;
     for (std::size_t k = 0; k < angles.size(); ++k) {

@@ -77,8 +77,10 @@ class KinematicChain {
   /// The same with derivatives by the path parameter: how every axis moves.
   std::vector<Series> courses(const std::array<Series, 3>& tip, std::span<const Series> angles,
                               double tool_length) const;
-  /// Derivatives of the rotary axes, which stand at `at`, where the tool's direction changes as `direction`
-  /// does; none where the tool lies along the first rotary axis: there they have none.
+  /// The rotary axes, with derivatives, where the tool's direction changes as `direction` does, each within
+  /// half a turn of `at`; of two axes on the side of the pole, the direction of the first one, on which the
+  /// second stands at `at`, or the nearer position where it stands at the pole; none where the tool lies
+  /// along the first rotary axis: there they have none.
   std::optional<std::vector<Series>> turning(const std::array<Series, 3>& direction,
                                              std::span<const double> at) const;
 

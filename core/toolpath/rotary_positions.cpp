@@ -117,6 +117,10 @@ std::array<double, 3> RotaryPositions::angles_for(const RotaryMove& move, const 
   if (move.with_feed) {
     notes_.add_unclear(move.line, found, from, *axes_.front());
   }
+  if (move.great_circle) {
+    const auto is_led_to = [&](const RotaryPlaces& places) { return leads_to(places.angles); };
+    std::ranges::stable_partition(found, is_led_to);
+  }
   const auto on_side = [&](const RotaryPlaces& places) {
     return move.side == 0 || move.side * places.angles.back() > -reached;
   };
@@ -133,6 +137,17 @@ std::array<double, 3> RotaryPositions::angles_for(const RotaryMove& move, const 
     to[rotary_place(axes_[k]->name)] = angles[k];
   }
   return to;
+}
+
+/// Whether the axes come there while the tool goes along a great circle.
+bool RotaryPositions::leads_to(const std::vector<double>& angles) const {
+  SegmentTurn turn;
+  turn.from = turn.to = at_;
+  turn.great_circle = true;
+  for (std::size_t k = 0; k < angles.size(); ++k) {
+    turn.to[rotary_place(axes_[k]->name)] = angles[k];
+  }
+  return TurnCourse(chain_, turn, 1).goes_on();
 }
 
 /// Angles that give the tool the direction, or `from`.

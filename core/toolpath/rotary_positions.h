@@ -2,6 +2,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include "core/kinematics/kinematic_chain.h"
 #include "core/machine/machine.h"
@@ -17,7 +18,8 @@ PartOnMachine part_on_machine(const Machine& machine, const Settings& settings);
 
 /// Where the moves of a program send the rotary axes of a machine, one after the other. All stand at zero
 /// before the first. A direction takes the angles that KinematicChain::turn_to() gives, those with the sign
-/// that is asked for, else the nearest; tool vectors beside feed motions the nearer of two positions.
+/// that is asked for, else the nearest; tool vectors beside feed motions the position that a great circle
+/// leads to where the tool goes along one, else the nearer of two.
 ///
 /// Where the part is turned on the machine (Toolpath::part), the axes give the tool the directions in
 /// the part that it would have without, as if the program had been posted again.
@@ -37,6 +39,7 @@ class RotaryPositions {
  private:
   std::array<double, 3> asked_by(const RotaryMove& move);
   std::array<double, 3> angles_for(const RotaryMove& move, const Vec3& direction);
+  bool leads_to(const std::vector<double>& angles) const;
   std::array<double, 3> nearest(const Vec3& direction, std::array<double, 3> from) const;
   void fault(std::uint32_t line, Severity severity, MessageCode code, std::string message, std::string hint);
 

@@ -108,6 +108,9 @@ class RotaryResolver {
     whole.from = before;
     whole.to = behind;
     whole.great_circle = move.great_circle;
+    if (!TurnCourse(chain_, whole, length).goes_on()) {
+      whole.great_circle = false;
+    }
     const TurnCourse course(chain_, whole, length);
     double done = 0;
     for (std::size_t k = first; k < last; ++k) {

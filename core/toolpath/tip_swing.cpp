@@ -1,7 +1,6 @@
 #include "core/toolpath/tip_swing.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -47,24 +46,6 @@ double way_of(const KinematicChain& chain, const RotaryTurn& turn) {
   return way;
 }
 
-/// Whether the axes go on along the whole of it: where the tool passes the pole aside, the position at the
-/// end may be the one that no way along the great circle leads to.
-bool goes_on(const TurnCourse& course, double way) {
-  constexpr int steps = 256;
-  constexpr double jump = 0.5;  // [rad]
-  std::array<double, 3> last = course.angles(0);
-  for (int i = 1; i <= steps; ++i) {
-    const std::array<double, 3> next = course.angles(way * i / steps);
-    for (std::size_t k = 0; k < next.size(); ++k) {
-      if (std::abs(next[k] - last[k]) > jump) {
-        return false;
-      }
-    }
-    last = next;
-  }
-  return true;
-}
-
 SegmentTurn segment_turn_of(const RotaryTurn& turn) {
   SegmentTurn whole;
   whole.from = turn.from;
@@ -90,7 +71,7 @@ void TipSwing::set_law(const Vec3& tip, double feed, double time, RotaryTurn& tu
   constexpr int trials = 48;
   if (turn.great_circle) {
     const double swing = way_of(chain_, turn);
-    turn.great_circle = goes_on(TurnCourse(chain_, segment_turn_of(turn), swing), swing);
+    turn.great_circle = TurnCourse(chain_, segment_turn_of(turn), swing).goes_on();
   }
   const double way = way_of(chain_, turn);
   const TurnCourse course(chain_, segment_turn_of(turn), way);

@@ -3,10 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/units.h"
+
 namespace feedscope {
 namespace {
 
 constexpr double same_direction = 1e-9;  // [rad]
+
+/// By which `a` turns about `axis` to lie in one half plane with `b`, in (-pi, pi].
+double turned_about(const Vec3& axis, const Vec3& a, const Vec3& b) {
+  return std::atan2(axis.dot(a.cross(b)), a.dot(b) - axis.dot(a) * axis.dot(b));
+}
 
 }  // namespace
 
@@ -48,6 +55,39 @@ TurnCourse::TurnCourse(const KinematicChain& chain, const SegmentTurn& turn, dou
     return;
   }
   quarter_ = across.normalized();
+  way_ = way_on_circle();
+}
+
+TurnCourse::Way TurnCourse::way_on_circle() const {
+  constexpr double same_angle = 1e-6;  // [rad]
+  if (from_.size() != 2) {
+    return Way::circle;
+  }
+  const Vec3& pole = chain_.axes()[chain_.rotary()[0]].direction;
+  const Vec3 across = pole.cross(chain_.axes()[chain_.rotary()[1]].direction);
+  const double first_turns = to_[0] - from_[0];
+  if (with_second_at(from_[1]).dot(across) * with_second_at(to_[1]).dot(across) > 0) {
+    const Vec3 end = std::cos(swing_) * start_ + std::sin(swing_) * quarter_;
+    const bool comes_there = std::abs(first_turns - turn_of_first(end, to_[1])) < units::pi &&
+                             std::abs(to_[1] - from_[1]) < units::pi;
+    return comes_there ? Way::circle : Way::no_circle;
+  }
+  const bool by_second_alone =
+      std::abs(start_.cross(quarter_).dot(pole)) < same_angle && std::abs(first_turns) < same_angle;
+  return by_second_alone ? Way::through_pole : Way::no_circle;
+}
+
+double TurnCourse::turn_of_first(const Vec3& direction, double second) const {
+  const ChainAxis& first = chain_.axes()[chain_.rotary()[0]];
+  const double turned = turned_about(first.direction, start_, direction) -
+                        turned_about(first.direction, with_second_at(from_[1]), with_second_at(second));
+  return first.carries_part ? -turned : turned;
+}
+
+Vec3 TurnCourse::with_second_at(double angle) const {
+  std::array<double, 3> angles{};
+  angles[rotary_place(chain_.axes()[chain_.rotary()[1]].name)] = angle;
+  return tool_direction(chain_, angles);
 }
 
 std::vector<Series> TurnCourse::linear(double s) const {
@@ -60,23 +100,28 @@ std::vector<Series> TurnCourse::linear(double s) const {
 }
 
 std::vector<Series> TurnCourse::at(double s) const {
-  std::vector<Series> even = linear(s);
-  if (swing_ == 0) {
-    return even;
+  if (way_ != Way::circle) {
+    return linear(s);
   }
   const Series turned(swing_ * s / length_, swing_ / length_, 0, 0);
   const Series along = cos(turned);
   const Series across = sin(turned);
   std::array<Series, 3> direction;
+  Vec3 now;
   for (int j = 0; j < 3; ++j) {
     direction[static_cast<std::size_t>(j)] = along * Series(start_[j]) + across * Series(quarter_[j]);
+    now[j] = direction[static_cast<std::size_t>(j)].value();
   }
-  std::vector<double> near;
-  for (const Series& angle : even) {
-    near.push_back(angle.value());
+  std::optional<std::vector<Series>> angles = chain_.turning(direction, from_);
+  if (!angles || angles->empty()) {
+    return linear(s);
   }
-  std::optional<std::vector<Series>> angles = chain_.turning(direction, near);
-  return angles && !angles->empty() ? std::move(*angles) : std::move(even);
+  Series& first = angles->front();
+  const double asked =
+      from_.size() == 2 ? from_[0] + turn_of_first(now, angles->back().value()) : linear(s).front().value();
+  constexpr double whole_turn = 2 * units::pi;
+  first += Series(whole_turn * std::round((asked - first.value()) / whole_turn));
+  return std::move(*angles);
 }
 
 std::array<double, 3> TurnCourse::angles(double s) const {

@@ -5038,8 +5038,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>des vecteurs d&apos;outil font tourner les axes rotatifs</translation>
     </message>
     <message>
-        <source>to the nearer of two positions, the tool along a great circle in each block; rounded where blocks meet</source>
-        <translation>vers la plus proche de deux positions, l&apos;outil le long d&apos;un grand cercle dans chaque bloc&#xa0;; arrondi à la jonction des blocs</translation>
+        <source>the tool goes along a great circle in each block, to the position that it leads to; rounded where blocks meet</source>
+        <translation>l&apos;outil suit un grand cercle dans chaque bloc, jusqu&apos;à la position à laquelle il mène&#xa0;; arrondi à la jonction des blocs</translation>
     </message>
     <message>
         <source>to the nearer of two positions, the axes linearly along each block; rounded where blocks meet</source>

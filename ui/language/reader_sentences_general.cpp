@@ -151,9 +151,10 @@ constexpr std::array general_patterns{
     QT_TRANSLATE_NOOP("core", "the direction is used; remove one of them"),
     QT_TRANSLATE_NOOP("core", "tool orientation"),
     QT_TRANSLATE_NOOP("core", "tool vectors turn the rotary axes"),
-    QT_TRANSLATE_NOOP("core",
-                      "to the nearer of two positions, the tool along a great circle in each block; rounded "
-                      "where blocks meet"),
+    QT_TRANSLATE_NOOP(
+        "core",
+        "the tool goes along a great circle in each block, to the position that it leads to; rounded "
+        "where blocks meet"),
     QT_TRANSLATE_NOOP(
         "core",
         "to the nearer of two positions, the axes linearly along each block; rounded where blocks meet"),

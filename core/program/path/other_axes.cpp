@@ -128,11 +128,13 @@ void OtherAxes::orient_tool(const Vec3& direction, AxisMotion motion, std::uint3
   } else if (move.with_feed) {
     const bool circle = move.great_circle;
     log_.add(Severity::info, "rotary-feed", circle ? 3 : 2, lines_.place(column), [circle] {
-      return DiagnosticLog::Text{"tool vectors turn the rotary axes",
-                                 circle ? "to the nearer of two positions, the tool along a great circle in "
-                                          "each block; rounded where blocks meet"
-                                        : "to the nearer of two positions, the axes linearly along each "
-                                          "block; rounded where blocks meet"};
+      return DiagnosticLog::Text{
+          "tool vectors turn the rotary axes",
+          circle
+              ? "the tool goes along a great circle in each block, to the position that it leads to; rounded "
+                "where blocks meet"
+              : "to the nearer of two positions, the axes linearly along each "
+                "block; rounded where blocks meet"};
     });
   }
 }

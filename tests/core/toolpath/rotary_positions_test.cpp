@@ -160,10 +160,35 @@ TEST(GreatCircles, AreFollowedWhereTheProgramAsksForThem) {
   const SegmentTurn circle = turn_with("ORIVECT");
   EXPECT_FALSE(even.great_circle);
   EXPECT_TRUE(circle.great_circle);
-  EXPECT_EQ(even.to, circle.to);
+  EXPECT_NEAR(std::abs(circle.to[2] - circle.from[2]), 2 * std::atan(3), 1e-9) << "past the pole";
+  EXPECT_NEAR(std::abs(even.to[2] - even.from[2]), units::pi - 2 * std::atan(3), 1e-9) << "the nearer one";
   // Past the pole by atan(0.1) C turns faster than on average, by which the tip is slower.
   EXPECT_LT(circle.limit.speed, 0.8 * even.limit.speed);
   EXPECT_NEAR(circle.tilt, std::atan(0.1), 1e-6);
+}
+
+TEST(GreatCircles, EndAtThePositionThatTheyLeadTo) {
+  const auto turn_with = [](const std::string& word, const std::string& words) {
+    const auto path =
+        path_on_table(fmt::format("TRAORI {}\nG0 X0 Y0 Z0 A3=0 B3={:.12f} C3=1\nG1 F5000 X20 {}\n", word,
+                                  -std::tan(2 * deg), words),
+                      {});
+    return path->segment_turns.at(0);
+  };
+  const std::string past_the_pole =
+      fmt::format("A3={:.12f} B3={:.12f} C3=1", std::tan(2 * deg) * std::sin(100 * deg),
+                  -std::tan(2 * deg) * std::cos(100 * deg));
+  const SegmentTurn circle = turn_with("ORIVECT", past_the_pole);
+  EXPECT_TRUE(circle.great_circle);
+  EXPECT_NEAR(std::abs(circle.to[2] - circle.from[2]), 100 * deg, 1e-6);
+  EXPECT_NEAR(circle.to[0], circle.from[0], 1e-6);
+  const SegmentTurn even = turn_with("ORIAXES", past_the_pole);
+  EXPECT_NEAR(std::abs(even.to[2] - even.from[2]), 80 * deg, 1e-6) << "the nearer one";
+  EXPECT_NEAR(even.to[0], -even.from[0], 1e-6);
+
+  const SegmentTurn asked = turn_with("ORIVECT", fmt::format("A={:.9f} C=80", -even.from[0] / deg));
+  EXPECT_FALSE(asked.great_circle) << "no great circle leads to these angles: the axes go linearly";
+  EXPECT_NEAR(asked.to[2], 80 * deg, 1e-9);
 }
 
 TEST(GreatCircleWords, AreThoseOfTheDialects) {
