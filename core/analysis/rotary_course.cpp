@@ -129,6 +129,33 @@ Vec3 RotaryCourse::tool_direction(const State& state) const {
   return path().part.turn.transpose() * feedscope::tool_direction(chain_, at(state).angles());
 }
 
+Vec3 RotaryCourse::slides(const State& state) const {
+  const std::array<double, 3> angles = at(state).angles();
+  std::vector<double> turned;
+  for (const std::size_t k : chain_.rotary()) {
+    turned.push_back(angles[rotary_place(chain_.axes()[k].name)]);
+  }
+  const PartOnMachine& part = path().part;
+  const std::vector<double> places =
+      chain_.places(part.turn * state.position + part.zero, turned, part.tool_length);
+  Vec3 slides = Vec3::Zero();
+  for (const std::size_t k : chain_.linear()) {
+    slides[chain_.axes()[k].name - 'X'] = places[k];
+  }
+  return slides;
+}
+
+/// Axes that carry the part turn it and not the tool.
+Vec3 RotaryCourse::tool_on_machine(const State& state) const {
+  std::array<double, 3> angles = at(state).angles();
+  for (const std::size_t k : chain_.rotary()) {
+    if (chain_.axes()[k].carries_part) {
+      angles[rotary_place(chain_.axes()[k].name)] = 0;
+    }
+  }
+  return feedscope::tool_direction(chain_, angles);
+}
+
 std::array<AxisState, 3> RotaryCourse::linear_axes(const State& state, const Angles& angles) const {
   CurvePoint tip;
   tip.position = state.position;

@@ -32,6 +32,12 @@ class RotaryCourse {
   /// Of the tool in the coordinates of the part, from the tip to the spindle, unit; `state` as at().
   Vec3 tool_direction(const State& state) const;
 
+  /// Where X, Y and Z of the machine stand while the tip is where the path has it; `state` as at(). Only
+  /// where knows_linear() [mm].
+  Vec3 slides(const State& state) const;
+  /// Of the tool in the coordinates of the machine, unit; `state` as at().
+  Vec3 tool_on_machine(const State& state) const;
+
   const std::vector<RotaryAxis>& axes() const { return axes_; }
   const KinematicChain& chain() const { return chain_; }
   /// That rounds the turns where segment `segment` meets the next one; null for none, and where the tip

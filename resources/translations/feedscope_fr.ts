@@ -1938,6 +1938,10 @@
         <source>tool axis</source>
         <translation>axe d’outil</translation>
     </message>
+    <message>
+        <source>X, Y and Z of the machine</source>
+        <translation>X, Y et Z de la machine</translation>
+    </message>
 </context>
 <context>
     <name>TimeRows</name>
@@ -13520,6 +13524,18 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>Hide the rest of the path, with all that lies outside of the box around what is drawn in full</source>
         <translation>Masquer le reste de la trajectoire, avec tout ce qui est hors de la boîte autour de ce qui est dessiné pleinement</translation>
+    </message>
+    <message>
+        <source>Machine a&amp;xes</source>
+        <translation>A&amp;xes de la machine</translation>
+    </message>
+    <message>
+        <source>Draw the run where X, Y and Z of the machine stand while rotary axes turn, instead of the tip on the part</source>
+        <translation>Dessiner la simulation là où X, Y et Z de la machine se trouvent pendant que des axes rotatifs tournent, au lieu de la pointe sur la pièce</translation>
+    </message>
+    <message>
+        <source>rotary five axis kinematics coordinates</source>
+        <translation>rotatif cinq axes cinématique coordonnées</translation>
     </message>
 </context>
 <context>

@@ -1,180 +1,18 @@
 #include "ui/scene/path_scene.h"
 
-#include <vtkCamera.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
-
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 #include "core/base/units.h"
-#include "ui/scene/draw/axes_box.h"
-#include "ui/scene/draw/axes_cube.h"
-#include "ui/scene/draw/scene_pointers.h"
-#include "ui/scene/path/pick.h"
-#include "ui/scene/path/scene_paths.h"
-#include "ui/scene/path/shown_extent.h"
-#include "ui/scene/render_callback.h"
+#include "ui/scene/path_scene_impl.h"
 #include "ui/scene/render_window.h"
-#include "ui/scene/window_layers.h"
 
 namespace feedscope::ui {
 namespace {
 
 constexpr double largest_exaggeration = 1000;
-constexpr double cube_half = 24;    // [pixels]
-constexpr double cube_height = 98;  // of its centre, above the lower edge
 
 }  // namespace
-
-class PathScene::Impl : public ScenePaths {
- public:
-  Impl()
-      : under(stage.behind()),
-        over(stage.front()),
-        layers(stage.middle(), stage.behind()),
-        tool_drawn(stage.front()),
-        camera(*stage.middle().GetActiveCamera()) {
-    call_before(stage.behind(), this,
-                [](vtkObject*, unsigned long, void* self, void*) { static_cast<Impl*>(self)->prepare(); });
-    call_before(stage.front(), this, [](vtkObject*, unsigned long, void* self, void*) {
-      auto& scene = *static_cast<Impl*>(self);
-      const double reach = scene.tool_drawn.reach(scene.projection(), scene.frame, scene.scale);
-      scene.camera.set_clipping(reach + scene.beyond, reach + scene.beyond);
-    });
-    camera.look(StandardView::iso);
-    apply_colours();
-  }
-
-  const SceneColours& colours() const { return *look.colours; }
-  Projection projection() const { return camera.projection(stage.width(), stage.height()); }
-  Captions captions() const {
-    return {layers.entries(), layers.key(), look.run, look.exaggeration, look.colours, &texts, transparent};
-  }
-  ScreenLayout layout() const { return screen_layout(stage.width(), stage.height(), scale, captions()); }
-  ScreenRectangle room() const {
-    const ScreenLayout screen = layout();
-    return {screen.low(), screen.high()};
-  }
-  PickablePath pickable() const {
-    const DrawnPath* path = layers.executed();
-    return path != nullptr ? PickablePath{&path->samples(), &path->positions(), &path->boxes(),
-                                          stretch.rest_hidden ? shown_times() : std::nullopt}
-                           : PickablePath{};
-  }
-  std::optional<TimeStretch> shown_times() const { return stretch.times(highlight, cursor_at); }
-  void apply_stretch() {
-    layers.trail().end_at(cursor_at, cursor);
-    const auto times = shown_times();
-    const bool only = times && stretch.rest_hidden && layers.executed() != nullptr;
-    layers.set_stretch(
-        times, only ? std::optional(bounds_between(pickable(), (*times)[0], (*times)[1])) : std::nullopt);
-    layers.set_highlight(stretch.stretch == PathStretch::charts ? std::nullopt : highlight);
-    changed();
-  }
-  AxesCube cube() const {
-    const ScreenLayout screen = layout();
-    const Vec2 centre(screen.width - screen.panel_width / 2, cube_height * scale);
-    return {projection(), centre, screen.cube ? cube_half * scale : 0};
-  }
-
-  void changed() const {
-    if (callback) {
-      callback();
-    }
-  }
-
-  void rebuild() {
-    const bool fitted = camera.fitted();
-    const CameraState state = camera.state(frame);
-    const ShownExtent extent = shown_extent({programmed, executed_samples});
-    frame = frame_around(extent.fitted);
-    beyond = extent.beyond() / frame.unit;
-    layers.show(programmed, executed_samples, shown_overlays(colours(), texts), frame);
-    apply_stretch();
-    camera.set_state(state, frame);
-    if (fitted) {
-      fit_now();
-    }
-    changed();
-  }
-
-  void fit_now() {
-    camera.fit(stage.width(), stage.height(), frame.box, room(), [this](const Projection& view) {
-      const AxesLayout axes = lay_out_axes(frame, view, scale);
-      return ScreenRectangle{axes.low, axes.high};
-    });
-    fitted_in = fitted_window();
-  }
-
-  /// What a fit depends on but for the path.
-  std::array<double, 5> fitted_window() const {
-    const ScreenLayout screen = layout();
-    return {screen.width, screen.height, scale, screen.panel_width, screen.legend_height};
-  }
-
-  void apply_look() {
-    layers.set_look(look);
-    changed();
-  }
-
-  void apply_colours() {
-    const Rgb background = transparent ? Rgb{} : colours().background;
-    stage.behind().SetBackground(background[0], background[1], background[2]);
-    stage.behind().SetBackgroundAlpha(transparent ? 0 : 1);
-    tool_drawn.set_colour(colours().tool);
-    apply_look();
-  }
-
-  /// Before each frame: follows the window's size and draws what depends on the camera.
-  void prepare() {
-    layers.place(frame, projection(), scale, moving);  // says what the legend needs
-    if (camera.fitted() && fitted_in != fitted_window()) {
-      fit_now();
-    }
-    const Projection view = projection();
-    const std::optional<Vec3> tip = cursor ? std::optional(frame.to_scene(*cursor)) : std::nullopt;
-    layers.place(frame, view, scale, moving);
-    tool_drawn.place(tip, tool_direction(cursor_at), view, frame, scale);
-    constexpr double lifted = 40;  // pixels at most, of the path's layers
-    camera.set_clipping(lifted * scale / view.scale + beyond, beyond);
-
-    under.begin();
-    draw(lay_out_axes(frame, view, scale), scale, grid, colours(), texts, under);
-    under.end();
-    over.begin();
-    const auto place_of = [&](const Vec3& point) { return view.to_display(frame.to_scene(point)); };
-    draw_path_marks(over, programmed.get(), executed_samples.get(), place_of,
-                    {scale, colours(), texts, view.scale / frame.unit});
-    draw_scene_pointers(over, pointers, place_of, stage.height(), room(), scale, colours());
-    draw_captions(over, layout(), captions(), view, view.scale / frame.unit);
-    cube().draw(over, scale, colours(), texts);
-    over.end();
-  }
-
-  WindowLayers stage;
-  Canvas under;
-  Canvas over;
-  PathLayers layers;
-  Tool tool_drawn;
-  SceneCamera camera;
-  std::function<void()> callback;
-
-  std::optional<Vec3> cursor;       ///< as drawn
-  std::optional<double> cursor_at;  ///< its time, where it is on the path
-  std::optional<TimeStretch> highlight;
-  StretchChoice stretch;
-  ScenePointers pointers;
-  PathLook look;
-  SceneTexts texts;
-  SceneFrame frame = frame_around({});
-  double beyond = 0;  ///< how far outside the frame's box rapids may be [scene units]
-  bool grid = true;
-  bool transparent = false;
-  bool moving = false;
-  double scale = 1;
-  std::array<double, 5> fitted_in{};
-};
 
 PathScene::PathScene() : impl_(std::make_unique<Impl>()) {}
 PathScene::~PathScene() = default;
@@ -227,6 +65,24 @@ void PathScene::set_actual_shown(bool shown) {
 }
 bool PathScene::actual_shown() const {
   return impl_->actual_shown;
+}
+
+void PathScene::set_on_machine(bool shown) {
+  if (std::exchange(impl_->machine_asked, shown) == shown || !knows_machine()) {
+    return;
+  }
+  if (impl_->cursor_at) {
+    impl_->cursor = drawn_at(*impl_->cursor_at);
+  }
+  impl_->pointers = {};
+  impl_->rebuild();
+  fit();
+}
+bool PathScene::on_machine() const {
+  return impl_->machine_asked;
+}
+bool PathScene::knows_machine() const {
+  return impl_->executed_samples != nullptr && impl_->executed_samples->on_machine != nullptr;
 }
 
 bool PathScene::has(QuantitySource source) const {
@@ -457,7 +313,7 @@ void PathScene::set_rubber_band(const std::optional<std::array<Pixel, 2>>& corne
 }
 
 std::optional<double> PathScene::pick_time(const Pixel& pixel, double radius) const {
-  const bool exact = impl_->trajectory && exaggeration() == 1;
+  const bool exact = impl_->trajectory && exaggeration() == 1 && !impl_->on_machine();
   return nearest_time(impl_->pickable(), exact ? impl_->trajectory.get() : nullptr,
                       {impl_->projection(), impl_->frame}, impl_->stage.display(pixel),
                       radius * impl_->scale);
@@ -483,8 +339,8 @@ Vec3 PathScene::drawn_at(double time) const {
   if (!impl_->trajectory) {
     return Vec3::Zero();
   }
-  const Vec3 place = impl_->trajectory->state(time).position;
-  return place + (exaggeration() - 1) * deviation_at(impl_->pickable(), time);
+  const Vec3 place = impl_->place_at(time);
+  return impl_->on_machine() ? place : place + (exaggeration() - 1) * deviation_at(impl_->pickable(), time);
 }
 
 std::array<Pixel, 2> PathScene::path_room() const {

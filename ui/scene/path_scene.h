@@ -52,6 +52,12 @@ class PathScene {
   /// Whether the path that the axes run is drawn, where the executed path has one.
   void set_actual_shown(bool shown);
   bool actual_shown() const;
+  /// Whether the run is drawn where X, Y and Z of the machine stand while rotary axes turn part or tool,
+  /// where that is known, instead of in the coordinates of the part.
+  void set_on_machine(bool shown);
+  bool on_machine() const;
+  /// Whether that is known of the executed path.
+  bool knows_machine() const;
   /// Whether the executed path has one.
   bool has(QuantitySource source) const;
   /// Tip of the tool [mm]; none hides it.

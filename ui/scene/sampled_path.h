@@ -81,6 +81,8 @@ struct SampledPath {
   std::shared_ptr<const SampledPath> actual;   ///< what the axes run; null without drives
   std::shared_ptr<const RotaryCourse> rotary;  ///< of the run; null where no rotary axis turns
   std::vector<ToolAxis> tool_axes;             ///< along its feed motions; empty without `rotary`
+  /// The run where X, Y and Z of the machine stand; null without `rotary` or where they are not known.
+  std::shared_ptr<const SampledPath> on_machine;
 
   std::size_t size() const { return positions.size(); }
   bool executed() const { return !times.empty(); }
@@ -115,6 +117,11 @@ SampledPath sample_programmed(const Toolpath& toolpath, std::size_t max_points =
 SampledPath sample_executed(const Trajectory& trajectory, std::size_t max_points = default_max_points,
                             std::span<const double> also_at = {}, Progress* progress = nullptr,
                             const RunSources& sources = {});
+
+/// A run in the coordinates of the machine, coloured as in those of the part: where X, Y and Z stand while
+/// rotary axes turn part or tool; points every 3 degrees of these too. Without deviations and tool axes.
+/// `sources`: of the run, with a rotary course that knows_linear(). Throws Cancelled.
+SampledPath sample_on_machine(const RunSources& sources, Progress* progress = nullptr);
 
 /// The path that the axes run: points 2 ms apart at most, or as far as the budget allows. Its deviations are
 /// from the programmed path; it has no colours.

@@ -3,11 +3,12 @@
 namespace feedscope::ui {
 
 SceneState scene_state(const PathScene& scene) {
-  return {scene.camera(), scene.colouring(),    scene.exaggeration(), scene.tool(),
-          scene.grid(),   scene.actual_shown(), scene.rapids_shown(), scene.stretch()};
+  return {scene.camera(),       scene.colouring(),    scene.exaggeration(), scene.tool(),   scene.grid(),
+          scene.actual_shown(), scene.rapids_shown(), scene.on_machine(),   scene.stretch()};
 }
 
 void set_scene_state(PathScene& scene, const SceneState& state) {
+  scene.set_on_machine(state.on_machine);
   scene.set_colouring(state.colouring);
   scene.set_exaggeration(state.exaggeration);
   scene.set_tool(state.tool);

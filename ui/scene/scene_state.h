@@ -11,8 +11,9 @@ struct SceneState {
   double exaggeration = 1;  ///< of deviations from the programmed path, 1 to 1000
   ToolShape tool = {};
   bool grid = true;
-  bool actual = true;  ///< the path that the axes run is drawn
-  bool rapids = true;  ///< are drawn
+  bool actual = true;       ///< the path that the axes run is drawn
+  bool rapids = true;       ///< are drawn
+  bool on_machine = false;  ///< in the coordinates of the machine, where rotary axes turn
   StretchChoice stretch = {};
 
   bool operator==(const SceneState&) const = default;

@@ -39,6 +39,7 @@ struct SceneTexts {
   std::string blend = "corner blend";
   std::string curve = "smooth curve";
   std::string tool_axis = "tool axis";
+  std::string on_machine = "X, Y and Z of the machine";
   std::string assumed = "assumed";                   ///< of a zero point
   std::string exaggerated = "deviation drawn × %1";  ///< %1: the factor
   std::string warning;                               ///< PathScene::set_warning()

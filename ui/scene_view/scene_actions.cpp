@@ -171,7 +171,15 @@ void SceneActions::make_views() {
   rapids_->setCheckable(true);
   set_everyday_words(rapids_, tr("hide show G0"));
   connect(rapids_, &QAction::triggered, this, [this](bool on) { view_.scene().set_rapids_shown(on); });
-  views_->addActions({perspective_, grid_, rapids_, actual_});
+  machine_ =
+      add_command(tr("Machine a&xes"),
+                  tr("Draw the run where X, Y and Z of the machine stand while rotary axes turn, instead of "
+                     "the tip on the part"),
+                  QKeySequence(Qt::Key_X));
+  machine_->setCheckable(true);
+  set_everyday_words(machine_, tr("rotary five axis kinematics coordinates"));
+  connect(machine_, &QAction::triggered, this, [this](bool on) { view_.scene().set_on_machine(on); });
+  views_->addActions({perspective_, grid_, rapids_, actual_, machine_});
   make_stretches();
 }
 
@@ -294,6 +302,7 @@ void SceneActions::check(QActionGroup& group, const QVariant& value) {
 }
 
 void SceneActions::follow_scene() {
+  machine_->setEnabled(view_.scene().knows_machine());
   set_drives(view_.scene().has(QuantitySource::drives));
   set_load(view_.scene().has(QuantitySource::load));
   SceneState shown = view_.state();
@@ -316,6 +325,7 @@ void SceneActions::follow_scene() {
   grid_->setChecked(shown.grid);
   actual_->setChecked(shown.actual);
   rapids_->setChecked(shown.rapids);
+  machine_->setChecked(shown.on_machine);
   check(*stretch_, static_cast<int>(shown.stretch.stretch));
   rest_hidden_->setChecked(shown.stretch.rest_hidden);
   rest_hidden_->setEnabled(shown.stretch.stretch != PathStretch::whole);

@@ -77,6 +77,7 @@ class SceneActions : public QObject {
   QAction* grid_ = nullptr;
   QAction* actual_ = nullptr;
   QAction* rapids_ = nullptr;
+  QAction* machine_ = nullptr;
   std::optional<bool> drives_;  ///< whether the run shown has any, as the actions say
   std::optional<bool> load_;    ///< whether it has a cutting load
   QAction* measure_ = nullptr;

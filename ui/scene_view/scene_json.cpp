@@ -66,6 +66,7 @@ QJsonObject to_json(const SceneState& state) {
           {"grid", state.grid},
           {"actual_path", state.actual},
           {"rapids", state.rapids},
+          {"machine_axes", state.on_machine},
           {"stretch", stretch_keys.at(static_cast<std::size_t>(state.stretch.stretch))},
           {"rest_hidden", state.stretch.rest_hidden}};
 }
@@ -82,6 +83,7 @@ void read_json(const QJsonObject& json, SceneState& state) {
   state.grid = json["grid"].toBool(state.grid);
   state.actual = json["actual_path"].toBool(state.actual);
   state.rapids = json["rapids"].toBool(state.rapids);
+  state.on_machine = json["machine_axes"].toBool(state.on_machine);
   for (std::size_t stretch = 0; stretch < stretch_keys.size(); ++stretch) {
     if (json["stretch"] == QLatin1String(stretch_keys[stretch])) {
       state.stretch.stretch = static_cast<PathStretch>(stretch);

@@ -290,9 +290,13 @@ void SceneView::add_measured(double time) {
     scene_.set_dimension(SceneDimension{scene_.drawn_at(time), std::nullopt, {}});
     return;
   }
-  const auto from = scene_.state_at(*measured_from_);
-  const auto to = scene_.state_at(time);
+  auto from = scene_.state_at(*measured_from_);
+  auto to = scene_.state_at(time);
   if (from && to) {
+    if (scene_.on_machine() && scene_.knows_machine()) {
+      from->position = scene_.drawn_at(*measured_from_);
+      to->position = scene_.drawn_at(time);
+    }
     scene_.set_dimension(SceneDimension{scene_.drawn_at(*measured_from_), scene_.drawn_at(time),
                                         measurement_lines(*from, *to)});
   }

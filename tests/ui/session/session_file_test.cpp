@@ -107,6 +107,7 @@ TEST_F(SessionFile, OfEveryVersionIsReadWhole) {
   expected.charts.hidden_charts.clear();
   expected.charts.shown_charts.clear();
   expected.scene.stretch = {};
+  expected.scene.on_machine = false;
   expected.presentation = false;
   for (int version = 1; version <= session_version; ++version) {
     const ReadSession read =

@@ -126,7 +126,9 @@ std::vector<Entry> legend(const Captions& captions, double room, double k) {
   for (const auto& overlay : entries.overlays) {
     list.push_back({overlay.name, solid(1.8, overlay.colour)});
   }
-  if (captions.exaggeration != 1) {
+  if (captions.on_machine) {
+    list.push_back({texts.on_machine, solid(0, colours.text)});
+  } else if (captions.exaggeration != 1) {
     list.push_back({exaggeration_text(captions), solid(0, colours.text)});
   }
   if (!texts.warning.empty()) {

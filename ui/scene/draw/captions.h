@@ -33,6 +33,7 @@ struct Captions {
   double exaggeration = 1;  ///< of deviations
   const SceneColours* colours = nullptr;
   const SceneTexts* texts = nullptr;
+  bool on_machine = false;   ///< the path is drawn in the coordinates of the machine
   bool transparent = false;  ///< nothing is put behind legend and panel
 };
 

@@ -19,6 +19,7 @@ constexpr double spans_of_curve = 8;  // a span of a smooth curve turns little
 constexpr double feed_steps = 24;
 constexpr double spans_a_filter_time = 8;
 constexpr double share_of_actual = 0.4;  // of the time that it takes with drives
+constexpr double share_on_machine = 0.3;
 
 /// `has`: whether the path has values of this position.
 template <typename Has>
@@ -351,11 +352,8 @@ SampledPath joined(std::vector<SampledPath> parts) {
 
 }  // namespace
 
-SampledPath sample_executed(const Trajectory& trajectory, std::size_t max_points,
-                            std::span<const double> also_at, Progress* progress, const RunSources& sources) {
-  if (trajectory.pieces().empty()) {
-    return {};
-  }
+SampledPath sample_motion(const Trajectory& trajectory, std::size_t max_points,
+                          std::span<const double> also_at, Progress& progress, const RunSources& sources) {
   const ExecutedSampling sampling(trajectory, also_at, sources);
   const std::vector<Chunk> chunks = sampling.chunks();
   std::size_t wanted = 1;
@@ -364,22 +362,36 @@ SampledPath sample_executed(const Trajectory& trajectory, std::size_t max_points
   }
   const double spacing = spacing_for(wanted, max_points, trajectory.path_length());
   std::vector<SampledPath> parts(chunks.size());
-  Progress unwatched;
-  Progress& watched = progress != nullptr ? *progress : unwatched;
-  const double share_of_set = sources.actual ? 1 - share_of_actual : 1;
   std::atomic<std::size_t> done{0};
   in_parallel(chunks.size(), [&](std::size_t i) {
     parts[i] = ExecutedSampling(sampling).run(chunks[i], spacing);
     const double share = static_cast<double>(++done) / static_cast<double>(chunks.size());
-    watched.report(share_of_set * share);
+    progress.report(share);
   });
-  watched.report(share_of_set);
-  SampledPath path = joined(std::move(parts));
+  return joined(std::move(parts));
+}
+
+SampledPath sample_executed(const Trajectory& trajectory, std::size_t max_points,
+                            std::span<const double> also_at, Progress* progress, const RunSources& sources) {
+  if (trajectory.pieces().empty()) {
+    return {};
+  }
+  Progress unwatched;
+  Progress& watched = progress != nullptr ? *progress : unwatched;
+  const bool on_machine = sources.rotary && sources.rotary->knows_linear();
+  const double rest_share = (sources.actual ? share_of_actual : 0) + (on_machine ? share_on_machine : 0);
+  Progress motion(watched, 1 - rest_share);
+  SampledPath path = sample_motion(trajectory, max_points, also_at, motion, sources);
+  motion.report(1);
   path.levels = levels_of(path);
   path.boxes = boxes_of(path.positions);
   if (sources.rotary) {
     path.rotary = sources.rotary;
     path.tool_axes = sample_tool_axes(*sources.rotary, path.origin);
+  }
+  if (on_machine) {
+    Progress rest(watched, share_on_machine);
+    path.on_machine = std::make_shared<const SampledPath>(sample_on_machine(sources, &rest));
   }
   if (sources.actual) {
     Progress rest(watched, share_of_actual);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "core/toolpath/curve.h"
 #include "ui/scene/sampled_path.h"
 
@@ -18,6 +20,10 @@ class Sampler {
   SampledPath& path_;
   double spacing_;
 };
+
+/// What sample_executed() has of the run's own motion: without what the axes run, rotary axes and levels.
+SampledPath sample_motion(const Trajectory& trajectory, std::size_t max_points,
+                          std::span<const double> also_at, Progress& progress, const RunSources& sources);
 
 /// Into how many spans to cut `length`: as many as `wanted`, as long as they are `spacing` or more [mm].
 std::size_t spans(double wanted, double length, double spacing);

@@ -14,18 +14,47 @@ struct ScenePaths {
   std::shared_ptr<const SampledPath> executed_samples;
   std::shared_ptr<const Trajectory> trajectory;
   std::vector<OverlayRun> overlays;
-  bool actual_shown = true;  ///< what the axes run, where the executed path has it
+  bool actual_shown = true;    ///< what the axes run, where the executed path has it
+  bool machine_asked = false;  ///< where X, Y and Z of the machine stand, where the executed path has that
+
+  /// Whether everything is drawn in the coordinates of the machine.
+  bool on_machine() const {
+    return machine_asked && trajectory != nullptr && executed_samples != nullptr &&
+           executed_samples->on_machine != nullptr;
+  }
+  /// The programmed path has no place on the machine.
+  std::shared_ptr<const SampledPath> shown_programmed() const { return on_machine() ? nullptr : programmed; }
+  std::shared_ptr<const SampledPath> shown_executed() const {
+    return on_machine() ? executed_samples->on_machine : executed_samples;
+  }
+  /// The tip, or X, Y and Z of the machine, at an instant of the executed path [s].
+  Vec3 place_at(double time) const {
+    const State state = trajectory->state(time);
+    return on_machine() ? executed_samples->rotary->slides(state) : state.position;
+  }
 
   /// At an instant of the executed path [s]; up where no rotary axis turns, or nowhere on the path.
   Vec3 tool_direction(const std::optional<double>& time) const {
     const bool turns =
         time && trajectory != nullptr && executed_samples != nullptr && executed_samples->rotary != nullptr;
-    return turns ? executed_samples->rotary->tool_direction(trajectory->state(*time)) : Vec3(Vec3::UnitZ());
+    if (!turns) {
+      return Vec3::UnitZ();
+    }
+    const RotaryCourse& course = *executed_samples->rotary;
+    const State state = trajectory->state(*time);
+    return on_machine() ? course.tool_on_machine(state) : course.tool_direction(state);
   }
 
-  /// Other runs, and what the axes run.
+  /// Other runs, and what the axes run; on the machine the runs that have a place there.
   std::vector<OverlayRun> shown_overlays(const SceneColours& colours, const SceneTexts& texts) const {
     std::vector<OverlayRun> shown = overlays;
+    if (on_machine()) {
+      std::erase_if(shown, [](const OverlayRun& run) { return run.samples->on_machine == nullptr; });
+      for (OverlayRun& run : shown) {
+        run.samples = run.samples->on_machine;
+      }
+      return shown;
+    }
     if (actual_shown && executed_samples != nullptr && executed_samples->actual != nullptr) {
       shown.push_back({executed_samples->actual, colours.actual, texts.actual});
     }

@@ -1,0 +1,77 @@
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/analysis/rotary_course.h"
+#include "core/base/parallel.h"
+#include "core/base/units.h"
+#include "core/trajectory/part_walk.h"
+#include "ui/scene/path/sampler.h"
+
+namespace feedscope::ui {
+namespace {
+
+constexpr std::size_t most_points = 200'000;  // they are seldom looked at
+constexpr std::size_t points_a_task = 1024;
+constexpr double turn_of_span = 3 * units::pi / 180;
+
+double largest_turn(const SegmentTurn& turn) {
+  double largest = 0;
+  for (std::size_t k = 0; k < turn.to.size(); ++k) {
+    largest = std::max(largest, std::abs(turn.to[k] - turn.from[k]));
+  }
+  return largest;
+}
+
+/// At which rotary axes have turned far enough to bend the way of the others [s].
+std::vector<double> times_of_turns(const Trajectory& trajectory) {
+  constexpr double most = 120;  // of a part
+  const Toolpath& programmed = *trajectory.path().programmed();
+  std::vector<double> times;
+  for (PartWalk walk(trajectory); !walk.done(); walk.next()) {
+    const Part& part = walk.part();
+    double turned = is_pause(part.cause.kind) ? units::pi : 0;  // the axes may hold the tip in a turn
+    if (const SegmentTurn* turn = programmed.segment_turn(trajectory.path().segment(part.element))) {
+      turned = std::max(turned, largest_turn(*turn));
+    }
+    const double spans = std::min(std::ceil(turned / turn_of_span), most);
+    for (double k = 1; k < spans; ++k) {
+      times.push_back(part.time + part.duration * k / spans);
+    }
+  }
+  return times;
+}
+
+}  // namespace
+
+SampledPath sample_on_machine(const RunSources& sources, Progress* progress) {
+  const RotaryCourse& course = *sources.rotary;
+  const Trajectory& trajectory = course.trajectory();
+  if (trajectory.pieces().empty()) {
+    return {};
+  }
+  Progress unwatched;
+  Progress& watched = progress != nullptr ? *progress : unwatched;
+  Progress motion(watched, 0.5);
+  SampledPath path = sample_motion(trajectory, most_points, times_of_turns(trajectory), motion, sources);
+  path.origin = course.slides(trajectory.state(0));
+  const std::size_t tasks = (path.size() + points_a_task - 1) / points_a_task;
+  in_parallel(tasks, [&](std::size_t task) {
+    const std::size_t end = std::min(path.size(), (task + 1) * points_a_task);
+    for (std::size_t i = task * points_a_task; i < end; ++i) {
+      path.positions[i] = (course.slides(trajectory.state(path.times[i])) - path.origin).cast<float>();
+    }
+    watched.report(0.5);
+  });
+  path.bounds = {};
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    path.bounds.add(path.position(i));
+  }
+  path.deviations.clear();
+  path.rotary = sources.rotary;
+  path.levels = levels_of(path);
+  path.boxes = boxes_of(path.positions);
+  return path;
+}
+
+}  // namespace feedscope::ui
