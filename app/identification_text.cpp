@@ -30,7 +30,9 @@ std::string parameters_text(const Identification& found) {
     }
   }
   return table.text("lrrlrl") +
-         (any_changed ? "(...): not told, but in use, since it explains the traces as well or better\n" : "");
+         (!any_changed     ? ""
+          : found.explains ? "(...): not told, but in use, since it explains the traces as well or better\n"
+                           : "(...): not told; what comes closest, and in no machine file\n");
 }
 
 std::string traces_text(const Identification& found, const std::vector<std::string>& traces) {

@@ -12,6 +12,7 @@
 #include "app/run_options.h"
 #include "app/trace_columns_option.h"
 #include "app/watch.h"
+#include "core/analysis/agreement/held_stretches.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/export/trace.h"
@@ -141,6 +142,7 @@ int show_trace(const TraceOptions& options) {
       found = find_on_program(trace, course, deviation, run->input.program->source.get(),
                               watch.stage("matching"));
       agreement = agreement_of(*found, course, *run, watch.stage("comparing"));
+      add_held_remarks(*found, course, agreement->simulated);
     }
   }
   print_diagnostics(trace.notes, options.trace);

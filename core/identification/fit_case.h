@@ -18,8 +18,9 @@ struct SectionAgreement {
 
 /// How well a run says what was recorded.
 struct FitResult {
-  Agreement agreement;    ///< of section times only the times
-  double feed_error = 0;  ///< root mean square, as a share of the mean feed, less what jittering times make
+  Agreement agreement;     ///< of section times only the times
+  bool time_known = true;  ///< false where samples are missing without a gap in the times
+  double feed_error = 0;   ///< root mean square, as a share of the mean feed, less what jittering times make
   std::vector<SectionAgreement> sections;  ///< of section times
 };
 

@@ -58,7 +58,8 @@ std::vector<FitParameter> usual_fit_parameters(const Setup& setup) {
     }
     SettingSpec spec;
     spec.key = parameter.key;
-    return parameter.unit.empty() || is_period(spec) || !setup.settings.has(parameter.key);
+    // Zero stands for something else than a small value: no limit, say, and is kept.
+    return parameter.unit.empty() || is_period(spec) || !(fit_value(setup, parameter) > 0);
   });
   return all;
 }

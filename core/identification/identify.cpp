@@ -22,6 +22,8 @@ namespace {
 constexpr double most_feed_error = 0.05;
 constexpr double most_time_error = 0.01;
 
+constexpr double beyond_reach = 1.05;  // samples fall a little short of a velocity
+
 /// Where the stages begin that people are told of.
 constexpr double alone_from = 0.02;
 constexpr double together_from = 0.4;
@@ -56,8 +58,7 @@ Setup begun_with_reach(const FitCases& cases, Setup setup, const std::vector<Fit
       continue;
     }
     const AxisReach& reach = most[*axis];
-    constexpr double beyond = 1.05;  // samples fall a little short of a limit
-    const double value = parameter.key.ends_with(".velocity")       ? beyond * units::to_m_min(reach.velocity)
+    const double value = parameter.key.ends_with(".velocity") ? beyond_reach * units::to_m_min(reach.velocity)
                          : parameter.key.ends_with(".acceleration") ? units::to_m(reach.acceleration)
                                                                     : units::to_m(reach.jerk);
     if (value > 0) {
@@ -198,7 +199,63 @@ void search_jointly(ParameterSearch& search, const std::vector<bool>& free, cons
     search.scan(1.19, 1.03, free);
     search.search_widely(free, narrow, most);
     if (cost_here() > better * least) {
+      break;
+    }
+  }
+  for (const double fine : {0.05, 0.0125}) {
+    double least = cost_here();
+    for (int round = 0; round < most_rounds; ++round) {
+      search.search_widely(free, fine, most);
+      const double found = cost_here();
+      if (found > better * std::exchange(least, found)) {
+        break;
+      }
+    }
+  }
+}
+
+/// Tries values that a number may well have after all: the one it began with, where that is close, and of a
+/// velocity the largest one that the traces show. A number that acts by steps, and others that make up for
+/// it, lie in a hollow of their own, as a limit does that is beyond everything. `begun`, `reached`:
+/// logarithms.
+void try_likely(ParameterSearch& search, const std::vector<bool>& free, const Eigen::VectorXd& begun,
+                const Eigen::VectorXd& reached, std::size_t most) {
+  const double close = std::log(1.5);
+  constexpr double same = 1e-9;
+  constexpr double spread = 0.03;
+  constexpr double better_at_once = 0.9999;
+  constexpr double better = 0.98;
+  const auto cost_here = [&] { return ParameterSearch::cost(search.evaluate(search.logarithms())); };
+  const auto try_value = [&](std::size_t p, double value) {
+    const Eigen::VectorXd before = search.logarithms();
+    const auto place = static_cast<Eigen::Index>(p);
+    const double away = std::abs(before[place] - value);
+    if (away < same) {
       return;
+    }
+    const double least = cost_here();
+    Eigen::VectorXd at = before;
+    at[place] = value;
+    search.move_to(at);
+    if (cost_here() < better_at_once * least) {
+      return;
+    }
+    if (free[p] && away < close) {
+      std::vector<bool> others = free;
+      others[p] = false;
+      search.search_widely(others, spread, most);
+      if (cost_here() < better * least) {
+        return;
+      }
+    }
+    search.move_to(before);
+  };
+  for (std::size_t p = 0; p < search.size(); ++p) {
+    const FitParameter& parameter = search.parameters()[p];
+    const auto place = static_cast<Eigen::Index>(p);
+    try_value(p, begun[place]);
+    if (parameter.key.ends_with(".velocity")) {
+      try_value(p, reached[place] - std::log(beyond_reach));
     }
   }
 }
@@ -272,7 +329,7 @@ void say_what_tells(const Setup& setup, std::vector<IdentifiedParameter>& parame
   }
 }
 
-void write_sources(Setup& setup, const std::vector<IdentifiedParameter>& parameters,
+void write_sources(Setup& setup, const std::vector<IdentifiedParameter>& parameters, bool explains,
                    const std::string& from) {
   setup.machine.model = setup.model->info().id;
   const Settings known = complete_settings(*setup.model, setup.machine);
@@ -289,7 +346,7 @@ void write_sources(Setup& setup, const std::vector<IdentifiedParameter>& paramet
     }
     if (one.told) {
       setup.machine.provenance.insert_or_assign(key, identified_source(one, from));
-    } else if (one.value != one.start) {
+    } else if (one.value != one.start && explains) {
       setup.machine.provenance.insert_or_assign(key, untold_source(one, from));
     } else if (!setup.machine.provenance.contains(key)) {
       setup.machine.provenance.insert_or_assign(key, Provenance{"usual value of the model", true});
@@ -305,7 +362,7 @@ void lay_beside(const FitCases& cases, Identification& found) {
     FitResult result = one->result(run);
     found.feed_error = std::max(found.feed_error, result.feed_error);
     found.explains = found.explains && result.feed_error <= most_feed_error &&
-                     std::abs(result.agreement.time_error()) <= most_time_error;
+                     (!result.time_known || std::abs(result.agreement.time_error()) <= most_time_error);
     found.runs.push_back(std::move(run));
     found.agreements.push_back(std::move(result.agreement));
     found.sections.push_back(std::move(result.sections));
@@ -362,6 +419,7 @@ Identification identify(const FitCases& cases, const Setup& start,
   const std::size_t together = searched_together(cases, search.setup(), options.most_searched);
   search.stage(together_from, refined_from, 3 * together);
   search_jointly(search, free, reached, together);
+  try_likely(search, free, as_it_is, reached, together);
   constexpr double near = 1.1;
   constexpr std::size_t most_near = 100;
   search.search_together(free, near, most_near);
@@ -394,7 +452,7 @@ Identification identify(const FitCases& cases, const Setup& start,
       one.at_least.reset();
     }
   }
-  write_sources(found.setup, found.parameters,
+  write_sources(found.setup, found.parameters, found.explains,
                 names_of(cases) + (options.date.empty() ? "" : ", " + options.date));
   found.simulations = search.simulations();
   return found;

@@ -21,7 +21,8 @@ struct Identification {
       sections;           ///< by trace; empty for those that are no table of them
   double residual = 0;    ///< root mean square of the residuals, in units of noise and sampling
   double feed_error = 0;  ///< largest FitResult::feed_error
-  bool explains = false;  ///< the model says what the traces show: within 5 % of the feed and 1 % of the time
+  bool explains = false;  ///< the model says what the traces show: within 5 % of the feed and 1 % of the
+                          ///< time, where that is known
   std::vector<DriveFit> drives;  ///< by axis, of those that were looked for; also part of `parameters`
   std::size_t simulations = 0;
 };

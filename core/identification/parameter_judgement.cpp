@@ -107,17 +107,17 @@ std::vector<double> deviations(const ParameterSearch& search, const Eigen::Matri
   return found;
 }
 
-/// The value below which the traces would show it: where a smaller one begins to make them worse.
-double bound_below(ParameterSearch& search, Eigen::Index parameter, double cost_here,
+/// The value below which the traces would show it: where a smaller one begins to make them worse. `low`: the
+/// logarithm of one that does.
+double bound_below(ParameterSearch& search, Eigen::Index parameter, double low, double cost_here,
                    Eigen::Index stretches) {
   constexpr int halvings = 7;
   const Eigen::VectorXd at = search.logarithms();
-  const Bracket bracket =
-      halve({at[parameter] - std::log(2.0), at[parameter]}, halvings, [&](double logarithm) {
-        Eigen::VectorXd there = at;
-        there[parameter] = logarithm;
-        return rise(search.evaluate(there), cost_here, stretches) > certain;
-      });
+  const Bracket bracket = halve({low, at[parameter]}, halvings, [&](double logarithm) {
+    Eigen::VectorXd there = at;
+    there[parameter] = logarithm;
+    return rise(search.evaluate(there), cost_here, stretches) > certain;
+  });
   return std::exp(bracket.low);
 }
 
@@ -254,10 +254,24 @@ std::vector<IdentifiedParameter> judge_parameters(ParameterSearch& search, const
     if (one.told) {
       one.uncertainty = share * one.value;
     } else if (!above && !below) {
-      one.reason = without_influence;
+      // Its half changes nothing, but the value that was begun with may.
+      Eigen::VectorXd begun = at;
+      begun[static_cast<Eigen::Index>(p)] =
+          one.start > 0 ? std::log(one.start) : begun[static_cast<Eigen::Index>(p)];
+      if (rise(search.evaluate(begun), here, stretches_of(search)) <= certain) {
+        one.reason = without_influence;
+      } else if (one.start < one.value) {
+        one.reason = only_bound;
+        one.at_least = bound_below(search, static_cast<Eigen::Index>(p), std::log(one.start), here,
+                                   stretches_of(search));
+      } else {
+        one.reason = only_upper_bound;
+      }
     } else if (!above || (!needed && one.parameter.unit != "m/min")) {
       one.reason = only_bound;
-      one.at_least = bound_below(search, static_cast<Eigen::Index>(p), here, stretches_of(search));
+      one.at_least =
+          bound_below(search, static_cast<Eigen::Index>(p), at[static_cast<Eigen::Index>(p)] - std::log(2.0),
+                      here, stretches_of(search));
     } else if (!below) {
       one.reason = only_upper_bound;
     } else if (is_systematic) {

@@ -4,9 +4,15 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <fstream>
+#include <functional>
+#include <string_view>
+#include <utility>
+#include <variant>
 
 #include "core/base/error.h"
+#include "core/base/translatable.h"
 #include "core/identification/section_case.h"
 #include "core/identification/trace_case.h"
 #include "core/machine/file_text.h"
@@ -18,6 +24,106 @@ namespace {
 AxisDrive drive_of(const Machine& machine, char axis) {
   const AxisDrive* held = machine.drives.find(axis);
   return held == nullptr ? AxisDrive() : *held;
+}
+
+/// What was found with a tolerance of zero says so. `before`: its value that was begun with.
+void add_zero(Identification& found, const FitParameter& tolerance, double before, const std::string& date) {
+  IdentifiedParameter one;
+  one.parameter = tolerance;
+  one.start = before;
+  one.reason = QT_TRANSLATE_NOOP("core", "Only zero, which stands for no limit, explains these traces.");
+  found.setup.machine.provenance.insert_or_assign(
+      tolerance.key,
+      Provenance{date.empty() ? "traces that only zero explains" : "traces that only zero explains, " + date,
+                 true});
+  found.parameters.push_back(std::move(one));
+}
+
+constexpr std::string_view steps_key = "steps_per_mm";
+
+/// Whether the model counts steps of motors, and how many make a millimetre is an assumption.
+bool assumes_steps(const Setup& start) {
+  const std::string timing = "step_timing";
+  if (!start.settings.has(timing) || start.settings.text(timing) != "on") {
+    return false;
+  }
+  return std::ranges::any_of(start.machine.provenance, [](const auto& source) {
+    return source.first.ends_with(steps_key) && source.second.assumed;
+  });
+}
+
+Setup with_steps(Setup setup, double factor) {
+  for (const auto& [axis, kind] : setup.machine.axes.axes()) {
+    const SettingValue value = axis_value(setup.machine, axis, steps_key);
+    if (const double* steps = std::get_if<double>(&value)) {
+      set_axis_value(setup.machine, axis, std::string(steps_key), *steps * factor);
+    }
+  }
+  return setup;
+}
+
+/// Steps that are assumed change what is found: takes half or double as many where that explains the
+/// recordings much better, and doubts the numbers as far as they change from there to the next best. `fit`:
+/// with a start.
+void doubt_steps(Identification& found, const Setup& start,
+                 const std::function<Identification(const Setup&)>& fit) {
+  constexpr double better = 0.8;
+  constexpr double coarsest = 0.2;
+  double taken = 1;
+  std::vector<Identification> others;
+  for (const double factor : {2.0, 0.5}) {
+    Identification other = fit(with_steps(start, factor));
+    if (other.explains && other.residual < better * found.residual) {
+      std::swap(found, other);
+      taken = factor;
+    }
+    others.push_back(std::move(other));
+  }
+  const Identification& other = *std::ranges::min_element(others, {}, &Identification::residual);
+  for (std::size_t p = 0; p < found.parameters.size() && other.explains; ++p) {
+    IdentifiedParameter& one = found.parameters[p];
+    if (!one.told || is_drive_parameter(one.parameter)) {
+      continue;
+    }
+    one.uncertainty = std::max(one.uncertainty, std::abs(other.parameters[p].value - one.value));
+    if (one.uncertainty > coarsest * one.value) {
+      one.told = false;
+      one.uncertainty = 0;
+      one.reason = QT_TRANSLATE_NOOP(
+          "core", "It changes with the steps a millimetre, which are assumed: give those of the machine.");
+    }
+  }
+  if (taken != 1) {
+    for (const auto& [axis, kind] : start.machine.axes.axes()) {
+      IdentifiedParameter one;
+      one.parameter = {fmt::format("{}.{}", axis, steps_key), "1/mm", 0, 0};
+      const auto number = [&](const Setup& setup) {
+        const SettingValue value = axis_value(setup.machine, axis, steps_key);
+        const double* steps = std::get_if<double>(&value);
+        return steps != nullptr ? *steps : 0;
+      };
+      one.start = number(start);
+      one.value = number(found.setup);
+      one.reason = QT_TRANSLATE_NOOP(
+          "core", "Assumed, but it explains the recordings much better than what was assumed before.");
+      found.setup.machine.provenance.insert_or_assign(
+          one.parameter.key, Provenance{"explains recordings better than what was assumed before", true});
+      found.parameters.push_back(std::move(one));
+    }
+  }
+}
+
+/// The tolerance among `parameters` for which zero stands for no limit, which no search of logarithms comes
+/// to; null: none.
+const FitParameter* that_may_be_zero(const Setup& start, const std::vector<FitParameter>& parameters) {
+  for (const SettingSpec& spec : settings_of(*start.model)) {
+    const auto one = std::ranges::find(parameters, spec.key, &FitParameter::key);
+    if (one != parameters.end() && spec.minimum == 0 && spec.least_above_zero == 0 &&
+        spec.key.find("tolerance") != std::string::npos) {
+      return &*one;
+    }
+  }
+  return nullptr;
 }
 
 }  // namespace
@@ -116,6 +222,37 @@ void Recordings::add_drive(Identification& found, const DriveFit& drive, const s
 
 Identification Recordings::fit(const Setup& start, const std::vector<FitParameter>& parameters,
                                const IdentifyOptions& options, const Stage& stage) {
+  Progress* fitting = nullptr;
+  Identification found = fit_as_begun(start, parameters, options, [&](const char* title) {
+    return fitting = stage ? stage(title) : nullptr;
+  });
+  const auto again = [&](const Setup& other, const std::vector<FitParameter>& some) {
+    std::vector<std::vector<Diagnostic>> remarks = remarks_;
+    Identification fitted = fit_as_begun(other, some, options, [&](const char*) { return fitting; });
+    remarks_ = std::move(remarks);
+    found.simulations += fitted.simulations;
+    return fitted;
+  };
+  if (const FitParameter* tolerance = found.explains ? nullptr : that_may_be_zero(start, parameters)) {
+    Setup without = start;
+    without.settings.set(tolerance->key, 0.0);
+    std::vector<FitParameter> others = parameters;
+    std::erase_if(others, [&](const FitParameter& one) { return one.key == tolerance->key; });
+    Identification other = again(without, others);
+    if (other.explains) {
+      other.simulations = found.simulations;
+      add_zero(other, *tolerance, fit_value(start, *tolerance), options.date);
+      return other;
+    }
+  }
+  if (found.explains && assumes_steps(start)) {
+    doubt_steps(found, start, [&](const Setup& other) { return again(other, parameters); });
+  }
+  return found;
+}
+
+Identification Recordings::fit_as_begun(const Setup& start, const std::vector<FitParameter>& parameters,
+                                        const IdentifyOptions& options, const Stage& stage) {
   const auto begin = [&](const char* title) { return stage ? stage(title) : nullptr; };
   remarks_.assign(items_.size(), {});
   FitCases cases;
@@ -172,7 +309,16 @@ void sort_by_explanation(std::vector<Identification>& models) {
 }
 
 Machine identified_machine(const Identification& found, const std::filesystem::path& file) {
-  Machine machine = found.setup.machine;
+  Setup setup = found.setup;
+  for (const IdentifiedParameter& one : found.parameters) {
+    if (!found.explains && !one.told && one.value != one.start) {  // it says nothing of the machine
+      set_fit_value(setup, one.parameter, one.start);
+      if (one.parameter.key.find('.') == std::string::npos) {
+        setup.machine.settings.set(one.parameter.key, setup.settings.value(one.parameter.key));
+      }
+    }
+  }
+  Machine machine = std::move(setup.machine);
   if (file != "-") {
     machine.id = file.stem().string();
   }

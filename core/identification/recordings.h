@@ -28,9 +28,10 @@ class Recordings {
   std::vector<FitParameter> usual_parameters(const Setup& start) const;
 
   /// The `parameters` of `start` with which its model explains all of them best; those of drives by
-  /// fit_drive(). Throws InputError for a recording that is not of its program or holds too little of it, for
-  /// section times that no machine takes (SectionCase::check_times()), for a drive without set and actual
-  /// positions, and what identify() throws.
+  /// fit_drive(). If its model does not explain them, a tolerance that may be zero, for no limit, is tried
+  /// so. Throws InputError for a recording that is not of its program or holds too little of it, for section
+  /// times that no machine takes (SectionCase::check_times()), for a drive without set and actual positions,
+  /// and what identify() throws.
   Identification fit(const Setup& start, const std::vector<FitParameter>& parameters,
                      const IdentifyOptions& options = {}, const Stage& stage = {});
   /// What is wrong with each of them on its program: known after fit(), of tables nothing.
@@ -47,6 +48,8 @@ class Recordings {
   std::vector<const Trace*> traces() const;
   std::vector<DriveFit> fit_drives(const std::vector<FitParameter>& parameters, Setup& setup,
                                    Progress* progress);
+  Identification fit_as_begun(const Setup& start, const std::vector<FitParameter>& parameters,
+                              const IdentifyOptions& options, const Stage& stage);
   const DriveFit& drive_of_axis(char axis, const AxisDrive& start, Progress* progress);
   void add_drive(Identification& found, const DriveFit& drive, const std::string& date) const;
 
@@ -73,7 +76,7 @@ std::string usual_machine_of(const std::string& model);
 void sort_by_explanation(std::vector<Identification>& models);
 
 /// What was found as a machine, with the source of every number, named after the file that it goes to; "-"
-/// for none.
+/// for none. Of a model that does not explain the recordings it keeps the values that were begun with.
 Machine identified_machine(const Identification& found, const std::filesystem::path& file);
 
 /// "2026-11-25", for IdentifyOptions::date.

@@ -159,12 +159,17 @@ std::vector<SectionTime> parse_section_times(std::string_view text, const std::s
           "and below {:g} s",
           name, row, line, longest));
     }
+    const auto same = std::ranges::find(times, section, &SectionTime::section);
+    if (same != times.end()) {
+      throw InputError(fmt::format("{}:{}: section {} has a time in line {} already; keep one of the two",
+                                   name, row, section, same->row));
+    }
     times.push_back(
         {std::string(section), *value * columns->unit, columns->unit * last_digit(number, decimal), row});
   }
   if (times.size() < least_sections) {
-    throw InputError(fmt::format("{}: {} section times; at least {} can tell something", name, times.size(),
-                                 least_sections));
+    throw InputError(fmt::format("{}: section times given: {}; at least {} can tell something", name,
+                                 times.size(), least_sections));
   }
   find_resolution(times);
   return times;

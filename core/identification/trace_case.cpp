@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/identification/held_stretches.h"
 
 namespace feedscope {
 namespace {
@@ -89,19 +88,13 @@ TimeLaw TraceCase::law_of(const Trajectory& run) const {
 }
 
 void TraceCase::leave_out_holds(const TimeLaw& run) {
-  for (const HeldStretch& one : held_stretches(found_.law, run, found_.noise)) {
-    held_ += one.held;
+  held_ = held_stretches(found_.law, run, found_.noise);
+  for (const HeldStretch& one : held_) {
     found_.lost.push_back({one.from, one.to, one.from_s, one.to_s, true});
     found_.remarks.push_back(
-        {.severity = Severity::warning,
-         .line = 0,
-         .column = 0,
-         .code = "trace-held",
-         .message = fmt::format(
-             "the trace stands still for {:.3g} s from {:.4g} s on at line {}, where the program does not",
-             one.held, one.from, course_->line_at((one.from_s + one.to_s) / 2)),
-         .hint = "a feed hold, or a stop that the simulation does not know; half a second before it and "
-                 "behind it is not compared, and its time not counted"});
+        held_note(one, *course_,
+                  "a feed hold, or a stop that the simulation does not know; half a second before it and "
+                  "behind it is not compared, and its time not counted"));
   }
   std::ranges::stable_sort(found_.lost, {}, &LostStretch::from);
 }
@@ -150,7 +143,13 @@ AxisVector<AxisReach> TraceCase::reach() const {
 FitResult TraceCase::result(const Run& run) const {
   FitResult result;
   result.agreement = agreement_of(found_, *course_, run);
-  result.agreement.measured_time -= held_;
+  const TimeLaw& law = found_.law;
+  const TimeLaw& simulated = result.agreement.simulated;
+  for (const HeldStretch& one : held_) {  // as if the control had passed there as the run does
+    result.agreement.measured_time -= law.at(one.to_s) - law.at(one.from_s);
+    result.agreement.measured_time += simulated.at(one.to_s) - simulated.at(one.from_s);
+  }
+  result.time_known = std::ranges::none_of(found_.lost, &LostStretch::jumps);
   const double length = found_.law.last_s() - found_.law.first_s();
   const double mean_feed = length / std::max(result.agreement.measured_time, 1e-9);
   const double cells = static_cast<double>(std::max<std::size_t>(1, result.agreement.cells.size()));

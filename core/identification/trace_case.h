@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/analysis/agreement/held_stretches.h"
 #include "core/identification/fit_case.h"
 
 namespace feedscope {
@@ -46,10 +47,10 @@ class TraceCase : public FitCase {
   LoadedProgram program_;
   std::shared_ptr<const ProgrammedCourse> course_;
   TraceOnProgram found_;
-  double held_ = 0;              ///< what the trace stands longer than the program has it stand [s]
-  double step_ = 1e-3;           ///< of sampling a run [s]
-  std::vector<double> borders_;  ///< programmed path length [mm]
-  std::vector<double> times_;    ///< measured there [s]
+  std::vector<HeldStretch> held_;  ///< where the trace stands longer than the program has it stand
+  double step_ = 1e-3;             ///< of sampling a run [s]
+  std::vector<double> borders_;    ///< programmed path length [mm]
+  std::vector<double> times_;      ///< measured there [s]
   std::vector<double> time_noise_;
   std::vector<Span> spans_;  ///< without those that the trace has left the path in
   std::size_t short_ = 0;    ///< of them, short ones, which come first

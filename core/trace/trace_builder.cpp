@@ -414,7 +414,7 @@ Trace TraceBuilder::finish() {
     drop_unknown_ends();
   }
   if (trace_.time.size() < least_samples) {
-    throw InputError(fmt::format("'{}' has {} samples; a trace has at least {}", trace_.name,
+    throw InputError(fmt::format("'{}' has too few samples whose times rise: {}; a trace has at least {}", trace_.name,
                                  trace_.time.size(), least_samples));
   }
   look_at_times();

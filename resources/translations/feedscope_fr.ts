@@ -324,10 +324,6 @@
         <translation>non révélé</translation>
     </message>
     <message>
-        <source>No part of the test program tells it: the model does not use it.</source>
-        <translation>Aucune partie du programme d&apos;essai ne le révèle&#xa0;: le modèle ne s&apos;en sert pas.</translation>
-    </message>
-    <message>
         <source>A recording of the test program tells it: part %1.</source>
         <translation>Un enregistrement du programme d&apos;essai le révèle&#xa0;: partie %1.</translation>
     </message>
@@ -382,6 +378,10 @@
     <message>
         <source>Drive of %1: not told, the actual positions seem to be %2 ms later than the set ones.</source>
         <translation>Entraînement de %1&#xa0;: non révélé, les positions réelles semblent suivre les consignes de %2 ms.</translation>
+    </message>
+    <message>
+        <source>No part of the test program would tell this value.</source>
+        <translation>Aucune partie du programme d&apos;essai ne révélerait cette valeur.</translation>
     </message>
 </context>
 <context>
@@ -4614,8 +4614,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>%1:%2&#xa0;: «&#xa0;%3&#xa0;» n&apos;est pas une section et son temps&#xa0;; une ligne est de la forme 12,1.234, avec un temps supérieur à 0 et inférieur à %4&#xa0;s</translation>
     </message>
     <message>
-        <source>%1: %2 section times; at least %3 can tell something</source>
-        <translation>%1&#xa0;: %2 temps de sections&#xa0;; il en faut au moins %3 pour révéler quelque chose</translation>
+        <source>%1: section times given: %2; at least %3 can tell something</source>
+        <translation>%1&#xa0;: temps de sections donnés&#xa0;: %2&#xa0;; il en faut au moins %3 pour révéler quelque chose</translation>
     </message>
     <message>
         <source>%1:%2: %3 has no section &apos;%4&apos;; a section is marked by the comments SECTION 12 BEGINS and SECTION 12 ENDS, or is given by its lines, as 40-55</source>
@@ -8594,8 +8594,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>&apos;%1&apos; n&apos;a pas de position de X, Y ou Z&#xa0;; nommez leurs colonnes, comme --columns x=2:mm,y=3:mm</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; has %2 samples; a trace has at least %3</source>
-        <translation>&apos;%1&apos; compte %2 échantillons&#xa0;; il en faut au moins %3</translation>
+        <source>&apos;%1&apos; has too few samples whose times rise: %2; a trace has at least %3</source>
+        <translation>&apos;%1&apos; a trop peu d&apos;échantillons dont le temps croît&#xa0;: %2&#xa0;; il en faut au moins %3</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has no column &apos;%2&apos; for %3; %4</source>
@@ -9072,6 +9072,26 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>the times jitter by more than a period: record the time of the control&apos;s cycle</source>
         <translation>les temps varient de plus d’une période : enregistrer le temps du cycle de la commande</translation>
+    </message>
+    <message>
+        <source>Only zero, which stands for no limit, explains these traces.</source>
+        <translation>Seul zéro, qui signifie sans limite, explique ces traces.</translation>
+    </message>
+    <message>
+        <source>It changes with the steps a millimetre, which are assumed: give those of the machine.</source>
+        <translation>Elle change avec les pas par millimètre, qui sont supposés&#xa0;: donner ceux de la machine.</translation>
+    </message>
+    <message>
+        <source>Assumed, but it explains the recordings much better than what was assumed before.</source>
+        <translation>Supposé, mais explique les enregistrements bien mieux que ce qui était supposé auparavant.</translation>
+    </message>
+    <message>
+        <source>a feed hold, or a stop that the simulation does not know; its time is in that of the trace</source>
+        <translation>un arrêt d&apos;avance, ou un arrêt que la simulation ne connaît pas&#xa0;; sa durée est comprise dans celle de la trace</translation>
+    </message>
+    <message>
+        <source>%1:%2: section %3 has a time in line %4 already; keep one of the two</source>
+        <translation>%1:%2&#xa0;: la section %3 a déjà un temps à la ligne %4&#xa0;; garder l&apos;un des deux</translation>
     </message>
 </context>
 <context>

@@ -80,7 +80,7 @@ QString IdentificationTexts::explanation(const IdentifiedParameter& parameter, b
   }
   const QString part = QString::fromStdString(parameter.told_by);
   return reason + ' ' +
-         (part.isEmpty() ? tr("No part of the test program tells it: the model does not use it.")
+         (part.isEmpty() ? tr("No part of the test program would tell this value.")
                          : tr("A recording of the test program tells it: part %1.").arg(part));
 }
 

@@ -105,6 +105,9 @@ constexpr std::array sentences{
                       "a feed hold, or a stop that the simulation does not know; half a second before it and "
                       "behind it is not "
                       "compared, and its time not counted"),
+    QT_TRANSLATE_NOOP("core",
+                      "a feed hold, or a stop that the simulation does not know; its time is in that of the "
+                      "trace"),
     QT_TRANSLATE_NOOP("core", "the time of the whole is right; feeds, ramps and corners there are not known"),
     QT_TRANSLATE_NOOP("core", "the trace covers %1 % of the path of the program, %2; only that is compared"),
     QT_TRANSLATE_NOOP("core",
@@ -136,7 +139,8 @@ constexpr std::array sentences{
         "core",
         "%1:%2: '%3' is not a section and its time; a row is like 12,1.234, with a time above 0 and "
         "below %4 s"),
-    QT_TRANSLATE_NOOP("core", "%1: %2 section times; at least %3 can tell something"),
+    QT_TRANSLATE_NOOP("core", "%1: section times given: %2; at least %3 can tell something"),
+    QT_TRANSLATE_NOOP("core", "%1:%2: section %3 has a time in line %4 already; keep one of the two"),
     QT_TRANSLATE_NOOP("core", "%1: the sections take %2 times what machine '%3' takes in the simulation; %4"),
     QT_TRANSLATE_NOOP(
         "core",

@@ -94,7 +94,7 @@ constexpr std::array failure_patterns{
     QT_TRANSLATE_NOOP("core", "%1:%2: the trace has more than %3 million samples"),
     QT_TRANSLATE_NOOP("core",
                       "'%1' has no position of X, Y or Z; name their columns, as --columns x=2:mm,y=3:mm"),
-    QT_TRANSLATE_NOOP("core", "'%1' has %2 samples; a trace has at least %3"),
+    QT_TRANSLATE_NOOP("core", "'%1' has too few samples whose times rise: %2; a trace has at least %3"),
     QT_TRANSLATE_NOOP("core", "'%1' has no column '%2' for %3; %4"),
     QT_TRANSLATE_NOOP("core", "it has %1 columns without names"),
     QT_TRANSLATE_NOOP("core", "it has %1"),

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "core/analysis/agreement/held_stretches.h"
 #include "core/base/error.h"
 #include "core/trace/read_trace.h"
 #include "ui/language/failure_text.h"
@@ -33,6 +34,7 @@ std::shared_ptr<const ShownTrace> lay_beside(std::shared_ptr<const Trace> trace,
   shown->found = find_on_program(*trace, course, deviation_of(*simulated.trajectory, course, step),
                                  simulated.input.program->source.get(), progress);
   shown->agreement = agreement_of(shown->found, course, simulated, progress);
+  add_held_remarks(shown->found, course, shown->agreement.simulated);
   shown->motion = TraceMotion(shown->found.record, seen, shown->found.noise, trace->period,
                               RecordedErrors(*trace, shown->found.pose), progress);
   shown->alignment = TraceAlignment(shown->found, shown->agreement);

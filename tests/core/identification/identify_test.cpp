@@ -299,7 +299,9 @@ TEST(SectionTable, NamesRowAndFaultOfWhatItCannotRead) {
   EXPECT_THAT(refusal("a,b\n1,2\n"), HasSubstr("t.csv:1: not a table of section times"));
   EXPECT_THAT(refusal("section,seconds\n1,2\n2,-1\n"),
               HasSubstr("t.csv:3: '2,-1' is not a section and its time"));
-  EXPECT_THAT(refusal("section,seconds\n1,2\n"), HasSubstr("1 section times; at least 4"));
+  EXPECT_THAT(refusal("section,seconds\n1,2\n"), HasSubstr("section times given: 1; at least 4"));
+  EXPECT_THAT(refusal("section,seconds\n1,2\n2,3\n1,2.1\n"),
+              HasSubstr("t.csv:4: section 1 has a time in line 2 already"));
 }
 
 TEST(FitParameters, AreNumbersOfMachineAndModelByKey) {
@@ -310,6 +312,12 @@ TEST(FitParameters, AreNumbersOfMachineAndModelByKey) {
     EXPECT_EQ(parameter.key.find("period"), std::string::npos) << parameter.key;
     EXPECT_FALSE(parameter.key.ends_with("jerk")) << parameter.key << ": LinuxCNC limits none";
   }
+  const auto blends = [](const std::string& value) {
+    const auto usual = usual_fit_parameters(setup_of("linuxcnc-mill", {"blend_tolerance_mm=" + value}));
+    return std::ranges::find(usual, "blend_tolerance_mm", &FitParameter::key) != usual.end();
+  };
+  EXPECT_TRUE(blends("0.02"));
+  EXPECT_FALSE(blends("0")) << "no limit, to which no small value leads";
   const auto with_jerk = usual_fit_parameters(setup_of("spinner-mvc850", {}));
   EXPECT_NE(std::ranges::find(with_jerk, "X.jerk", &FitParameter::key), with_jerk.end());
   try {

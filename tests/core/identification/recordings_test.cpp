@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <filesystem>
 #include <fstream>
 
 #include "core/analysis/line_times.h"
 #include "core/base/error.h"
 #include "core/drives/drive_response.h"
+#include "tests/support/folders.h"
 
 namespace feedscope {
 namespace {
@@ -217,6 +219,50 @@ TEST(Recordings, AreComparedWithoutAStretchInWhichTheMachineWasHeld) {
   EXPECT_EQ(recordings.remarks()[0][0].code, "trace-held");
   EXPECT_THAT(recordings.remarks()[0][0].message,
               HasSubstr("stands still for 3 s from 0.199 s on at line 2"));
+}
+
+/// G64 without P, as a control has it that begins with it.
+TEST(Recordings, OfAControlWithoutABlendToleranceAreExplainedByZero) {
+  const LoadedProgram program =
+      load_program(std::filesystem::path(FEEDSCOPE_SOURCE_DIR) / "resources/programs/lesson_corners.nc");
+  const auto run =
+      simulate_run(program, mill({"X.acceleration=0.25", "Y.acceleration=0.3", "blend_tolerance_mm=0"}));
+  Recordings recordings;
+  recordings.add(trace_of(run), program);
+  const auto start = mill({});
+  const Identification found = recordings.fit(
+      start, fit_parameters_of(start, {"X.acceleration", "Y.acceleration", "blend_tolerance_mm"}));
+  EXPECT_TRUE(found.explains);
+  EXPECT_NEAR(found.parameters[0].value, 0.25, 0.005);
+  EXPECT_NEAR(found.parameters[1].value, 0.3, 0.006);
+  EXPECT_EQ(found.setup.settings.number("blend_tolerance_mm"), 0);
+  const IdentifiedParameter& tolerance = found.parameters.back();
+  EXPECT_EQ(tolerance.parameter.key, "blend_tolerance_mm");
+  EXPECT_EQ(tolerance.value, 0);
+  EXPECT_THAT(tolerance.reason, HasSubstr("Only zero"));
+}
+
+/// What comes closest says nothing of the machine.
+TEST(Recordings, OfAnotherKindOfControlLeaveTheMachineFileAsItWas) {
+  const LoadedProgram program = moves();
+  Recordings recordings;
+  recordings.add(trace_of(simulate_run(program, mill(truth))), program);
+  SetupRequest request;
+  request.machine = "dmg-mori-evo40";
+  const auto start = make_setup(request);
+  const Identification found =
+      recordings.fit(start, fit_parameters_of(start, {"X.velocity", "filter_time_s"}));
+  ASSERT_FALSE(found.explains);
+  const Machine machine = identified_machine(found, "mine.toml");
+  int changed = 0;
+  for (const IdentifiedParameter& one : found.parameters) {
+    changed += one.value != one.start ? 1 : 0;
+    auto written = start;
+    written.machine = machine;
+    written.settings = complete_settings(*start.model, machine);
+    EXPECT_DOUBLE_EQ(fit_value(written, one.parameter), one.start) << one.parameter.key;
+  }
+  EXPECT_GT(changed, 0) << "it comes closer with other numbers";
 }
 
 /// A search for the machine that takes so long would go on for minutes, and find nothing.

@@ -1,4 +1,4 @@
-#include "core/identification/held_stretches.h"
+#include "core/analysis/agreement/held_stretches.h"
 
 #include <gtest/gtest.h>
 

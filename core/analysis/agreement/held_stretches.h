@@ -2,7 +2,10 @@
 
 #include <vector>
 
+#include "core/analysis/agreement/programmed_course.h"
 #include "core/analysis/agreement/time_law.h"
+#include "core/analysis/agreement/trace_on_program.h"
+#include "core/base/diagnostic.h"
 
 namespace feedscope {
 
@@ -18,5 +21,11 @@ struct HeldStretch {
 /// Those of a trace, of half a second and more, in its order. `noise`: of its places [mm]. Dwells that the
 /// run has too are none, nor is the time before the first and after the last motion.
 std::vector<HeldStretch> held_stretches(const TimeLaw& trace, const TimeLaw& run, double noise);
+
+/// Says in the remarks of a trace where it stands still and the run, `run` on its programmed path, does not.
+void add_held_remarks(TraceOnProgram& trace, const ProgrammedCourse& course, const TimeLaw& run);
+
+/// That a trace stands still there; `hint`: what follows from that.
+Diagnostic held_note(const HeldStretch& held, const ProgrammedCourse& course, const char* hint);
 
 }  // namespace feedscope

@@ -1,4 +1,6 @@
-#include "core/identification/held_stretches.h"
+#include "core/analysis/agreement/held_stretches.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -37,6 +39,25 @@ std::vector<HeldStretch> held_stretches(const TimeLaw& trace, const TimeLaw& run
     }
   }
   return held;
+}
+
+void add_held_remarks(TraceOnProgram& trace, const ProgrammedCourse& course, const TimeLaw& run) {
+  for (const HeldStretch& one : held_stretches(trace.law, run, trace.noise)) {
+    trace.remarks.push_back(held_note(
+        one, course,
+        "a feed hold, or a stop that the simulation does not know; its time is in that of the trace"));
+  }
+}
+
+Diagnostic held_note(const HeldStretch& held, const ProgrammedCourse& course, const char* hint) {
+  return {.severity = Severity::warning,
+          .line = 0,
+          .column = 0,
+          .code = "trace-held",
+          .message = fmt::format(
+              "the trace stands still for {:.3g} s from {:.4g} s on at line {}, where the program does not",
+              held.held, held.from, course.line_at((held.from_s + held.to_s) / 2)),
+          .hint = hint};
 }
 
 }  // namespace feedscope
