@@ -414,8 +414,8 @@ Trace TraceBuilder::finish() {
     drop_unknown_ends();
   }
   if (trace_.time.size() < least_samples) {
-    throw InputError(fmt::format("'{}' has too few samples whose times rise: {}; a trace has at least {}", trace_.name,
-                                 trace_.time.size(), least_samples));
+    throw InputError(fmt::format("'{}' has too few samples whose times rise: {}; a trace has at least {}",
+                                 trace_.name, trace_.time.size(), least_samples));
   }
   look_at_times();
   look_at_jumps();
