@@ -115,13 +115,14 @@ std::vector<double> release_speeds(ParameterSearch& search, std::vector<bool> fr
 }
 
 /// A limit a little below what a motion takes, that is beyond what it reaches, looks told while the others
-/// stand for it: releases each acceleration and jerk, fits the others again, and stays where that explains
-/// the traces better. Lowers `without` as release_speeds() does.
+/// stand for it: releases each acceleration and jerk, looks for the velocity of its axis, which may have
+/// been out of the way, fits the others again, and stays where that explains the traces better. Lowers
+/// `without` as release_speeds() does.
 void release_ramps(ParameterSearch& search, const std::vector<bool>& free, std::vector<double>& without) {
   constexpr double out_of_the_way = 1.5;
   constexpr double better = 0.999;
   constexpr int steps = 3;
-  search.stage(0.93, judged_from, search.size() * steps * (2 * search.size() + 5));
+  search.stage(0.93, judged_from, search.size() * (25 + steps * (2 * search.size() + 5)));
   for (std::size_t p = 0; p < search.size(); ++p) {
     const std::string& key = search.parameters()[p].key;
     if (!key.ends_with(".acceleration") && !key.ends_with(".jerk")) {
@@ -134,6 +135,13 @@ void release_ramps(ParameterSearch& search, const std::vector<bool>& free, std::
     search.move_to(released);
     std::vector<bool> others = free;
     others[p] = false;
+    for (std::size_t q = 0; q < search.size(); ++q) {
+      if (search.parameters()[q].key == key.substr(0, key.find('.')) + ".velocity") {
+        search.scan_one(q, 2, 1.09);
+        search.scan_one(q, 1.05, 1.012);
+        others[q] = true;
+      }
+    }
     search.refine(others, steps);
     const double cost_after = ParameterSearch::cost(search.evaluate(search.logarithms()));
     without[p] = std::min(without[p], cost_after);
