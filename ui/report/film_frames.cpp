@@ -13,6 +13,7 @@
 #include "core/base/error.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"
+#include "ui/report/picture_file.h"
 #include "ui/scene/picture.h"
 #include "ui/theme/fonts.h"
 
@@ -91,9 +92,9 @@ QImage FilmFrames::frame(std::size_t k) {
   const State state = run().trajectory->state(times_.time(k));
   scene_.scene().set_cursor(state);
   QImage image((look_.picture.size * ratio).toSize(), QImage::Format_RGB32);
-  image.setDevicePixelRatio(ratio);
   image.fill(QApplication::palette().color(QPalette::Window));
-  QPainter painter(&image);
+  QPainter painter;
+  begin_units(painter, image, ratio);
   painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
   scene_.paint(painter, view_, {ratio, text_scale_});
   draw_caption(painter, state);

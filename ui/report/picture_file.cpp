@@ -4,6 +4,7 @@
 #include <QImage>
 #include <QPainter>
 #include <QPdfWriter>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -39,8 +40,8 @@ std::string png_of(const PictureSpec& spec, const Paint& paint) {
                      std::max(1, static_cast<int>(std::lround(spec.size.height() * spec.scale))));
   QImage image(pixels, spec.transparent ? QImage::Format_ARGB32_Premultiplied : QImage::Format_RGB32);
   image.fill(spec.transparent ? QColor(Qt::transparent) : spec.background);
-  image.setDevicePixelRatio(spec.scale);
-  QPainter painter(&image);
+  QPainter painter;
+  begin_units(painter, image, spec.scale);
   paint_on(painter, spec, paint);
   painter.end();
   image.setDevicePixelRatio(1);
@@ -120,6 +121,13 @@ Picture picture_of(const QImage& image) {
     picture.rgb.insert(picture.rgb.end(), line, line + row);
   }
   return picture;
+}
+
+void begin_units(QPainter& painter, QImage& image, double ratio) {
+  const double enlarged = std::max(1.0, ratio);  // QPainter takes a ratio below 1 for 1
+  image.setDevicePixelRatio(enlarged);
+  painter.begin(&image);
+  painter.scale(ratio / enlarged, ratio / enlarged);
 }
 
 std::string make_picture(const PictureSpec& spec, const Paint& paint) {

@@ -37,6 +37,10 @@ struct PictureSpec {
 /// Without its transparency.
 Picture picture_of(const QImage& image);
 
+/// Begins to paint on an image with `ratio` pixels to a unit of the painter. A ratio below 1 reduces;
+/// QImage::setDevicePixelRatio() alone would crop.
+void begin_units(QPainter& painter, QImage& image, double ratio);
+
 /// The bytes of the file; the same painting gives the same bytes.
 std::string make_picture(const PictureSpec& spec, const std::function<void(QPainter&)>& paint);
 

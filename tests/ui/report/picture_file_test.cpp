@@ -78,6 +78,22 @@ TEST(PictureFile, PngHasThePixelsAskedForAndTheirSizeOnPaper) {
   EXPECT_EQ(image.dotsPerMeterX(), 11811);  // 600 pixels on two inches
 }
 
+TEST(PictureFile, PngBelow96DotsAnInchShowsTheWholePictureSmaller) {
+  PictureSpec spec = spec_of(PictureFormat::png);
+  for (const bool transparent : {false, true}) {
+    spec.transparent = transparent;
+    spec.scale = 0.5;
+    spec.paper = QSizeF(50.8, 25.4);
+    const QImage image = QImage::fromData(QByteArray::fromStdString(made(spec)));
+    EXPECT_EQ(image.size(), QSize(100, 50));
+    EXPECT_EQ(image.dotsPerMeterX(), 1969);  // 100 pixels on two inches
+    EXPECT_EQ(image.pixelColor(10, 10), QColor(Qt::red));
+    EXPECT_EQ(image.pixelColor(28, 10).alpha(), transparent ? 0 : 255);
+    EXPECT_EQ(image.pixelColor(15, 40), QColor(Qt::green));
+    EXPECT_GT(dark_pixels(image, {75, 15, 20, 13}), 5U) << "the text";
+  }
+}
+
 TEST(PictureFile, ATransparentPngIsEmptyWhereNothingIsDrawn) {
   PictureSpec spec = spec_of(PictureFormat::png);
   spec.transparent = true;
