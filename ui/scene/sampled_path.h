@@ -75,7 +75,9 @@ struct SampledPath {
   /// By sample_index() of a colouring, in inside units; those against another run, and those of what a run
   /// has not, may be empty.
   std::array<std::vector<Stored>, sampled_count> values;
-  std::vector<CauseKind> causes;               ///< limiting cause
+  std::vector<CauseKind> causes;  ///< limiting cause
+  /// What each kind of cause takes of the whole run, rapids included [s]; all 0 for a programmed path.
+  std::array<double, cause_kind_count> cause_times{};
   std::vector<StoredVector> deviations;        ///< PathDeviation::Result::along_bisector [mm]
   std::vector<float> lost;                     ///< RunDifference::lost [s]; empty without another run
   std::shared_ptr<const SampledPath> actual;   ///< what the axes run; null without drives

@@ -51,6 +51,13 @@ QPainterPath lines_of(DockIcon kind) {
     path.lineTo(side - 3, side - 3);
     path.moveTo(side - 3, 3);
     path.lineTo(3, side - 3);
+  } else if (kind == DockIcon::more || kind == DockIcon::more_below) {
+    for (const double left : {3.0, 8.0}) {
+      path.moveTo(left, 3);
+      path.lineTo(left + 5, 8);
+      path.lineTo(left, 13);
+    }
+    return kind == DockIcon::more ? path : QTransform(0, 1, 1, 0, 0, 0).map(path);
   } else {
     path.addRect(2, 6, 8, 8);
     path.moveTo(6, 5);

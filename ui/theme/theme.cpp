@@ -197,6 +197,10 @@ class ThemeStyle : public QProxyStyle {
         return dock_icon(DockIcon::close);
       case SP_TitleBarNormalButton:
         return dock_icon(DockIcon::detach);
+      case SP_ToolBarHorizontalExtensionButton:
+        return dock_icon(DockIcon::more);
+      case SP_ToolBarVerticalExtensionButton:
+        return dock_icon(DockIcon::more_below);
       default:
         return QProxyStyle::standardIcon(icon, option, widget);
     }

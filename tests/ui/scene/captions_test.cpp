@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include "ui/scene/draw/colour_panel.h"
 
@@ -59,6 +61,34 @@ TEST(Captions, TheLegendOfALowPictureLeavesThePathMostOfIt) {
     EXPECT_LE(legend, std::max(0.45 * height + 8, row + 8)) << height;
     EXPECT_GE(legend, std::min(all, row)) << "the warning is never left out";
   }
+}
+
+TEST(ColourPanel, SaysHowManyCausesHaveNoRoom) {
+  SceneTexts texts;
+  const SceneColours colours = scene_colours(Background::light);
+  Captions captions;
+  captions.colours = &colours;
+  captions.texts = &texts;
+  captions.key.colouring = Colouring::cause;
+  constexpr std::size_t causes = 6;
+  for (std::size_t i = 0; i < causes; ++i) {
+    captions.key.causes.push_back({static_cast<CauseKind>(i), 1.0 / causes});
+  }
+  EXPECT_EQ(fitting_cause_rows(captions, 128, 1000, 1).size(), causes);
+  std::size_t before = 0;
+  for (int height = 25; height <= 400; height += 5) {
+    const std::vector<CauseRow> rows = fitting_cause_rows(captions, 128, height, 1);
+    ASSERT_FALSE(rows.empty());
+    const bool whole = rows.back().colour.has_value();
+    const std::size_t shown = whole ? rows.size() : rows.size() - 1;
+    EXPECT_EQ(whole, shown == causes);
+    if (!whole) {
+      EXPECT_EQ(rows.back().lines.front(), "+ " + std::to_string(causes - shown)) << height;
+    }
+    EXPECT_GE(shown, before);
+    before = shown;
+  }
+  EXPECT_EQ(before, causes);
 }
 
 TEST(Captions, AWordWithoutRoomStandsInARowOfItsOwn) {

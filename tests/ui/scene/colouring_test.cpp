@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <set>
@@ -181,18 +182,28 @@ TEST(ColourKey, OfTwoPathsHoldsBoth) {
   EXPECT_EQ(colour_key(small, executed(), Colouring::path_distance).scale.unit, "µm");
 }
 
-TEST(ColourKey, OfCausesSharesTheTimeOfTheCuts) {
-  const ColourKey key = colour_key(executed(), Colouring::cause);
-  ASSERT_FALSE(key.causes.empty());
-  double sum = 0;
-  for (std::size_t i = 0; i < key.causes.size(); ++i) {
-    sum += key.causes[i].share;
-    EXPECT_NE(key.causes[i].kind, CauseKind::rapid);
-    if (i > 0) {
-      EXPECT_LE(key.causes[i].share, key.causes[i - 1].share);
-    }
+/// Rapids included, however few points the path is drawn with: the legend says what the tables say.
+TEST(ColourKey, OfCausesHasTheSharesOfTheCycleTimeThatTheSummaryHas) {
+  const feedscope::Run run = test::simulate_text(program);
+  std::array<double, cause_kind_count> expected{};
+  for (std::size_t i = 0; i < run.summary.time_by_cause.size(); ++i) {
+    expected[static_cast<std::size_t>(all_causes()[i].kind)] +=
+        run.summary.time_by_cause[i] / run.summary.cycle_time;
   }
-  EXPECT_NEAR(sum, 1, 1e-12);
+  for (const std::size_t points : {std::size_t{6}, default_max_points}) {
+    const ColourKey key = colour_key(sample_executed(*run.trajectory, points), Colouring::cause);
+    ASSERT_FALSE(key.causes.empty());
+    double sum = 0;
+    for (std::size_t i = 0; i < key.causes.size(); ++i) {
+      const CauseShare& cause = key.causes[i];
+      EXPECT_NEAR(cause.share, expected[static_cast<std::size_t>(cause.kind)], 1e-12);
+      sum += cause.share;
+      if (i > 0) {
+        EXPECT_LE(cause.share, key.causes[i - 1].share);
+      }
+    }
+    EXPECT_NEAR(sum, 1, 1e-12);
+  }
 }
 
 TEST(ColourKey, OfNothingIsEmpty) {

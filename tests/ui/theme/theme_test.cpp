@@ -2,13 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
 #include <QSlider>
 #include <QTest>
+#include <QToolBar>
 #include <QToolButton>
+#include <algorithm>
 #include <cmath>
 
 namespace feedscope::ui {
@@ -53,6 +56,32 @@ TEST_P(ThemeTest, WhatIsDisabledStandsOutLess) {
     const double enabled = ink(*widget);
     widget->setEnabled(false);
     EXPECT_LT(ink(*widget), 0.8 * enabled) << widget->metaObject()->className();
+  }
+}
+
+/// Qt's own is black in every theme.
+TEST_P(ThemeTest, TheButtonForTheRestOfAToolBarIsSeen) {
+  QToolBar bar;
+  for (int i = 0; i < 8; ++i) {
+    bar.addAction(QStringLiteral("A long name"));
+  }
+  for (const Qt::Orientation orientation : {Qt::Horizontal, Qt::Vertical}) {
+    bar.setOrientation(orientation);
+    bar.resize(orientation == Qt::Horizontal ? QSize(200, 30) : QSize(90, 90));
+    bar.show();
+    QCoreApplication::processEvents();
+    auto* more = bar.findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"));
+    ASSERT_NE(more, nullptr);
+    ASSERT_TRUE(more->isVisible());
+    const QImage image = more->grab().toImage();
+    const int ground = qGray(QApplication::palette().color(QPalette::Window).rgb());
+    int strongest = 0;
+    for (int y = 1; y < image.height() - 1; ++y) {
+      for (int x = 1; x < image.width() - 1; ++x) {
+        strongest = std::max(strongest, std::abs(qGray(image.pixel(x, y)) - ground));
+      }
+    }
+    EXPECT_GT(strongest, 90);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <numeric>
 #include <sstream>
 
 #include "core/base/ticks.h"
@@ -37,11 +38,20 @@ void draw_path_sample(Canvas& canvas, const Captions& captions, const Vec2& from
   if (!captions.key.has_scale()) {
     canvas.line(from, to, width,
                 captions.key.colouring == Colouring::run ? captions.run : captions.colours->text);
+    const std::vector<CauseShare>& causes = captions.key.causes;
+    const double cut =
+        std::accumulate(causes.begin(), causes.end(), 0.0, [](double sum, const CauseShare& cause) {
+          return sum +
+                 (cause.kind == CauseKind::rapid ? 0 : cause.share);  // rapids have a sample of their own
+        });
     double done = 0;
-    for (const CauseShare& cause : captions.key.causes) {
-      canvas.line(from + done * (to - from), from + (done + cause.share) * (to - from), width,
-                  cause_colour(cause.kind, captions.colours->kind));
-      done += cause.share;
+    for (const CauseShare& cause : causes) {
+      if (cause.kind != CauseKind::rapid) {
+        const double end = done + cause.share / cut;
+        canvas.line(from + done * (to - from), from + end * (to - from), width,
+                    cause_colour(cause.kind, captions.colours->kind));
+        done = end;
+      }
     }
     return;
   }

@@ -85,11 +85,6 @@ bool has_panel(const ColourKey& key) {
   return key.has_scale() || !key.causes.empty();
 }
 
-struct CauseRow {
-  std::vector<std::string> lines;
-  Rgb colour{};
-};
-
 std::vector<CauseRow> cause_rows(const Captions& captions, double width, double scale) {
   const TextStyle style = cause_style(scale, *captions.colours);
   std::vector<CauseRow> rows;
@@ -97,12 +92,17 @@ std::vector<CauseRow> cause_rows(const Captions& captions, double width, double 
     const double percent = 100 * cause.share;
     const std::string share =
         captions.texts->localised(percent < 0.1 ? "< 0.1 %" : fmt::format("{:.1f} %", percent));
+    const SceneColours& colours = *captions.colours;
     CauseRow row{wrapped(captions.texts->name_of(cause.kind), width, style),
-                 cause_colour(cause.kind, captions.colours->kind)};
+                 cause.kind == CauseKind::rapid ? colours.rapid : cause_colour(cause.kind, colours.kind)};
     add_word(row.lines, share, width, style);  // whole: a sign of percent alone says nothing
     rows.push_back(std::move(row));
   }
   return rows;
+}
+
+double height_of(const CauseRow& row, double scale) {
+  return (static_cast<double>(row.lines.size()) * cause_line_height + cause_gap) * scale;
 }
 
 double draw_title(Canvas& canvas, const Captions& captions, Vec2 place, double scale) {
@@ -168,13 +168,12 @@ void draw_bar(Canvas& canvas, const Captions& captions, const Vec2& low, double 
 void draw_causes(Canvas& canvas, const Captions& captions, Vec2 place, double lowest, double width,
                  double scale) {
   const TextStyle style = cause_style(scale, *captions.colours);
-  for (const CauseRow& row : cause_rows(captions, width - 1.6 * swatch * scale, scale)) {
-    const double height = (static_cast<double>(row.lines.size()) * cause_line_height + cause_gap) * scale;
-    if (place.y() - height < lowest) {
-      return;
+  for (const CauseRow& row : fitting_cause_rows(captions, width, place.y() - lowest, scale)) {
+    const double height = height_of(row, scale);
+    if (row.colour) {
+      const Vec2 corner(place.x(), place.y() - (swatch + 2) * scale);
+      canvas.rectangle(corner, corner + Vec2::Constant(swatch * scale), *row.colour);
     }
-    const Vec2 corner(place.x(), place.y() - (swatch + 2) * scale);
-    canvas.rectangle(corner, corner + Vec2::Constant(swatch * scale), row.colour);
     for (std::size_t i = 0; i < row.lines.size(); ++i) {
       canvas.text(row.lines[i],
                   place + Vec2(1.6 * swatch, -static_cast<double>(i) * cause_line_height) * scale, style);
@@ -184,6 +183,26 @@ void draw_causes(Canvas& canvas, const Captions& captions, Vec2 place, double lo
 }
 
 }  // namespace
+
+std::vector<CauseRow> fitting_cause_rows(const Captions& captions, double width, double height,
+                                         double scale) {
+  std::vector<CauseRow> rows = cause_rows(captions, width - 1.6 * swatch * scale, scale);
+  const double one_line = (cause_line_height + cause_gap) * scale;
+  double used = 0;
+  std::size_t fitting = 0;  // with room for a line below them
+  for (const CauseRow& row : rows) {
+    used += height_of(row, scale);
+    fitting += used + one_line <= height ? 1 : 0;
+  }
+  if (used > height) {
+    const std::size_t omitted = rows.size() - fitting;
+    rows.resize(fitting);
+    if ((fitting > 0 ? 0 : one_line) <= height) {
+      rows.push_back({{fmt::format("+ {}", omitted)}, std::nullopt});
+    }
+  }
+  return rows;
+}
 
 double colour_panel_width(const Captions& captions, int width, double scale) {
   double content = narrowest * scale;

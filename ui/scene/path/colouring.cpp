@@ -156,16 +156,10 @@ ColourScale scale_of(const SampledPath& path, Colouring colouring) {
 }
 
 std::vector<CauseShare> shares_of(const SampledPath& path) {
-  constexpr std::size_t kinds = cause_kind_count;
-  std::array<double, kinds> time{};
-  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-    if (path.kinds[i] != SpanKind::rapid) {
-      time[static_cast<std::size_t>(path.causes[i])] += path.times[i + 1] - path.times[i];
-    }
-  }
+  const std::array<double, cause_kind_count>& time = path.cause_times;
   const double all = std::accumulate(time.begin(), time.end(), 0.0);
   std::vector<CauseShare> shares;
-  for (std::size_t kind = 0; kind < kinds; ++kind) {
+  for (std::size_t kind = 0; kind < time.size(); ++kind) {
     if (time[kind] > 0) {
       shares.push_back({static_cast<CauseKind>(kind), time[kind] / all});
     }

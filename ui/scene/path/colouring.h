@@ -24,10 +24,10 @@ struct ColourScale {
   double position(double value) const { return (value * factor - low) / (high - low); }
 };
 
-/// How long a cause limits the path.
+/// How long a cause limits the run.
 struct CauseShare {
   CauseKind kind = CauseKind::programmed_feed;
-  double share = 0;  ///< of the time [0, 1]
+  double share = 0;  ///< of the cycle time, as in tables and charts [0, 1]
 };
 
 /// What the colours of a path mean: nothing, a scale, or causes.

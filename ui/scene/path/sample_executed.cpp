@@ -1,5 +1,6 @@
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <optional>
@@ -53,6 +54,7 @@ class ExecutedSampling {
       : trajectory_(trajectory), also_at_(also_at), sources_(sources), deviation_(programmed_of(trajectory)) {
     for (PartWalk walk(trajectory); !walk.done(); walk.next()) {
       const Part& part = walk.part();
+      cause_times_[static_cast<std::size_t>(part.cause.kind)] += part.duration;
       if (part.law == Law::filtered && !trajectory.is_rapid(part.element)) {
         const PartMotion motion = walk.motion();
         top_speed_ = std::max({top_speed_, motion.kinematics(0).velocity.norm(),
@@ -66,6 +68,9 @@ class ExecutedSampling {
       }
     }
   }
+
+  /// SampledPath::cause_times
+  const std::array<double, cause_kind_count>& cause_times() const { return cause_times_; }
 
   std::vector<Chunk> chunks() const {
     std::vector<Chunk> chunks;
@@ -313,8 +318,9 @@ class ExecutedSampling {
   std::span<const double> also_at_;  ///< those that are still to come [s]
   const RunSources& sources_;
   std::optional<InstantSampler> instants_;
-  double top_speed_ = 0;  ///< [mm/s]
-  double top_jerk_ = 0;   ///< along the path [mm/s3]
+  std::array<double, cause_kind_count> cause_times_{};  ///< [s]
+  double top_speed_ = 0;                                ///< [mm/s]
+  double top_jerk_ = 0;                                 ///< along the path [mm/s3]
   PathDeviation deviation_;
   bool gap_ = false;  ///< the next point is behind a gap
 };
@@ -368,7 +374,9 @@ SampledPath sample_motion(const Trajectory& trajectory, std::size_t max_points,
     const double share = static_cast<double>(++done) / static_cast<double>(chunks.size());
     progress.report(share);
   });
-  return joined(std::move(parts));
+  SampledPath path = joined(std::move(parts));
+  path.cause_times = sampling.cause_times();
+  return path;
 }
 
 SampledPath sample_executed(const Trajectory& trajectory, std::size_t max_points,
