@@ -60,10 +60,14 @@ void settle(const QWidget& window) {
   }
 }
 
-Picture grab(QWidget& widget, PictureSize size) {
+/// `ratio`: pixels to a unit, where they are fewer than the widget is drawn with.
+Picture grab(QWidget& widget, PictureSize size, double ratio = 1) {
   check_size(size, widget.minimumSizeHint().expandedTo(widget.minimumSize()));
   QApplication::processEvents();  // Qt Charts lays its axes out with the next turn of the event loop
-  return picture_of(widget.grab().toImage());
+  const QImage image = widget.grab().toImage();
+  return picture_of(ratio < 1 ? image.scaled((QSizeF(widget.size()) * ratio).toSize(), Qt::IgnoreAspectRatio,
+                                             Qt::SmoothTransformation)
+                              : image);
 }
 
 /// What the cycle times leave out, with the machines where that is not the same on all.
@@ -110,7 +114,8 @@ QString comparison_details(const LoadedProgram& program, const Runs& runs,
 }  // namespace
 
 Picture draw_window(const Run& run, PictureSize size, const WindowLook& look) {
-  const OffscreenApplication application(look.theme, look.pixel_ratio);
+  // Qt draws parts of a window only where it has less than a pixel to a unit.
+  const OffscreenApplication application(look.theme, std::max(1.0, look.pixel_ratio));
   if (look.language != languages().front()) {
     speak(look.language);
   }
@@ -131,7 +136,7 @@ Picture draw_window(const Run& run, PictureSize size, const WindowLook& look) {
   settle(window);
   window.part<ChartsPanel>().refresh();
   window.scenes().rest();
-  return grab(window, size);
+  return grab(window, size, look.pixel_ratio);
 }
 
 namespace {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include "core/base/error.h"
 #include "tests/ui/run_fixture.h"
 
@@ -24,6 +26,26 @@ TEST(WindowPicture, HasTheSizeAskedForAndIsTheSameEveryTime) {
   EXPECT_EQ(first.rgb.size(), 1280U * 800U * 3U);
   EXPECT_EQ(draw_window(run, {1280, 800}, {.view = StandardView::top}).rgb, first.rgb);
   EXPECT_NE(draw_window(run, {1280, 800}, {}).rgb, first.rgb);
+}
+
+TEST(WindowPicture, WithLessThanAPixelToAUnitIsTheWholeWindowSmaller) {
+  const auto run = test::simulate_text(test::small_program);
+  const Picture whole = draw_window(run, {1280, 800}, {});
+  WindowLook look;
+  look.pixel_ratio = 0.5;
+  const Picture half = draw_window(run, {1280, 800}, look);
+  ASSERT_EQ(half.size.width, 640);
+  ASSERT_EQ(half.size.height, 400);
+  double difference = 0;
+  for (std::size_t y = 0; y < 400; ++y) {
+    for (std::size_t x = 0; x < 640; ++x) {
+      const std::size_t at = 3 * (2 * y * 1280 + 2 * x);
+      const std::size_t below = at + std::size_t{3} * 1280;
+      const int sum = whole.rgb[at] + whole.rgb[at + 3] + whole.rgb[below] + whole.rgb[below + 3];
+      difference += std::abs(half.rgb[3 * (y * 640 + x)] - sum / 4.0);
+    }
+  }
+  EXPECT_LT(difference / (640 * 400), 4) << "of 255";
 }
 
 TEST(WindowPicture, ChartsShowTheCurves) {
