@@ -174,6 +174,8 @@ void AnnotationsView::add(AnnotationKind kind) {
   }
   annotations_.add(annotation);
   emit attention_wanted();
+  text_->setFocus();  // letters typed now are its text, not keys of the view
+  text_->selectAll();
 }
 
 void AnnotationsView::show_selected() {

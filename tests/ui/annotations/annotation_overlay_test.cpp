@@ -60,6 +60,17 @@ TEST_F(AnnotationOverlayTest, ACalloutStandsAtTheCursorAndTellsItsValues) {
   EXPECT_EQ(shown.lines[0], QStringLiteral("%1 mm/min").arg(60 * at.speed, 0, 'f', 0));
 }
 
+/// Letters would be keys of the window else.
+TEST_F(AnnotationOverlayTest, WhatIsTypedBehindANewLabelIsItsText) {
+  window.activateWindow();
+  window.scene().canvas().setFocus();
+  action(AnnotationKind::callout).trigger();
+  QWidget* focused = window.focusWidget();
+  ASSERT_EQ(focused, window.part<AnnotationsView>().text());
+  QTest::keyClicks(focused, "my label");
+  EXPECT_EQ(only().text, QStringLiteral("my label")) << "the text that was there is replaced";
+}
+
 TEST_F(AnnotationOverlayTest, ADraggedLabelMovesInOneStepAndThePathStays) {
   action(AnnotationKind::callout).trigger();
   const PlacedAnnotation before = placed();
