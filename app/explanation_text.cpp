@@ -27,6 +27,10 @@ std::string percent(double part, double of) {
   return of > 0 ? fmt::format("{:.1f} %", 100 * part / of) : "-";
 }
 
+std::string gain_text(double seconds) {
+  return fmt::format("{:.{}f} s", seconds, decimals_of_gain(seconds));
+}
+
 /// "Mean feed 1672.2 mm/min, without pauses of 4.000 s. "; empty where nothing moves.
 std::string mean_feed_text(const TimeUse& use) {
   return use.mean_feed > 0 ? fmt::format("Mean feed {:.1f} mm/min{}. ", units::to_mm_min(use.mean_feed),
@@ -34,7 +38,8 @@ std::string mean_feed_text(const TimeUse& use) {
                            : "";
 }
 
-/// "57.5 s more than programmed (2.3 times). Most is lost in corners, to ...".
+/// "57.5 s more than the programmed feeds give (56.1 % of the cycle time; 2.28 times the programmed time).
+/// Most is lost in corners, to ...".
 std::string conclusion(const Run& run, const TimeReport& report) {
   const TimeUse& use = report.use;
   const std::string refused = refused_note(run.input.lines_not_run);
@@ -42,11 +47,15 @@ std::string conclusion(const Run& run, const TimeReport& report) {
     return wrapped(fmt::format("No feed motion is run: there is no cycle time to explain. {}", refused), 0) +
            "\n";
   }
+  if (!(use.cycle_time > 0)) {
+    return "Nothing in this program takes time.\n";
+  }
   std::string text = fmt::format("{} for {} programmed: {} {} than the programmed feeds give",
                                  time_text(use.cycle_time), time_text(use.programmed_time),
                                  seconds_text(std::abs(use.lost())), use.lost() >= 0 ? "more" : "less");
   if (use.programmed_time > 0) {
-    text += fmt::format(" ({:.2f} times)", use.cycle_time / use.programmed_time);
+    text += fmt::format(" ({} of the cycle time; {:.2f} times the programmed time)",
+                        percent(std::abs(use.lost()), use.cycle_time), use.cycle_time / use.programmed_time);
   }
   text += ". " + mean_feed_text(use);
   if (!report.slow.groups.empty() && report.slow.groups.front().loss > worth_a_row * use.cycle_time) {
@@ -56,9 +65,9 @@ std::string conclusion(const Run& run, const TimeReport& report) {
   }
   if (!report.changes.best.empty()) {
     const TriedChange& best = report.changes.tried[report.changes.best.front()];
-    text += fmt::format("The change that helps most gains {} ({}).",
-                        seconds_text(use.cycle_time - best.cycle_time),
-                        percent(use.cycle_time - best.cycle_time, use.cycle_time));
+    text +=
+        fmt::format("The change that helps most gains {} ({}).", gain_text(use.cycle_time - best.cycle_time),
+                    percent(use.cycle_time - best.cycle_time, use.cycle_time));
   } else if (!report.changes.tried.empty()) {
     text += "None of the changes that were simulated helps.";
   }
@@ -138,9 +147,8 @@ std::string operations_text(const TimeUse& use) {
                seconds_text(operation.rapid), cause});
   };
   for (const OperationTime* operation : shown) {
-    const bool loses = operation->worst.lost > worth_a_row * use.cycle_time;
     add(operation->title, fmt::format("{}", operation->line), *operation,
-        loses ? cause_title(operation->worst.cause) : "");
+        operation->loses() ? cause_title(operation->worst.cause) : "");
   }
   if (others > 0) {
     add(fmt::format("{} others", others), "", rest, "");
@@ -292,7 +300,7 @@ std::string changes_text(const Run& run, const TimeReport& report, const Program
   table.add({"", "cycle time", "gain", "", "contour error", "change"});
   table.add({"now", seconds_text(now), "", "", fmt::format("{:.4f} mm", run.summary.max_contour_error), ""});
   const auto add = [&](const std::string& rank, const TriedChange& change) {
-    table.add({rank, seconds_text(change.cycle_time), seconds_text(now - change.cycle_time),
+    table.add({rank, seconds_text(change.cycle_time), gain_text(now - change.cycle_time),
                percent(now - change.cycle_time, now), error_text(change),
                change_text(change.remedy, run.setup)});
   };
@@ -301,7 +309,7 @@ std::string changes_text(const Run& run, const TimeReport& report, const Program
   }
   if (trials.together) {
     TriedChange together = *trials.together;
-    table.add({"together", seconds_text(together.cycle_time), seconds_text(now - together.cycle_time),
+    table.add({"together", seconds_text(together.cycle_time), gain_text(now - together.cycle_time),
                percent(now - together.cycle_time, now), error_text(together), "those of this machine"});
   }
   std::size_t others = 0;
@@ -333,7 +341,7 @@ std::string explanation_text(const Run& run, const TimeReport& report, const Pro
   std::string out =
       fmt::format("{} on {} ({}), model {}\n\n{}", run.input.program->source->name(), run.setup.machine.name,
                   run.setup.machine.control, run.setup.model->info().id, conclusion(run, report));
-  if (is_refused(run)) {
+  if (is_refused(run) || !(use.cycle_time > 0)) {
     return out;
   }
   if (const std::string missing = describe(run.summary.not_counted); !missing.empty()) {

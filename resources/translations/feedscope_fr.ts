@@ -1693,6 +1693,14 @@
         <source>Runs of which the control refuses more lines or that the machine does not reach, and that are not compared: %1.</source>
         <translation>Simulations dont la commande refuse plus de lignes ou que la machine n&apos;atteint pas, et qui ne sont pas comparées : %1.</translation>
     </message>
+    <message>
+        <source>From %1 s to %2 s of %3 s.</source>
+        <translation>De %1 s à %2 s sur %3 s.</translation>
+    </message>
+    <message>
+        <source>Nothing in this program takes time: there is no motion to report.</source>
+        <translation>Rien dans ce programme ne prend de temps : il n’y a aucun mouvement à décrire.</translation>
+    </message>
 </context>
 <context>
     <name>ResidualPlot</name>
@@ -2035,8 +2043,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
 <context>
     <name>TimeTexts</name>
     <message>
-        <source>&lt;b&gt;%1&lt;/b&gt; for %2 programmed: &lt;b&gt;%3&lt;/b&gt; (%4).</source>
-        <translation>&lt;b&gt;%1&lt;/b&gt; pour %2 programmés : &lt;b&gt;%3&lt;/b&gt; (%4).</translation>
+        <source>&lt;b&gt;%1&lt;/b&gt; for %2 programmed: &lt;b&gt;%3&lt;/b&gt; (%4 of the cycle time).</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt; pour %2 programmés : &lt;b&gt;%3&lt;/b&gt; (%4 du temps de cycle).</translation>
     </message>
     <message>
         <source>Most is lost here: &lt;b&gt;%1&lt;/b&gt; (%2 s).</source>
@@ -2105,6 +2113,10 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>&lt;b&gt;The control refuses the program:&lt;/b&gt; none of its feed motions is run, and there is no cycle time to explain. Lines that are not run: %1.</source>
         <translation>&lt;b&gt;La commande refuse le programme&#xa0;:&lt;/b&gt; aucun de ses déplacements en avance n’est exécuté, il n’y a pas de temps de cycle à expliquer. Lignes non exécutées&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
     </message>
 </context>
 <context>

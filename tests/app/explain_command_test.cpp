@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -32,6 +35,22 @@ TEST_F(ExplainCommand, SaysWhereTheTimeGoesAndWhatHelps) {
                                 HasSubstr("turn 90 deg"), HasSubstr("What would help"),
                                 HasSubstr("without pauses of 8.000 s. "),
                                 HasSubstr("feedscope simulate stairs.nc --set tool_change_time_s=4 --")));
+}
+
+TEST_F(ExplainCommand, SaysWhatItsShareIsOf) {
+  const json report = json::parse(run("explain stairs.nc --json -").out);
+  const double lost = report["lost_s"];
+  const double cycle_time = report["cycle_time_s"];
+  std::string out = run("explain stairs.nc").out;
+  std::ranges::replace(out, '\n', ' ');
+  EXPECT_THAT(out, HasSubstr(fmt::format("({:.1f} % of the cycle time; {:.2f} times the programmed time)",
+                                         100 * lost / cycle_time, cycle_time / (cycle_time - lost))));
+}
+
+TEST_F(ExplainCommand, OfAProgramWithoutMotionItSaysOnlyThat) {
+  write("nothing.nc", "(nothing)\nM30\n");
+  EXPECT_THAT(run("explain nothing.nc").out, AllOf(HasSubstr("Nothing in this program takes time."),
+                                                   Not(HasSubstr("changes")), Not(HasSubstr("What"))));
 }
 
 TEST_F(ExplainCommand, WhatItProposesGainsWhatItSays) {

@@ -234,6 +234,17 @@ QString charts_of(const RunSources& sources) {
   return ReportWords::tr("%1 and %2").arg(names.join(QStringLiteral(", ")), last);
 }
 
+/// Behind the caption of charts that show a stretch of the run; empty where they show all of it.
+QString stretch_sentence(const ReportInput& input, const Trajectory& trajectory) {
+  const auto& time = input.charts.time;
+  const double rounding = 1e-6 * trajectory.duration();
+  if (!time || (time->lower <= rounding && time->upper >= trajectory.duration() - rounding)) {
+    return {};
+  }
+  return ' ' + ReportWords::tr("From %1 s to %2 s of %3 s.")
+                   .arg(fixed(time->lower, 3), fixed(time->upper, 3), fixed(trajectory.duration(), 3));
+}
+
 QString run_charts(const ReportInput& input, std::size_t row, ReportPictures& pictures, double height,
                    const QString& caption) {
   const QSizeF size(report_width, height);
@@ -250,9 +261,10 @@ QString run_charts(const ReportInput& input, std::size_t row, ReportPictures& pi
   const QString name = input.runs[row].name;
   return figure(pictures.add(QStringLiteral("charts%1").arg(row), {size, false, paint},
                              ReportWords::tr("Charts of %1").arg(name)),
-                caption.isEmpty() ? ReportWords::tr("Feed with its limiting causes, %1 of %2.")
-                                        .arg(charts_of(input.runs[row].shown->run.sources), html_text(name))
-                                  : caption);
+                (caption.isEmpty() ? ReportWords::tr("Feed with its limiting causes, %1 of %2.")
+                                         .arg(charts_of(input.runs[row].shown->run.sources), html_text(name))
+                                   : caption) +
+                    stretch_sentence(input, *input.runs[row].shown->run.trajectory));
 }
 
 QString charts_block(const ReportInput& input, ReportPictures& pictures) {

@@ -61,6 +61,9 @@ QString one_run_sentence(const ReportRun& run) {
     return ReportWords::tr("The control refuses the program: <b>%1</b> on %2 runs none of its feed motions.")
         .arg(html_text(run.name), html_text(run.shown->run.setup.machine.name));
   }
+  if (!(summary.cycle_time > 0)) {
+    return ReportWords::tr("Nothing in this program takes time: there is no motion to report.");
+  }
   const QString sentence =
       ReportWords::tr(
           "<b>%1</b> on %2 takes <b>%3</b>, %4 times the programmed time of %5, at a mean feed of "

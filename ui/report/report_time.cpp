@@ -74,11 +74,10 @@ QString operations_table(const TimeUse& use) {
                   ReportWords::tr("Loses most to")});
   for (const std::size_t row : longest_operations(use)) {
     const OperationTime& operation = use.operations[row];
-    const bool loses = operation.worst.lost > worth_a_row * use.cycle_time;
     table.add({html_text(TimeTexts::operation(operation, use.split)), QString::number(operation.line),
                seconds(operation.all.time), percent(operation.all.time, use.cycle_time),
                seconds(operation.all.lost()), seconds(operation.rapid),
-               loses ? html_text(TimeTexts::cause(operation.worst.cause)) : QStringLiteral("–")});
+               operation.loses() ? html_text(TimeTexts::cause(operation.worst.cause)) : QStringLiteral("–")});
   }
   QString html = table.html();
   if (use.operations.size() > most_rows) {
@@ -158,8 +157,8 @@ QString time_changes_block(const ReportInput& input) {
                   ReportWords::tr("Gain [%]"),
                   with_unit_of(ReportWords::tr("Contour error"), Dimension::error)});
   const auto add = [&](const QString& title, double time, const std::optional<double>& error) {
-    table.add({title, seconds(time), seconds(now - time), percent(now - time, now),
-               error ? error_number(*error) : QStringLiteral("–")});
+    table.add({title, seconds(time), fixed(now - time, decimals_of_gain(now - time)),
+               percent(now - time, now), error ? error_number(*error) : QStringLiteral("–")});
   };
   table.add({ReportWords::tr("As it is"), seconds(now), QStringLiteral("–"), QStringLiteral("–"),
              error_number(input.run().shown->run.summary.max_contour_error)});

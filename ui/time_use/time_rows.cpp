@@ -142,7 +142,7 @@ class TimeRows {
     TimeRow row;
     const double gain = use_.cycle_time - change.cycle_time;
     row.cells = {
-        remedy_text(change.remedy, run_.setup), TimeTexts::change(-gain),
+        remedy_text(change.remedy, run_.setup), TimeTexts::gain(gain),
         change.max_contour_error ? amount_text(*change.max_contour_error, Dimension::error) : QString()};
     row.share = use_.cycle_time > 0 ? gain / use_.cycle_time : 0;
     row.tip = tr("%1 instead of %2 (%3 less).")

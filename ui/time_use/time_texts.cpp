@@ -25,8 +25,7 @@ QString with_capital(QString text) {
 
 /// Seconds for comparing: as many decimals as their size is worth.
 QString seconds_text(double seconds) {
-  const double size = std::abs(seconds);
-  return QLocale().toString(size, 'f', size < 1 ? 3 : size < 1000 ? 1 : 0);
+  return QLocale().toString(std::abs(seconds), 'f', decimals_of_gain(seconds));
 }
 
 QString core_title(std::string_view text) {
@@ -46,7 +45,7 @@ QString TimeTexts::conclusion(const TimeReport& report, const Run& run) {
   if (!(use.cycle_time > 0)) {
     return tr("Nothing in this program takes time.");
   }
-  QString text = tr("<b>%1</b> for %2 programmed: <b>%3</b> (%4).")
+  QString text = tr("<b>%1</b> for %2 programmed: <b>%3</b> (%4 of the cycle time).")
                      .arg(clock_text(use.cycle_time), clock_text(use.programmed_time), change(use.lost()),
                           percent(use.lost(), use.cycle_time));
   if (use.mean_feed > 0) {
@@ -119,6 +118,10 @@ QString TimeTexts::change(double seconds) {
     return QStringLiteral("0");
   }
   return tr("%1%2 s").arg(QString(QChar(seconds < 0 ? 0x2212 : '+')), seconds_text(seconds));
+}
+
+QString TimeTexts::gain(double seconds) {
+  return tr("%1 s").arg(QLocale().toString(seconds, 'f', decimals_of_gain(seconds)));
 }
 
 QString TimeTexts::percent(double part, double of) {

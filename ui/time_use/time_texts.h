@@ -30,6 +30,8 @@ class TimeTexts {
   static QString operation(const OperationTime& operation, OperationSplit split);
   /// "−12.3 s", "+0.004 s"; "0" for nothing that digits show.
   static QString change(double seconds);
+  /// "12.3 s": what a change spares.
+  static QString gain(double seconds);
   /// "12.3 %" of something; "" of nothing.
   static QString percent(double part, double of);
 };

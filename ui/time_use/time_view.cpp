@@ -179,7 +179,7 @@ void TimeView::set_run(std::shared_ptr<const ShownRun> shown, const SetupState& 
 }
 
 bool TimeView::has_time() const {
-  return shown_ != nullptr && !is_refused(shown_->run);
+  return shown_ != nullptr && !is_refused(shown_->run) && shown_->run.summary.cycle_time > 0;
 }
 
 void TimeView::cancel() {
@@ -289,10 +289,11 @@ std::shared_ptr<const TimeReport> TimeView::recall() const {
 void TimeView::show_sections() {
   tree_->clear();
   sections_ = report_ == nullptr ? std::vector<TimeSection>() : time_sections(*report_, shown_->run);
-  conclusion_->setText(shown_ == nullptr    ? tr("Open a program to see where its time goes.")
-                       : !has_time()        ? TimeTexts::refusal(shown_->run)
-                       : report_ != nullptr ? TimeTexts::conclusion(*report_, shown_->run)
-                                            : tr("Looking where the time goes …"));
+  conclusion_->setText(shown_ == nullptr         ? tr("Open a program to see where its time goes.")
+                       : is_refused(shown_->run) ? TimeTexts::refusal(shown_->run)
+                       : !has_time()             ? TimeTexts::conclusion({}, shown_->run)
+                       : report_ != nullptr      ? TimeTexts::conclusion(*report_, shown_->run)
+                                                 : tr("Looking where the time goes …"));
   for (const TimeSection& section : sections_) {
     auto* heading = new QTreeWidgetItem(tree_);
     QFont bold = tree_->font();

@@ -1,6 +1,7 @@
 #include "core/analysis/time_use/program_changes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <limits>
 #include <optional>
@@ -128,6 +129,11 @@ std::vector<std::size_t> best_of(const std::vector<TriedChange>& tried, double c
 }
 
 }  // namespace
+
+int decimals_of_gain(double seconds) {
+  const double size = std::abs(seconds);
+  return size < 1 ? 3 : size < 1000 ? 1 : 0;
+}
 
 std::string kind_of(const Remedy& remedy) {
   if (!remedy.machine.empty()) {

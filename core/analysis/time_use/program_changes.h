@@ -32,6 +32,10 @@ struct ChangeTrials {
   std::optional<TriedChange> together;
 };
 
+/// Decimals that a gain or a loss is shown with, as many as its size is worth: three below a second, one
+/// below 1000 s, else none.
+int decimals_of_gain(double seconds);
+
 /// What changes of one kind change by other means: "tolerance", "velocity", "acceleration", "jerk", "feed",
 /// "machine", else the key of the first setting.
 std::string kind_of(const Remedy& remedy);

@@ -40,6 +40,8 @@ struct OperationTime {
   double rapid = 0;  ///< part of all.time [s]
   double pause = 0;  ///< part of all.time: dwells, tool changes, spindle starts [s]
   CauseCost worst;   ///< the cause that loses most in it
+  /// Whether that is enough to be named: more than 0.05 % of the operation's own time.
+  bool loses() const { return worst.lost > 5e-4 * all.time; }
 };
 
 /// Where the cycle time of a run goes, in three ways, each of which adds up to all of it.

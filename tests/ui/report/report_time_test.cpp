@@ -5,10 +5,12 @@
 #include "tests/ui/report/report_fixture.h"
 #include "ui/report/report.h"
 #include "ui/report/report_numbers.h"
+#include "ui/time_use/time_texts.h"
 
 namespace feedscope::ui {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -46,9 +48,35 @@ TEST(ReportTime, WhatIsLeftOutIsNeitherShownNorSimulated) {
   }
 }
 
+TEST(ReportTime, ChartsOfAStretchSayWhichItIs) {
+  ReportInput input = test::two_runs();
+  EXPECT_THAT(html_of(input, "{{charts}}"), Not(HasSubstr(" From ")));
+  const double duration = input.runs[0].shown->run.trajectory->duration();
+  input.charts.time = Interval{0, duration};
+  EXPECT_THAT(html_of(input, "{{charts}}"), Not(HasSubstr(" From ")));
+  input.charts.time = Interval{0.05, 0.1};
+  EXPECT_THAT(html_of(input, "{{charts}}"),
+              HasSubstr(" From 0.050 s to 0.100 s of " + fixed(duration, 3).toStdString() + " s."));
+}
+
+/// However little it is of the whole program.
+TEST(ReportTime, AnOperationNamesWhatItLosesMostTo) {
+  ReportInput input;
+  input.runs = report_runs({make_shown(
+      test::simulate_text("G21 G90 F6000\nT1 M6\nG1 X10\nG4 X20000\nT2 M6\nG1 Y5\nX15\nY10\nX20\nM30\n"))});
+  const TimeReport report = time_report(input.run().shown->run);
+  ASSERT_EQ(report.use.operations.size(), 2U);
+  const OperationTime& small = report.use.operations[1];
+  ASSERT_LT(small.worst.lost, 5e-4 * report.use.cycle_time);
+  EXPECT_TRUE(small.loses());
+  EXPECT_THAT(html_of(input, "{{time_use}}"), HasSubstr(TimeTexts::cause(small.worst.cause).toStdString()));
+}
+
 TEST(ReportTime, AProgramThatTakesNoTimeHasNoSectionOfIt) {
   ReportInput input;
   input.runs = report_runs({make_shown(test::simulate_text("M30\n"))});
+  EXPECT_THAT(html_of(input, "{{summary}}"),
+              AllOf(HasSubstr("Nothing in this program takes time"), Not(HasSubstr("programmed time"))));
   EXPECT_EQ(html_of(input, "{{time_use}}{{time_places}}{{time_changes}}"), "");
 }
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
 #include <QTreeWidget>
@@ -63,6 +64,35 @@ TEST_F(TimeViewTest, SaysWhereTheTimeGoesAndWhatWouldHelp) {
   ASSERT_NE(view.report(), nullptr);
   EXPECT_FALSE(view.report()->changes.best.empty());
   EXPECT_EQ(view.report()->use.cycle_time, run.summary.cycle_time);
+}
+
+TEST_F(TimeViewTest, SaysWhatItsShareIsOf) {
+  set_run(run);
+  ASSERT_TRUE(finishes());
+  const TimeUse& use = view.report()->use;
+  const QString share = QLocale().toString(100 * use.lost() / use.cycle_time, 'f', 1);
+  EXPECT_THAT(view.conclusion().toStdString(),
+              HasSubstr("(" + share.toStdString() + " % of the cycle time)"));
+}
+
+/// As report and `explain` print it.
+TEST_F(TimeViewTest, AGainIsPositive) {
+  set_run(run);
+  ASSERT_TRUE(finishes());
+  const ChangeTrials& changes = view.report()->changes;
+  const double gain = view.report()->use.cycle_time - changes.tried[changes.best.front()].cycle_time;
+  EXPECT_EQ(section("What would help")->child(0)->text(1),
+            QLocale().toString(gain, 'f', decimals_of_gain(gain)) + QStringLiteral(" s"));
+}
+
+TEST_F(TimeViewTest, WhereNothingMovesThereIsNothingToTry) {
+  set_run(test::simulate_text("M30\n"));
+  EXPECT_FALSE(view.busy());
+  EXPECT_EQ(view.conclusion(), QStringLiteral("Nothing in this program takes time."));
+  EXPECT_FALSE(view.panel_actions().first()->isEnabled());
+  for (const QPushButton* button : view.findChildren<QPushButton*>()) {
+    EXPECT_FALSE(button->isVisible()) << button->text().toStdString();
+  }
 }
 
 TEST_F(TimeViewTest, AClickGoesToTheWorstPlaceOfAGroup) {
