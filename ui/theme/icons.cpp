@@ -52,10 +52,10 @@ QPainterPath lines_of(DockIcon kind) {
     path.moveTo(side - 3, 3);
     path.lineTo(3, side - 3);
   } else if (kind == DockIcon::more || kind == DockIcon::more_below) {
-    for (const double left : {3.0, 8.0}) {
-      path.moveTo(left, 3);
-      path.lineTo(left + 5, 8);
-      path.lineTo(left, 13);
+    for (const double left : {4.0, 8.5}) {
+      path.moveTo(left, 4.5);
+      path.lineTo(left + 3.5, 8);
+      path.lineTo(left, 11.5);
     }
     return kind == DockIcon::more ? path : QTransform(0, 1, 1, 0, 0, 0).map(path);
   } else {
