@@ -94,7 +94,8 @@ void doubt_steps(Identification& found, const Setup& start,
     }
   }
   if (taken != 1) {
-    for (const auto& [axis, kind] : start.machine.axes.axes()) {
+    for (const auto& [name, kind] : start.machine.axes.axes()) {
+      const char axis = name;
       IdentifiedParameter one;
       one.parameter = {fmt::format("{}.{}", axis, steps_key), "1/mm", 0, 0};
       const auto number = [&](const Setup& setup) {

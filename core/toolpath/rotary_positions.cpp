@@ -119,7 +119,7 @@ std::array<double, 3> RotaryPositions::angles_for(const RotaryMove& move, const 
   }
   if (move.great_circle) {
     const auto is_led_to = [&](const RotaryPlaces& places) { return leads_to(places.angles); };
-    std::ranges::stable_partition(found, is_led_to);
+    std::stable_partition(found.begin(), found.end(), is_led_to);
   }
   const auto on_side = [&](const RotaryPlaces& places) {
     return move.side == 0 || move.side * places.angles.back() > -reached;
