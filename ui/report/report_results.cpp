@@ -281,9 +281,9 @@ QString comparison_block(const ReportInput& input) {
     }
     const Summary& summary = summary_of(run);
     table.add({run_label(run), QStringLiteral("<b>%1</b>").arg(fixed(summary.cycle_time, 3)),
-               fixed(against_programmed(summary), 3), difference_to_first(run, input.runs.front()),
-               fixed(summary.mean_feed, Dimension::feed), fixed(summary.peak_feed, Dimension::feed),
-               error_number(summary.max_contour_error),
+               summary.programmed_time > 0 ? fixed(against_programmed(summary), 3) : QStringLiteral("–"),
+               difference_to_first(run, input.runs.front()), fixed(summary.mean_feed, Dimension::feed),
+               fixed(summary.peak_feed, Dimension::feed), error_number(summary.max_contour_error),
                QString::number(run.shown->run.trajectory->blend_count())});
   }
   return table.html();

@@ -136,13 +136,14 @@ class SheetPainter {
 
   void draw_figures(const QRectF& room) {
     const Summary& summary = input_.run().shown->run.summary;
-    const double ratio = summary.programmed_time > 0 ? summary.cycle_time / summary.programmed_time : 1;
+    const double ratio = summary.programmed_time > 0 ? summary.cycle_time / summary.programmed_time : 0;
     const bool refused = is_refused(input_.run().shown->run);
     const auto shown = [&](const QString& figure) { return refused ? QStringLiteral("–") : figure; };
     const std::pair<QString, QString> figures[] = {
         {ReportWords::tr("cycle time"),
          refused ? ReportWords::tr("refused") : clock_text(summary.cycle_time)},
-        {ReportWords::tr("× programmed time"), shown(significant(ratio, 3))},
+        {ReportWords::tr("× programmed time"),
+         ratio > 0 ? shown(significant(ratio, 3)) : QStringLiteral("–")},
         {ReportWords::tr("mean feed, %1").arg(unit_of(Dimension::feed)),
          shown(fixed(summary.mean_feed, Dimension::feed))},
         {ReportWords::tr("peak feed, %1").arg(unit_of(Dimension::feed)),

@@ -77,6 +77,7 @@ TEST(ReportTime, AProgramThatTakesNoTimeHasNoSectionOfIt) {
   input.runs = report_runs({make_shown(test::simulate_text("M30\n"))});
   EXPECT_THAT(html_of(input, "{{summary}}"),
               AllOf(HasSubstr("Nothing in this program takes time"), Not(HasSubstr("programmed time"))));
+  EXPECT_THAT(html_of(input, "{{comparison_table}}"), Not(HasSubstr("1.000"))) << "the ratio of nothing";
   EXPECT_EQ(html_of(input, "{{time_use}}{{time_places}}{{time_changes}}"), "");
 }
 
