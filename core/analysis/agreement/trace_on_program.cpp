@@ -272,7 +272,9 @@ TraceOnProgram find_on_program(const Trace& trace, const ProgrammedCourse& cours
   if (!found.matched.empty()) {
     found.law = TimeLaw(found.record.time, found.matched);
     found.lost = lost_of(found.record, found.matched, trace.period);
-    for (std::size_t i = found.matched.first; i < found.matched.end; ++i) {
+    // What comes behind the end, another pass say, is not compared.
+    const std::size_t end = std::min(found.matched.end, found.matched.arrival + 1);
+    for (std::size_t i = found.matched.first; i < end; ++i) {
       if (!std::isnan(found.matched.s[i])) {
         found.largest_distance =
             std::max(found.largest_distance, static_cast<double>(found.matched.distance[i]));

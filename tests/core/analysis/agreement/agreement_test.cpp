@@ -157,6 +157,14 @@ TEST(Agreement, ComparesTheFirstOfSeveralPasses) {
   const auto once = run_of(there_and_back + "M30\n");
   const Compared compared = compare(trace_of(twice, 1e-3), once);
   ASSERT_EQ(compared.found.pass_times.size(), 2U);
+  // The second pass, 0.15 mm aside, is not compared: nor is its distance.
+  Trace aside = trace_of(twice, 1e-3);
+  for (std::size_t i = aside.size() / 2; i < aside.size(); ++i) {
+    aside.place[0][i] += 0.15;
+  }
+  const Compared first = compare(aside, once);
+  EXPECT_NEAR(first.agreement.distance, compared.agreement.distance, 1e-3);
+  EXPECT_LT(compared.agreement.distance, 0.1);
   EXPECT_NEAR(compared.agreement.measured_time, once.trajectory->duration(), 0.01);
 }
 
