@@ -178,7 +178,7 @@ TEST(Layering, SceneKnowsNoWidgets) {
 /// both.
 TEST(Layering, NoTwoHeadersDefineTheSameClass) {
   const std::regex opens(R"(namespace ([\w:]+) \{)");
-  const std::regex defines(R"((?:struct|class|enum class) (\w+)[^;]*\{.*)");
+  const std::regex defines(R"((?:struct|class|enum class) (\w+(?:::\w+)*)[^;]*\{.*)");
   std::map<std::string, std::string> known;
   for (const SourceFile& file : sources_under({"core", "ui", "app"})) {
     std::string space;
