@@ -240,7 +240,7 @@ TEST(ReadTrace, RefusesWhatIsNoTraceAndSaysWhy) {
   EXPECT_THAT(refusal(""), HasSubstr("'t.csv' is no trace"));
   EXPECT_THAT(refusal("G1 X20\nhello\n"), HasSubstr("'t.csv' is no trace"));
   EXPECT_THAT(refusal(table("time_s,torque\n", "{t},{x}\n")), HasSubstr("it has time_s, torque; say which"));
-  EXPECT_THAT(refusal("time_s,x_mm\n0,1\n0.001,2\n"), HasSubstr("has 2 samples"));
+  EXPECT_THAT(refusal("time_s,x_mm\n0,1\n0.001,2\n"), HasSubstr("too few samples whose times rise: 2"));
   EXPECT_THAT(refusal(table("time_s,x_mm\n", "{t},{x}\n"), parse_trace_columns("x=X_mn")),
               HasSubstr("did you mean 'x_mm'?"));
   EXPECT_THAT(refusal("\xFF\xFE"

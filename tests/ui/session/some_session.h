@@ -33,6 +33,7 @@ inline Session some_session(const std::filesystem::path& program) {
   session.scene.exaggeration = 100;
   session.scene.colouring = Colouring::cause;
   session.scene.stretch = {PathStretch::to_cursor, true};
+  session.scene.on_machine = true;
   session.scenes = {ScenesMode::split, 0, 0.375, 1};
   session.charts.abscissa = Abscissa::path_length;
   session.charts.time = Interval{0.1, 0.4};

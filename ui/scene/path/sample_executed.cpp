@@ -359,7 +359,8 @@ SampledPath joined(std::vector<SampledPath> parts) {
 }  // namespace
 
 SampledPath sample_motion(const Trajectory& trajectory, std::size_t max_points,
-                          std::span<const double> also_at, Progress& progress, const RunSources& sources) {
+                          std::span<const double> also_at, Progress& progress, double share,
+                          const RunSources& sources) {
   const ExecutedSampling sampling(trajectory, also_at, sources);
   const std::vector<Chunk> chunks = sampling.chunks();
   std::size_t wanted = 1;
@@ -371,8 +372,7 @@ SampledPath sample_motion(const Trajectory& trajectory, std::size_t max_points,
   std::atomic<std::size_t> done{0};
   in_parallel(chunks.size(), [&](std::size_t i) {
     parts[i] = ExecutedSampling(sampling).run(chunks[i], spacing);
-    const double share = static_cast<double>(++done) / static_cast<double>(chunks.size());
-    progress.report(share);
+    progress.report(share * static_cast<double>(++done) / static_cast<double>(chunks.size()));
   });
   SampledPath path = joined(std::move(parts));
   path.cause_times = sampling.cause_times();
@@ -388,9 +388,7 @@ SampledPath sample_executed(const Trajectory& trajectory, std::size_t max_points
   Progress& watched = progress != nullptr ? *progress : unwatched;
   const bool on_machine = sources.rotary && sources.rotary->knows_linear();
   const double rest_share = (sources.actual ? share_of_actual : 0) + (on_machine ? share_on_machine : 0);
-  Progress motion(watched, 1 - rest_share);
-  SampledPath path = sample_motion(trajectory, max_points, also_at, motion, sources);
-  motion.report(1);
+  SampledPath path = sample_motion(trajectory, max_points, also_at, watched, 1 - rest_share, sources);
   path.levels = levels_of(path);
   path.boxes = boxes_of(path.positions);
   if (sources.rotary) {

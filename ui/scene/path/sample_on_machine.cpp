@@ -52,8 +52,8 @@ SampledPath sample_on_machine(const RunSources& sources, Progress* progress) {
   }
   Progress unwatched;
   Progress& watched = progress != nullptr ? *progress : unwatched;
-  Progress motion(watched, 0.5);
-  SampledPath path = sample_motion(trajectory, most_points, times_of_turns(trajectory), motion, sources);
+  SampledPath path =
+      sample_motion(trajectory, most_points, times_of_turns(trajectory), watched, 0.5, sources);
   path.origin = course.slides(trajectory.state(0));
   const std::size_t tasks = (path.size() + points_a_task - 1) / points_a_task;
   in_parallel(tasks, [&](std::size_t task) {
@@ -61,7 +61,7 @@ SampledPath sample_on_machine(const RunSources& sources, Progress* progress) {
     for (std::size_t i = task * points_a_task; i < end; ++i) {
       path.positions[i] = (course.slides(trajectory.state(path.times[i])) - path.origin).cast<float>();
     }
-    watched.report(0.5);
+    watched.report(0.5);  // which throws if it is cancelled
   });
   path.bounds = {};
   for (std::size_t i = 0; i < path.size(); ++i) {

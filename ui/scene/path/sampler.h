@@ -22,8 +22,10 @@ class Sampler {
 };
 
 /// What sample_executed() has of the run's own motion: without what the axes run, rotary axes and levels.
+/// `share`: of `progress`.
 SampledPath sample_motion(const Trajectory& trajectory, std::size_t max_points,
-                          std::span<const double> also_at, Progress& progress, const RunSources& sources);
+                          std::span<const double> also_at, Progress& progress, double share,
+                          const RunSources& sources);
 
 /// Into how many spans to cut `length`: as many as `wanted`, as long as they are `spacing` or more [mm].
 std::size_t spans(double wanted, double length, double spacing);
