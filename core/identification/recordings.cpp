@@ -63,9 +63,9 @@ Setup with_steps(Setup setup, double factor) {
 }
 
 /// Steps that are assumed change what is found: takes half or double as many where that explains the
-/// recordings much better, and doubts the numbers as far as they change from there to the next best. `fit`:
-/// with a start.
-void doubt_steps(Identification& found, const Setup& start,
+/// recordings much better, and doubts the numbers as far as they change from there to the next best. `from`:
+/// names of the recordings and the date, for sources; `fit`: with a start.
+void doubt_steps(Identification& found, const Setup& start, const std::string& from,
                  const std::function<Identification(const Setup&)>& fit) {
   constexpr double better = 0.8;
   constexpr double coarsest = 0.2;
@@ -92,6 +92,8 @@ void doubt_steps(Identification& found, const Setup& start,
       one.reason = QT_TRANSLATE_NOOP(
           "core", "It changes with the steps a millimetre, which are assumed: give those of the machine.");
     }
+    found.setup.machine.provenance.insert_or_assign(
+        one.parameter.key, one.told ? identified_source(one, from) : untold_source(one, from));
   }
   if (taken != 1) {
     for (const auto& [name, kind] : start.machine.axes.axes()) {
@@ -227,11 +229,12 @@ Identification Recordings::fit(const Setup& start, const std::vector<FitParamete
   Identification found = fit_as_begun(start, parameters, options, [&](const char* title) {
     return fitting = stage ? stage(title) : nullptr;
   });
+  std::size_t simulations = found.simulations;
   const auto again = [&](const Setup& other, const std::vector<FitParameter>& some) {
     std::vector<std::vector<Diagnostic>> remarks = remarks_;
     Identification fitted = fit_as_begun(other, some, options, [&](const char*) { return fitting; });
     remarks_ = std::move(remarks);
-    found.simulations += fitted.simulations;
+    simulations += fitted.simulations;
     return fitted;
   };
   if (const FitParameter* tolerance = found.explains ? nullptr : that_may_be_zero(start, parameters)) {
@@ -241,13 +244,19 @@ Identification Recordings::fit(const Setup& start, const std::vector<FitParamete
     std::erase_if(others, [&](const FitParameter& one) { return one.key == tolerance->key; });
     Identification other = again(without, others);
     if (other.explains) {
-      other.simulations = found.simulations;
+      other.simulations = simulations;
       add_zero(other, *tolerance, fit_value(start, *tolerance), options.date);
       return other;
     }
   }
   if (found.explains && assumes_steps(start)) {
-    doubt_steps(found, start, [&](const Setup& other) { return again(other, parameters); });
+    std::string from;
+    for (const Item& item : items_) {
+      from += (from.empty() ? "" : ", ") + (item.trace != nullptr ? item.trace->name : item.name);
+    }
+    from += options.date.empty() ? "" : ", " + options.date;
+    doubt_steps(found, start, from, [&](const Setup& other) { return again(other, parameters); });
+    found.simulations = simulations;
   }
   return found;
 }

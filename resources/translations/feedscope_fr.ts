@@ -1698,7 +1698,7 @@
         <translation>De %1 s à %2 s sur %3 s.</translation>
     </message>
     <message>
-        <source>Nothing in this program takes time: there is no motion to report.</source>
+        <source>No motion in this program: there is no time to report.</source>
         <translation>Rien dans ce programme ne prend de temps : il n’y a aucun mouvement à décrire.</translation>
     </message>
 </context>

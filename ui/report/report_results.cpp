@@ -62,7 +62,7 @@ QString one_run_sentence(const ReportRun& run) {
         .arg(html_text(run.name), html_text(run.shown->run.setup.machine.name));
   }
   if (!(summary.cycle_time > 0)) {
-    return ReportWords::tr("Nothing in this program takes time: there is no motion to report.");
+    return ReportWords::tr("No motion in this program: there is no time to report.");
   }
   const QString sentence =
       ReportWords::tr(

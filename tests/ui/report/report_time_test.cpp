@@ -76,7 +76,7 @@ TEST(ReportTime, AProgramThatTakesNoTimeHasNoSectionOfIt) {
   ReportInput input;
   input.runs = report_runs({make_shown(test::simulate_text("M30\n"))});
   EXPECT_THAT(html_of(input, "{{summary}}"),
-              AllOf(HasSubstr("Nothing in this program takes time"), Not(HasSubstr("programmed time"))));
+              AllOf(HasSubstr("No motion in this program"), Not(HasSubstr("programmed time"))));
   EXPECT_THAT(html_of(input, "{{comparison_table}}"), Not(HasSubstr("1.000"))) << "the ratio of nothing";
   EXPECT_EQ(html_of(input, "{{time_use}}{{time_places}}{{time_changes}}"), "");
 }
