@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/support/memory.h"
+#include "tests/support/sanitized.h"
 #include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
 #include "ui/contour/contour_view.h"
@@ -73,6 +74,11 @@ class WindowMemoryTest : public testing::Test {
     window.resize(700, 500);
     window.show();
   }
+  void SetUp() override {
+    if (test::sanitized) {
+      GTEST_SKIP() << "a sanitizer keeps memory of its own";
+    }
+  }
 
   void open(const std::string& name, const std::string& text) {
     const std::filesystem::path file = std::filesystem::path(folder.path().toStdString()) / name;
@@ -90,18 +96,18 @@ class WindowMemoryTest : public testing::Test {
 
   /// Three runs of a large program, time lost and contour errors, then a small program.
   void work_on_large_program() {
-    open("large.nc", spiral(1'000'000));
+    ASSERT_NO_FATAL_FAILURE(open("large.nc", spiral(1'000'000)));
     one_run = bytes_in_use();
     kept = Kept();
     kept.watch(model);
     for (const double tolerance : {0.02, 0.05}) {
       model.runs().duplicate(model.runs().current());
       model.set_tolerance(tolerance);
-      wait_until_idle();
+      ASSERT_NO_FATAL_FAILURE(wait_until_idle());
       kept.watch(model);
     }
     window.scene().scene().set_colouring(Colouring::time_lost);
-    wait_until_idle();
+    ASSERT_NO_FATAL_FAILURE(wait_until_idle());
     if (!window.part<ContourView>().isVisible()) {
       window.part<ContourView>().panel_actions()[0]->trigger();  // its panel comes up
     }
@@ -109,7 +115,7 @@ class WindowMemoryTest : public testing::Test {
     while (model.runs().items().size() > 1) {
       model.runs().remove(0);
     }
-    open("small.nc", test::small_program);
+    ASSERT_NO_FATAL_FAILURE(open("small.nc", test::small_program));
     QThreadPool::globalInstance()->waitForDone(
         patience);  // a comparison that was cancelled still holds its runs
   }
@@ -138,7 +144,7 @@ TEST_F(WindowMemoryTest, TwentyOpeningsOfAProgramLeaveNothing) {
 }
 
 TEST_F(WindowMemoryTest, AProgramThatIsReplacedGivesItsMemoryBack) {
-  open("small.nc", test::small_program);
+  ASSERT_NO_FATAL_FAILURE(open("small.nc", test::small_program));
   // What stays for good comes with the first round: fonts, pictures of the window, and what the software
   // renderer keeps of the largest frame, up to 36 MB.
   ASSERT_NO_FATAL_FAILURE(work_on_large_program());

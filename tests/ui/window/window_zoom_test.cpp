@@ -9,6 +9,7 @@
 
 #include "tests/support/folders.h"
 #include "tests/support/memory.h"
+#include "tests/support/sanitized.h"
 #include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
 #include "ui/window/main_window.h"
@@ -88,8 +89,8 @@ TEST_F(WindowZoomTest, SixtyClicksIntoAnySampleAreQuickAndSmallInOneAndTwoViews)
       window.scenes().set_mode(mode);
       for (const int way : {1, -1}) {
         const double seconds = turn_wheel(way);
-        EXPECT_LT(seconds, max_seconds);
-        EXPECT_LT(test::resident_bytes(), max_bytes);
+        EXPECT_TRUE(test::sanitized || seconds < max_seconds) << seconds;
+        EXPECT_TRUE(test::sanitized || test::resident_bytes() < max_bytes);
         longest = std::max(longest, seconds);
         largest = std::max(largest, test::resident_bytes());
       }
