@@ -25,7 +25,7 @@ class Progress {
   void report(double fraction) {
     const double before = fraction_.exchange(fraction, std::memory_order_relaxed);
     if (whole_ != nullptr) {
-      whole_->fraction_.fetch_add(share_ * (fraction - before), std::memory_order_relaxed);
+      whole_->add(share_ * (fraction - before));
     }
     if (cancelled()) {
       throw Cancelled();
@@ -38,6 +38,13 @@ class Progress {
   }
 
  private:
+  void add(double part) {
+    fraction_.fetch_add(part, std::memory_order_relaxed);
+    if (whole_ != nullptr) {
+      whole_->add(share_ * part);
+    }
+  }
+
   Progress* whole_ = nullptr;
   double share_ = 0;
   std::atomic<double> fraction_{0.0};

@@ -21,6 +21,18 @@ TEST(Progress, OfPartsAddsUpToTheWhole) {
   EXPECT_DOUBLE_EQ(whole.fraction(), 0.25);
 }
 
+TEST(Progress, OfAPartOfAPartCountsInTheWhole) {
+  Progress whole;
+  Progress half(whole, 0.5);
+  Progress quarter(half, 0.5);
+  Progress eighth(quarter, 0.5);
+  eighth.report(1);
+  EXPECT_DOUBLE_EQ(half.fraction(), 0.25);
+  EXPECT_DOUBLE_EQ(whole.fraction(), 0.125);
+  half.report(1);  // with all its parts
+  EXPECT_DOUBLE_EQ(whole.fraction(), 0.5);
+}
+
 TEST(Progress, OfPartsAddsUpFromSeveralThreads) {
   constexpr int parts = 4;
   constexpr int steps = 1024;  // shares are powers of two, so that sums are exact
