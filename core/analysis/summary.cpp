@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <optional>
 
 #include "core/analysis/programmed_time.h"
 #include "core/base/exact_sum.h"
 #include "core/base/parallel.h"
+#include "core/toolpath/gentle_blend.h"
 #include "core/trajectory/part_walk.h"
 
 namespace feedscope {
@@ -31,8 +34,13 @@ class Peaks {
     }
     if (kind == ElementKind::line) {
       add_straight(part, motion.curve().direction);
+    } else if (const GentleBlend* blend = gentle_blend(part, kind, motion.curve())) {
+      add_samples(part, motion.curve(), [&](double tau) {
+        const LawPoint law = law_at(part, tau);
+        return kinematics_of(blend->at(law.q), law);
+      });
     } else {
-      add_curved(part, motion);
+      add_samples(part, motion.curve(), [&](double tau) { return motion.kinematics(tau); });
     }
   }
 
@@ -64,10 +72,23 @@ class Peaks {
         direction.cwiseAbs() * std::abs(part.j));
   }
 
-  void add_curved(const Part& part, const PartMotion& motion) {
-    const int count = samples(part, motion.curve());
+  /// Of a part that runs along one by its length; else null. Kept for the next part along the same one.
+  const GentleBlend* gentle_blend(const Part& part, ElementKind kind, const ElementCurve& curve) {
+    if (kind != ElementKind::blend || part.law != Law::path_length) {
+      return nullptr;
+    }
+    if (part.element != gentle_element_) {
+      gentle_element_ = part.element;
+      gentle_ = GentleBlend::of(curve.blend, curve.length);
+    }
+    return gentle_ ? &*gentle_ : nullptr;
+  }
+
+  template <typename KinematicsAt>
+  void add_samples(const Part& part, const ElementCurve& curve, const KinematicsAt& kinematics_at) {
+    const int count = samples(part, curve);
     for (int i = 0; i <= count; ++i) {
-      const Kinematics at = motion.kinematics(part.duration * i / count);
+      const Kinematics at = kinematics_at(part.duration * i / count);
       add(at.velocity.norm(), at.velocity.cwiseAbs(), at.acceleration.cwiseAbs(), at.jerk.cwiseAbs());
     }
   }
@@ -97,6 +118,8 @@ class Peaks {
   }
 
   const Trajectory& trajectory_;
+  std::optional<GentleBlend> gentle_;
+  std::uint32_t gentle_element_ = std::numeric_limits<std::uint32_t>::max();
   double speed_ = 0;
   AxisVector<AxisPeaks> axes_;
 };

@@ -46,10 +46,9 @@ const BlendLength& lengths_along(const CubicBlend& blend) {
 }  // namespace
 
 CurvePoint by_path_length(const CurvePoint& p) {
-  const double sigma = p.d1.norm();
-  const double dsigma = p.d1.dot(p.d2) / sigma;
-  const double ddsigma = (p.d2.squaredNorm() + p.d1.dot(p.d3) - dsigma * dsigma) / sigma;
-  const double u1 = 1 / sigma;
+  const double u1 = 1 / p.d1.norm();
+  const double dsigma = p.d1.dot(p.d2) * u1;
+  const double ddsigma = (p.d2.squaredNorm() + p.d1.dot(p.d3) - dsigma * dsigma) * u1;
   const double u2 = -dsigma * u1 * u1 * u1;
   const double u3 = (-ddsigma + 3 * dsigma * dsigma * u1) * u1 * u1 * u1 * u1;
   return {p.position, p.d1 * u1, p.d2 * (u1 * u1) + p.d1 * u2,
