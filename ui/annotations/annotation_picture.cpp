@@ -7,8 +7,7 @@
 #include <QPainterPath>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <optional>
+#include <compare>
 
 #include "ui/annotations/annotation_text.h"
 
@@ -61,43 +60,53 @@ class LabelPlacer {
   /// Where a label should be kept away from, if it must move.
   void avoid(const QPointF& place) { places_.append(place); }
 
-  /// The nearest free place; where there is none, the one that is wanted.
+  /// The nearest free place; where there is none, the one that covers least.
   QRectF place(const QRectF& asked) {
     const QRectF wanted = moved_into(asked, room_);
-    const QRectF found = is_free(wanted) ? wanted : nearest_free(wanted).value_or(wanted);
+    const QRectF found = covered_by(wanted) > 0 ? nearest_free(wanted) : wanted;
     taken_.append(found);
     return found;
   }
 
  private:
-  bool is_free(const QRectF& label) const {
+  /// What a label would cover of those that have their place [pixels2].
+  double covered_by(const QRectF& label) const {
     const QRectF wide = label.adjusted(-gap_, -gap_, gap_, gap_);
-    return std::ranges::none_of(taken_, [&](const QRectF& taken) { return taken.intersects(wide); });
+    double area = 0;
+    for (const QRectF& taken : taken_) {
+      const QRectF both = taken & wide;
+      area += both.width() * both.height();
+    }
+    return area;
   }
   bool covers_place(const QRectF& label) const {
     return std::ranges::any_of(places_, [&](const QPointF& place) { return label.contains(place); });
   }
 
-  std::optional<QRectF> nearest_free(const QRectF& wanted) const {
-    constexpr int directions = 16;
-    const double step = wanted.height() / 3;
-    const double farthest = std::hypot(room_.width(), room_.height());
-    std::optional<QRectF> covering;
-    for (double distance = step; distance < farthest; distance += step) {
-      for (int i = 0; i < directions; ++i) {
-        const double angle = 2 * std::numbers::pi * i / directions;
-        const QPointF shift(distance * std::cos(angle), distance * std::sin(angle));
-        const QRectF moved = moved_into(wanted.translated(shift), room_);
-        if (!is_free(moved)) {
-          continue;
+  QRectF nearest_free(const QRectF& wanted) const {
+    constexpr double most_looks = 4000;
+    const QSizeF free = (room_.size() - wanted.size()).expandedTo(QSizeF(1, 1));
+    const double step = std::max(2 * gap_, std::sqrt(free.width() * free.height() / most_looks));
+    struct Candidate {
+      double covered, distance;
+      auto operator<=>(const Candidate&) const = default;
+    };
+    QRectF best = wanted;
+    Candidate least{covered_by(wanted), 0};
+    for (double y = 0; y < free.height() + step; y += step) {
+      for (double x = 0; x < free.width() + step; x += step) {
+        const QRectF moved = moved_into(QRectF(room_.topLeft() + QPointF(x, y), wanted.size()), room_);
+        // A place of the path that is covered counts as if the label were as far again.
+        const double distance = QLineF(moved.topLeft(), wanted.topLeft()).length();
+        const Candidate candidate{covered_by(moved),
+                                  covers_place(moved) ? room_.width() + distance : distance};
+        if (candidate < least) {
+          least = candidate;
+          best = moved;
         }
-        if (!covers_place(moved)) {
-          return moved;
-        }
-        covering = covering ? covering : moved;
       }
     }
-    return covering;
+    return best;
   }
 
   QRectF room_;

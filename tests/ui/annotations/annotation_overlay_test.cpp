@@ -133,6 +133,23 @@ TEST_F(AnnotationOverlayTest, LabelsStayInThePicture) {
   EXPECT_TRUE(picture.contains(placed().label));
 }
 
+TEST_F(AnnotationOverlayTest, ManyLabelsInASmallViewCoverNoOther) {
+  constexpr int count = 5;
+  const double duration = model.shown()->run.trajectory->duration();
+  for (int i = 0; i < count; ++i) {
+    model.cursor().set_time(duration * (i + 1) / (count + 1));
+    action(AnnotationKind::callout).trigger();
+  }
+  window.scene().grab();
+  const std::vector<PlacedAnnotation> all = window.scene().annotations().placed();
+  ASSERT_EQ(all.size(), static_cast<std::size_t>(count));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      EXPECT_FALSE(all[i].label.intersects(all[k].label)) << i << ' ' << k;
+    }
+  }
+}
+
 TEST_F(AnnotationOverlayTest, ADimensionGoesBetweenTheCursors) {
   const double second = model.shown()->run.trajectory->duration() / 2;
   window.part<ChartsPanel>().set_second_cursor(second);
