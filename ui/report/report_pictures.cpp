@@ -350,14 +350,41 @@ QString slow_place_views_block(const ReportInput& input, ReportPictures& picture
 }
 
 QString notes_block(const ReportInput& input) {
-  QString html;
-  if (input.annotations.empty()) {
-    return html;
+  const Trajectory& trajectory = *input.run().shown->run.trajectory;
+  if (input.annotations.empty() || trajectory.pieces().empty()) {
+    return {};
   }
-  for (const QString& note : ScenePicture(input, input.current, ThemeKind::light).annotation_texts()) {
-    html += QStringLiteral("<li>%1</li>\n").arg(html_text(note).replace('\n', QStringLiteral("<br/>")));
+  const std::vector<Segment>& segments = input.run().shown->run.input.toolpath->segments;
+  const QStringList texts = ScenePicture(input, input.current, ThemeKind::light).annotation_texts();
+  HtmlTable table("rrrrl", {5, 14, 18, 21, 42});
+  table.add_head({ReportWords::tr("No."), ReportWords::tr("Line"), ReportWords::tr("Time [s]"),
+                  with_unit_of(ReportWords::tr("At X, Y, Z"), Dimension::length), ReportWords::tr("Note")});
+  for (qsizetype i = 0; i < texts.size(); ++i) {
+    const Annotation& annotation = input.annotations[static_cast<std::size_t>(i)];
+    std::vector<ProgrammedPlace> marked{annotation.place};
+    if (has_two_places(annotation.kind)) {
+      marked.push_back(annotation.until);
+      std::ranges::sort(marked, {}, [&](const ProgrammedPlace& place) { return time_of(trajectory, place); });
+    }
+    QStringList lines;
+    QStringList instants;
+    QStringList places;
+    for (const ProgrammedPlace& place : marked) {
+      const State state = trajectory.state(time_of(trajectory, place));
+      const bool within = place.segment < segments.size();  // else the end of the program
+      lines.append(QString::number(within ? segments[place.segment].line : state.line));
+      instants.append(fixed(state.time, 3));
+      places.append(ReportWords::tr("%1, %2, %3", "coordinates")
+                        .arg(fixed(state.position.x(), Dimension::length),
+                             fixed(state.position.y(), Dimension::length),
+                             fixed(state.position.z(), Dimension::length)));
+    }
+    lines.removeDuplicates();
+    const QString line_break = QStringLiteral("<br/>");
+    table.add({QString::number(i + 1), lines.join(QStringLiteral(" – ")), instants.join(line_break),
+               places.join(line_break), html_text(texts[i]).replace('\n', line_break)});
   }
-  return html.isEmpty() ? html : QStringLiteral("<ol>\n%1</ol>\n").arg(html);
+  return table.html();
 }
 
 }  // namespace feedscope::ui

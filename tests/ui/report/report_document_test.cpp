@@ -86,6 +86,29 @@ TEST(Report, NamesAndTextsAreEscaped) {
   EXPECT_THAT(html, Not(HasSubstr("<script>")));
 }
 
+TEST(Report, NotesSayTheirLineTimeAndPlace) {
+  ReportInput input = test::two_runs();
+  Annotation note = test::note("slow here");
+  note.kind = AnnotationKind::region;
+  note.until = {note.place.segment + 1, 0.5};
+  input.annotations = {note};
+  const auto& run = input.run().shown->run;
+  const State from = run.trajectory->state(time_of(*run.trajectory, note.place));
+  const State to = run.trajectory->state(time_of(*run.trajectory, note.until));
+  const std::uint32_t line = run.input.toolpath->segments[note.place.segment].line;
+  const std::string html = filled(input, "{{notes}}");
+  EXPECT_THAT(html, HasSubstr(QStringLiteral(">%1 – %2<").arg(line).arg(line + 1).toStdString()));
+  EXPECT_THAT(
+      html,
+      HasSubstr(QStringLiteral("%1<br/>%2").arg(from.time, 0, 'f', 3).arg(to.time, 0, 'f', 3).toStdString()));
+  EXPECT_THAT(html, HasSubstr(QStringLiteral("%1, %2, %3")
+                                  .arg(to.position.x(), 0, 'f', 3)
+                                  .arg(to.position.y(), 0, 'f', 3)
+                                  .arg(to.position.z(), 0, 'f', 3)
+                                  .toStdString()));
+  EXPECT_THAT(html, HasSubstr("slow here"));
+}
+
 TEST(Report, SaysWhatDiffersAndWhatTheFiguresAre) {
   const ReportInput input = test::two_runs();
   const std::string differing = filled(input, "{{differing_settings}}");
