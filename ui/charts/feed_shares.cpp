@@ -97,7 +97,7 @@ void FeedShares::draw(QPainter& painter) const {
   painter.setFont(small);
   painter.setPen(colours.text);
   const QRectF below(4, zero + 2, width() - 4, height() - zero - 2);
-  const QString text = tr("time at feed\nlongest: %1 %").arg(QLocale().toString(100 * most, 'f', 0));
+  const QString text = tr("time by feed\nmost: %1 %").arg(QLocale().toString(100 * most, 'f', 0));
   constexpr int flags = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
   const QString title = text.section('\n', 0, 0);
   for (const QString& words : {text, title}) {  // what there is room for; tips say all

@@ -114,6 +114,20 @@ double draw_title(Canvas& canvas, const Captions& captions, Vec2 place, double s
   return place.y();
 }
 
+/// Round values of a scale, at most `most` of them but two at least: one number alone says nothing of the rest.
+Ticks bar_ticks(const ColourScale& scale, int most) {
+  Ticks ticks = round_ticks(scale.low, scale.high, most);
+  if (ticks.values.size() < 2 && scale.high > scale.low) {
+    ticks.step = step_of_two(scale.low, scale.high);
+    ticks.values = multiples(ticks.step, scale.low, scale.high);
+    ticks.labels.clear();
+    for (const double value : ticks.values) {
+      ticks.labels.push_back(fmt::format("{:.{}f}", value, step_decimals(ticks.step)));
+    }
+  }
+  return ticks;
+}
+
 void draw_bar(Canvas& canvas, const Captions& captions, const Vec2& low, double high, double k) {
   const ColourScale& scale = captions.key.scale;
   const SceneColours& colours = *captions.colours;
@@ -126,7 +140,7 @@ void draw_bar(Canvas& canvas, const Captions& captions, const Vec2& low, double 
                      scale_colour(scale, (i + 0.5) / bands, colours.kind));
   }
   const int most = std::max(2, static_cast<int>(height / (34 * k)));
-  const Ticks ticks = round_ticks(scale.low, scale.high, most);
+  const Ticks ticks = bar_ticks(scale, most);
   TextStyle style{.size = panel_text_pixels * k, .colour = colours.text, .horizontal = -1};
   const bool has_words = captions.key.colouring == Colouring::time_lost;
   const double inside = (panel_text_pixels + 3) * k;
@@ -150,7 +164,7 @@ void draw_bar(Canvas& canvas, const Captions& captions, const Vec2& low, double 
     }
     canvas.text(label, {right + 8 * k, y}, style);
   }
-  if (scale.beyond && scale.high - ticks.values.back() >= ticks.step / 2) {
+  if (scale.beyond && !ticks.values.empty() && scale.high - ticks.values.back() >= ticks.step / 2) {
     const auto end_label = [&](const char* sign, double value) {
       return captions.texts->localised(fmt::format("{} {:.6g}", sign, value));
     };
