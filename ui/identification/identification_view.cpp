@@ -306,8 +306,8 @@ void IdentificationView::show_as_run() {
   setup.machine.name = tr("%1, identified").arg(QString::fromStdString(setup.machine.name)).toStdString();
   setup.load = {};
   RunList& runs = workbench_.runs();
-  runs.duplicate_as(runs.current(), SetupState(std::move(setup)));
-  runs.rename(runs.current(), tr("Identified from %1").arg(IdentificationTexts::names(*result_->outcome())));
+  runs.duplicate_as(runs.current(), SetupState(std::move(setup)),
+                    tr("Identified from %1").arg(IdentificationTexts::names(*result_->outcome())));
 }
 
 void IdentificationView::ask_for_machine_file() {

@@ -120,9 +120,9 @@ void RunList::duplicate(std::size_t row) {
   duplicate_as(row, items_[row].setup);
 }
 
-void RunList::duplicate_as(std::size_t row, const SetupState& setup) {
+void RunList::duplicate_as(std::size_t row, const SetupState& setup, const QString& name) {
   Snapshot after{items_, row + 1, load_};
-  RunItem copy{next_id_++, {}, free_colour(), true, setup};
+  RunItem copy{next_id_++, name.trimmed(), free_colour(), true, setup};
   if (const auto same = result(row); same != nullptr && same->run.setup == this->setup(copy)) {
     results_[copy.id] = {same, true};
   }

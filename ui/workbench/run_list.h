@@ -65,8 +65,8 @@ class RunList : public QObject {
 
   /// A copy below, which becomes the current run.
   void duplicate(std::size_t row);
-  /// As duplicate(), with another setup.
-  void duplicate_as(std::size_t row, const SetupState& setup);
+  /// As duplicate(), with another setup and a name of its own; empty: named by what differs.
+  void duplicate_as(std::size_t row, const SetupState& setup, const QString& name = {});
   /// The last run stays.
   void remove(std::size_t row);
   void move(std::size_t row, std::size_t to);

@@ -192,6 +192,8 @@ TEST_F(IdentificationViewTest, WhatWasFoundBecomesARunAndAMachineFile) {
   EXPECT_THAT(text.str(), HasSubstr("identified from"));
   EXPECT_THAT(text.str(), HasSubstr("mine"));
   EXPECT_NEAR(shipped_machines().load(file.string()).axes[0].acceleration, 1300, 13);
+  model.runs().history().undo();
+  EXPECT_EQ(model.runs().items().size(), 1U) << "the run with its name is one step";
 }
 
 TEST_F(IdentificationViewTest, AResultIsMarkedWhereWhatItIsOfHasChanged) {
