@@ -15,7 +15,6 @@
 #include "core/base/clock_text.h"
 #include "core/base/units.h"
 #include "core/machine/contour_tolerance.h"
-#include "core/toolpath/turn_limiter.h"
 
 namespace feedscope {
 namespace {
@@ -226,21 +225,24 @@ std::string all_axes_text(const Remedy& remedy, const Setup& setup) {
              : "";
 }
 
+SettingValue value_in_force(const Setup& setup, const std::string& key) {
+  const std::vector<SettingSpec> specs = settings_of(*setup.model);
+  const auto spec = std::ranges::find(specs, key, &SettingSpec::key);
+  const bool number = spec != specs.end() && spec->choices.empty();
+  return number ? SettingValue(number_in_force(setup.settings, *spec)) : setup.settings.value(key);
+}
+
 /// "contour tolerance 0.2 mm (0.1 mm now)".
 std::string change_text(const Remedy& remedy, const Setup& setup) {
   std::vector<std::string> parts;
   if (!remedy.machine.empty()) {
     parts.push_back(fmt::format("on {}", shipped_machines().load(remedy.machine).name));
   }
-  if (remedy.feed_factor != 1) {
-    parts.push_back(fmt::format("programmed feed +{:.3g} %", 100 * (remedy.feed_factor - 1)));
-  }
   const auto now = [&](const std::string& key) -> SettingValue {
     const bool of_axis = key.size() > 2 && key[1] == '.';
-    return of_axis                            ? SettingValue(axis_limit(setup.machine, key[0], key.substr(2)))
-           : key == orientation_tolerance_key ? SettingValue(orientation_tolerance_deg(setup.settings))
+    return of_axis ? SettingValue(axis_limit(setup.machine, key[0], key.substr(2)))
            : key == contour_tolerance_key && remedy.before ? SettingValue(*remedy.before)
-                                                           : setup.settings.value(key);
+                                                           : value_in_force(setup, key);
   };
   const auto text = [](const SettingValue& value) {
     return std::holds_alternative<double>(value) ? fmt::format("{:.5g}", std::get<double>(value))

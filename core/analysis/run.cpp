@@ -163,9 +163,8 @@ Run simulate_motion(const LoadedProgram& input, Setup setup, Progress* progress)
   run.input = input;
   run.setup = std::move(setup);
   ControlReading reading = run.setup.model->read(input.toolpath, run.setup.settings);
-  const bool turns = !run.setup.machine.kinematics.empty() && !reading.path->rotary_moves.empty();
   LoadedProgram loaded = input;
-  if (turns && !run.setup.load.empty()) {  // its pauses shift the segments
+  if (!run.setup.load.empty()) {  // feeds change, and pauses shift the segments
     loaded.toolpath = on_machine(reading.path, run.setup.machine, run.setup.settings);
   }
   std::optional<LoadModel> load = load_model(loaded, run.setup.load);
@@ -174,7 +173,7 @@ Run simulate_motion(const LoadedProgram& input, Setup setup, Progress* progress)
   const Guarantees promised = run.setup.model->guarantees(run.setup.settings);
   const std::shared_ptr<const Toolpath>& ran = run.trajectory->path().programmed();
   const bool same_points = promised.lays_curves || !promised.smooths;
-  run.input.toolpath = turns && same_points && ran && ran->programmed
+  run.input.toolpath = same_points && ran && ran->programmed
                            ? ran  // worked out once: every turn costs its kinematics
                            : on_machine(std::move(reading.path), run.setup.machine, run.setup.settings);
   run.input.lines_not_run = std::move(reading.refused);

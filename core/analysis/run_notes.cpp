@@ -133,9 +133,21 @@ const char* missing_axes_note(const Toolpath& path, const Machine& machine) {
                    "five-axis-table-ac.");
 }
 
+const char* feed_override_note(const Setup& setup) {
+  return setup.settings.has(feed_override_key)
+             ? QT_TRANSLATE_NOOP("core",
+                                 "A feed override is set: feeds and times called programmed are those of the "
+                                 "program with the override.")
+             : nullptr;
+}
+
 std::vector<const char*> figure_notes(const Toolpath& path, const Setup& setup) {
-  std::vector<const char*> notes{missing_axes_note(path, setup.machine), tip_note(path),
-                                 rotary_limits_note(path, setup), limits_note(setup), jump_note(setup)};
+  std::vector<const char*> notes{feed_override_note(setup),
+                                 missing_axes_note(path, setup.machine),
+                                 tip_note(path),
+                                 rotary_limits_note(path, setup),
+                                 limits_note(setup),
+                                 jump_note(setup)};
   std::erase(notes, nullptr);
   return notes;
 }

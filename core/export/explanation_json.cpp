@@ -101,7 +101,7 @@ Json change_json(const TriedChange& change, const Setup& setup, double cycle_tim
     std::visit([&, &name = key](const auto& v) { settings[name] = v; }, value);
   }
   return {{"settings", std::move(settings)},
-          {"feed_factor", change.remedy.feed_factor},
+          {"feed_factor", feed_factor(change.remedy, setup)},
           {"machine", change.remedy.machine.empty() ? Json() : Json(change.remedy.machine)},
           {"options", as_options(change.remedy, setup)},
           {"cycle_time_s", done ? finite(change.cycle_time) : Json()},

@@ -154,6 +154,15 @@ std::vector<SettingSpec> make_machine_settings() {
       specs.push_back(std::move(spec));
     }
   }
+  SettingSpec override = optional_spec(
+      feed_override_key, QT_TRANSLATE_NOOP("core", "Feed override"), "%",
+      QT_TRANSLATE_NOOP("core",
+                        "All feeds of the program in percent of what it says, as the dial of the control "
+                        "sets them; rapids stay. Without it 100 %."));
+  override.minimum = 1;
+  override.fallback = 100;
+  override.maximum = 1000;
+  specs.push_back(std::move(override));
   SettingSpec tool_length = optional_spec(
       "tool_length_mm", QT_TRANSLATE_NOOP("core", "Tool length"), "mm",
       QT_TRANSLATE_NOOP("core",
@@ -261,6 +270,10 @@ void Settings::set(std::string key, SettingValue value) {
 SettingValue Settings::value(std::string_view key) const {
   const auto found = values_.find(key);
   return found == values_.end() ? SettingValue(std::string()) : found->second;
+}
+
+double number_in_force(const Settings& settings, const SettingSpec& spec) {
+  return spec.optional && !settings.has(spec.key) ? spec.fallback : settings.number(spec.key);
 }
 
 SettingValue parse_setting(const SettingSpec& spec, std::string_view text) {

@@ -9,6 +9,8 @@
 
 namespace feedscope {
 
+/// All feeds of the program, in percent of what it says; rapids stay.
+inline constexpr const char* feed_override_key = "feed_override_percent";
 /// Of the setting orientation_tolerance_deg where it is not given.
 inline constexpr double usual_orientation_tolerance_deg = 0.05;
 
@@ -34,8 +36,8 @@ struct SettingSpec {
 /// and those of machine_settings(), which hold for every model.
 const std::vector<SettingSpec>& common_settings();
 /// What of a machine no model of its control needs, each optional: tool_change_time_s, spindle_start_time_s,
-/// of every axis home_x_mm, tool_change_x_mm, part_zero_x_mm, tool_length_mm, orientation_tolerance_deg
-/// and part_angle_x_deg.
+/// feed_override_percent, of every axis home_x_mm, tool_change_x_mm, part_zero_x_mm, tool_length_mm,
+/// orientation_tolerance_deg and part_angle_x_deg.
 const std::vector<SettingSpec>& machine_settings();
 
 using SettingValue = std::variant<double, std::string>;
@@ -57,6 +59,9 @@ class Settings {
  private:
   std::map<std::string, SettingValue, std::less<>> values_;
 };
+
+/// Of a setting with numbers: its value, or the fallback where an optional one has none.
+double number_in_force(const Settings& settings, const SettingSpec& spec);
 
 /// Reads `text` for `spec`, numbers as typed_number(). Throws InputError naming key, value, bounds, choices.
 SettingValue parse_setting(const SettingSpec& spec, std::string_view text);

@@ -150,6 +150,29 @@ class Resolver {
   MachineData machine_;
 };
 
+/// With all feeds times the feed override.
+std::shared_ptr<const Toolpath> with_feed_override(std::shared_ptr<const Toolpath> path,
+                                                   const Settings& settings) {
+  constexpr double whole = 100;  // percent
+  const double factor = given(settings, feed_override_key).value_or(whole) / whole;
+  if (factor == 1) {
+    return path;
+  }
+  auto changed = std::make_shared<Toolpath>(*path);
+  changed->programmed = std::move(path);
+  for (Segment& segment : changed->segments) {
+    segment.feed *= factor;
+  }
+  for (RotaryMove& move : changed->rotary_moves) {
+    move.feed *= factor;
+    move.time /= factor;
+  }
+  for (MachineMove& move : changed->machine_moves) {
+    move.feed *= factor;
+  }
+  return changed;
+}
+
 }  // namespace
 
 std::shared_ptr<const Toolpath> on_machine(std::shared_ptr<const Toolpath> path, const Machine& machine,
@@ -157,6 +180,7 @@ std::shared_ptr<const Toolpath> on_machine(std::shared_ptr<const Toolpath> path,
   if (path->programmed) {
     path = path->programmed;
   }
+  path = with_feed_override(std::move(path), settings);
   path = with_rotary_moves(std::move(path), machine, settings);
   return path->pauses.empty() ? path : Resolver(path, settings).run();
 }

@@ -26,7 +26,9 @@ Toolpath placed(const std::shared_ptr<const Toolpath>& programmed, const Machine
                 const Settings& settings) {
   Toolpath path = *programmed;
   path.part = part_on_machine(machine, settings);
-  path.programmed = programmed;
+  if (path.programmed == nullptr) {
+    path.programmed = programmed;
+  }
   return path;
 }
 

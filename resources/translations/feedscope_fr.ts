@@ -1701,6 +1701,10 @@
         <source>No motion in this program: there is no time to report.</source>
         <translation>Rien dans ce programme ne prend de temps : il n’y a aucun mouvement à décrire.</translation>
     </message>
+    <message>
+        <source>Note</source>
+        <translation>Note</translation>
+    </message>
 </context>
 <context>
     <name>ResidualPlot</name>
@@ -2397,10 +2401,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>from the program</source>
         <translation>du programme</translation>
-    </message>
-    <message>
-        <source>Programmed feed %1 %</source>
-        <translation>Avance programmée %1&#xa0;%</translation>
     </message>
     <message>
         <source>Jerk of all axes</source>
@@ -9105,6 +9105,18 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <source>%1:%2: section %3 has a time in line %4 already; keep one of the two</source>
         <translation>%1:%2&#xa0;: la section %3 a déjà un temps à la ligne %4&#xa0;; garder l&apos;un des deux</translation>
     </message>
+    <message>
+        <source>A feed override is set: feeds and times called programmed are those of the program with the override.</source>
+        <translation>Une correction d’avance est réglée : les avances et durées dites programmées sont celles du programme avec cette correction.</translation>
+    </message>
+    <message>
+        <source>Feed override</source>
+        <translation>Correction d’avance</translation>
+    </message>
+    <message>
+        <source>All feeds of the program in percent of what it says, as the dial of the control sets them; rapids stay. Without it 100 %.</source>
+        <translation>Toutes les avances du programme en pour cent de ce qu’il dit, comme les règle le potentiomètre de la commande ; les rapides restent. Sans elle, 100 %.</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ActionTable</name>
@@ -10251,8 +10263,8 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>%1 à %2 %3 : %4 % du temps affiché</translation>
     </message>
     <message>
-        <source>time at feed
-longest: %1 %</source>
+        <source>time by feed
+most: %1 %</source>
         <translation>temps/avance
 max. : %1 %</translation>
     </message>
@@ -14445,7 +14457,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>New run with this change</source>
-        <translation>Nouvelle simulation ainsi</translation>
+        <translation>Simuler avec ce changement</translation>
     </message>
     <message>
         <source>Where the time goes</source>
@@ -14482,10 +14494,6 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>Simulating what would help …</source>
         <translation>Simulation des remèdes …</translation>
-    </message>
-    <message>
-        <source>The feed is in the program: change its F words. Runs differ only in machine, control and settings.</source>
-        <translation>L&apos;avance est dans le programme&#xa0;: modifier ses mots F. Les simulations ne diffèrent que par la machine, la commande et les réglages.</translation>
     </message>
     <message>
         <source>Report …</source>
@@ -15029,7 +15037,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>New &amp;run with this change</source>
-        <translation>&amp;Nouvelle simulation ainsi</translation>
+        <translation>&amp;Simuler avec ce changement</translation>
     </message>
     <message>
         <source>Changes and the time they save</source>
@@ -15070,10 +15078,6 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>What would help, each change simulated separately:</source>
         <translation>Remèdes possibles, chacun simulé seul&#xa0;:</translation>
-    </message>
-    <message>
-        <source>The feed is in the program: change its F words. Runs differ only in machine, control and settings.</source>
-        <translation>L&apos;avance est dans le programme&#xa0;: modifier ses mots F. Les simulations ne diffèrent que par la machine, la commande et les réglages.</translation>
     </message>
     <message>
         <source>Go to the start of the previous limiting cause</source>

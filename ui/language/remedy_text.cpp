@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "core/machine/contour_tolerance.h"
-#include "core/toolpath/turn_limiter.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/significant.h"
@@ -51,10 +50,9 @@ QString one(const Change& change, std::optional<double> before, const Setup& set
       return QCoreApplication::translate("WhyText", "%1: %2")
           .arg(title, core_text(std::get<std::string>(value)));
     }
-    const double now = axis                               ? axis_limit(setup.machine, key[0], name)
-                       : before                           ? *before
-                       : key == orientation_tolerance_key ? orientation_tolerance_deg(setup.settings)
-                                                          : setup.settings.number(key);
+    const double now = axis     ? axis_limit(setup.machine, key[0], name)
+                       : before ? *before
+                                : number_in_force(setup.settings, spec);
     const KeyUnit unit = key_unit(spec.unit);
     return QCoreApplication::translate("WhyText", "%1 %2 → %3 %4")
         .arg(axis
@@ -89,9 +87,6 @@ QString remedy_text(const Remedy& remedy, const Setup& setup) {
                    setup);
     }
     rest = rest.subspan(1);
-  }
-  if (remedy.feed_factor != 1) {
-    parts += QCoreApplication::translate("WhyText", "Programmed feed %1 %").arg(percent(remedy.feed_factor));
   }
   return parts.join(QStringLiteral(", "));
 }

@@ -22,6 +22,7 @@
 #include "core/base/error.h"
 #include "core/export/export.h"
 #include "core/machine/contour_tolerance.h"
+#include "core/toolpath/turn_limiter.h"
 #include "ui/fields/focus_outline.h"
 #include "ui/fields/number_box.h"
 #include "ui/fields/whole_number_box.h"
@@ -245,8 +246,10 @@ void StudyView::list_keys() {
       continue;
     }
     const SettingSpec spec = setup.spec(setting_of(key));
-    const bool has_value = !spec.optional || setup.value(setting_of(key)) != SettingValue(std::string());
-    if (spec.choices.empty() && has_value) {
+    const bool of_rotary_axes = is_rotary_setting(key) && setup.file().machine.kinematics.empty();
+    const bool has_value =
+        !spec.optional || spec.fallback > 0 || setup.value(setting_of(key)) != SettingValue(std::string());
+    if (spec.choices.empty() && has_value && !of_rotary_axes) {
       const QString unit = key_unit(sweep_unit(key)).text;
       const QString name = setting_title(key);
       key_->addItem(unit.isEmpty() ? name : QStringLiteral("%1 [%2]").arg(name, unit),
@@ -269,7 +272,8 @@ void StudyView::propose_range() {
   }
   const SetupState& setup = workbench_.setup().state();
   const SettingSpec spec = setup.spec(key);
-  const double value = std::get<double>(setup.value(key));
+  const SettingValue set = setup.value(key);
+  const double value = std::holds_alternative<double>(set) ? std::get<double>(set) : spec.fallback;
   constexpr double each_way = 4;
   show_range(nearest_within(spec, value / each_way), nearest_within(spec, value * each_way), key);
 }

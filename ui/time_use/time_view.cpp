@@ -337,14 +337,10 @@ void TimeView::show_state(const QString& failure) {
 
 void TimeView::show_actions() {
   const TimeRow* row = chosen_row();
-  const bool has_run = row != nullptr && row->remedy && row->remedy->feed_factor == 1;
+  const bool has_run = row != nullptr && row->remedy;
   new_run_->setVisible(tried_);
   new_run_->setEnabled(has_run);
   run_action_->setEnabled(has_run);
-  new_run_->setToolTip(row != nullptr && row->remedy && !has_run
-                           ? tr("The feed is in the program: change its F words. Runs differ only in "
-                                "machine, control and settings.")
-                           : run_action_->toolTip());
 }
 
 const TimeRow* TimeView::chosen_row() const {
@@ -367,7 +363,7 @@ void TimeView::choose(const QTreeWidgetItem* item) {
 
 void TimeView::want_run() {
   const TimeRow* row = chosen_row();
-  if (row == nullptr || !row->remedy || row->remedy->feed_factor != 1 || !setup_) {
+  if (row == nullptr || !row->remedy || !setup_) {
     return;
   }
   const Remedy remedy = *row->remedy;  // the run that comes replaces the rows

@@ -431,15 +431,9 @@ void WhyView::show_table_state() {
                                    : tr("What would help, each change simulated separately:"));
   table_->setVisible(any);
   const Remedy* chosen = table_model_->remedy(table_->currentIndex().row());
-  const bool is_run = chosen != nullptr && !chosen->changes.empty();
-  const bool of_program = chosen != nullptr && !is_run;
-  run_action_->setEnabled(is_run);
-  run_action_->setToolTip(of_program ? tr("The feed is in the program: change its F words. Runs differ only "
-                                          "in machine, control and settings.")
-                                     : run_action_->statusTip());
+  run_action_->setEnabled(chosen != nullptr);
   new_run_->setVisible(any);
-  new_run_->setEnabled(is_run);
-  new_run_->setToolTip(run_action_->toolTip());
+  new_run_->setEnabled(chosen != nullptr);
 }
 
 /// As high as its rows: the panel scrolls as a whole.
@@ -471,7 +465,7 @@ void WhyView::go_ahead() {
 
 void WhyView::want_run() {
   const Remedy* chosen = table_model_->remedy(table_->currentIndex().row());
-  if (chosen == nullptr || chosen->changes.empty() || !setup_) {
+  if (chosen == nullptr || !setup_) {
     return;
   }
   SetupState setup = *setup_;

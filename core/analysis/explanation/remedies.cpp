@@ -16,7 +16,7 @@ namespace feedscope {
 namespace {
 
 constexpr double more = 1.5;       // of limits and shares
-constexpr double more_feed = 1.2;  // of the programmed feed
+constexpr double more_feed = 1.2;  // as far as most controls let the feed be overridden
 
 /// To four digits: a value that people can type.
 double rounded(double value) {
@@ -56,8 +56,9 @@ class Candidates {
   /// A number of the settings times `factor`, within its bounds; `besides` is set with it.
   void setting(const std::string& key, double factor,
                std::vector<std::pair<std::string, SettingValue>> besides = {}) {
-    if (has(key)) {
-      set(key, rounded(setup_.settings.number(key) * factor), std::move(besides));
+    const auto spec = std::ranges::find(specs_, key, &SettingSpec::key);
+    if (spec != specs_.end()) {
+      set(key, rounded(number_in_force(setup_.settings, *spec) * factor), std::move(besides));
     }
   }
 
@@ -83,12 +84,6 @@ class Candidates {
         remedy.changes.push_back(std::move(other));
       }
     }
-    add(std::move(remedy));
-  }
-
-  void feed(double factor) {
-    Remedy remedy;
-    remedy.feed_factor = factor;
     add(std::move(remedy));
   }
 
@@ -196,7 +191,7 @@ void add_for(Candidates& candidates, Cause cause, const Setup& setup) {
   }
   switch (cause.kind) {
     case CauseKind::programmed_feed:
-      candidates.feed(more_feed);
+      candidates.setting(feed_override_key, more_feed);
       break;
     case CauseKind::curvilinear_jerk:
       candidates.setting("curvilinear_jerk_m_s3", more);
@@ -246,7 +241,7 @@ void add_for(Candidates& candidates, Cause cause, const Setup& setup) {
   }
   if (is_rotary(cause) &&
       (cause.kind == CauseKind::axis_acceleration || cause.kind == CauseKind::axis_jerk)) {
-    candidates.set(orientation_tolerance_key, 2 * orientation_tolerance_deg(setup.settings));
+    candidates.setting(orientation_tolerance_key, 2);
   }
   switch (cause.kind) {
     case CauseKind::axis_velocity:
@@ -308,7 +303,7 @@ std::vector<Remedy> remedies(const Setup& setup, std::span<const Cause> causes,
   larger_tolerance(candidates);
   candidates.setting("lookahead_blocks", 2);
   candidates.setting("interpolation_period_s", 0.5);
-  candidates.feed(more_feed);
+  candidates.setting(feed_override_key, more_feed);
   return candidates.take();
 }
 
@@ -339,26 +334,21 @@ std::string as_options(const Remedy& remedy, const Setup& setup) {
   return fmt::format("{}", fmt::join(options, " "));
 }
 
-LoadedProgram with_feed(const LoadedProgram& program, double factor) {
-  LoadedProgram changed = program;
-  const std::shared_ptr<const Toolpath>& programmed = program.toolpath->programmed;
-  auto toolpath = std::make_shared<Toolpath>(programmed ? *programmed : *program.toolpath);
-  for (Segment& segment : toolpath->segments) {
-    segment.feed *= factor;
+double feed_factor(const Remedy& remedy, const Setup& setup) {
+  const auto changed =
+      std::ranges::find(remedy.changes, feed_override_key, &std::pair<std::string, SettingValue>::first);
+  if (changed == remedy.changes.end()) {
+    return 1;
   }
-  for (RotaryMove& move : toolpath->rotary_moves) {
-    move.feed *= factor;
-    move.time /= factor;
-  }
-  changed.toolpath = std::move(toolpath);
-  return changed;
+  const std::vector<SettingSpec>& specs = machine_settings();
+  const SettingSpec& spec = *std::ranges::find(specs, feed_override_key, &SettingSpec::key);
+  return std::get<double>(changed->second) / number_in_force(setup.settings, spec);
 }
 
 Trajectory try_remedy(const LoadedProgram& program, const Setup& setup, const Remedy& remedy,
                       Progress* progress) {
   const Setup changed = with_remedy(setup, remedy);
-  const LoadedProgram input = remedy.feed_factor == 1 ? program : with_feed(program, remedy.feed_factor);
-  return changed.model->simulate(input.toolpath, changed.machine, changed.settings, progress);
+  return changed.model->simulate(program.toolpath, changed.machine, changed.settings, progress);
 }
 
 SegmentRange segments_between(const Trajectory& trajectory, double from, double to) {

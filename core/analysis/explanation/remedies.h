@@ -8,11 +8,10 @@
 
 namespace feedscope {
 
-/// A change that may make a run faster: values of a setup, or the programmed feed.
+/// A change that may make a run faster: values of a setup.
 struct Remedy {
   /// Keys and values as for --set, in the unit of the key: "X.jerk", "contour_tolerance_mm".
   std::vector<std::pair<std::string, SettingValue>> changes;
-  double feed_factor = 1;  ///< of every programmed feed; such a change is made in the program, not in a setup
   /// What holds now of the first change, where that is not the setup's value: a tolerance of the program.
   std::optional<double> before = std::nullopt;
   /// Id of another machine of the library, "" for the same one: with its limits and settings, but with model,
@@ -35,10 +34,11 @@ std::vector<Remedy> remedies(const Setup& setup, std::span<const Cause> causes,
 Setup with_remedy(Setup setup, const Remedy& remedy);
 /// How the command line asks for it. A change of `setup`, beside what asks for that: "--tolerance 0.2",
 /// "--set X.jerk=7.5"; another machine, in place of what asks for `setup`: setup_options(), "--machine ID
-/// --model ID --tolerance 0.1". "" where the program has to be changed.
+/// --model ID --tolerance 0.1".
 std::string as_options(const Remedy& remedy, const Setup& setup);
-/// The same program with all its feeds times `factor`; rapids stay.
-LoadedProgram with_feed(const LoadedProgram& program, double factor);
+/// What the change makes of every feed of the program, rapids apart; 1 where it leaves the feed override
+/// alone.
+double feed_factor(const Remedy& remedy, const Setup& setup);
 
 /// The motion with the change. Throws what ControlModel::simulate throws.
 Trajectory try_remedy(const LoadedProgram& program, const Setup& setup, const Remedy& remedy,

@@ -94,7 +94,6 @@ std::vector<Remedy> other_machines(const Run& run) {
 /// Both in one.
 Remedy joined(Remedy first, const Remedy& second) {
   first.changes.insert(first.changes.end(), second.changes.begin(), second.changes.end());
-  first.feed_factor *= second.feed_factor;
   first.before = first.before ? first.before : second.before;
   return first;
 }
@@ -139,12 +138,12 @@ std::string kind_of(const Remedy& remedy) {
   if (!remedy.machine.empty()) {
     return "machine";
   }
-  if (remedy.changes.empty()) {
-    return "feed";
-  }
   const std::string& key = remedy.changes.front().first;
   if (key == contour_tolerance_key || key == "blend_tolerance_mm") {
     return "tolerance";
+  }
+  if (key == feed_override_key) {
+    return "feed";
   }
   const bool of_axis = key.size() > 2 && key[1] == '.';
   const std::string limit = of_axis ? key.substr(2) : key;

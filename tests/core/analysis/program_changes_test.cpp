@@ -34,9 +34,7 @@ TEST(ProgramChanges, GainWhatARunWithThemGains) {
     ASSERT_FALSE(trials.tried.empty());
     for (const TriedChange& change : trials.tried) {
       ASSERT_EQ(change.failure, "");
-      const LoadedProgram input =
-          change.remedy.feed_factor == 1 ? run.input : with_feed(run.input, change.remedy.feed_factor);
-      const SimulatedRun changed = simulate_run(input, with_remedy(run.setup, change.remedy));
+      const SimulatedRun changed = simulate_run(run.input, with_remedy(run.setup, change.remedy));
       EXPECT_NEAR(change.cycle_time, changed.summary.cycle_time, 1e-9);
       if (change.max_contour_error) {
         EXPECT_NEAR(*change.max_contour_error, changed.summary.max_contour_error, 1e-9);
@@ -64,16 +62,14 @@ TEST(ProgramChanges, TogetherTheyAreOneRunWithAllOfThem) {
   const SimulatedRun run = run_of({});
   const ChangeTrials trials = trials_of(run);
   ASSERT_TRUE(trials.together.has_value());
-  LoadedProgram input = run.input;
   auto setup = run.setup;
   for (const std::size_t i : trials.best) {
     const Remedy& remedy = trials.tried[i].remedy;
     if (remedy.machine.empty()) {
       setup = with_remedy(std::move(setup), remedy);
-      input = with_feed(input, remedy.feed_factor);
     }
   }
-  EXPECT_NEAR(trials.together->cycle_time, simulate_run(input, setup).summary.cycle_time, 1e-9);
+  EXPECT_NEAR(trials.together->cycle_time, simulate_run(run.input, setup).summary.cycle_time, 1e-9);
 }
 
 TEST(ProgramChanges, OtherMachinesRunTheSameProgramsWithTheSameToleranceAndPauses) {
@@ -134,19 +130,16 @@ TEST(ProgramChanges, OptionsOfTheCommandLineMakeTheSameSetup) {
     const SimulatedRun run = run_of(request);
     std::size_t checked = 0;
     for (const Remedy& remedy : changes_worth_trying(run, time_use(run))) {
-      if (remedy.feed_factor == 1) {
-        const std::string options = as_options(remedy, run.setup);
-        EXPECT_EQ(asked_setup(request, options), with_remedy(run.setup, remedy)) << options;
-        ++checked;
-        machines += remedy.machine.empty() ? 0 : 1;
-      }
+      const std::string options = as_options(remedy, run.setup);
+      EXPECT_EQ(asked_setup(request, options), with_remedy(run.setup, remedy)) << options;
+      ++checked;
+      machines += remedy.machine.empty() ? 0 : 1;
     }
     EXPECT_GE(checked, 4U);
   }
   EXPECT_GE(machines, 3U);
-  Remedy feed;
-  feed.feed_factor = 1.2;
-  EXPECT_EQ(as_options(feed, make_setup(own)), "");
+  EXPECT_EQ(as_options({{{"feed_override_percent", 120.0}}}, make_setup(own)),
+            "--set feed_override_percent=120");
 }
 
 TEST(ProgramChanges, OptionsOfAnotherMachineNameTheModelAndTheToleranceOfTheRun) {
@@ -182,9 +175,7 @@ TEST(ProgramChanges, AreOfOneKindWhateverTheAxis) {
   EXPECT_EQ(kind_of({{{"X.acceleration", 1.0}, {"Y.acceleration", 1.0}}}), "acceleration");
   EXPECT_EQ(kind_of({{{"contour_tolerance_mm", 0.1}}}), "tolerance");
   EXPECT_EQ(kind_of({{{"compressor", std::string("on")}}}), "compressor");
-  Remedy feed;
-  feed.feed_factor = 1.2;
-  EXPECT_EQ(kind_of(feed), "feed");
+  EXPECT_EQ(kind_of({{{"feed_override_percent", 120.0}}}), "feed");
 }
 
 TEST(ProgramChanges, StopWhenCancelled) {

@@ -249,8 +249,7 @@ TEST(RotaryTrials, WorkOutTheTurnsAnew) {
   EXPECT_NEAR(time_with(Remedy()), now, 1e-9);
   EXPECT_LT(time_with(Remedy{{{"C.jerk", 80.0}}}), now - 0.01);
   EXPECT_LT(time_with(Remedy{{{"orientation_tolerance_deg", 0.5}}}), now - 0.01);
-  Remedy faster;
-  faster.feed_factor = 1.2;
+  const Remedy faster{{{"feed_override_percent", 120.0}}};
   const double alone = 90 / (500.0 / 60);  // C by itself at 500 degrees a minute
   EXPECT_LT(time_with(faster), now - 0.9 * alone * (1 - 1 / 1.2));
 }

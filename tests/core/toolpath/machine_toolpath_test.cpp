@@ -115,6 +115,25 @@ TEST(MachineToolpath, CountsWhatHasNoTime) {
   EXPECT_EQ(on_machine(path, Machine(), Settings()), path);
 }
 
+TEST(MachineToolpath, AFeedOverrideHoldsForFeedsAndNotForRapids) {
+  const auto path = path_of("G0 X10\nG1 X20 F600\nG28 Z0\nG1 X40 F60\nM30\n");
+  Settings override = machine({0, 0, 500}, {0, 0, 0}, {0, 0, 0});
+  override.set("feed_override_percent", 120.0);
+  const auto run = on_machine(path, Machine(), override);
+  ASSERT_EQ(run->segments.size(), path->segments.size());
+  for (std::size_t i = 0; i < run->segments.size(); ++i) {
+    EXPECT_EQ(run->segments[i].feed > 0, path->segments[i].feed > 0);
+    EXPECT_NEAR(run->segments[i].feed, 1.2 * path->segments[i].feed, 1e-12);
+  }
+  EXPECT_EQ(run->programmed, path);
+  EXPECT_EQ(on_machine(run, Machine(), Settings()), path) << "worked out anew";
+  override.set("feed_override_percent", 50.0);
+  EXPECT_NEAR(on_machine(run, Machine(), override)->segments[1].feed, 0.5 * path->segments[1].feed, 1e-12);
+  Settings none;
+  none.set("feed_override_percent", 100.0);
+  EXPECT_EQ(on_machine(path, Machine(), none), path);
+}
+
 /// Two faces and back; on a machine with rotary axes they are pauses that take their time.
 TEST(MachineToolpath, CountsTurnsForTiltedPlanesThatNoAxisMakes) {
   const auto path = path_of(

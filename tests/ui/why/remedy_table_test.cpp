@@ -25,8 +25,7 @@ class RemedyTableTest : public testing::Test {
     return table.index(row, column).data().toString().toStdString();
   }
   void begin() {
-    Remedy feed;
-    feed.feed_factor = 1.2;
+    const Remedy feed{{{"feed_override_percent", 120.0}}};
     table.begin(setup, {{{{"X.jerk", 22.5}}}, {{{"contour_tolerance_mm", 0.2}}}, feed}, {10, 2, {}});
   }
 
@@ -52,7 +51,7 @@ TEST_F(RemedyTableTest, ARowSaysWhatIsChangedAndWhatItGains) {
   EXPECT_EQ(text(0, RemedyTable::cycle_time), "9.500 s");
   EXPECT_EQ(text(0, RemedyTable::gain), "−0.500 s\n−5.0 %");
   EXPECT_EQ(text(0, RemedyTable::here), "+0.250 s\n+12.5 %");
-  EXPECT_EQ(text(2, RemedyTable::change), "Programmed feed +20 %");
+  EXPECT_EQ(text(2, RemedyTable::change), "Feed override 100 → 120 %");
 }
 
 TEST_F(RemedyTableTest, TheLargestGainComesFirstAndFailuresLast) {
@@ -62,7 +61,7 @@ TEST_F(RemedyTableTest, TheLargestGainComesFirstAndFailuresLast) {
   table.set_trial(2, {9, 2, {}});
   const QPersistentModelIndex jerk = table.index(0, 0);
   table.sort_by_gain();
-  EXPECT_EQ(text(0, RemedyTable::change), "Programmed feed +20 %");
+  EXPECT_EQ(text(0, RemedyTable::change), "Feed override 100 → 120 %");
   EXPECT_EQ(jerk.row(), 1);
   EXPECT_EQ(table.remedy(1)->changes.front().first, "X.jerk");
   EXPECT_EQ(text(2, RemedyTable::gain), "–");
