@@ -186,6 +186,12 @@ constexpr std::array formulas{
                 [](const Values& x) { return std::cbrt(x[0] * x[1] / x[2]); }},
     FormulaText{FormulaId::turning_jump, Dimension::feed, "V", "{0} {1} {2} / {3}",
                 [](const Values& x) { return x[0] * x[1] * x[2] / x[3]; }},
+    FormulaText{FormulaId::turning_ramp_acceleration, Dimension::acceleration, "a", "(1 - {0}) {1} / {2}",
+                [](const Values& x) { return (1 - x[0]) * x[1] / x[2]; }},
+    FormulaText{FormulaId::turning_ramp_jerk, Dimension::jerk, "j", "(1 - {0}) {1} / {2}",
+                [](const Values& x) { return (1 - x[0]) * x[1] / x[2]; }},
+    FormulaText{FormulaId::turning_ramp_bend, Dimension::acceleration, "a", "{0} {1} / (3 {2} {3})",
+                [](const Values& x) { return x[0] * x[1] / (3 * x[2] * x[3]); }},
 };
 
 template <typename Table, typename Key>
@@ -200,7 +206,7 @@ constexpr bool in_order(const Table& table, Key Table::value_type::*key) {
 static_assert(in_order(symbols, &SymbolText::symbol));
 static_assert(symbols.size() == static_cast<std::size_t>(Symbol::axis_step) + 1);
 static_assert(in_order(formulas, &FormulaText::id));
-static_assert(formulas.size() == static_cast<std::size_t>(FormulaId::turning_jump) + 1);
+static_assert(formulas.size() == static_cast<std::size_t>(FormulaId::turning_ramp_bend) + 1);
 
 const FormulaText& text_of(FormulaId id) {
   return formulas[static_cast<std::size_t>(id)];

@@ -46,7 +46,7 @@ enum class Symbol : std::uint8_t {
   acceleration_across,   ///< a_nX, across it
   jerk_along,            ///< j_tX, the same of a jerk
   jerk_across,           ///< j_nX
-  turning_share,         ///< S, of an axis limit, that turning along a smooth curve may take
+  turning_share,         ///< S, of an axis limit, that turning takes or may take
   bend_part,             ///< |k_X|, of the curvature vector
   bend_change_part,      ///< |k'_X|, of its change along the path
   ceiling,               ///< V, the highest speed on an element
@@ -126,6 +126,9 @@ enum class FormulaId : std::uint8_t {
   turning_acceleration,
   turning_jerk,
   turning_jump,
+  turning_ramp_acceleration,
+  turning_ramp_jerk,
+  turning_ramp_bend,
 };
 
 /// A formula with the numbers of one place, in the order in which its text names them.

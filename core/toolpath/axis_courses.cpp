@@ -115,7 +115,10 @@ TurnRamp AxisCourses::ramp(double speed, double reach) const {
       by_jerk = in_bend < acceleration;
       acceleration = std::min(acceleration, in_bend);
     }
-    lower(least, {acceleration, HUGE_VAL, static_cast<std::int8_t>(i), by_jerk, -1});
+    lower(least, {.acceleration = acceleration,
+                  .acceleration_axis = static_cast<std::int8_t>(i),
+                  .acceleration_by_jerk = by_jerk,
+                  .acceleration_slope = by_jerk ? axis.second : axis.first});
   }
   const double along = least.acceleration < HUGE_VAL ? least.acceleration : 0;
   const double fastest = faster(speed, along, reach);
@@ -124,7 +127,8 @@ TurnRamp AxisCourses::ramp(double speed, double reach) const {
     if (axis.first > 0 && axis.limits_jerk()) {
       const double left = std::max(axis.jerk - axis.jerk_in_bend(fastest, along),
                                    (1 - across) * (1 - turning_jerk) * axis.jerk);
-      lower(least, {HUGE_VAL, left / axis.first, -1, false, static_cast<std::int8_t>(i)});
+      lower(least,
+            {.jerk = left / axis.first, .jerk_axis = static_cast<std::int8_t>(i), .jerk_slope = axis.first});
     }
   }
   return least;
@@ -141,10 +145,12 @@ void lower(TurnRamp& ramp, const TurnRamp& other) {
     ramp.acceleration = other.acceleration;
     ramp.acceleration_axis = other.acceleration_axis;
     ramp.acceleration_by_jerk = other.acceleration_by_jerk;
+    ramp.acceleration_slope = other.acceleration_slope;
   }
   if (other.jerk < ramp.jerk) {
     ramp.jerk = other.jerk;
     ramp.jerk_axis = other.jerk_axis;
+    ramp.jerk_slope = other.jerk_slope;
   }
 }
 

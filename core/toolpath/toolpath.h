@@ -82,6 +82,10 @@ struct TurnRamp {
   std::int8_t acceleration_axis = -1;
   bool acceleration_by_jerk = false;  ///< its jerk says so: 3 q2 v v' of it
   std::int8_t jerk_axis = -1;
+  /// First derivative by the path of the axis that says so; where its jerk does, the second one [rad/mm^n] or
+  /// [mm/mm^n].
+  double acceleration_slope = 0;
+  double jerk_slope = 0;  ///< first derivative of the axis that says so
 };
 
 /// What the rotary axes of a machine, and its linear axes that make up for them, allow along a segment in

@@ -2566,6 +2566,30 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <source>The tool turns about its tip, which X, Y and Z hold: it takes what the limits of axis %1 allow, or the programmed feed in degrees a minute if that is lower.</source>
         <translation>L&apos;outil pivote autour de sa pointe, que X, Y et Z maintiennent : il prend ce que permettent les limites de l&apos;axe %1, ou l&apos;avance programmée en degrés par minute si elle est plus faible.</translation>
     </message>
+    <message>
+        <source>Rotary axis %1 turns along this block or beside it; turning takes %2 of its maximum acceleration, %3, and changes of the speed have the rest.</source>
+        <translation>L’axe rotatif %1 tourne le long de ce bloc ou à côté ; cela prend %2 de son accélération maximale, %3, et le reste sert aux changements de vitesse.</translation>
+    </message>
+    <message>
+        <source>Rotary axes turn along this block or beside it; that takes %2 of the maximum acceleration of axis %1, %3, and changes of the speed have the rest.</source>
+        <translation>Des axes rotatifs tournent le long de ce bloc ou à côté ; cela prend %2 de l’accélération maximale de l’axe %1, %3, et le reste sert aux changements de vitesse.</translation>
+    </message>
+    <message>
+        <source>Rotary axis %1 turns along this block or beside it; turning takes %2 of its maximum jerk, %3, and changes of the acceleration have the rest.</source>
+        <translation>L’axe rotatif %1 tourne le long de ce bloc ou à côté ; cela prend %2 de son jerk maximal, %3, et le reste sert aux changements d’accélération.</translation>
+    </message>
+    <message>
+        <source>Rotary axes turn along this block or beside it; that takes %2 of the maximum jerk of axis %1, %3, and changes of the acceleration have the rest.</source>
+        <translation>Des axes rotatifs tournent le long de ce bloc ou à côté ; cela prend %2 du jerk maximal de l’axe %1, %3, et le reste sert aux changements d’accélération.</translation>
+    </message>
+    <message>
+        <source>Rotary axis %1 does not turn evenly along this block or beside it, so that every change of the speed takes jerk: %2 of its maximum, %3, is for that.</source>
+        <translation>L’axe rotatif %1 ne tourne pas régulièrement le long de ce bloc ou à côté, si bien que tout changement de vitesse demande du jerk : %2 de son maximum, %3, y est consacré.</translation>
+    </message>
+    <message>
+        <source>Rotary axes turn along this block or beside it and axis %1 makes up for that, so that every change of the speed takes jerk: %2 of its maximum, %3, is for that.</source>
+        <translation>Des axes rotatifs tournent le long de ce bloc ou à côté et l’axe %1 compense, si bien que tout changement de vitesse demande du jerk : %2 de son maximum, %3, y est consacré.</translation>
+    </message>
 </context>
 <context>
     <name>core</name>

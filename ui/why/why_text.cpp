@@ -72,6 +72,42 @@ QString percent(const Reason& reason, Symbol symbol) {
                           : QStringLiteral("%1 %").arg(significant_number(100 * found->value, 3));
 }
 
+/// What turning leaves of a limit of the axis for changes of speed; "" where the formula says something else.
+QString turn_ramp_sentence(const Reason& reason) {
+  const bool rotary = reason.cause.axis >= static_cast<std::int8_t>(known_axes.size());
+  const auto filled = [&](const QString& text, Symbol of_rotary, Symbol of_linear) {
+    return text.arg(axis_text(reason.cause), percent(reason, Symbol::turning_share),
+                    of_symbol(reason, rotary ? of_rotary : of_linear));
+  };
+  switch (reason.formula.id) {
+    case FormulaId::turning_ramp_acceleration:
+      return filled(
+          rotary ? WhyText::tr("Rotary axis %1 turns along this block or beside it; turning takes %2 of its "
+                               "maximum acceleration, %3, and changes of the speed have the rest.")
+                 : WhyText::tr("Rotary axes turn along this block or beside it; that takes %2 of the maximum "
+                               "acceleration of axis %1, %3, and changes of the speed have the rest."),
+          Symbol::rotary_acceleration, Symbol::axis_acceleration);
+    case FormulaId::turning_ramp_jerk:
+      return filled(
+          rotary ? WhyText::tr("Rotary axis %1 turns along this block or beside it; turning takes %2 of its "
+                               "maximum jerk, %3, and changes of the acceleration have the rest.")
+                 : WhyText::tr("Rotary axes turn along this block or beside it; that takes %2 of the maximum "
+                               "jerk of axis %1, %3, and changes of the acceleration have the rest."),
+          Symbol::rotary_jerk, Symbol::axis_jerk);
+    case FormulaId::turning_ramp_bend:
+      return filled(
+          rotary
+              ? WhyText::tr("Rotary axis %1 does not turn evenly along this block or beside it, so that "
+                            "every change of the speed takes jerk: %2 of its maximum, %3, is for that.")
+              : WhyText::tr("Rotary axes turn along this block or beside it and axis %1 makes up for that, "
+                            "so that every change of the speed takes jerk: %2 of its maximum, %3, is for "
+                            "that."),
+          Symbol::rotary_jerk, Symbol::axis_jerk);
+    default:
+      return {};
+  }
+}
+
 /// With the limit and the speed of the axis where a formula has them, and how near the singular place is.
 QString turn_sentence(const Reason& reason) {
   QString text = turn_kind_sentence(reason.cause);
@@ -88,6 +124,9 @@ QString turn_sentence(const Reason& reason) {
                "maximum velocity, %2: it moves %3 times as far as the tip.")
                .arg(axis_text(reason.cause), of_symbol(reason, Symbol::axis_velocity),
                     of_symbol(reason, Symbol::axis_slope));
+  }
+  if (const QString ramp = turn_ramp_sentence(reason); !ramp.isEmpty()) {
+    text = ramp;
   }
   constexpr double near = 10 * units::pi / 180;
   if (reason.tilt && *reason.tilt <= near) {

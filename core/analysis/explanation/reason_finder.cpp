@@ -5,34 +5,14 @@
 #include <cmath>
 
 #include "core/analysis/explanation/joint_limits.h"
-#include "core/analysis/explanation/turn_formula.h"
+#include "core/analysis/explanation/reason_search.h"
 #include "core/limits/segment_limits.h"
 
 namespace feedscope {
 namespace {
 
-// Elements that are searched to both sides for the one that limits a ramp, or a speed.
-constexpr std::uint32_t farthest_of_ramp = 500;
+/// Elements that are searched to both sides for the one that limits a speed.
 constexpr std::uint32_t farthest_of_speed = 3;
-
-bool same(double a, double b) {
-  constexpr double rounding = 1e-5;
-  return std::abs(a - b) <= rounding * std::max(std::abs(a), std::abs(b));
-}
-
-/// Calls `look` for `middle`, its neighbours, theirs and so on below `size`, until it says so.
-template <typename Look>
-void look_around(std::uint32_t middle, std::uint32_t farthest, std::size_t size, const Look& look) {
-  if (look(middle)) {
-    return;
-  }
-  for (std::uint32_t d = 1; d <= farthest; ++d) {
-    const bool found = (middle >= d && look(middle - d)) || (middle + d < size && look(middle + d));
-    if (found || (middle < d && middle + d >= size)) {
-      return;
-    }
-  }
-}
 
 /// The place that limits is where two elements meet.
 bool is_of_junction(CauseKind kind) {
@@ -43,12 +23,6 @@ bool is_of_junction(CauseKind kind) {
 
 bool is_blend_row(CauseKind kind) {
   return kind >= CauseKind::blend_velocity && kind <= CauseKind::blend_tangential_jerk;
-}
-
-/// How far `formula` is from giving `reached`, as a share.
-double mismatch(const Formula& formula, double reached) {
-  return formula.empty() || !(reached > 0) ? std::numeric_limits<double>::infinity()
-                                           : std::abs(formula.value() / reached - 1);
 }
 
 /// Rotary axes that turn along the segment set it.
@@ -66,7 +40,7 @@ bool is_of_turn(const Trajectory& run, const State& state, Cause cause) {
 }  // namespace
 
 bool Reason::sets_it() const {
-  return !formula.empty() && same(formula.value(), reached);
+  return !formula.empty() && about_equal(formula.value(), reached);
 }
 
 ReasonFinder::ReasonFinder(const Run& run)
@@ -78,14 +52,24 @@ Reason ReasonFinder::made(Cause cause, Formula formula, double reached, std::uin
 }
 
 Reason ReasonFinder::find(const State& state, Cause cause) const {
-  const bool on_ramp_up = cause.kind == CauseKind::axis_acceleration || cause.kind == CauseKind::axis_jerk ||
-                          cause.kind == CauseKind::path_acceleration;
   if (cause.kind == CauseKind::exact_stop || is_pause(cause.kind)) {
     return made(cause, {}, 0, state.element);
   }
   if (is_of_turn(run_, state, cause)) {
-    return of_turn(state, cause);
+    Reason turn = of_turn(state, cause);
+    const bool rotary = cause.axis >= static_cast<std::int8_t>(known_axes.size());
+    if (rotary || turn.sets_it()) {
+      return turn;
+    }
+    Reason own = without_turns(state, cause);  // the axis may hold by itself what turns hold elsewhere
+    return own.sets_it() ? own : turn;
   }
+  return without_turns(state, cause);
+}
+
+Reason ReasonFinder::without_turns(const State& state, Cause cause) const {
+  const bool on_ramp_up = cause.kind == CauseKind::axis_acceleration || cause.kind == CauseKind::axis_jerk ||
+                          cause.kind == CauseKind::path_acceleration;
   if (run_.path().kind(state.element) == ElementKind::filtered) {
     return filtered(state, cause);
   }
@@ -107,45 +91,6 @@ Reason ReasonFinder::find(const State& state, Cause cause) const {
       return is_sampled(state) && is_blend_row(cause.kind) ? sampled_on_blend(state, cause)
                                                            : of_speed(state, cause);
   }
-}
-
-/// The turn along the block or the one behind the corner that the tool rounds, or the joint at an end of the
-/// block, that allows about this speed.
-Reason ReasonFinder::of_turn(const State& state, Cause cause) const {
-  const BlendedPath& path = run_.path();
-  if (path.is_executed() || path.programmed() == nullptr) {
-    return made(cause, {}, state.speed, state.element);
-  }
-  const Toolpath& programmed = *path.programmed();
-  const std::size_t segment = path.segment(state.element);
-  Reason best = made(cause, {}, state.speed, state.element);
-  const auto consider = [&](const TurnLimit& limit, double of_tilt, std::size_t i) {
-    const bool sets = cause_of(limit) == cause;
-    const std::optional<double> tilt = of_tilt >= 0 ? std::optional(of_tilt) : std::nullopt;
-    const Formula formula =
-        sets ? formula_of(limit, machine_, settings_.number("interpolation_period_s")) : Formula();
-    best.tilt = best.tilt ? best.tilt : tilt;
-    if (sets && mismatch(formula, state.speed) < mismatch(best.formula, state.speed)) {
-      const bool speeds = same(formula.value(), state.speed);
-      best.formula = speeds || cause.kind == CauseKind::axis_velocity ? formula : best.formula;
-      best.line = programmed.segments[i].line;
-      best.tilt = tilt;
-    }
-  };
-  for (std::size_t i = segment; i < std::min(segment + 2, programmed.segments.size()); ++i) {
-    if (const SegmentTurn* turn = programmed.segment_turn(i)) {
-      consider(turn->limit, turn->tilt, i);
-    }
-  }
-  for (std::size_t i = segment > 0 ? segment - 1 : 0; i <= segment; ++i) {
-    if (const TurnJoint* joint = programmed.turn_joint(i)) {
-      consider(joint->limit, joint->tilt, i);
-    }
-  }
-  if (!best.formula.empty()) {
-    best.source = source_of(best.formula.id, limits_.traits());
-  }
-  return best;
 }
 
 bool ReasonFinder::is_sampled(const State& state) const {
@@ -176,7 +121,8 @@ Reason ReasonFinder::on_ramp(const State& state, Cause cause) const {
   }
   std::uint32_t found = state.element;
   look_around(state.element, farthest_of_ramp, path.size(), [&](std::uint32_t element) {
-    const bool fits = path.kind(element) != ElementKind::dwell && same(formula_of(element).value(), reached);
+    const bool fits =
+        path.kind(element) != ElementKind::dwell && about_equal(formula_of(element).value(), reached);
     found = fits ? element : found;
     return fits || reached == 0;
   });
@@ -448,6 +394,9 @@ std::string_view source_of(FormulaId id, const LimitTraits& traits) {
     case FormulaId::turning_acceleration:
     case FormulaId::turning_jerk:
     case FormulaId::turning_jump:
+    case FormulaId::turning_ramp_acceleration:
+    case FormulaId::turning_ramp_jerk:
+    case FormulaId::turning_ramp_bend:
       return "chain rule over the kinematics of the machine";
     case FormulaId::whole_acceleration:
     case FormulaId::whole_jerk:

@@ -27,6 +27,9 @@ class ReasonFinder {
   Reason of_joints(const State& state, Cause cause) const;
   /// Along a block in which rotary axes turn: by its own limits or by theirs.
   Reason of_turn(const State& state, Cause cause) const;
+  Reason of_turn_on_ramp(const State& state, Cause cause) const;
+  /// As if no rotary axis turned.
+  Reason without_turns(const State& state, Cause cause) const;
   Reason of_speed(const State& state, Cause cause) const;
   Reason on_blend(const State& state, Cause cause, std::uint32_t element) const;
   Reason sampled_on_blend(const State& state, Cause cause) const;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "core/limits/cause.h"
 #include "core/toolpath/turn_limiter.h"
@@ -47,23 +48,48 @@ double limit_of(const Axis& axis, TurnLimit::By by) {
                                        : axis.acceleration;
 }
 
-}  // namespace
+/// The limit of an axis, a place in cause_axes, and its derivative by the path.
+struct AxisTerms {
+  Quantity limit;
+  Quantity slope;
+};
 
-Formula formula_of(const TurnLimit& limit, const Machine& machine, double period) {
-  if (limit.axis < 0) {
-    return {};
+/// None where the machine lacks the axis. `of`: which derivative `slope` is.
+std::optional<AxisTerms> terms_of(std::int8_t axis, TurnLimit::By by, TurnLimit::By of, double slope,
+                                  const Machine& machine) {
+  if (axis < 0) {
+    return std::nullopt;
   }
-  const char name = cause_axes[static_cast<std::size_t>(limit.axis)].name;
+  const char name = cause_axes[static_cast<std::size_t>(axis)].name;
   const RotaryAxis* rotary = machine.kinematics.find(name);
   const AxisLimits* linear = machine.axes.find(name);
   if (rotary == nullptr && linear == nullptr) {
+    return std::nullopt;
+  }
+  const std::size_t kind = rotary != nullptr ? 0 : 1;
+  return AxisTerms{
+      {symbols_of(by).limit[kind], axis, rotary != nullptr ? limit_of(*rotary, by) : limit_of(*linear, by)},
+      {symbols_of(of).slope[kind], axis, slope}};
+}
+
+/// From the limit that a ramp has along the path: what turning takes of the limit of the axis.
+Formula formula_of_rest(FormulaId id, double along, const std::optional<AxisTerms>& terms) {
+  if (!terms) {
+    return {};
+  }
+  const double taken = 1 - along * terms->slope.value / terms->limit.value;
+  return {id, {{Symbol::turning_share, -1, taken}, terms->limit, terms->slope}};
+}
+
+}  // namespace
+
+Formula formula_of(const TurnLimit& limit, const Machine& machine, double period) {
+  const std::optional<AxisTerms> terms = terms_of(limit.axis, limit.by, limit.by, limit.slope, machine);
+  if (!terms) {
     return {};
   }
   const TurnSymbols symbols = symbols_of(limit.by);
-  const std::size_t kind = rotary != nullptr ? 0 : 1;
-  const Quantity axis{symbols.limit[kind], limit.axis,
-                      rotary != nullptr ? limit_of(*rotary, limit.by) : limit_of(*linear, limit.by)};
-  const Quantity slope{symbols.slope[kind], limit.axis, limit.slope};
+  const auto& [axis, slope] = *terms;
   switch (limit.by) {
     case TurnLimit::By::velocity:
       return {symbols.id, {axis, slope}};
@@ -75,6 +101,29 @@ Formula formula_of(const TurnLimit& limit, const Machine& machine, double period
   }
   const double taken = std::pow(limit.speed, limit.by == TurnLimit::By::jerk ? 3 : 2) * limit.slope;
   return {symbols.id, {{Symbol::turning_share, -1, taken / axis.value}, axis, slope}};
+}
+
+Formula formula_of_acceleration(const TurnRamp& ramp, const Machine& machine, double speed) {
+  using By = TurnLimit::By;
+  if (!ramp.acceleration_by_jerk) {
+    return formula_of_rest(
+        FormulaId::turning_ramp_acceleration, ramp.acceleration,
+        terms_of(ramp.acceleration_axis, By::acceleration, By::velocity, ramp.acceleration_slope, machine));
+  }
+  const auto terms =
+      terms_of(ramp.acceleration_axis, By::jerk, By::acceleration, ramp.acceleration_slope, machine);
+  if (!terms) {
+    return {};
+  }
+  const double taken = 3 * terms->slope.value * speed * ramp.acceleration / terms->limit.value;
+  return {FormulaId::turning_ramp_bend,
+          {{Symbol::turning_share, -1, taken}, terms->limit, terms->slope, {Symbol::ceiling, -1, speed}}};
+}
+
+Formula formula_of_jerk(const TurnRamp& ramp, const Machine& machine) {
+  using By = TurnLimit::By;
+  return formula_of_rest(FormulaId::turning_ramp_jerk, ramp.jerk,
+                         terms_of(ramp.jerk_axis, By::jerk, By::velocity, ramp.jerk_slope, machine));
 }
 
 }  // namespace feedscope

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <map>
 #include <random>
 #include <string>
 
@@ -13,6 +14,7 @@
 #include "core/analysis/explanation/remedies.h"
 #include "core/analysis/run.h"
 #include "core/analysis/run_notes.h"
+#include "core/base/error.h"
 #include "core/base/units.h"
 #include "tests/core/analysis/turned_runs.h"
 
@@ -375,6 +377,66 @@ TEST(RotaryReason, IsTheVelocityOfTheAxisOverItsTurnByThePath) {
   EXPECT_EQ(place.axis, 'C');
   EXPECT_NEAR(place.speed, 5, 1e-9);
   EXPECT_NEAR(place.tilt, 5 * deg, 1e-9);
+}
+
+/// The blade has short blocks, corners and joints, and every limit of every axis holds somewhere.
+TEST(RotaryReason, IsFoundForEveryRampOfTheBlade) {
+  constexpr int instants = 400;
+  for (const char* model : {"essid", "msaddek", "tapie"}) {
+    SCOPED_TRACE(model);
+    const TurnedRun run = run_of("sinumerik_blade.mpf", {}, model);
+    for (int i = 0; i < instants; ++i) {
+      const State state = run.trajectory->state(run.trajectory->duration() * i / instants);
+      const bool of_axis = state.cause.axis >= 0 && (state.cause.kind == CauseKind::axis_acceleration ||
+                                                     state.cause.kind == CauseKind::axis_jerk);
+      if (of_axis) {
+        EXPECT_TRUE(explain(run, state).reason.sets_it()) << state.time;
+      }
+    }
+  }
+}
+
+/// Whatever settings a model has.
+TEST(RotaryReason, IsLookedForInRunsOfEveryModel) {
+  for (const ControlModel* model : all_models()) {
+    SCOPED_TRACE(model->info().id);
+    try {
+      const TurnedRun run =
+          turned("TRAORI\nG1 X10 A5 F6000\nG1 X30 C1200\nG1 X60 A20 C0\n", model->info().id);
+      for (int i = 0; i < 200; ++i) {
+        EXPECT_NO_THROW(explain(run, run.trajectory->state(run.trajectory->duration() * i / 200)));
+      }
+    } catch (const InputError& refused) {
+      EXPECT_THAT(refused.what(), HasSubstr("rotary")) << "of a model that knows none";
+    }
+  }
+}
+
+/// C turns evenly by 30 degrees a millimetre: its jerk is that along the path times this, and its
+/// acceleration likewise, of which turning takes nothing.
+TEST(RotaryReason, OnARampIsWhatTurningLeavesOfTheLimitOfTheAxis) {
+  const TurnedRun run =
+      turned("TRAORI\nG1 X10 A5 F60000\nG1 X50 C1200\nG1 X90\n", "essid", {"C.velocity=1000"});
+  std::map<FormulaId, int> found;
+  int asked = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const State state = run.trajectory->state(run.trajectory->duration() * i / 4000);
+    const bool ramps =
+        state.cause.kind == CauseKind::axis_acceleration || state.cause.kind == CauseKind::axis_jerk;
+    if (!ramps || state.cause.axis < 3) {
+      continue;
+    }
+    ++asked;
+    const Reason reason = explain(run, state).reason;
+    if (reason.sets_it()) {
+      ++found[reason.formula.id];
+      const RotaryAxis& axis = *run.setup.machine.kinematics.find("ABC"[state.cause.axis - 3]);
+      const bool by_jerk = reason.formula.id == FormulaId::turning_ramp_jerk;
+      EXPECT_EQ(reason.formula.numbers[1].value, by_jerk ? axis.jerk : axis.acceleration);
+    }
+  }
+  EXPECT_GT(asked, 20);
+  EXPECT_GT(found[FormulaId::turning_ramp_jerk], asked / 4);
 }
 
 }  // namespace

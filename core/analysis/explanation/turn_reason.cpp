@@ -1,0 +1,130 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/analysis/explanation/reason_finder.h"
+#include "core/analysis/explanation/reason_search.h"
+#include "core/analysis/explanation/turn_formula.h"
+
+namespace feedscope {
+namespace {
+
+/// How much shorter a corner makes the way that is executed: there the axes turn as much faster by the path,
+/// and derivatives of the order n are as many times its power n. 1 beside corners.
+double shortening(const BlendedPath& path, std::uint32_t element) {
+  if (!path.in_corner(element)) {
+    return 1;
+  }
+  const double replaced = 2 * path.corner_transition(path.index(element));
+  return std::max(1.0, replaced / path.length(element));
+}
+
+TurnLimit shortened(TurnLimit limit, double by) {
+  const int order = limit.by == TurnLimit::By::jerk ? 3 : limit.by == TurnLimit::By::acceleration ? 2 : 1;
+  limit.slope *= std::pow(by, order);
+  limit.speed /= by;
+  return limit;
+}
+
+TurnRamp shortened(TurnRamp ramp, double by) {
+  ramp.acceleration /= by;
+  ramp.acceleration_slope *= ramp.acceleration_by_jerk ? by * by : by;
+  ramp.jerk /= by;
+  ramp.jerk_slope *= by;
+  return ramp;
+}
+
+}  // namespace
+
+/// The turn along the block or the one behind the corner that the tool rounds, or the joint at an end of the
+/// block, that allows about this speed.
+Reason ReasonFinder::of_turn(const State& state, Cause cause) const {
+  const BlendedPath& path = run_.path();
+  if (path.is_executed() || path.programmed() == nullptr) {
+    return made(cause, {}, state.speed, state.element);
+  }
+  const Toolpath& programmed = *path.programmed();
+  const std::size_t segment = path.segment(state.element);
+  const double shorter = shortening(path, state.element);
+  const char* const key = "interpolation_period_s";
+  const double period = settings_.has(key) ? settings_.number(key) : 0;
+  Reason best = made(cause, {}, state.speed, state.element);
+  const auto consider = [&](const TurnLimit& programmed_limit, double of_tilt, std::size_t i) {
+    const TurnLimit limit = shortened(programmed_limit, shorter);
+    const bool sets = cause_of(limit) == cause;
+    const std::optional<double> tilt = of_tilt >= 0 ? std::optional(of_tilt) : std::nullopt;
+    const Formula formula = sets ? formula_of(limit, machine_, period) : Formula();
+    best.tilt = best.tilt ? best.tilt : tilt;
+    if (sets && mismatch(formula, state.speed) < mismatch(best.formula, state.speed)) {
+      const bool speeds = about_equal(formula.value(), state.speed);
+      best.formula = speeds || cause.kind == CauseKind::axis_velocity ? formula : best.formula;
+      best.line = programmed.segments[i].line;
+      best.tilt = tilt;
+    }
+  };
+  for (std::size_t i = segment; i < std::min(segment + 2, programmed.segments.size()); ++i) {
+    if (const SegmentTurn* turn = programmed.segment_turn(i)) {
+      consider(turn->limit, turn->tilt, i);
+    }
+  }
+  for (std::size_t i = segment > 0 ? segment - 1 : 0; i <= segment; ++i) {
+    if (const TurnJoint* joint = programmed.turn_joint(i)) {
+      consider(joint->limit, joint->tilt, i);
+    }
+  }
+  if (best.formula.empty() && cause.kind != CauseKind::axis_velocity) {
+    Reason ramp = of_turn_on_ramp(state, cause);
+    ramp.tilt = ramp.tilt ? ramp.tilt : best.tilt;
+    return ramp;
+  }
+  best.source = source_of(best.formula.id, limits_.traits());
+  return best;
+}
+
+/// The ramp has the limits of the segment, or of the joint at its end, that allow least.
+Reason ReasonFinder::of_turn_on_ramp(const State& state, Cause cause) const {
+  const BlendedPath& path = run_.path();
+  const Toolpath& programmed = *path.programmed();
+  const double acceleration = std::abs(state.tangential_acceleration);
+  const double jerk = std::abs(state.tangential_jerk);
+  Reason best = made(cause, {}, state.speed, state.element);
+  const auto consider = [&](const TurnRamp& ramp, double tilt, std::size_t i, double fastest) {
+    const bool by_jerk = cause.kind == CauseKind::axis_jerk;
+    const bool of_acceleration = ramp.acceleration_axis == cause.axis && ramp.acceleration_by_jerk == by_jerk;
+    if (of_acceleration && about_equal(ramp.acceleration, acceleration)) {
+      best.formula = formula_of_acceleration(ramp, machine_, fastest);
+      best.reached = acceleration;
+    } else if (by_jerk && ramp.jerk_axis == cause.axis && about_equal(ramp.jerk, jerk)) {
+      best.formula = formula_of_jerk(ramp, machine_);
+      best.reached = jerk;
+    }
+    if (!best.formula.empty()) {
+      best.line = programmed.segments[i].line;
+      best.tilt = tilt >= 0 ? std::optional(tilt) : std::nullopt;
+      best.source = source_of(best.formula.id, limits_.traits());
+    }
+  };
+  const auto fastest_on = [&](std::size_t i, double limit) {
+    const Segment& segment = programmed.segments[i];
+    return segment.feed > 0 && !segment.rapid ? std::min(limit, segment.feed) : limit;
+  };
+  look_around(state.element, farthest_of_ramp, path.size(), [&](std::uint32_t element) {
+    const double shorter = shortening(path, element);
+    const std::size_t segment = path.segment(element);
+    const std::size_t behind = std::min(segment + 2, programmed.segments.size());
+    for (std::size_t i = segment; i < behind && best.formula.empty(); ++i) {
+      if (const SegmentTurn* turn = programmed.segment_turn(i)) {
+        consider(shortened(turn->ramp, shorter), turn->tilt, i, fastest_on(i, turn->limit.speed) / shorter);
+      }
+    }
+    for (std::size_t i = segment > 0 ? segment - 1 : 0; i < behind && best.formula.empty(); ++i) {
+      if (const TurnJoint* joint = programmed.turn_joint(i)) {
+        consider(shortened(joint->ramp, shorter), joint->tilt, i,
+                 fastest_on(i, joint->limit.speed) / shorter);
+      }
+    }
+    return !best.formula.empty();
+  });
+  return best;
+}
+
+}  // namespace feedscope
