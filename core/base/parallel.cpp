@@ -36,8 +36,24 @@ void in_parallel(std::size_t count, const std::function<void(std::size_t)>& work
   }
 }
 
+namespace {
+
+/// Tells at the end of a scope, also when an exception ends it, that all of it was before what comes after.
+class DoneBefore {
+ public:
+  explicit DoneBefore(HappensBefore& place) : place_(place) {}
+  DoneBefore(const DoneBefore&) = delete;
+  DoneBefore& operator=(const DoneBefore&) = delete;
+  ~DoneBefore() { place_.before(); }
+
+ private:
+  HappensBefore& place_;
+};
+
+}  // namespace
+
 void in_order(std::size_t count, const std::function<std::function<void()>(std::size_t)>& make) {
-  using Take = std::function<void()>;
+  std::vector<std::function<void()>> made(count);
   std::size_t next = 0;
   HappensBefore handed_over;
   const auto number = tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order,
@@ -49,21 +65,28 @@ void in_order(std::size_t count, const std::function<std::function<void()>(std::
                                                             handed_over.before();
                                                             return next++;
                                                           });
-  const auto work =
-      tbb::make_filter<std::size_t, Take>(tbb::filter_mode::parallel, [&](std::size_t i) -> Take {
+  const auto work = tbb::make_filter<std::size_t, std::size_t>(tbb::filter_mode::parallel,
+                                                               [&](std::size_t i) -> std::size_t {
+                                                                 handed_over.after();
+                                                                 const DoneBefore done(handed_over);
+                                                                 made[i] = make(i);
+                                                                 return i;
+                                                               });
+  const auto take =
+      tbb::make_filter<std::size_t, void>(tbb::filter_mode::serial_in_order, [&](std::size_t i) {
         handed_over.after();
-        Take take = make(i);
-        handed_over.before();
-        return take;
+        const DoneBefore done(handed_over);
+        made[i]();
+        made[i] = nullptr;
       });
-  const auto take = tbb::make_filter<Take, void>(tbb::filter_mode::serial_in_order, [&](const Take& made) {
-    handed_over.after();
-    made();
-    handed_over.before();
-  });
   const auto ahead = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()) + 1;
-  // Isolated: a thread that waits here must not begin what the caller does elsewhere.
-  tbb::this_task_arena::isolate([&] { tbb::parallel_pipeline(ahead, number & work & take); });
+  try {
+    // Isolated: a thread that waits here must not begin what the caller does elsewhere.
+    tbb::this_task_arena::isolate([&] { tbb::parallel_pipeline(ahead, number & work & take); });
+  } catch (...) {
+    handed_over.after();
+    throw;
+  }
   handed_over.after();
 }
 
