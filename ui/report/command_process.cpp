@@ -35,44 +35,62 @@ constexpr int exit_program_errors = 1;  // its file is written
 }  // namespace
 
 CommandProcess::CommandProcess(QString executable, QStringList command, QObject* parent)
-    : QObject(parent), executable_(std::move(executable)), command_(std::move(command)) {
-  connect(&process_, &QProcess::readyReadStandardError, this, &CommandProcess::read);
-  connect(&process_, &QProcess::finished, this, &CommandProcess::end);
-  connect(&process_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
-    if (error == QProcess::FailedToStart) {
-      emit failed(tr("%1 cannot be started: %2").arg(executable_, process_.errorString()));
-    }
-  });
-}
+    : QObject(parent), executable_(std::move(executable)), command_(std::move(command)) {}
 
 CommandProcess::~CommandProcess() {
   cancel();
+  constexpr int patience = 10'000;  // [ms]; a frame of a large program takes some seconds
+  for (const std::unique_ptr<QProcess>& process : ending_) {
+    process->disconnect(this);
+    if (!process->waitForFinished(patience)) {
+      process->kill();
+      process->waitForFinished();
+    }
+  }
 }
 
 void CommandProcess::start(const QStringList& arguments, const QString& folder) {
   cancel();
   said_.clear();
   line_.clear();
-  process_.setWorkingDirectory(folder);
-  process_.setStandardOutputFile(QProcess::nullDevice());
-  process_.start(executable_, command_ + arguments);
+  if (process_ != nullptr) {
+    process_.release()->deleteLater();  // this may be called by its last signal
+  }
+  process_ = std::make_unique<QProcess>();
+  connect(process_.get(), &QProcess::readyReadStandardError, this, &CommandProcess::read);
+  connect(process_.get(), &QProcess::finished, this, &CommandProcess::end);
+  connect(process_.get(), &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
+    if (error == QProcess::FailedToStart) {
+      emit failed(tr("%1 cannot be started: %2").arg(executable_, process_->errorString()));
+    }
+  });
+  process_->setWorkingDirectory(folder);
+  process_->setStandardOutputFile(QProcess::nullDevice());
+  process_->start(executable_, command_ + arguments);
 }
 
 void CommandProcess::cancel() {
   if (!busy()) {
     return;
   }
-  const QSignalBlocker silent(process_);
-  process_.terminate();           // it removes what it has begun to write
-  constexpr int patience = 2000;  // [ms]
-  if (!process_.waitForFinished(patience)) {
-    process_.kill();
-    process_.waitForFinished();
+  QProcess* process = process_.get();
+  process->disconnect(this);
+  ending_.push_back(std::move(process_));
+  connect(process, &QProcess::finished, this, [this, process] { forget(process); });
+  process->closeReadChannel(QProcess::StandardError);
+  process->terminate();
+}
+
+void CommandProcess::forget(const QProcess* ended) {
+  const auto found = std::ranges::find(ending_, ended, &std::unique_ptr<QProcess>::get);
+  if (found != ending_.end()) {
+    found->release()->deleteLater();  // it is sending a signal
+    ending_.erase(found);
   }
 }
 
 void CommandProcess::read() {
-  line_ += process_.readAllStandardError();
+  line_ += process_->readAllStandardError();
   for (qsizetype end = line_.indexOf('\n'); end >= 0; end = line_.indexOf('\n')) {
     const QString line = QString::fromUtf8(line_.left(end));
     line_.remove(0, end + 1);
