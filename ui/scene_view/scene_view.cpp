@@ -410,10 +410,13 @@ void SceneView::follow_palette() {
   overlay_->set_background(background);
 }
 
-void SceneView::follow_text_size() {
+double SceneView::text_scale() const {
   constexpr double usual_font_pixels = 12;  // 9 points at 96 dots an inch
-  const double font_pixels = QFontInfo(font()).pixelSize();
-  const double scale = canvas_->devicePixelRatioF() * std::max(1.0, font_pixels / usual_font_pixels);
+  return std::max(1.0, QFontInfo(font()).pixelSize() / usual_font_pixels);
+}
+
+void SceneView::follow_text_size() {
+  const double scale = canvas_->devicePixelRatioF() * text_scale();
   scene_.set_scale(scale);
   overlay_->set_scale(scale);
 }

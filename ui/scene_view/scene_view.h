@@ -45,6 +45,8 @@ class SceneView : public QWidget {
   void set_state(const SceneState& state) { set_scene_state(scene_, state); }
   /// The widget that shows the scene and takes the mouse.
   QWidget& canvas() { return *canvas_; }
+  /// How much larger than usual text and lines are, by the font; the pixels of the screen count besides.
+  double text_scale() const;
   AnnotationOverlay& annotations() { return *overlay_; }
   QSize sizeHint() const override { return {800, 600}; }
   /// Every command of the view: for menus, key lists and the command palette.

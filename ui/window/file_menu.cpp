@@ -188,9 +188,10 @@ void FileMenu::ask_for_picture() {
   if (workbench_.program() == nullptr) {
     return;
   }
-  auto* dialog = new PictureDialog({session_.capture(), window_.scene().canvas().size(),
-                                    window_.part<ChartsPanel>().size(), window_.size()},
-                                   QCoreApplication::applicationFilePath(), &window_);
+  auto* dialog =
+      new PictureDialog({session_.capture(), window_.scene().canvas().size(),
+                         window_.part<ChartsPanel>().size(), window_.size(), window_.scene().text_scale()},
+                        QCoreApplication::applicationFilePath(), &window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &PictureDialog::saved, this, &FileMenu::done);
   dialog->open();

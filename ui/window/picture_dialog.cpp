@@ -158,7 +158,7 @@ QWidget* PictureDialog::make_form() {
   wish.view = settings.value("picture/view", usual.view).toString();
   wish.format = settings.value("picture/format", usual.format).toString();
   wish.dpi = settings.value("picture/dpi", usual.dpi).toInt();
-  wish.scale = settings.value("picture/scale", usual.scale).toDouble();
+  wish.scale = settings.value("picture/scale", subject_.text_scale).toDouble();
   wish.theme = settings.value("picture/theme").toString();
   wish.transparent = settings.value("picture/transparent").toBool();
   choose(wish);

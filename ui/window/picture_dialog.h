@@ -32,6 +32,7 @@ class PictureDialog : public QDialog {
     QSize scene;      ///< of the parts of the window, offered as sizes [px]
     QSize charts;
     QSize window;
+    double text_scale = 1;  ///< of text and lines in the 3D view, proposed
   };
 
   /// `executable`: as of CommandProcess.

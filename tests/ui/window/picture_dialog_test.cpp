@@ -79,6 +79,15 @@ TEST_F(PictureDialogTest, BeginsWithTheSizeOfTheView) {
   EXPECT_TRUE(dialog.state().contains(QStringLiteral("700"))) << dialog.state().toStdString();
 }
 
+TEST_F(PictureDialogTest, TextIsAsLargeAsInTheViewUntilSomethingElseIsChosen) {
+  subject_.text_scale = 1.5;
+  const PictureDialog dialog(subject_, FEEDSCOPE_EXECUTABLE);
+  EXPECT_DOUBLE_EQ(dialog.wish().scale, 1.5);
+  QSettings().setValue("picture/scale", 2.0);
+  const PictureDialog next(subject_, FEEDSCOPE_EXECUTABLE);
+  EXPECT_DOUBLE_EQ(next.wish().scale, 2);
+}
+
 TEST_F(PictureDialogTest, SavesWhatTheCommandLineDraws) {
   PictureDialog dialog(subject_, FEEDSCOPE_EXECUTABLE);
   PictureWish dark = wish("3d", "png", "800x500");
