@@ -1,7 +1,10 @@
 #include "ui/setup/setup_tables.h"
 
+#include <QBrush>
 #include <QFont>
+#include <QGuiApplication>
 #include <QLocale>
+#include <QPalette>
 #include <cmath>
 
 #include "core/base/error.h"
@@ -56,6 +59,11 @@ QString range_text(const SettingSpec& spec) {
       .arg(spec.minimum_allowed ? "" : "> ", text_of(spec.minimum), text_of(spec.maximum));
 }
 
+/// Where nobody gives a value, a usual one holds, which is shown in its place.
+bool has_usual_value(const SettingSpec& spec) {
+  return spec.optional && spec.fallback > 0;
+}
+
 }  // namespace
 
 QStringList changes_of(const SetupState& state) {
@@ -95,10 +103,16 @@ QVariant SetupTable::data(const QModelIndex& index, int role) const {
   if (!key.has_value()) {
     return role == Qt::DisplayRole ? caption(index) : QVariant();
   }
+  const SettingSpec spec = state_.spec(*key);
+  const bool of_axis = key->find('.') != std::string::npos;
+  const bool usual = !of_axis && has_usual_value(spec) && state_.value(*key) == SettingValue(std::string());
   switch (role) {
     case Qt::DisplayRole:
+      return value_text(usual ? SettingValue(spec.fallback) : state_.value(*key), spec);
     case Qt::EditRole:
-      return value_text(state_.value(*key), state_.spec(*key));
+      return value_text(state_.value(*key), spec);
+    case Qt::ForegroundRole:
+      return usual ? QVariant(QGuiApplication::palette().brush(QPalette::PlaceholderText)) : QVariant();
     case Qt::TextAlignmentRole:
       return QVariant::fromValue(Qt::AlignRight | Qt::AlignVCenter);
     case Qt::FontRole: {
@@ -109,7 +123,7 @@ QVariant SetupTable::data(const QModelIndex& index, int role) const {
     }
     case ChoiceDelegate::choices_role: {
       QStringList choices;
-      for (const std::string& choice : state_.spec(*key).choices) {
+      for (const std::string& choice : spec.choices) {
         choices.append(core_text(choice));
       }
       return choices;
@@ -279,7 +293,7 @@ int SettingsTable::row_of(const std::string& key) const {
 
 bool SettingsTable::is_unset(int row) const {
   const SettingSpec& spec = specs_[static_cast<std::size_t>(row)];
-  return spec.optional && state().value(spec.key) == SettingValue(std::string());
+  return spec.optional && !has_usual_value(spec) && state().value(spec.key) == SettingValue(std::string());
 }
 
 std::optional<std::string> SettingsTable::key_at(const QModelIndex& index) const {

@@ -113,6 +113,22 @@ TEST_F(SetupTablesTest, APositionThatTheFileDoesNotGiveIsEmptyAndMayBeSetAndEmpt
   EXPECT_FALSE(settings.setData(tolerance(), "")) << "a model needs a tolerance";
 }
 
+TEST_F(SetupTablesTest, ASettingWithAUsualValueShowsItPaleUntilOneIsSet) {
+  const int row = settings.row_of("feed_override_percent");
+  const QModelIndex override = settings.index(row, SettingsTable::value);
+  ASSERT_TRUE(override.isValid());
+  EXPECT_FALSE(settings.is_unset(row)) << "it is not hidden among those that have none";
+  EXPECT_EQ(settings.data(override).toString(), "100");
+  EXPECT_TRUE(settings.data(override, Qt::ForegroundRole).isValid());
+  EXPECT_EQ(settings.data(override, Qt::EditRole).toString(), "");
+  ASSERT_TRUE(settings.setData(override, "120"));
+  EXPECT_EQ(settings.data(override).toString(), "120");
+  EXPECT_FALSE(settings.data(override, Qt::ForegroundRole).isValid());
+  EXPECT_EQ(edit.setup().settings.number("feed_override_percent"), 120);
+  ASSERT_TRUE(settings.setData(override, ""));
+  EXPECT_FALSE(edit.setup().settings.has("feed_override_percent"));
+}
+
 TEST_F(SetupTablesTest, BackToTheFilesValueIsNoLongerMarked) {
   ASSERT_TRUE(axes.setData(jerk_of_x(), "20"));
   ASSERT_TRUE(axes.setData(jerk_of_x(), "15"));
