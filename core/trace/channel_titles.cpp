@@ -23,7 +23,7 @@ std::vector<UsedChannel> used_channels(const std::vector<std::string>& titles, c
     const auto quantity = static_cast<TraceQuantity>(q);
     const auto& column = found.of(quantity);
     if (column && quantity != TraceQuantity::time && quantity != TraceQuantity::number) {
-      used.push_back({column->place, quantity, column->factor});
+      used.push_back({*column, quantity});
       builder.has(quantity);
     }
   }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/trace/table_columns.h"
 #include "core/trace/trace_builder.h"
 #include "core/trace/trace_columns.h"
 
@@ -11,9 +12,8 @@ namespace feedscope {
 
 /// A channel of a file that is used, and as what.
 struct UsedChannel {
-  std::size_t channel = 0;
+  FoundColumn channel;
   TraceQuantity quantity = TraceQuantity::x;
-  double factor = 1;
 };
 
 /// Which of the channels with these titles are what: those that `asked` names by number or title, else as

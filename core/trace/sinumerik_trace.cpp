@@ -118,7 +118,7 @@ class SinumerikReader {
   void begin_records() {
     used_ = used_channels(titles_, asked_, text_.name(), builder_);
     for (const UsedChannel& channel : *used_) {
-      names_.push_back(fields_[channel.channel]);
+      names_.push_back(fields_[channel.channel.place]);
     }
   }
 
@@ -139,7 +139,7 @@ class SinumerikReader {
       }
       for (std::size_t c = 0; c < names_.size(); ++c) {
         if (name == names_[c]) {
-          sample.set((*used_)[c].quantity, *number * (*used_)[c].factor);
+          sample.set((*used_)[c].quantity, (*used_)[c].channel.inside(*number));
         }
       }
     }

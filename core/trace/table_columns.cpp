@@ -125,14 +125,18 @@ class ColumnFinder {
 
  private:
   void take(TraceQuantity quantity, std::size_t place, double factor, const std::string& unit,
-            std::string_view why) {
-    found_.columns[static_cast<std::size_t>(quantity)] = FoundColumn{place, factor};
+            std::string_view why, double offset = 0) {
+    found_.columns[static_cast<std::size_t>(quantity)] =
+        FoundColumn{place, factor, offset * std::abs(factor)};
     std::string text = fmt::format("{}: column {}", to_string(quantity), place + 1);
     if (place < head_.titles.size()) {
       text += fmt::format(" '{}'", head_.titles[place]);
     }
     if (!unit.empty()) {
       text += fmt::format(" [{}{}]", factor < 0 ? "-" : "", unit);
+    }
+    if (offset != 0) {
+      text += fmt::format(" {} {}", offset < 0 ? '-' : '+', std::abs(offset));
     }
     builder_.note_column(text + std::string(why));
   }
@@ -172,7 +176,7 @@ class ColumnFinder {
       unit = recognise_column(head_.titles[place]).unit;
       factor *= trace_unit(quantity, unit).value_or(1);
     }
-    take(quantity, place, factor, unit, "");
+    take(quantity, place, factor, unit, "", column.offset);
   }
 
   void take_titles() {

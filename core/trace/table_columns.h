@@ -14,6 +14,10 @@ namespace feedscope {
 struct FoundColumn {
   std::size_t place = 0;  ///< from 0 on
   double factor = 1;      ///< inside units a unit of the file
+  double offset = 0;      ///< of a position, inside units
+
+  /// A number of the file in inside units.
+  double inside(double number) const { return number * factor + offset; }
 };
 
 /// Which column of a table is what.

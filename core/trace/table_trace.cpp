@@ -54,7 +54,7 @@ class TableReader {
       return TraceSample::missing;
     }
     const auto number = field_number(fields_[column->place], head_.style.decimal);
-    return number ? *number * column->factor : TraceSample::missing;
+    return number ? column->inside(*number) : TraceSample::missing;
   }
 
   double time_of_row() {

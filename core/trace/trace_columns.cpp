@@ -90,8 +90,27 @@ char decimal_of(std::string_view word) {
   return word == "point" ? '.' : ',';
 }
 
+/// Takes ":12.5" off the end of "2:mm:12.5"; 0 where there is none.
+double take_offset(TraceQuantity quantity, std::string_view& value) {
+  const auto last = value.rfind(':');
+  if (last == std::string_view::npos || value.substr(0, last).find(':') == std::string_view::npos) {
+    return 0;
+  }
+  const TypedNumber number = typed_number(trimmed(value.substr(last + 1)));
+  if (!number.value) {
+    return 0;  // the colon is one of the column's name
+  }
+  if (!is_position(quantity)) {
+    throw InputError(fmt::format("column specification: {} cannot have an offset, {}; positions of axes can",
+                                 to_string(quantity), value.substr(last + 1)));
+  }
+  value = value.substr(0, last);
+  return *number.value;
+}
+
 TraceColumn column_of(TraceQuantity quantity, std::string_view value) {
   TraceColumn column;
+  column.offset = take_offset(quantity, value);
   const auto colon = value.rfind(':');
   column.column = std::string(trimmed(value.substr(0, colon)));
   if (column.column.empty()) {
@@ -99,7 +118,7 @@ TraceColumn column_of(TraceQuantity quantity, std::string_view value) {
         fmt::format("column specification: {}= needs the number or the name of a column, such as {}=2",
                     to_string(quantity), to_string(quantity)));
   }
-  if (colon != std::string_view::npos) {
+  if (colon != std::string_view::npos && !(column.offset != 0 && trimmed(value.substr(colon + 1)).empty())) {
     std::string_view unit = trimmed(value.substr(colon + 1));
     const bool mirrored = unit.starts_with('-');
     unit.remove_prefix(mirrored ? 1 : 0);

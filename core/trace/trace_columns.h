@@ -31,6 +31,7 @@ struct TraceColumn {
   double factor = 1;        ///< inside units a unit of the file; negative: mirrored
   bool unit_given = false;  ///< else the head of the table may say the unit
   std::string unit = "";    ///< as it is written
+  double offset = 0;        ///< of a position, added to it in the unit of the column
 };
 
 /// How a table of samples is read; what is not given is found from the file.
@@ -59,8 +60,9 @@ const std::vector<TracePreset>& trace_presets();
 
 /// Reads the name of a preset, or
 /// "time=1:ms,x=2,y=3:-mm,line=Block,feed=6:mm/min,separator=tab,decimal=comma, rate=1000,skip=2": of each
-/// quantity the number or the name of its column, its unit, a minus sign where the axis is mirrored. Throws
-/// InputError naming what is wrong, with the nearest valid name.
+/// quantity the number or the name of its column, its unit, a minus sign where the axis is mirrored, and of a
+/// position what is added to it in this unit: "x=2:mm:-12.5". Throws InputError naming what is wrong, with
+/// the nearest valid name.
 TraceColumns parse_trace_columns(const std::string& specification);
 
 /// Inside units a `unit` of a quantity; none for a unit that it cannot have.

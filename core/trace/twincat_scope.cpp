@@ -146,7 +146,7 @@ class ScopeReader {
     split_row(line_, separator_, fields_);
     bool any = false;
     for (std::size_t c = 0; c < used_.size(); ++c) {
-      const ScopeHead::Channel& channel = head_channels_[used_[c].channel];
+      const ScopeHead::Channel& channel = head_channels_[used_[c].channel.place];
       if (channel.column >= fields_.size()) {
         continue;
       }
@@ -158,7 +158,7 @@ class ScopeReader {
           first_ticks_ = *time;
         }
         channels_[c].time.push_back(first_ticks_ > 0 ? (*time - first_ticks_) * tick : *time * millisecond);
-        channels_[c].value.push_back(*value * used_[c].factor);
+        channels_[c].value.push_back(used_[c].channel.inside(*value));
         channels_[c].line.push_back(text_.line_number());
       }
     }

@@ -14721,6 +14721,18 @@ Ensemble&#xa0;: %4</translation>
         <source>Z actual</source>
         <translation>Z réel</translation>
     </message>
+    <message>
+        <source>Offset</source>
+        <translation>Décalage</translation>
+    </message>
+    <message>
+        <source>Added to the position, in the unit of the column. 0: what shifts the trace is found where nearly all of it fits the path then</source>
+        <translation>Ajouté à la position, dans l’unité de la colonne. 0 : ce qui décale la trace est trouvé là où elle suit alors presque toute la trajectoire</translation>
+    </message>
+    <message>
+        <source>Offset of %1</source>
+        <translation>Décalage de %1</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::TraceView</name>

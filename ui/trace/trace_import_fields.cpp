@@ -18,6 +18,8 @@ namespace {
 
 constexpr double fastest_rate = 1e7;  // [Hz]
 constexpr int most_skipped = 100000;  // lines
+constexpr double farthest = 1e6;      // offset of an axis, in the unit of its column
+constexpr int digits = 12;
 
 QString key_of(TraceQuantity quantity) {
   const std::string_view key = to_string(quantity);
@@ -51,7 +53,8 @@ TraceImportFields::TraceImportFields(QWidget* parent)
   connect(skip_, &WholeNumberBox::valueChanged, this, &TraceImportFields::changed);
 
   auto* grid = new QGridLayout;
-  for (const auto& [column, title] : {std::pair{1, tr("Column")}, std::pair{2, tr("Unit")}}) {
+  for (const auto& [column, title] :
+       {std::pair{1, tr("Column")}, std::pair{2, tr("Unit")}, std::pair{4, tr("Offset")}}) {
     grid->addWidget(new QLabel(title, this), 0, column);
   }
   add_row(TraceQuantity::time, tr("Time"), *grid);
@@ -124,6 +127,15 @@ void TraceImportFields::add_row(TraceQuantity quantity, const QString& title, QG
     row.mirrored->setAccessibleName(tr("%1 mirrored").arg(title));
     connect(row.mirrored, &QCheckBox::toggled, this, &TraceImportFields::changed);
     grid.addWidget(row.mirrored, at, 3);
+    row.offset = new NumberBox(this);
+    row.offset->setRange(-farthest, farthest);
+    row.offset->setDecimals(4);
+    row.offset->setToolTip(
+        tr("Added to the position, in the unit of the column. 0: what shifts the trace is "
+           "found where nearly all of it fits the path then"));
+    row.offset->setAccessibleName(tr("Offset of %1").arg(title));
+    connect(row.offset, &NumberBox::valueChanged, this, &TraceImportFields::changed);
+    grid.addWidget(row.offset, at, 4);
   }
 }
 
@@ -164,6 +176,7 @@ void TraceImportFields::set_columns(const TraceColumns& columns) {
     }
     if (row.mirrored != nullptr) {
       row.mirrored->setChecked(column && column->factor < 0);
+      row.offset->setValue(column ? column->offset : 0);
     }
   }
   const char separator = columns.separator;
@@ -194,6 +207,9 @@ QString TraceImportFields::specification() const {
     if (!unit.isEmpty()) {
       part += ':' + QString(mirrored ? "-" : "") + unit;
     }
+    if (row.offset != nullptr && row.offset->value() != 0) {
+      part += QString(unit.isEmpty() ? "::" : ":") + QString::number(row.offset->value(), 'g', digits);
+    }
     parts.append(part);
   }
   for (const auto& [key, box] : {std::pair{"separator=", separator_}, std::pair{"decimal=", decimal_}}) {
@@ -202,7 +218,6 @@ QString TraceImportFields::specification() const {
     }
   }
   if (rate_->value() > 0) {
-    constexpr int digits = 12;
     parts.append(QStringLiteral("rate=") + QString::number(rate_->value(), 'g', digits));
   }
   if (skip_->value() > 0) {

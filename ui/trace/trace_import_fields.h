@@ -14,8 +14,8 @@ namespace feedscope::ui {
 class NumberBox;
 class WholeNumberBox;
 
-/// The fields that say how a table of samples is read: for each quantity column, unit and sign; how columns
-/// and decimals are parted, the rate, and lines to skip.
+/// The fields that say how a table of samples is read: for each quantity column, unit, sign and offset; how
+/// columns and decimals are parted, the rate, and lines to skip.
 class TraceImportFields : public QWidget {
   Q_OBJECT
 
@@ -37,6 +37,7 @@ class TraceImportFields : public QWidget {
     QComboBox* column = nullptr;
     QComboBox* unit = nullptr;      ///< null: has none
     QCheckBox* mirrored = nullptr;  ///< null: has no sign
+    NumberBox* offset = nullptr;    ///< null: has none
   };
 
   void add_row(TraceQuantity quantity, const QString& title, class QGridLayout& grid);

@@ -33,6 +33,20 @@ TEST(TraceColumns, SaysOfEachQuantityColumnUnitAndSign) {
   EXPECT_EQ(columns.skip, 2U);
 }
 
+TEST(TraceColumns, AnOffsetIsAddedInTheUnitOfTheColumn) {
+  const TraceColumns columns = parse_trace_columns("x=2:-mm:12.5,y=Pos:3:inch:-1,z=4::0.5,actual_x=5:um");
+  EXPECT_EQ(columns.of(TraceQuantity::x)->column, "2");
+  EXPECT_EQ(columns.of(TraceQuantity::x)->offset, 12.5);
+  EXPECT_LT(columns.of(TraceQuantity::x)->factor, 0);
+  EXPECT_EQ(columns.of(TraceQuantity::y)->column, "Pos:3");
+  EXPECT_EQ(columns.of(TraceQuantity::y)->offset, -1);
+  EXPECT_EQ(columns.of(TraceQuantity::z)->column, "4");
+  EXPECT_FALSE(columns.of(TraceQuantity::z)->unit_given);
+  EXPECT_EQ(columns.of(TraceQuantity::z)->offset, 0.5);
+  EXPECT_EQ(columns.of(TraceQuantity::actual_x)->offset, 0);
+  EXPECT_THROW(parse_trace_columns("time=1:ms:5"), InputError);
+}
+
 TEST(TraceColumns, KnowsItsPresets) {
   for (const TracePreset& preset : trace_presets()) {
     EXPECT_TRUE(parse_trace_columns(std::string(preset.name)).any()) << preset.name;

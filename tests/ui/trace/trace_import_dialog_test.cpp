@@ -64,6 +64,14 @@ TEST_F(TraceImportDialogTest, ShowsTheRowsAndImportsNothingUntilItKnowsAPosition
   EXPECT_THAT(dialog.outcome().toStdString(), HasSubstr("One sample each 4 ms"));
 }
 
+TEST_F(TraceImportDialogTest, AnAxisMayBeShifted) {
+  TraceImportDialog dialog(file, "time=1:ms,x=2:-mm:100,y=3::-0.5", {});
+  EXPECT_EQ(dialog.specification(), "time=1:ms,x=2:-mm:100,y=3::-0.5");
+  const Trace trace = read_trace(file, parse_trace_columns(dialog.specification().toStdString()));
+  EXPECT_NEAR(trace.place[0][10], 110.5, 1e-9);
+  EXPECT_NEAR(trace.place[1][10], 19.75, 1e-9);
+}
+
 TEST_F(TraceImportDialogTest, WhatIsChosenReadsTheFileAsItWasMeant) {
   TraceImportDialog dialog(file, "time=1:ms,x=2:-mm,y=3:um,decimal=comma,separator=semicolon,skip=0", {});
   EXPECT_EQ(dialog.specification(), "time=1:ms,x=2:-mm,y=3:um,separator=semicolon,decimal=comma");
