@@ -8,6 +8,7 @@
 
 class QCheckBox;
 class QComboBox;
+class QGridLayout;
 
 namespace feedscope::ui {
 
@@ -40,7 +41,7 @@ class TraceImportFields : public QWidget {
     NumberBox* offset = nullptr;    ///< null: has none
   };
 
-  void add_row(TraceQuantity quantity, const QString& title, class QGridLayout& grid);
+  void add_row(TraceQuantity quantity, const QString& title, QGridLayout& grid);
   QComboBox* add_choice(const std::vector<std::pair<QString, QString>>& choices);
 
   std::array<Row, trace_quantity_count> rows_;

@@ -73,6 +73,7 @@ TEST(FailureText, HasAPatternForWhateverFilesOfTheWindowAreRefusedFor) {
       "column specification: decimal={} must be point or comma",
       "column specification: {}= needs the number or the name of a column, such as {}=2",
       "column specification: unit '{}' of {} is not known; known: {}",
+      "column specification: {} cannot have an offset, {}; positions of axes can",
       "column specification: unknown key '{}'; {}",
       "column specification: '{}' is not KEY=VALUE",
       "{}: unknown key '{}' in {}; {}",
