@@ -114,7 +114,8 @@ double draw_title(Canvas& canvas, const Captions& captions, Vec2 place, double s
   return place.y();
 }
 
-/// Round values of a scale, at most `most` of them but two at least: one number alone says nothing of the rest.
+/// Round values of a scale, at most `most` of them but two at least: one number alone says nothing of the
+/// rest.
 Ticks bar_ticks(const ColourScale& scale, int most) {
   Ticks ticks = round_ticks(scale.low, scale.high, most);
   if (ticks.values.size() < 2 && scale.high > scale.low) {
