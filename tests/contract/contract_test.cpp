@@ -11,6 +11,7 @@
 #include "tests/contract/hand_cases.h"
 #include "tests/contract/rotary_case.h"
 #include "tests/support/folders.h"
+#include "tests/support/sanitized.h"
 
 namespace feedscope::contract {
 namespace {
@@ -24,6 +25,9 @@ std::vector<std::string> model_ids() {
   }
   return ids;
 }
+
+/// Sanitizers, which take ten times as long, look at as many times fewer programs.
+constexpr std::uint64_t fewer = test::sanitized ? 10 : 1;
 
 /// Checks that a model is known not to pass on a few programs, and on how many of one test at most: one more
 /// is a fault. The long run shows them all.
@@ -139,7 +143,7 @@ TEST_P(ModelContract, HoldsOnAMillionIdenticalPoints) {
 }
 
 TEST_P(ModelContract, HoldsOnRandomProgramsWithoutAnyTolerance) {
-  constexpr std::uint64_t programs = 200;
+  constexpr std::uint64_t programs = 200 / fewer;
   constexpr std::uint64_t seed = 2027;
   for (std::uint64_t number = 0; reads_tolerance(find_model(GetParam())) && number < programs; ++number) {
     Case example = random_case(GetParam(), seed, number);
@@ -150,7 +154,7 @@ TEST_P(ModelContract, HoldsOnRandomProgramsWithoutAnyTolerance) {
 
 TEST_P(ModelContract, HoldsOnRandomFiveAxisPrograms) {
   const bool slow = GetParam() == "optimal" || GetParam() == "linuxcnc";
-  const std::uint64_t programs = slow ? 40 : 200;
+  const std::uint64_t programs = (slow ? 40 : 200) / fewer;
   constexpr std::uint64_t seed = 2028;
   for (std::uint64_t number = 0; number < programs && !HasFailure(); ++number) {
     found_.check(rotary_case(GetParam(), seed, number), "five-axis-" + std::to_string(number));
@@ -166,7 +170,8 @@ class RandomContract : public ::testing::TestWithParam<std::tuple<std::string, i
 TEST_P(RandomContract, Holds) {
   constexpr std::uint64_t seed = 2026;
   const auto& [model, share] = GetParam();
-  const std::uint64_t programs = model == "optimal" ? 120 : 510;  // it takes ten times as long as the others
+  // It takes ten times as long as the others.
+  const std::uint64_t programs = (model == "optimal" ? 120 : 510) / fewer;
   Findings found(model, &OpenFinding::max_random);
   for (std::uint64_t i = 0; i < programs && !HasFailure(); ++i) {
     const std::uint64_t number = static_cast<std::uint64_t>(share) * programs + i;
