@@ -37,10 +37,13 @@ class Peaks {
     } else if (const GentleBlend* blend = gentle_blend(part, kind, motion.curve())) {
       add_samples(part, motion.curve(), [&](double tau) {
         const LawPoint law = law_at(part, tau);
-        return kinematics_of(blend->at(law.q), law);
+        add(law.v, kinematics_of(blend->at(law.q), law));
       });
     } else {
-      add_samples(part, motion.curve(), [&](double tau) { return motion.kinematics(tau); });
+      add_samples(part, motion.curve(), [&](double tau) {
+        const Kinematics at = motion.kinematics(tau);
+        add(at.velocity.norm(), at);
+      });
     }
   }
 
@@ -84,12 +87,12 @@ class Peaks {
     return gentle_ ? &*gentle_ : nullptr;
   }
 
-  template <typename KinematicsAt>
-  void add_samples(const Part& part, const ElementCurve& curve, const KinematicsAt& kinematics_at) {
+  /// `add_at`: adds the motion so long after the beginning of the part [s].
+  template <typename AddAt>
+  void add_samples(const Part& part, const ElementCurve& curve, const AddAt& add_at) {
     const int count = samples(part, curve);
     for (int i = 0; i <= count; ++i) {
-      const Kinematics at = kinematics_at(part.duration * i / count);
-      add(at.velocity.norm(), at.velocity.cwiseAbs(), at.acceleration.cwiseAbs(), at.jerk.cwiseAbs());
+      add_at(part.duration * i / count);
     }
   }
 
@@ -107,6 +110,9 @@ class Peaks {
     return 1 + static_cast<int>(std::clamp(share, 0.0, 1e6));
   }
 
+  void add(double speed, const Kinematics& at) {
+    add(speed, at.velocity.cwiseAbs(), at.acceleration.cwiseAbs(), at.jerk.cwiseAbs());
+  }
   void add(double speed, const Vec3& velocity, const Vec3& acceleration, const Vec3& jerk) {
     speed_ = std::max(speed_, speed);
     for (std::size_t axis = 0; axis < coordinate_names.size(); ++axis) {

@@ -7,7 +7,7 @@ namespace feedscope {
 
 std::optional<GentleBlend> GentleBlend::of(const CubicBlend& blend, double length) {
   constexpr double least_cosine = 0.9848;  // of 10 degrees
-  constexpr double least_weight = 1;
+  constexpr double least_weight = 1.25;
   constexpr double largest_weight = 3;
   constexpr double rounding = 1e-9;
   const Vec3 in = blend.corner - blend.start;
@@ -36,22 +36,25 @@ GentleBlend::GentleBlend(const CubicBlend& blend, double length) : half_(length 
   const double d = (end_change + 15 * q - 7 * p) / 8;
   const double c = (p - 3 * q) / 2 - 2 * d;
   odd_powers_ = {a, q - c - d, c, d};
+  middle_rise_ = half_ / a - 1;
+  end_rise_ = (1 - half_ / end_speed) / 2 - middle_rise_;
 }
 
-/// x at a path length, by Newton's steps from a cubic that has the slope of the middle.
+/// x at a path length, by one step of third order from a polynomial that has the slopes of middle and ends.
 double GentleBlend::place_of(double s) const {
-  constexpr int steps = 2;  // the second one ends within 1e-8
-  const double from_middle = std::clamp(s - half_, -half_, half_);
-  const auto& [a, b, c, d] = odd_powers_;
-  const double share = from_middle / half_;
-  double x = share * (1 + (half_ / a - 1) * (1 - share * share));
-  for (int i = 0; i < steps; ++i) {
-    const double square = x * x;
-    const double reached = x * (a + square * (b + square * (c + square * d)));
-    const double speed = a + square * (3 * b + square * (5 * c + square * 7 * d));
-    x -= (reached - from_middle) / speed;
+  const double from_middle = s - half_;
+  if (!(std::abs(from_middle) < half_)) {
+    return from_middle < 0 ? -1 : 1;
   }
-  return x;
+  const double share = from_middle / half_;
+  const double rest = 1 - share * share;
+  const double x = share * (1 + rest * (middle_rise_ + end_rise_ * share * share));
+  const auto& [a, b, c, d] = odd_powers_;
+  const double square = x * x;
+  const double missing = x * (a + square * (b + square * (c + square * d))) - from_middle;
+  const double speed = a + square * (3 * b + square * (5 * c + square * 7 * d));
+  const double change = x * (6 * b + square * (20 * c + square * 42 * d));
+  return x - missing * speed / (speed * speed - missing * change / 2);
 }
 
 CurvePoint GentleBlend::at(double s) const {

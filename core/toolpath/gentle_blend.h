@@ -15,7 +15,7 @@ namespace feedscope {
 class GentleBlend {
  public:
   /// `length`: of the blend, CubicBlend::length() [mm]. None where it turns by more than 10 degrees, its
-  /// transitions differ in length or its weight is not from 1 to 3.
+  /// transitions differ in length or its weight is not from 1.25 to 3.
   static std::optional<GentleBlend> of(const CubicBlend& blend, double length);
 
   /// With derivatives by the path length; `s` is clamped to the blend [mm].
@@ -28,6 +28,8 @@ class GentleBlend {
   std::array<Vec3, 4> powers_;        ///< of the place, by powers of x
   std::array<double, 4> odd_powers_;  ///< of the path length from the middle, by x, x^3, x^5 and x^7 [mm]
   double half_;                       ///< length [mm]
+  double middle_rise_ = 0;            ///< of x over the share of the length, beyond 1, in the middle
+  double end_rise_ = 0;               ///< what sets the same at the ends
 };
 
 }  // namespace feedscope
