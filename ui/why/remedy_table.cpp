@@ -24,11 +24,14 @@ QString difference_text(double seconds) {
   return RemedyTable::tr("%1%2 s").arg(QString(QChar(seconds < 0 ? 0x2212 : '+')), amount);
 }
 
+/// "" where it would be 0.0.
 QString percent_text(double change, double of) {
-  if (std::abs(change) < nothing || !(of > 0)) {
+  constexpr double least = 0.05;
+  const double percent = of > 0 ? 100 * std::abs(change) / of : 0;
+  if (std::abs(change) < nothing || percent < least) {
     return {};
   }
-  const QString amount = QLocale().toString(100 * std::abs(change) / of, 'f', 1);
+  const QString amount = QLocale().toString(percent, 'f', 1);
   return QStringLiteral("%1%2 %").arg(QString(QChar(change < 0 ? 0x2212 : '+')), amount);
 }
 

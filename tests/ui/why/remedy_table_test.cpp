@@ -51,6 +51,8 @@ TEST_F(RemedyTableTest, ARowSaysWhatIsChangedAndWhatItGains) {
   EXPECT_EQ(text(0, RemedyTable::cycle_time), "9.500 s");
   EXPECT_EQ(text(0, RemedyTable::gain), "−0.500 s\n−5.0 %");
   EXPECT_EQ(text(0, RemedyTable::here), "+0.250 s\n+12.5 %");
+  table.set_trial(1, {9.999, 2, {}});
+  EXPECT_EQ(text(1, RemedyTable::gain), "−0.001 s") << "no share of 0.0 %";
   EXPECT_EQ(text(2, RemedyTable::change), "Feed override 100 → 120 %");
 }
 
