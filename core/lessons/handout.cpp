@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/markdown.h"
 #include "core/lessons/lesson_language.h"
+#include "core/models/control_model.h"
 
 namespace feedscope {
 namespace {
@@ -97,19 +98,38 @@ std::string watched_text(const Question& question, const std::string& language) 
   return title_of(question.watch, language) + (unit.empty() ? "" : fmt::format(" [{}]", unit));
 }
 
+std::string setting_title(const HandoutContents& contents, const std::string& key) {
+  return contents.setting_title ? contents.setting_title(key) : key;
+}
+
+/// "tolerance=0.1" as it is called on paper.
+std::string with_title(const std::string& assignment, const HandoutContents& contents,
+                       const std::string& language) {
+  Control control;
+  control.key = assigned_key(assignment);
+  control.values = {assignment.substr(control.key.size() + 1)};
+  return control_text(control, language, setting_title(contents, control.key));
+}
+
 /// What is asked, and what to do for it.
-std::string task_html(const Question& question, std::size_t number, const WrittenNumbers& numbers,
+std::string task_html(const Question& question, std::size_t number, const HandoutContents& contents,
                       const std::string& language) {
+  const WrittenNumbers& numbers = contents.numbers;
   const auto word = [&](const std::string& english) { return lesson_word(english, language); };
   std::string html = fmt::format("<h2>{} {}</h2>\n{}", word("Question"), number,
                                  markdown_as_html(filled(question.text, numbers)));
   if (!question.with.empty()) {
-    html += fmt::format("<p><b>{}</b> <code>{}</code></p>\n", word("First set"),
-                        escaped(fmt::format("{}", fmt::join(question.with, ", "))));
+    std::vector<std::string> set;
+    for (const std::string& assignment : question.with) {
+      set.push_back(with_title(assignment, contents, language));
+    }
+    html += fmt::format("<p><b>{}</b> {}</p>\n", word("First set"),
+                        escaped(fmt::format("{}", fmt::join(set, "; "))));
   }
-  html += fmt::format("<p><b>{}</b> <code>{}</code><br><b>{}</b> {}</p>\n", word("Move"),
-                      escaped(control_text(question.control, language)), word("Watch"),
-                      escaped(watched_text(question, language)));
+  html += fmt::format(
+      "<p><b>{}</b> {}<br><b>{}</b> {}</p>\n", word("Move"),
+      escaped(control_text(question.control, language, setting_title(contents, question.control.key))),
+      word("Watch"), escaped(watched_text(question, language)));
   if (!question.hint.empty()) {
     html += fmt::format(
         "<div class=\"hint\">{}</div>\n",
@@ -119,13 +139,14 @@ std::string task_html(const Question& question, std::size_t number, const Writte
 }
 
 /// Room for the values that a learner tries.
-std::string blank_table(const Question& question, const std::string& language) {
+std::string blank_table(const Question& question, const HandoutContents& contents,
+                        const std::string& language) {
   const auto word = [&](const std::string& english) { return lesson_word(english, language); };
   const bool of_time = question.watch.spec->key == "cycle_time_s" && question.watch.first_line == 0;
   constexpr std::size_t least_rows = 3;
   std::string html = "<table class=\"blank\" width=\"100%\" border=\"1\" cellspacing=\"0\"><tr>";
   html += fmt::format("<th width=\"34%\">{} ({})</th><th width=\"33%\">{} [s]</th>", word("Values tried"),
-                      escaped(question.control.key), word("cycle time"));
+                      escaped(setting_title(contents, question.control.key)), word("cycle time"));
   html += of_time ? std::string()
                   : fmt::format("<th width=\"33%\">{}</th>", escaped(watched_text(question, language)));
   html += "</tr>\n";
@@ -140,8 +161,8 @@ std::string blank_table(const Question& question, const std::string& language) {
 std::string learners_question(const Lesson& lesson, std::size_t index, const HandoutContents& contents) {
   const Question& question = lesson.questions[index];
   std::string html = "<table class=\"question\" width=\"100%\"><tr><td>\n";
-  html += task_html(question, index + 1, contents.numbers, lesson.language) + figure_of(contents, index) +
-          blank_table(question, lesson.language);
+  html += task_html(question, index + 1, contents, lesson.language) + figure_of(contents, index) +
+          blank_table(question, contents, lesson.language);
   constexpr int lines = 3;
   html += "<table class=\"lines\" width=\"100%\">\n";
   for (int i = 0; i < lines; ++i) {
@@ -183,7 +204,7 @@ std::string answer_html(const Lesson& lesson, std::size_t index, const HandoutCo
   const Question& question = lesson.questions[index];
   std::string html = "<div class=\"answer\">\n";
   if (with_task) {
-    html += task_html(question, index + 1, contents.numbers, lesson.language) + figure_of(contents, index);
+    html += task_html(question, index + 1, contents, lesson.language) + figure_of(contents, index);
     html += fmt::format("<h3>{}</h3>\n", lesson_word("Answer", lesson.language));
   } else {
     html += fmt::format("<h2>{} {}</h2>\n", lesson_word("Question", lesson.language), index + 1);
@@ -210,7 +231,9 @@ HandoutReader handout_reader(const std::string& name) {
 
 HandoutContents handout_contents(const Lesson& lesson, LessonRuns& runs, HandoutReader reader,
                                  Progress* progress) {
-  HandoutContents contents{reader, runs.numbers(progress), {}, {}, {}};
+  HandoutContents contents;
+  contents.reader = reader;
+  contents.numbers = runs.numbers(progress);
   if (reader == HandoutReader::learners) {
     return contents;
   }

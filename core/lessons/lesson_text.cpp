@@ -195,16 +195,17 @@ std::string expectation_text(const Claim& claim, const std::string& language) {
   return bound;
 }
 
-std::string control_text(const Control& control, const std::string& language) {
+std::string control_text(const Control& control, const std::string& language, const std::string& title) {
+  const std::string& name = title.empty() ? control.key : title;
   std::vector<std::string> values;
   for (const std::string& value : control.values) {
     values.push_back(typed_number(value).value ? number_in(value, language) : value);
   }
   if (control.range) {
-    return fmt::format(fmt::runtime(lesson_word("{}: from {} to {}", language)), control.key, values.front(),
+    return fmt::format(fmt::runtime(lesson_word("{}: from {} to {}", language)), name, values.front(),
                        values.back());
   }
-  return fmt::format(fmt::runtime(lesson_word("{}: {}", language)), control.key,
+  return fmt::format(fmt::runtime(lesson_word("{}: {}", language)), name,
                      fmt::join(values, lesson_word(", ", language)));
 }
 

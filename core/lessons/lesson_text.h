@@ -26,8 +26,9 @@ std::string quantity_text(const LessonQuantity& quantity, const std::string& lan
 std::string unit_of(const LessonQuantity& quantity);
 /// A value of a quantity with its unit: "1.267 s", "12 %", "1.59".
 std::string value_text(const LessonQuantity& quantity, double value, const std::string& language = "en");
-/// "contour_tolerance_mm: 0.01, 0.05, 0.1".
-std::string control_text(const Control& control, const std::string& language = "en");
+/// "contour_tolerance_mm: 0.01, 0.05, 0.1"; with `title`, if there is one, in place of the key.
+std::string control_text(const Control& control, const std::string& language = "en",
+                         const std::string& title = "");
 
 /// Numbers that texts of a lesson state but no simulation, claim, control or source holds, each with the text
 /// it stands in: those that could become wrong without anybody being told. Not looked at: whole numbers below

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 
+#include "core/analysis/study/sweep.h"
 #include "core/lessons/lesson_language.h"
+#include "ui/language/shown_numbers.h"
+#include "ui/language/texts.h"
 #include "ui/report/html_table.h"
 #include "ui/report/question_figure.h"
 
@@ -33,11 +36,22 @@ ReportInput input_of(const Lesson& lesson, LessonRuns& runs, Progress* progress)
   return input;
 }
 
+/// "Contour tolerance [mm]": values on paper are in the unit of the key.
+std::string title_with_unit(const std::string& key) {
+  const QString title = setting_title(key);
+  const bool has_unit = key != "program" && key != "machine" && key != "model";
+  const std::string unit = has_unit ? sweep_unit(key) : std::string();
+  const KeyUnit shown = key_unit(unit);
+  const QString text = shown.factor == 1 ? shown.text : QString::fromStdString(unit);
+  return (text.isEmpty() ? title : QStringLiteral("%1 [%2]").arg(title, text)).toStdString();
+}
+
 }  // namespace
 
 ReportPage handout_page(const Lesson& lesson, LessonRuns& runs, HandoutReader reader, const SceneTexts& texts,
                         Progress* progress) {
   HandoutContents contents = handout_contents(lesson, runs, reader, progress);
+  contents.setting_title = title_with_unit;
   ReportInput input = input_of(lesson, runs, progress);
   input.texts = texts;
   ReportPage page{{}, ReportPictures(progress)};

@@ -31,7 +31,7 @@ TEST_F(Handout, HoldsTheLessonAndItsAnswersAtTheEnd) {
   EXPECT_THAT(html, AllOf(HasSubstr("<h1>A &lt; B &amp; C</h1>"),
                           HasSubstr("It takes 1.23 s at 3000 mm/min."), HasSubstr("How long?"),
                           HasSubstr("tolerance: 0.05, 0.1"), HasSubstr("time limited by axis jerk [s]"),
-                          HasSubstr("<b>First set</b> <code>lookahead_blocks=4"), HasSubstr("Look."),
+                          HasSubstr("<b>First set</b> lookahead_blocks: 4"), HasSubstr("Look."),
                           HasSubstr("Nobody 2020"), HasSubstr("lesson_right_angle.nc"),
                           HasSubstr("Spinner MVC 850")));
   EXPECT_THAT(html, Not(HasSubstr("http"))) << "nothing is loaded from elsewhere";
@@ -50,6 +50,16 @@ TEST_F(Handout, LearnersGetTheQuestionsWithRoomToWriteAndNoAnswers) {
   EXPECT_THAT(html, AllOf(HasSubstr("Which feed does each of them reach?"), HasSubstr("class=\"lines\""),
                           HasSubstr("Values tried (curvilinear_jerk_m_s3)"), HasSubstr("tables 1 to 3")));
   EXPECT_THAT(html, AllOf(Not(HasSubstr("All four reach")), Not(HasSubstr("Answer"))));
+}
+
+TEST_F(Handout, CallsSettingsAsItIsTold) {
+  const Lesson lesson = read_lesson(find_lesson("4"));
+  LessonRuns runs(lesson);
+  HandoutContents contents = handout_contents(lesson, runs, HandoutReader::learners);
+  contents.setting_title = [](const std::string& key) { return "<" + key + ">"; };
+  const std::string html = handout_html(lesson, contents);
+  EXPECT_THAT(html, AllOf(HasSubstr("Values tried (&lt;curvilinear_jerk_m_s3&gt;)"),
+                          HasSubstr("&lt;curvilinear_jerk_m_s3&gt;: 5, 10, 20")));
 }
 
 TEST_F(Handout, TheTeacherGetsAnswersAndWhatTheyBuildOn) {

@@ -83,6 +83,16 @@ TEST(Handout, ItsFiguresAreExplainedInTheLanguageOfTheLesson) {
   EXPECT_TRUE(html.contains("Figure 2. Avance et ses causes de limitation"));
 }
 
+TEST(Handout, CallsSettingsAsTheWindowDoes) {
+  const Lesson lesson = read_lesson(find_lesson("4"));
+  LessonRuns runs(lesson);
+  const QString html = handout_page(lesson, runs, HandoutReader::learners).html;
+  EXPECT_TRUE(html.contains("Curvilinear jerk [m/s³]: 5, 10, 20"))
+      << html.mid(html.indexOf("Move"), 200).toStdString();
+  EXPECT_TRUE(html.contains("Program: tapie_circle_2_5.nc"));
+  EXPECT_FALSE(html.contains("curvilinear_jerk_m_s3"));
+}
+
 TEST(Handout, MostQuestionsHaveAPictureOfTheirOwn) {
   std::size_t questions = 0;
   qsizetype pictures = 0;
