@@ -56,7 +56,12 @@ std::string conclusion(const Run& run, const TimeReport& report) {
     text += fmt::format(" ({} of the cycle time; {:.2f} times the programmed time)",
                         percent(std::abs(use.lost()), use.cycle_time), use.cycle_time / use.programmed_time);
   }
-  text += ". " + mean_feed_text(use);
+  text += ". ";
+  if (run.setup.settings.has(feed_override_key)) {
+    text += fmt::format("Programmed means with the feed override of {:.4g} %. ",
+                        run.setup.settings.number(feed_override_key));
+  }
+  text += mean_feed_text(use);
   if (!report.slow.groups.empty() && report.slow.groups.front().loss > worth_a_row * use.cycle_time) {
     const SlowGroup& most = report.slow.groups.front();
     text += fmt::format("Most is lost in {}, to {}: {}. ", info_of(most.shape).title, lost_to(most),

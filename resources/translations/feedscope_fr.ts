@@ -2122,6 +2122,10 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
+    <message>
+        <source>Programmed means with the feed override of %1 %.</source>
+        <translation>« Programmé » veut dire avec la correction d’avance de %1 %.</translation>
+    </message>
 </context>
 <context>
     <name>Tolerance</name>

@@ -37,6 +37,14 @@ TEST_F(ExplainCommand, SaysWhereTheTimeGoesAndWhatHelps) {
                                 HasSubstr("feedscope simulate stairs.nc --set tool_change_time_s=4 --")));
 }
 
+TEST_F(ExplainCommand, SaysThatTheProgrammedTimeHasAFeedOverride) {
+  const std::string words = "Programmed means with the feed override of 80 %.";
+  std::string out = run("explain stairs.nc --set feed_override_percent=80").out;
+  std::ranges::replace(out, '\n', ' ');
+  EXPECT_THAT(out, HasSubstr(words));
+  EXPECT_THAT(run("explain stairs.nc").out, testing::Not(HasSubstr("feed override of")));
+}
+
 TEST_F(ExplainCommand, SaysWhatItsShareIsOf) {
   const json report = json::parse(run("explain stairs.nc --json -").out);
   const double lost = report["lost_s"];

@@ -48,6 +48,10 @@ QString TimeTexts::conclusion(const TimeReport& report, const Run& run) {
   QString text = tr("<b>%1</b> for %2 programmed: <b>%3</b> (%4 of the cycle time).")
                      .arg(clock_text(use.cycle_time), clock_text(use.programmed_time), change(use.lost()),
                           percent(use.lost(), use.cycle_time));
+  if (run.setup.settings.has(feed_override_key)) {
+    text += QLatin1Char(' ') + tr("Programmed means with the feed override of %1 %.")
+                                   .arg(significant_number(run.setup.settings.number(feed_override_key), 4));
+  }
   if (use.mean_feed > 0) {
     const QString feed = amount_text(use.mean_feed, Dimension::feed);
     text += QLatin1Char(' ') +
