@@ -98,6 +98,9 @@ class LabelPlacer {
         const QRectF moved = moved_into(QRectF(room_.topLeft() + QPointF(x, y), wanted.size()), room_);
         // A place of the path that is covered counts as if the label were as far again.
         const double distance = QLineF(moved.topLeft(), wanted.topLeft()).length();
+        if (least.covered == 0 && distance >= least.distance) {
+          continue;  // a free place is nearer
+        }
         const Candidate candidate{covered_by(moved),
                                   covers_place(moved) ? room_.width() + distance : distance};
         if (candidate < least) {
