@@ -70,7 +70,7 @@ std::string row(const std::string& name, const std::string& value) {
   return fmt::format("<tr><td class=\"name\">{}</td><td>{}</td></tr>\n", escaped(name), escaped(value));
 }
 
-std::string setup_table(const Lesson& lesson) {
+std::string setup_table(const Lesson& lesson, const SettingWords& words) {
   const auto word = [&](const std::string& english) { return lesson_word(english, lesson.language); };
   const LessonSetup start = set_up(lesson, {});
   const ModelInfo& model = start.setup.model->info();
@@ -83,7 +83,7 @@ std::string setup_table(const Lesson& lesson) {
   for (const std::string& change : lesson.start) {
     const std::string key = assigned_key(change);
     if (key != "program" && key != "machine" && key != "model") {
-      table += row(word("Setting"), change);
+      table += row(word("Setting"), change_text(change, lesson.language, words));
     }
   }
   return table + "</table>\n";
@@ -98,19 +98,6 @@ std::string watched_text(const Question& question, const std::string& language) 
   return title_of(question.watch, language) + (unit.empty() ? "" : fmt::format(" [{}]", unit));
 }
 
-std::string setting_title(const HandoutContents& contents, const std::string& key) {
-  return contents.setting_title ? contents.setting_title(key) : key;
-}
-
-/// "tolerance=0.1" as it is called on paper.
-std::string with_title(const std::string& assignment, const HandoutContents& contents,
-                       const std::string& language) {
-  Control control;
-  control.key = assigned_key(assignment);
-  control.values = {assignment.substr(control.key.size() + 1)};
-  return control_text(control, language, setting_title(contents, control.key));
-}
-
 /// What is asked, and what to do for it.
 std::string task_html(const Question& question, std::size_t number, const HandoutContents& contents,
                       const std::string& language) {
@@ -121,15 +108,14 @@ std::string task_html(const Question& question, std::size_t number, const Handou
   if (!question.with.empty()) {
     std::vector<std::string> set;
     for (const std::string& assignment : question.with) {
-      set.push_back(with_title(assignment, contents, language));
+      set.push_back(change_text(assignment, language, contents.words));
     }
     html += fmt::format("<p><b>{}</b> {}</p>\n", word("First set"),
                         escaped(fmt::format("{}", fmt::join(set, "; "))));
   }
-  html += fmt::format(
-      "<p><b>{}</b> {}<br><b>{}</b> {}</p>\n", word("Move"),
-      escaped(control_text(question.control, language, setting_title(contents, question.control.key))),
-      word("Watch"), escaped(watched_text(question, language)));
+  html += fmt::format("<p><b>{}</b> {}<br><b>{}</b> {}</p>\n", word("Move"),
+                      escaped(control_text(question.control, language, contents.words)), word("Watch"),
+                      escaped(watched_text(question, language)));
   if (!question.hint.empty()) {
     html += fmt::format(
         "<div class=\"hint\">{}</div>\n",
@@ -145,8 +131,10 @@ std::string blank_table(const Question& question, const HandoutContents& content
   const bool of_time = question.watch.spec->key == "cycle_time_s" && question.watch.first_line == 0;
   constexpr std::size_t least_rows = 3;
   std::string html = "<table class=\"blank\" width=\"100%\" border=\"1\" cellspacing=\"0\"><tr>";
-  html += fmt::format("<th width=\"34%\">{} ({})</th><th width=\"33%\">{} [s]</th>", word("Values tried"),
-                      escaped(setting_title(contents, question.control.key)), word("cycle time"));
+  html += fmt::format(
+      "<th width=\"34%\">{} ({})</th><th width=\"33%\">{} [s]</th>", word("Values tried"),
+      escaped(contents.words.title ? contents.words.title(question.control.key) : question.control.key),
+      word("cycle time"));
   html += of_time ? std::string()
                   : fmt::format("<th width=\"33%\">{}</th>", escaped(watched_text(question, language)));
   html += "</tr>\n";
@@ -192,8 +180,8 @@ std::string claims_table(const Lesson& lesson, std::size_t index, const HandoutC
     }
     html += fmt::format(
         "<tr><td>{}</td><td>{}</td><td>{}{}</td></tr>\n",
-        escaped(quantity_text(claims[i].quantity, lesson.language)),
-        escaped(expectation_text(claims[i], lesson.language)), escaped(computed),
+        escaped(quantity_text(claims[i].quantity, lesson.language, contents.words)),
+        escaped(expectation_text(claims[i], lesson.language, contents.words)), escaped(computed),
         result.holds ? std::string() : fmt::format(" <b class=\"fails\">{}</b>", word("does not hold")));
   }
   return html + "</table>\n";
@@ -259,7 +247,8 @@ std::string handout_html(const Lesson& lesson, const HandoutContents& contents) 
   if (contents.reader != HandoutReader::everybody) {
     html += fmt::format("<p><b>{}</b></p>\n", word(of_teacher ? "For the teacher" : "For learners"));
   }
-  html += setup_table(lesson) + markdown_as_html(filled(lesson.text, contents.numbers)) + contents.figures;
+  html += setup_table(lesson, contents.words) + markdown_as_html(filled(lesson.text, contents.numbers)) +
+          contents.figures;
   for (std::size_t i = 0; i < lesson.questions.size(); ++i) {
     html += of_teacher ? answer_html(lesson, i, contents, true) : learners_question(lesson, i, contents);
   }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,8 +26,7 @@ struct HandoutContents {
   std::vector<std::vector<ClaimResult>> claims;  ///< of each question's claims; may be shorter
   std::string figures;                           ///< HTML of pictures of what the lesson begins with
   std::vector<std::string> question_figures;     ///< HTML of a picture of each question; may be shorter
-  /// What people call the setting of a key, with its unit, in the language of the lesson; none: the key.
-  std::function<std::string(const std::string&)> setting_title = {};
+  SettingWords words = {};                       ///< titles with their units, in the language of the lesson
 };
 
 /// Numbers, and for the teacher what the claims come to; no pictures. Throws as LessonRuns.

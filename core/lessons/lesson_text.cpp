@@ -10,6 +10,7 @@
 #include "core/base/nearest_name.h"
 #include "core/base/typed_number.h"
 #include "core/lessons/lesson_language.h"
+#include "core/models/control_model.h"
 
 namespace feedscope {
 namespace {
@@ -25,9 +26,31 @@ std::string in_words(const char* english, const std::string& language, const Val
   return fmt::format(fmt::runtime(lesson_word(english, language)), values...);
 }
 
-std::string changes_text(const Changes& changes, const std::string& language) {
-  return changes.empty() ? lesson_word("as the lesson begins", language)
-                         : in_words("with {}", language, fmt::format("{}", fmt::join(changes, ", ")));
+std::string title_in(const SettingWords& words, const std::string& key) {
+  return words.title ? words.title(key) : key;
+}
+
+std::string value_in(const SettingWords& words, const std::string& key, const std::string& value,
+                     const std::string& language) {
+  if (typed_number(value).value) {
+    return number_in(value, language);
+  }
+  return words.value ? words.value(key, value) : value;
+}
+
+/// As in lesson files, unless `words` call settings otherwise.
+std::string changes_text(const Changes& changes, const std::string& language, const SettingWords& words) {
+  if (changes.empty()) {
+    return lesson_word("as the lesson begins", language);
+  }
+  if (!words.title) {
+    return in_words("with {}", language, fmt::format("{}", fmt::join(changes, ", ")));
+  }
+  std::vector<std::string> texts;
+  for (const std::string& change : changes) {
+    texts.push_back(change_text(change, language, words));
+  }
+  return in_words("with {}", language, fmt::format("{}", fmt::join(texts, "; ")));
 }
 
 /// Calls `found` for every number in `text` that is not part of a word, with what follows it.
@@ -159,9 +182,10 @@ std::string value_text(const LessonQuantity& quantity, double value, const std::
   return number_with_unit(fmt::format("{:.{}f}", value, quantity.decimals), unit_of(quantity), language);
 }
 
-std::string quantity_text(const LessonQuantity& quantity, const std::string& language) {
-  const std::string text =
-      fmt::format("{} {}", title_of(quantity.measure, language), changes_text(quantity.with, language));
+std::string quantity_text(const LessonQuantity& quantity, const std::string& language,
+                          const SettingWords& words) {
+  const std::string text = fmt::format("{} {}", title_of(quantity.measure, language),
+                                       changes_text(quantity.with, language, words));
   if (!quantity.against) {
     return text;
   }
@@ -169,16 +193,16 @@ std::string quantity_text(const LessonQuantity& quantity, const std::string& lan
                                                   "{}, in percent more than that {}",
                                                   "{}, in percent less than that {}"};
   return in_words(relations[static_cast<std::size_t>(quantity.relation)], language, text,
-                  changes_text(*quantity.against, language));
+                  changes_text(*quantity.against, language, words));
 }
 
-std::string expectation_text(const Claim& claim, const std::string& language) {
+std::string expectation_text(const Claim& claim, const std::string& language, const SettingWords& words) {
   const auto with_unit = [&](double value) {
     return number_with_unit(fmt::format("{}", value), unit_of(claim.quantity), language);
   };
   const auto* changes = std::get_if<Changes>(&claim.bound);
   const std::string bound = changes != nullptr
-                                ? in_words("that {}", language, changes_text(*changes, language))
+                                ? in_words("that {}", language, changes_text(*changes, language, words))
                                 : with_unit(std::get<double>(claim.bound));
   switch (claim.kind) {
     case Claim::Kind::less_than:
@@ -195,11 +219,11 @@ std::string expectation_text(const Claim& claim, const std::string& language) {
   return bound;
 }
 
-std::string control_text(const Control& control, const std::string& language, const std::string& title) {
-  const std::string& name = title.empty() ? control.key : title;
+std::string control_text(const Control& control, const std::string& language, const SettingWords& words) {
+  const std::string name = title_in(words, control.key);
   std::vector<std::string> values;
   for (const std::string& value : control.values) {
-    values.push_back(typed_number(value).value ? number_in(value, language) : value);
+    values.push_back(value_in(words, control.key, value, language));
   }
   if (control.range) {
     return fmt::format(fmt::runtime(lesson_word("{}: from {} to {}", language)), name, values.front(),
@@ -207,6 +231,11 @@ std::string control_text(const Control& control, const std::string& language, co
   }
   return fmt::format(fmt::runtime(lesson_word("{}: {}", language)), name,
                      fmt::join(values, lesson_word(", ", language)));
+}
+
+std::string change_text(const std::string& change, const std::string& language, const SettingWords& words) {
+  const std::string key = assigned_key(change);
+  return control_text({key, {change.substr(key.size() + 1)}, false}, language, words);
 }
 
 std::vector<std::string> unchecked_numbers(const Lesson& lesson) {

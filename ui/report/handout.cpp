@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "core/analysis/study/sweep.h"
 #include "core/lessons/lesson_language.h"
+#include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"
 #include "ui/report/html_table.h"
@@ -46,12 +48,17 @@ std::string title_with_unit(const std::string& key) {
   return (text.isEmpty() ? title : QStringLiteral("%1 [%2]").arg(title, text)).toStdString();
 }
 
+/// Programs by their names, words as the window has them.
+std::string word_for_value(const std::string& key, const std::string& value) {
+  return key == "program" ? std::filesystem::path(value).filename().string() : core_text(value).toStdString();
+}
+
 }  // namespace
 
 ReportPage handout_page(const Lesson& lesson, LessonRuns& runs, HandoutReader reader, const SceneTexts& texts,
                         Progress* progress) {
   HandoutContents contents = handout_contents(lesson, runs, reader, progress);
-  contents.setting_title = title_with_unit;
+  contents.words = {title_with_unit, word_for_value};
   ReportInput input = input_of(lesson, runs, progress);
   input.texts = texts;
   ReportPage page{{}, ReportPictures(progress)};

@@ -56,7 +56,7 @@ TEST_F(Handout, CallsSettingsAsItIsTold) {
   const Lesson lesson = read_lesson(find_lesson("4"));
   LessonRuns runs(lesson);
   HandoutContents contents = handout_contents(lesson, runs, HandoutReader::learners);
-  contents.setting_title = [](const std::string& key) { return "<" + key + ">"; };
+  contents.words.title = [](const std::string& key) { return "<" + key + ">"; };
   const std::string html = handout_html(lesson, contents);
   EXPECT_THAT(html, AllOf(HasSubstr("Values tried (&lt;curvilinear_jerk_m_s3&gt;)"),
                           HasSubstr("&lt;curvilinear_jerk_m_s3&gt;: 5, 10, 20")));

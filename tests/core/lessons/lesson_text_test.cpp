@@ -29,6 +29,21 @@ TEST_F(LessonText, ClaimsAreSaidInWords) {
   EXPECT_EQ(control_text(lesson.questions[0].control), "tolerance: 0.05, 0.1");
 }
 
+TEST_F(LessonText, SettingsAreCalledAsPeopleDo) {
+  const Lesson lesson = read_lesson(write(good_lesson));
+  const auto& claims = lesson.questions[0].claims;
+  SettingWords words;
+  words.title = [](const std::string& key) { return key == "tolerance" ? "Contour tolerance [mm]" : key; };
+  words.value = [](const std::string&, const std::string& value) { return "(" + value + ")"; };
+  EXPECT_EQ(quantity_text(claims[0].quantity, "en", words), "cycle time with Contour tolerance [mm]: 0.2");
+  EXPECT_EQ(expectation_text(claims[0], "en", words), "less than that with Contour tolerance [mm]: 0.1");
+  EXPECT_EQ(quantity_text(lesson.numbers.at("less"), "en", words),
+            "cycle time with model: (cam), in percent less than that as the lesson begins");
+  EXPECT_EQ(control_text(lesson.questions[0].control, "fr", words),
+            "Contour tolerance [mm]\u00a0: 0,05\u00a0; 0,1");
+  EXPECT_EQ(change_text("lookahead=off", "en", words), "lookahead: (off)");
+}
+
 TEST_F(LessonText, NumbersThatNothingChecksAreFound) {
   EXPECT_THAT(unchecked_numbers(read_lesson(write(good_lesson))), testing::IsEmpty());
   EXPECT_THAT(unchecked_numbers(read_lesson(changed("\"Look.\"", "\"It takes 4.2 s, or 12 blocks.\""))),
