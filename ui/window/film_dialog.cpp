@@ -69,24 +69,21 @@ FilmDialog::FilmDialog(Subject subject, const QString& executable, QWidget* pare
       language_(new LanguageBox(this)),
       format_(new QComboBox(this)),
       length_(new QLabel(this)),
-      state_(new QLabel(this)),
+      state_(new StateLine(this)),
       progress_(new QProgressBar(this)),
       save_(new QPushButton(tr("&Save film …"), this)),
       cancel_(new QPushButton(tr("Cancel"), this)),
-      making_(executable, film_command) {
+      making_(executable, film_command, *state_) {
   setWindowTitle(tr("Film"));
   setMinimumWidth(least_width);
   progress_->setRange(0, 1000);
   progress_->setTextVisible(false);
   progress_->setMaximumHeight(6);
-  for (QLabel* label : {length_, state_}) {
-    label->setWordWrap(true);
-    label->setTextFormat(Qt::PlainText);
-  }
+  length_->setWordWrap(true);
+  length_->setTextFormat(Qt::PlainText);
   constexpr int rows_of_problem = 2;
   length_->setMinimumHeight(rows_of_problem * length_->fontMetrics().lineSpacing());
   length_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  state_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* close = new QPushButton(tr("Close"), this);
   for (QPushButton* button : {close, cancel_}) {
     button->setAutoDefault(false);
@@ -118,12 +115,10 @@ FilmDialog::FilmDialog(Subject subject, const QString& executable, QWidget* pare
   connect(close, &QPushButton::clicked, this, &QDialog::reject);
   connect(save_, &QPushButton::clicked, this, &FilmDialog::ask_and_save);
   connect(cancel_, &QPushButton::clicked, this, &FilmDialog::cancel);
-  connect(&making_, &CommandProcess::progressed, this,
+  connect(&making_, &FileWriting::progressed, this,
           [this](double fraction) { progress_->setValue(static_cast<int>(1000 * fraction)); });
-  connect(&making_, &CommandProcess::failed, this, [this](const QString& message) {
-    show_busy(false);
-    show_state(message, true);
-  });
+  connect(&making_, &FileWriting::ended, this, [this] { show_busy(false); });
+  connect(&making_, &FileWriting::saved, this, &FilmDialog::saved);
   show_busy(false);
   show_stretch(subject_.shown);
 }
@@ -328,28 +323,17 @@ void FilmDialog::save(const QString& file) {
   try {
     write_session(subject_.session, to_path(session));
   } catch (const InputError& error) {
-    show_state(failure_text(error), true);
+    state_->say_failure(failure_text(error));
     return;
   }
-  const QFileInfo target(file);
-  disconnect(&making_, &CommandProcess::done, this, nullptr);
-  connect(&making_, &CommandProcess::done, this, [this, name = target.fileName()] {
-    show_busy(false);
-    const QString message = tr("%1 has been written").arg(name);
-    show_state(message);
-    emit saved(message);
-  });
-  show_state(tr("Writing %1 …").arg(target.fileName()));
-  making_.start(
-      film_arguments(wish(), session) + QStringList{QStringLiteral("--film=%1").arg(target.fileName())},
-      target.absolutePath());
+  making_.start(film_arguments(wish(), session), QStringLiteral("--film"), file);
   show_busy(true);
 }
 
 void FilmDialog::cancel() {
   making_.cancel();
   show_busy(false);
-  show_state(tr("Cancelled; nothing has been written."));
+  state_->say(tr("Cancelled; nothing has been written."));
 }
 
 void FilmDialog::show_busy(bool busy) {
@@ -358,11 +342,6 @@ void FilmDialog::show_busy(bool busy) {
   cancel_->setVisible(busy);
   save_->setVisible(!busy);
   follow();
-}
-
-void FilmDialog::show_state(const QString& message, bool is_failure) {
-  state_->setText(message);
-  state_->setForegroundRole(is_failure ? QPalette::BrightText : QPalette::WindowText);
 }
 
 }  // namespace feedscope::ui

@@ -5,8 +5,8 @@
 #include <QTemporaryDir>
 
 #include "ui/charts/value_fit.h"
-#include "ui/report/command_process.h"
 #include "ui/session/session.h"
+#include "ui/window/file_writing.h"
 #include "ui/window/film_wish.h"
 
 class QCheckBox;
@@ -67,7 +67,6 @@ class FilmDialog : public QDialog {
   QString problem() const;
   void ask_and_save();
   void show_busy(bool busy);
-  void show_state(const QString& message, bool is_failure = false);
 
   Subject subject_;
   QTemporaryDir folder_;
@@ -82,13 +81,13 @@ class FilmDialog : public QDialog {
   LanguageBox* language_;
   QComboBox* format_;
   QLabel* length_;
-  QLabel* state_;
+  StateLine* state_;
   QProgressBar* progress_;
   QPushButton* save_;
   QPushButton* cancel_;
   bool own_speed_ = false;  ///< the user chose it; otherwise it follows the stretch
   bool own_trail_ = false;  ///< the same; otherwise it follows the speed
-  CommandProcess making_;
+  FileWriting making_;
 };
 
 }  // namespace feedscope::ui

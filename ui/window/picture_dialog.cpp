@@ -7,7 +7,6 @@
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QPushButton>
 #include <QScreen>
 #include <QSettings>
@@ -60,13 +59,11 @@ PictureDialog::PictureDialog(Subject subject, const QString& executable, QWidget
       language_(new LanguageBox(this)),
       transparent_(new QCheckBox(tr("&Without a background"), this)),
       preview_(new PagePreview(this)),
-      state_(new QLabel(this)),
+      state_(new StateLine(this)),
       save_(new QPushButton(tr("&Save picture …"), this)),
       previewing_(executable, render_command),
-      saving_(executable, render_command) {
+      saving_(executable, render_command, *state_) {
   setWindowTitle(tr("Picture"));
-  state_->setWordWrap(true);
-  state_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* close = new QPushButton(tr("Close"), this);
   close->setAutoDefault(false);
   connect(close, &QPushButton::clicked, this, &QDialog::reject);
@@ -98,17 +95,14 @@ PictureDialog::PictureDialog(Subject subject, const QString& executable, QWidget
   connect(&changed_, &QTimer::timeout, this, &PictureDialog::make_preview);
   connect(save_, &QPushButton::clicked, this, &PictureDialog::ask_and_save);
   connect(&previewing_, &CommandProcess::done, this, &PictureDialog::show_preview);
-  for (CommandProcess* process : {&previewing_, &saving_}) {
-    connect(process, &CommandProcess::failed, this, [this](const QString& message) {
-      save_->setEnabled(true);
-      show_state(message, true);
-    });
-  }
+  connect(&previewing_, &CommandProcess::failed, state_, &StateLine::say_failure);
+  connect(&saving_, &FileWriting::ended, this, [this] { save_->setEnabled(true); });
+  connect(&saving_, &FileWriting::saved, this, &PictureDialog::saved);
   try {
     write_session(subject_.session, to_path(QDir(folder_.path()).filePath(picture_session)));
     make_preview();
   } catch (const InputError& error) {
-    show_state(failure_text(error), true);
+    state_->say_failure(failure_text(error));
   }
 }
 
@@ -227,7 +221,7 @@ void PictureDialog::make_preview() {
   changed_.stop();
   const QDir folder(folder_.path());
   QFile::remove(folder.filePath(preview_name));
-  show_state(tr("Drawing the preview …"));
+  state_->say(tr("Drawing the preview …"));
   previewing_.start(picture_arguments(for_preview(wish(), picture_preview_dpi), picture_session) +
                         QStringList{QStringLiteral("--out=%1").arg(preview_name)},
                     folder.path());
@@ -237,18 +231,12 @@ void PictureDialog::show_preview() {
   const QImage image(QDir(folder_.path()).filePath(preview_name));
   preview_->set_pages({image});
   const PictureWish asked = wish();
-  show_state(asked.on_paper() ? tr("Preview of %1").arg(asked.size)
-                              : tr("Preview of %1 × %2 pixels").arg(image.width()).arg(image.height()));
+  state_->say(asked.on_paper() ? tr("Preview of %1").arg(asked.size)
+                               : tr("Preview of %1 × %2 pixels").arg(image.width()).arg(image.height()));
 }
 
 QString PictureDialog::state() const {
   return state_->text();
-}
-
-void PictureDialog::show_state(const QString& message, bool is_failure) {
-  state_->setTextFormat(Qt::PlainText);
-  state_->setText(message);
-  state_->setForegroundRole(is_failure ? QPalette::BrightText : QPalette::WindowText);
 }
 
 QString PictureDialog::proposed_file() const {
@@ -273,18 +261,8 @@ void PictureDialog::save(const QString& file) {
   remember();
   previewing_.cancel();
   save_->setEnabled(false);
-  const QFileInfo target(file);
-  disconnect(&saving_, &CommandProcess::done, this, nullptr);
-  connect(&saving_, &CommandProcess::done, this, [this, name = target.fileName()] {
-    save_->setEnabled(true);
-    const QString message = tr("%1 has been written").arg(name);
-    show_state(message);
-    emit saved(message);
-  });
-  show_state(tr("Writing %1 …").arg(target.fileName()));
-  saving_.start(picture_arguments(wish(), QDir(folder_.path()).filePath(picture_session)) +
-                    QStringList{QStringLiteral("--out=%1").arg(target.fileName())},
-                target.absolutePath());
+  saving_.start(picture_arguments(wish(), QDir(folder_.path()).filePath(picture_session)),
+                QStringLiteral("--out"), file);
 }
 
 void PictureDialog::remember() const {

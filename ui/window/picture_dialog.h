@@ -7,11 +7,11 @@
 
 #include "ui/report/command_process.h"
 #include "ui/session/session.h"
+#include "ui/window/file_writing.h"
 #include "ui/window/picture_wish.h"
 
 class QCheckBox;
 class QComboBox;
-class QLabel;
 class QPushButton;
 
 namespace feedscope::ui {
@@ -62,7 +62,6 @@ class PictureDialog : public QDialog {
   void ask_and_save();
   void make_preview();
   void show_preview();
-  void show_state(const QString& message, bool is_failure = false);
   void remember() const;
 
   Subject subject_;
@@ -76,11 +75,11 @@ class PictureDialog : public QDialog {
   LanguageBox* language_;
   QCheckBox* transparent_;
   PagePreview* preview_;
-  QLabel* state_;
+  StateLine* state_;
   QPushButton* save_;
   QTimer changed_;
   CommandProcess previewing_;
-  CommandProcess saving_;
+  FileWriting saving_;
 };
 
 }  // namespace feedscope::ui

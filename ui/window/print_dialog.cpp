@@ -19,6 +19,7 @@
 #include "ui/shared/paths.h"
 #include "ui/units/unit_system.h"
 #include "ui/window/handout_command.h"
+#include "ui/window/state_line.h"
 
 namespace feedscope::ui {
 
@@ -55,7 +56,7 @@ PrintDialog::PrintDialog(PrintSubject subject, const QString& executable, QWidge
       printer_(QPrinter::HighResolution),
       choice_(new QComboBox(this)),
       preview_(new QPrintPreviewWidget(&printer_, this)),
-      state_(new QLabel(this)),
+      state_(new StateLine(this)),
       print_(new QPushButton(tr("&Print …"), this)),
       making_(executable, {}) {
   setWindowTitle(tr("Print"));
@@ -68,8 +69,7 @@ PrintDialog::PrintDialog(PrintSubject subject, const QString& executable, QWidge
   connect(choice_, &QComboBox::currentIndexChanged, this, &PrintDialog::make_pages);
   connect(print_, &QPushButton::clicked, this, &PrintDialog::ask_and_print);
   connect(&making_, &CommandProcess::done, this, &PrintDialog::read_pages);
-  connect(&making_, &CommandProcess::failed, this,
-          [this](const QString& message) { show_state(message, true); });
+  connect(&making_, &CommandProcess::failed, state_, &StateLine::say_failure);
   make_pages();
 }
 
@@ -81,7 +81,9 @@ void PrintDialog::list_items() {
     items_.append(
         {tr("Report"), as_in_window({QStringLiteral("report"), printed_session}, subject_.language), {}});
   }
+  qsizetype proposed = 0;
   if (subject_.lesson != nullptr) {
+    proposed = items_.size();  // in a class, hand-outs are what is printed most
     for (const auto& [reader, title] : {std::pair(HandoutReader::learners, tr("Hand-out for learners")),
                                         std::pair(HandoutReader::teacher, tr("Hand-out for the teacher")),
                                         std::pair(HandoutReader::everybody, tr("Hand-out for everybody"))}) {
@@ -91,15 +93,14 @@ void PrintDialog::list_items() {
            {}});
     }
   }
-  int focused = 0;
   for (const PrintedTable& table : subject_.tables) {
-    focused = table.has_focus ? static_cast<int>(items_.size()) : focused;
+    proposed = table.has_focus ? items_.size() : proposed;
     items_.append({tr("Table: %1").arg(table.title), {}, table});
   }
   for (const Item& item : items_) {
     choice_->addItem(item.title);
   }
-  choice_->setCurrentIndex(items_.isEmpty() ? -1 : focused);
+  choice_->setCurrentIndex(items_.isEmpty() ? -1 : static_cast<int>(proposed));
 }
 
 void PrintDialog::make_layout() {
@@ -107,8 +108,6 @@ void PrintDialog::make_layout() {
   what->setBuddy(choice_);
   choice_->setToolTip(tr("What is printed: as the window shows it now"));
   preview_->setAccessibleName(tr("Preview of the pages"));
-  state_->setWordWrap(true);
-  state_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   print_->setToolTip(tr("Choose a printer, or a PDF file, and print these pages"));
   print_->setDefault(true);
   auto* close = new QPushButton(tr("Close"), this);
@@ -133,7 +132,7 @@ void PrintDialog::make_pages() {
   show_pages({});
   const int row = choice_->currentIndex();
   if (row < 0) {
-    show_state(tr("There is nothing to print: open a program or a lesson first."), true);
+    state_->say_failure(tr("There is nothing to print: open a program or a lesson first."));
     return;
   }
   const Item& item = items_[row];
@@ -147,10 +146,10 @@ void PrintDialog::make_pages() {
       write_session(*subject_.session, to_path(QDir(folder_.path()).filePath(printed_session)));
     }
   } catch (const InputError& error) {
-    show_state(failure_text(error), true);
+    state_->say_failure(failure_text(error));
     return;
   }
-  show_state(tr("Making the pages …"));
+  state_->say(tr("Making the pages …"));
   making_.start(item.command + QStringList{QStringLiteral("--out"), printed_pages}, folder_.path());
 }
 
@@ -162,7 +161,7 @@ void PrintDialog::read_pages() {
     }
     show_pages(RecordedPages::from_bytes(file.readAll()));
   } catch (const InputError& error) {
-    show_state(failure_text(error), true);
+    state_->say_failure(failure_text(error));
   }
 }
 
@@ -171,13 +170,8 @@ void PrintDialog::show_pages(RecordedPages pages) {
   printer_.setDocName(pages_.title());
   printer_.setPageOrientation(pages_.landscape() ? QPageLayout::Landscape : QPageLayout::Portrait);
   print_->setEnabled(pages_.count() > 0);
-  show_state(pages_.count() == 1 ? tr("1 page") : tr("%1 pages").arg(pages_.count()));
+  state_->say(pages_.count() == 1 ? tr("1 page") : tr("%1 pages").arg(pages_.count()));
   preview_->updatePreview();
-}
-
-void PrintDialog::show_state(const QString& message, bool is_failure) {
-  state_->setText(message);
-  state_->setForegroundRole(is_failure ? QPalette::BrightText : QPalette::WindowText);
 }
 
 QString PrintDialog::state() const {
@@ -196,7 +190,7 @@ void PrintDialog::ask_and_print() {
 void PrintDialog::print() {
   pages_.print(printer_);
   if (printer_.printerState() == QPrinter::Error) {
-    show_state(tr("The printer reports an error; nothing was printed."), true);
+    state_->say_failure(tr("The printer reports an error; nothing was printed."));
     return;
   }
   const QString target =

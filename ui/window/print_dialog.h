@@ -9,11 +9,12 @@
 #include "ui/window/print_subject.h"
 
 class QComboBox;
-class QLabel;
 class QPrintPreviewWidget;
 class QPushButton;
 
 namespace feedscope::ui {
+
+class StateLine;
 
 /// Asks what of the window is to be printed, shows its pages and prints them: 3D view, charts, sheet, report,
 /// hand-outs of the open lesson, tables of panels. Pages are vectors, as in PDF files. All but tables are
@@ -52,7 +53,6 @@ class PrintDialog : public QDialog {
   void make_pages();
   void read_pages();
   void show_pages(RecordedPages pages);
-  void show_state(const QString& message, bool is_failure = false);
   void ask_and_print();
 
   PrintSubject subject_;
@@ -62,7 +62,7 @@ class PrintDialog : public QDialog {
   QPrinter printer_;
   QComboBox* choice_;
   QPrintPreviewWidget* preview_;
-  QLabel* state_;
+  StateLine* state_;
   QPushButton* print_;
   CommandProcess making_;
 };

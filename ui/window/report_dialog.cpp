@@ -82,16 +82,14 @@ ReportDialog::ReportDialog(Subject subject, const QString& executable, QWidget* 
       with_session_(new QCheckBox(tr("Save the session beside it, to make it again"), this)),
       preview_(new PagePreview(this)),
       progress_(new QProgressBar(this)),
-      state_(new QLabel(this)),
+      state_(new StateLine(this)),
       save_(new QPushButton(tr("&Save report …"), this)),
       previewing_(executable, report_command),
-      saving_(executable, report_command) {
+      saving_(executable, report_command, *state_) {
   setWindowTitle(tr("Report"));
   progress_->setRange(0, 1000);
   progress_->setTextVisible(false);
   progress_->setMaximumHeight(6);
-  state_->setWordWrap(true);
-  state_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* close = new QPushButton(tr("Close"), this);
   close->setAutoDefault(false);
   connect(close, &QPushButton::clicked, this, &QDialog::reject);
@@ -123,14 +121,20 @@ ReportDialog::ReportDialog(Subject subject, const QString& executable, QWidget* 
   connect(&changed_, &QTimer::timeout, this, &ReportDialog::make_preview);
   connect(save_, &QPushButton::clicked, this, &ReportDialog::ask_and_save);
   connect(&previewing_, &CommandProcess::done, this, &ReportDialog::show_pages);
-  for (CommandProcess* process : {&previewing_, &saving_}) {
-    connect(process, &CommandProcess::progressed, this,
-            [this](double fraction) { progress_->setValue(static_cast<int>(1000 * fraction)); });
-    connect(process, &CommandProcess::failed, this, [this](const QString& message) {
-      save_->setEnabled(true);
-      show_state(message, true);
-    });
-  }
+  connect(&previewing_, &CommandProcess::failed, this, [this](const QString& message) {
+    show_progress(false);
+    state_->say_failure(message);
+  });
+  connect(&saving_, &FileWriting::ended, this, [this] {
+    save_->setEnabled(true);
+    show_progress(false);
+  });
+  connect(&saving_, &FileWriting::saved, this, &ReportDialog::saved);
+  const auto show_fraction = [this](double fraction) {
+    progress_->setValue(static_cast<int>(1000 * fraction));
+  };
+  connect(&previewing_, &CommandProcess::progressed, this, show_fraction);
+  connect(&saving_, &FileWriting::progressed, this, show_fraction);
   make_preview();
 }
 
@@ -225,7 +229,8 @@ void ReportDialog::make_preview() {
   if (std::ranges::find(asked.runs, true) == asked.runs.end()) {
     previewing_.cancel();
     save_->setEnabled(false);
-    show_state(tr("Tick a run at least."), true);
+    show_progress(false);
+    state_->say_failure(tr("Tick a run at least."));
     return;
   }
   save_->setEnabled(!saving_.busy());
@@ -237,10 +242,11 @@ void ReportDialog::make_preview() {
   try {
     write_session(with_runs(subject_.session, asked.runs), to_path(folder.filePath(session_name)));
   } catch (const InputError& error) {
-    show_state(failure_text(error), true);
+    state_->say_failure(failure_text(error));
     return;
   }
-  show_state(tr("Making the preview …"));
+  state_->say(tr("Making the preview …"));
+  show_progress(true);
   const int dpi = static_cast<int>(preview_dpi * devicePixelRatioF());
   previewing_.start(report_arguments(asked, session_name) +
                         QStringList{QStringLiteral("--dpi=%1").arg(dpi), QStringLiteral("--out=page.png")},
@@ -258,15 +264,13 @@ void ReportDialog::show_pages() {
     pages.append(image);
   }
   preview_->set_pages(pages);
-  show_state(pages.size() == 1 ? tr("1 page") : tr("%1 pages").arg(pages.size()));
+  show_progress(false);
+  state_->say(pages.size() == 1 ? tr("1 page") : tr("%1 pages").arg(pages.size()));
 }
 
-void ReportDialog::show_state(const QString& message, bool is_failure) {
-  state_->setText(message.toHtmlEscaped().replace('\n', QStringLiteral("<br>")));
-  state_->setTextFormat(Qt::RichText);
-  state_->setForegroundRole(is_failure ? QPalette::BrightText : QPalette::WindowText);
+void ReportDialog::show_progress(bool on) {
   progress_->setValue(0);
-  progress_->setVisible(previewing_.busy() || saving_.busy() || message.endsWith(QStringLiteral("…")));
+  progress_->setVisible(on || saving_.busy());
 }
 
 void ReportDialog::ask_for_logo() {
@@ -313,24 +317,14 @@ void ReportDialog::save(const QString& file) {
   try {
     write_session(with_runs(subject_.session, asked.runs), to_path(session));
   } catch (const InputError& error) {
-    show_state(failure_text(error), true);
+    state_->say_failure(failure_text(error));
     return;
   }
   previewing_.cancel();
   save_->setEnabled(false);
-  connect(
-      &saving_, &CommandProcess::done, this,
-      [this, name = target.fileName()] {
-        save_->setEnabled(true);
-        const QString message = tr("%1 has been written").arg(name);
-        show_state(message);
-        emit saved(message);
-      },
-      Qt::SingleShotConnection);
-  show_state(tr("Writing %1 …").arg(target.fileName()));
-  saving_.start(report_arguments(asked, keeps_session ? QFileInfo(session).fileName() : session) +
-                    QStringList{QStringLiteral("--out=%1").arg(target.fileName())},
-                target.absolutePath());
+  saving_.start(report_arguments(asked, keeps_session ? QFileInfo(session).fileName() : session),
+                QStringLiteral("--out"), file);
+  show_progress(true);
 }
 
 void ReportDialog::remember() const {

@@ -5,10 +5,10 @@
 #include <QTimer>
 
 #include "ui/report/command_process.h"
+#include "ui/window/file_writing.h"
 #include "ui/window/report_wish.h"
 
 class QCheckBox;
-class QLabel;
 class QLineEdit;
 class QListWidget;
 class QPlainTextEdit;
@@ -60,7 +60,7 @@ class ReportDialog : public QDialog {
   void ask_and_save();
   void make_preview();
   void show_pages();
-  void show_state(const QString& message, bool is_failure = false);
+  void show_progress(bool on);
   void remember() const;
 
   Subject subject_;
@@ -77,11 +77,11 @@ class ReportDialog : public QDialog {
   QCheckBox* with_session_;
   PagePreview* preview_;
   QProgressBar* progress_;
-  QLabel* state_;
+  StateLine* state_;
   QPushButton* save_;
   QTimer changed_;
   CommandProcess previewing_;
-  CommandProcess saving_;
+  FileWriting saving_;
 };
 
 }  // namespace feedscope::ui

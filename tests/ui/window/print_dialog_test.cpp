@@ -66,7 +66,7 @@ TEST_F(PrintDialogTest, OffersWhatThereIs) {
   subject.lesson = &lesson;
   PrintDialog dialog(subject, FEEDSCOPE_EXECUTABLE);
   ASSERT_EQ(dialog.choice().count(), 7);
-  dialog.choice().setCurrentIndex(4);
+  EXPECT_EQ(dialog.choice().currentIndex(), 4) << "the hand-out of the lesson that is open";
   ASSERT_TRUE(rests(dialog));
   EXPECT_GE(dialog.pages().count(), 2) << dialog.state().toStdString();
   EXPECT_FALSE(dialog.pages().landscape());
