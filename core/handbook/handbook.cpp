@@ -43,9 +43,10 @@ std::string title_of(const std::string& markdown) {
   return std::regex_search(markdown, match, heading) ? match[1].str() : "";
 }
 
-/// "Times and positions" is "times-and-positions"; of other signs only letters beyond ASCII stay.
+/// "Times and positions" is "times-and-positions"; of other signs only letters beyond ASCII stay, not the
+/// typographic apostrophe.
 std::string anchor_of(const std::string& heading) {
-  static const std::regex markup("<[^>]*>|&[a-z]+;");
+  static const std::regex markup("<[^>]*>|&[a-z]+;|\u2019");
   std::string anchor;
   for (const char c : lower_case(std::regex_replace(heading, markup, ""))) {
     const auto byte = static_cast<unsigned char>(c);

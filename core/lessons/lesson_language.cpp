@@ -131,7 +131,7 @@ const std::map<std::string, std::string>& french_words() {
       {"swing about the tip", "pivotement autour de la pointe"},
       {"swing about the tip, held by axis %1", "pivotement autour de la pointe, retenu par l’axe %1"},
       {"junction deviation", "écart de jonction (junction deviation)"},
-      {"square corner velocity", "vitesse de coin à 90° (square corner velocity)"},
+      {"square corner velocity", "vitesse dans un angle de 90° (square corner velocity)"},
       {"minimum cruise ratio", "part minimale à vitesse constante"},
       {"kink between blocks", "cassure entre blocs"},
       {"velocity along the path", "vitesse le long de la trajectoire"},

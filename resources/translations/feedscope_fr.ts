@@ -56,7 +56,7 @@
     <name>ChartExport</name>
     <message>
         <source>cannot write %1: %2</source>
-        <translation>impossible d&apos;écrire %1&#xa0;: %2</translation>
+        <translation>impossible d’écrire %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>a row every %1 s gives more than 20 million rows; show a shorter range or choose a larger step</source>
@@ -107,7 +107,7 @@
     </message>
     <message>
         <source>set path: the machine has no drives</source>
-        <translation>trajectoire de consigne : la machine n&apos;a pas d&apos;entraînements</translation>
+        <translation>trajectoire de consigne : la machine n’a pas d’entraînements</translation>
     </message>
 </context>
 <context>
@@ -138,7 +138,7 @@
     </message>
     <message>
         <source>No contour tolerance applies.</source>
-        <translation>Aucune tolérance de contour ne s&apos;applique.</translation>
+        <translation>Aucune tolérance de contour ne s’applique.</translation>
     </message>
     <message>
         <source>The largest error is along Z, so left and right do not show it.</source>
@@ -247,11 +247,11 @@
     </message>
     <message>
         <source>1 tool change</source>
-        <translation>1 changement d&apos;outil</translation>
+        <translation>1 changement d’outil</translation>
     </message>
     <message>
         <source>%1 tool changes</source>
-        <translation>%1 changements d&apos;outil</translation>
+        <translation>%1 changements d’outil</translation>
     </message>
     <message>
         <source>1 spindle start</source>
@@ -287,19 +287,19 @@
     </message>
     <message>
         <source>1 turn of rotary axes for a tilted plane</source>
-        <translation>1 rotation d&apos;axes rotatifs pour un plan incliné</translation>
+        <translation>1 rotation d’axes rotatifs pour un plan incliné</translation>
     </message>
     <message>
         <source>%1 turns of rotary axes for tilted planes</source>
-        <translation>%1 rotations d&apos;axes rotatifs pour des plans inclinés</translation>
+        <translation>%1 rotations d’axes rotatifs pour des plans inclinés</translation>
     </message>
     <message>
         <source>1 possible delay by X, Y and Z that follow rotary axes (tool length or part zero unknown)</source>
-        <translation>1 retard possible par X, Y et Z qui suivent les axes rotatifs (longueur d&apos;outil ou origine de la pièce inconnue)</translation>
+        <translation>1 retard possible par X, Y et Z qui suivent les axes rotatifs (longueur d’outil ou origine de la pièce inconnue)</translation>
     </message>
     <message>
         <source>%1 possible delays by X, Y and Z that follow rotary axes (tool length or part zero unknown)</source>
-        <translation>%1 retards possibles par X, Y et Z qui suivent les axes rotatifs (longueur d&apos;outil ou origine de la pièce inconnue)</translation>
+        <translation>%1 retards possibles par X, Y et Z qui suivent les axes rotatifs (longueur d’outil ou origine de la pièce inconnue)</translation>
     </message>
 </context>
 <context>
@@ -325,7 +325,7 @@
     </message>
     <message>
         <source>A recording of the test program tells it: part %1.</source>
-        <translation>Un enregistrement du programme d&apos;essai le révèle&#xa0;: partie %1.</translation>
+        <translation>Un enregistrement du programme d’essai le révèle&#xa0;: partie %1.</translation>
     </message>
     <message>
         <source>The model %1 explains what was recorded.</source>
@@ -341,7 +341,7 @@
     </message>
     <message>
         <source>The part %1 of the test program would tell: %2</source>
-        <translation>La partie %1 du programme d&apos;essai donnerait : %2</translation>
+        <translation>La partie %1 du programme d’essai donnerait : %2</translation>
     </message>
     <message>
         <source>With 95 % probability the true value is %1, if the control is of this model.</source>
@@ -353,11 +353,11 @@
     </message>
     <message>
         <source>The others keep the value that explains the recording as well.</source>
-        <translation>Les autres gardent la valeur qui explique aussi bien l&apos;enregistrement.</translation>
+        <translation>Les autres gardent la valeur qui explique aussi bien l’enregistrement.</translation>
     </message>
     <message>
         <source>The model %1 does not explain what was recorded: it misses more than 5 % of the feed or 1 % of the time, so its numbers would say nothing of your machine.</source>
-        <translation>Le modèle %1 n&apos;explique pas ce qui a été enregistré&#xa0;: il manque plus de 5&#xa0;% de l&apos;avance ou 1&#xa0;% du temps, ses nombres ne diraient donc rien de votre machine.</translation>
+        <translation>Le modèle %1 n’explique pas ce qui a été enregistré&#xa0;: il manque plus de 5&#xa0;% de l’avance ou 1&#xa0;% du temps, ses nombres ne diraient donc rien de votre machine.</translation>
     </message>
     <message>
         <source>With 95 % probability the true value is %1, if the drive is linear and both positions are of the same instant.</source>
@@ -381,7 +381,7 @@
     </message>
     <message>
         <source>No part of the test program would tell this value.</source>
-        <translation>Aucune partie du programme d&apos;essai ne révélerait cette valeur.</translation>
+        <translation>Aucune partie du programme d’essai ne révélerait cette valeur.</translation>
     </message>
 </context>
 <context>
@@ -447,7 +447,7 @@
     </message>
     <message>
         <source>All axes at zero; lengths in mm; arrows: positive directions of the tool against the part (ISO 841)</source>
-        <translation>Tous les axes à zéro&#xa0;; longueurs en mm&#xa0;; flèches&#xa0;: sens positifs de l&apos;outil par rapport à la pièce (ISO 841)</translation>
+        <translation>Tous les axes à zéro&#xa0;; longueurs en mm&#xa0;; flèches&#xa0;: sens positifs de l’outil par rapport à la pièce (ISO 841)</translation>
     </message>
     <message>
         <source>gauge point (0, 0, 0)</source>
@@ -479,7 +479,7 @@
     </message>
     <message>
         <source>turns the tool</source>
-        <translation>tourne l&apos;outil</translation>
+        <translation>tourne l’outil</translation>
     </message>
     <message>
         <source>part</source>
@@ -495,7 +495,7 @@
     </message>
     <message>
         <source>Chain: axes before the frame carry the part, those behind it the tool</source>
-        <translation>Chaîne&#xa0;: les axes avant le bâti portent la pièce, ceux qui le suivent l&apos;outil</translation>
+        <translation>Chaîne&#xa0;: les axes avant le bâti portent la pièce, ceux qui le suivent l’outil</translation>
     </message>
 </context>
 <context>
@@ -563,7 +563,7 @@
     </message>
     <message>
         <source>%1 of feed motions without an operation</source>
-        <translation>%1 de déplacements d&apos;usinage sans opération</translation>
+        <translation>%1 de déplacements d’usinage sans opération</translation>
     </message>
     <message>
         <source>%1 of plunging and drilling, which is not modelled</source>
@@ -595,7 +595,7 @@
     </message>
     <message>
         <source>%1: %2 in %3, %4 at the programmed feed</source>
-        <translation>%1&#xa0;: %2 en %3, %4 à l&apos;avance programmée</translation>
+        <translation>%1&#xa0;: %2 en %3, %4 à l’avance programmée</translation>
     </message>
 </context>
 <context>
@@ -744,7 +744,7 @@
     </message>
     <message>
         <source>G: circular error, least radial separation of two concentric circles that hold the path; G&lt;sub&gt;ls&lt;/sub&gt;: the same about the centre of the least-squares circle; F&lt;sub&gt;max&lt;/sub&gt;, F&lt;sub&gt;min&lt;/sub&gt;, F&lt;sub&gt;mean&lt;/sub&gt;: largest, least and mean deviation from the programmed radius at the programmed centre; G(b), D: circular error of both directions together, and their mean radius less the programmed one, where the same circle is run in both at one feed. Centre and radius are those of the tool centre; ccw, cw: counter-clockwise, clockwise in the plane.</source>
-        <translation>G&#xa0;: écart circulaire, plus petite distance radiale entre deux cercles concentriques qui contiennent la trajectoire&#xa0;; G&lt;sub&gt;ls&lt;/sub&gt;&#xa0;: le même, autour du centre du cercle des moindres carrés&#xa0;; F&lt;sub&gt;max&lt;/sub&gt;, F&lt;sub&gt;min&lt;/sub&gt;, F&lt;sub&gt;moy&lt;/sub&gt;&#xa0;: écart maximal, minimal et moyen au rayon programmé, depuis le centre programmé&#xa0;; G(b), D&#xa0;: écart circulaire des deux sens réunis, et leur rayon moyen moins le rayon programmé, là où le même cercle est parcouru dans les deux sens à la même avance. Centre et rayon sont ceux du centre de l&apos;outil&#xa0;; trig., hor.&#xa0;: sens trigonométrique, horaire dans le plan.</translation>
+        <translation>G&#xa0;: écart circulaire, plus petite distance radiale entre deux cercles concentriques qui contiennent la trajectoire&#xa0;; G&lt;sub&gt;ls&lt;/sub&gt;&#xa0;: le même, autour du centre du cercle des moindres carrés&#xa0;; F&lt;sub&gt;max&lt;/sub&gt;, F&lt;sub&gt;min&lt;/sub&gt;, F&lt;sub&gt;moy&lt;/sub&gt;&#xa0;: écart maximal, minimal et moyen au rayon programmé, depuis le centre programmé&#xa0;; G(b), D&#xa0;: écart circulaire des deux sens réunis, et leur rayon moyen moins le rayon programmé, là où le même cercle est parcouru dans les deux sens à la même avance. Centre et rayon sont ceux du centre de l’outil&#xa0;; trig., hor.&#xa0;: sens trigonométrique, horaire dans le plan.</translation>
     </message>
     <message>
         <source>Circular test (ISO 230-4)</source>
@@ -768,7 +768,7 @@
     </message>
     <message>
         <source>Polar plots of %1 of %2 by the %3 path; radial deviations are enlarged.</source>
-        <translation>Diagrammes polaires %1 (%2), d&apos;après la trajectoire %3&#xa0;; les écarts radiaux sont agrandis.</translation>
+        <translation>Diagrammes polaires %1 (%2), d’après la trajectoire %3&#xa0;; les écarts radiaux sont agrandis.</translation>
     </message>
     <message>
         <source>actual</source>
@@ -824,7 +824,7 @@
     </message>
     <message>
         <source>Close-up of contour error %1</source>
-        <translation>Gros plan de l&apos;erreur de contour %1</translation>
+        <translation>Gros plan de l’erreur de contour %1</translation>
     </message>
     <message>
         <source>Operation</source>
@@ -864,11 +864,11 @@
     </message>
     <message>
         <source>At the predicted feed</source>
-        <translation>À l&apos;avance prévue</translation>
+        <translation>À l’avance prévue</translation>
     </message>
     <message>
         <source>At the programmed feed</source>
-        <translation>À l&apos;avance programmée</translation>
+        <translation>À l’avance programmée</translation>
     </message>
     <message>
         <source>Load</source>
@@ -888,7 +888,7 @@
     </message>
     <message>
         <source>Beyond a bound</source>
-        <translation>Au-delà d&apos;une borne</translation>
+        <translation>Au-delà d’une borne</translation>
     </message>
     <message>
         <source>Lines</source>
@@ -912,11 +912,11 @@
     </message>
     <message>
         <source>3D view by chip thickness</source>
-        <translation>Vue 3D selon l&apos;épaisseur de copeau</translation>
+        <translation>Vue 3D selon l’épaisseur de copeau</translation>
     </message>
     <message>
         <source>Chip thickness of %1 along the path; grey: no load is computed.</source>
-        <translation>Épaisseur de copeau le long de la trajectoire (%1)&#xa0;; gris&#xa0;: aucune charge n&apos;est calculée.</translation>
+        <translation>Épaisseur de copeau le long de la trajectoire (%1)&#xa0;; gris&#xa0;: aucune charge n’est calculée.</translation>
     </message>
     <message>
         <source>assumed: %1</source>
@@ -940,7 +940,7 @@
     </message>
     <message>
         <source>Chain, part to tool</source>
-        <translation>Chaîne, de la pièce à l&apos;outil</translation>
+        <translation>Chaîne, de la pièce à l’outil</translation>
     </message>
     <message>
         <source>Limit</source>
@@ -1009,7 +1009,7 @@
     </message>
     <message>
         <source>What limits the feed of %1 along the path.</source>
-        <translation>Ce qui limite l&apos;avance le long de la trajectoire&#xa0;: %1.</translation>
+        <translation>Ce qui limite l’avance le long de la trajectoire&#xa0;: %1.</translation>
     </message>
     <message>
         <source>acceleration</source>
@@ -1069,11 +1069,11 @@
     </message>
     <message>
         <source>%1 places lose %2 s against the programmed feed; the %3 listed lose %4 s of it. “Why” names what most of the time is lost to.</source>
-        <translation>%L1 endroits perdent %2 s par rapport à l&apos;avance programmée, dont %4 s pour les %3 du tableau. «&#xa0;Pourquoi&#xa0;» nomme ce qui coûte l&apos;essentiel du temps.</translation>
+        <translation>%L1 endroits perdent %2 s par rapport à l’avance programmée, dont %4 s pour les %3 du tableau. «&#xa0;Pourquoi&#xa0;» nomme ce qui coûte l’essentiel du temps.</translation>
     </message>
     <message>
         <source>Close-up of place %1</source>
-        <translation>Gros plan de l&apos;endroit %1</translation>
+        <translation>Gros plan de l’endroit %1</translation>
     </message>
     <message>
         <source>Place %1: lines %2, %3 s lost.</source>
@@ -1121,7 +1121,7 @@
     </message>
     <message>
         <source>Most of the time of %1 is limited by: %2.</source>
-        <translation>Pour %1, l&apos;essentiel du temps est limité par&#xa0;: %2.</translation>
+        <translation>Pour %1, l’essentiel du temps est limité par&#xa0;: %2.</translation>
     </message>
     <message>
         <source>Run</source>
@@ -1153,7 +1153,7 @@
     </message>
     <message>
         <source>Corner blends</source>
-        <translation>Raccords d&apos;angle</translation>
+        <translation>Raccords d’angle</translation>
     </message>
     <message>
         <source>of the limit</source>
@@ -1293,7 +1293,7 @@
     </message>
     <message>
         <source>Places that lose most, by what they have in common</source>
-        <translation>Endroits qui perdent le plus, par ce qu&apos;ils ont en commun</translation>
+        <translation>Endroits qui perdent le plus, par ce qu’ils ont en commun</translation>
     </message>
     <message>
         <source>What would help</source>
@@ -1325,11 +1325,11 @@
     </message>
     <message>
         <source>Where the path deviates most</source>
-        <translation>Où la trajectoire s&apos;écarte le plus</translation>
+        <translation>Où la trajectoire s’écarte le plus</translation>
     </message>
     <message>
         <source>Places of %1 that are farthest from the programmed path, the worst first; left and right are seen in its direction.</source>
-        <translation>Endroits les plus éloignés de la trajectoire programmée (%1), les pires en premier&#xa0;; gauche et droite s&apos;entendent dans le sens de parcours.</translation>
+        <translation>Endroits les plus éloignés de la trajectoire programmée (%1), les pires en premier&#xa0;; gauche et droite s’entendent dans le sens de parcours.</translation>
     </message>
     <message>
         <source>Circular test</source>
@@ -1337,7 +1337,7 @@
     </message>
     <message>
         <source>Full circles of the program as %1 makes them, evaluated by ISO 230-4.</source>
-        <translation>Cercles complets du programme tels que %1 les réalise, évalués selon l&apos;ISO 230-4.</translation>
+        <translation>Cercles complets du programme tels que %1 les réalise, évalués selon l’ISO 230-4.</translation>
     </message>
     <message>
         <source>Cutting load</source>
@@ -1345,7 +1345,7 @@
     </message>
     <message>
         <source>What %1 puts on the tools, beside what the programmed feed would.</source>
-        <translation>Ce que %1 impose aux outils, à côté de ce que donnerait l&apos;avance programmée.</translation>
+        <translation>Ce que %1 impose aux outils, à côté de ce que donnerait l’avance programmée.</translation>
     </message>
     <message>
         <source>Program</source>
@@ -1357,7 +1357,7 @@
     </message>
     <message>
         <source>Every number with its source; values that no source gives are assumed and in italics.</source>
-        <translation>Chaque nombre avec sa source&#xa0;; les valeurs qu&apos;aucune source ne donne sont des hypothèses, en italique.</translation>
+        <translation>Chaque nombre avec sa source&#xa0;; les valeurs qu’aucune source ne donne sont des hypothèses, en italique.</translation>
     </message>
     <message>
         <source>Settings of the runs</source>
@@ -1429,7 +1429,7 @@
     </message>
     <message>
         <source>Share: of all the time that is lost along the path against the programmed feed.</source>
-        <translation>Part&#xa0;: de tout le temps perdu le long de la trajectoire par rapport à l&apos;avance programmée.</translation>
+        <translation>Part&#xa0;: de tout le temps perdu le long de la trajectoire par rapport à l’avance programmée.</translation>
     </message>
     <message>
         <source>None of the %1 changes that were simulated helps.</source>
@@ -1457,7 +1457,7 @@
     </message>
     <message>
         <source>The best of %1 changes of the whole program, each simulated. Whether machine, tool and material bear it is not checked.</source>
-        <translation>Les meilleurs de %1 changements du programme entier, chacun simulé. Que la machine, l&apos;outil et la matière les supportent n&apos;est pas vérifié.</translation>
+        <translation>Les meilleurs de %1 changements du programme entier, chacun simulé. Que la machine, l’outil et la matière les supportent n’est pas vérifié.</translation>
     </message>
     <message>
         <source>cycle time</source>
@@ -1506,7 +1506,7 @@
     <message>
         <source>%1 of %2</source>
         <comment>of an axis</comment>
-        <translation>%1 de l&apos;axe %2</translation>
+        <translation>%1 de l’axe %2</translation>
     </message>
     <message>
         <source>%1, %2, %3</source>
@@ -1535,11 +1535,11 @@
     </message>
     <message>
         <source>Largest lean</source>
-        <translation>Écart d&apos;orientation max.</translation>
+        <translation>Écart d’orientation max.</translation>
     </message>
     <message>
         <source>Rotary axes, and X, Y and Z of the machine that hold the tip on its path while they turn, with the share of the limit; above are those of the tip. The lean is that of the tool from its programmed direction.</source>
-        <translation>Axes rotatifs, et X, Y et Z de la machine qui tiennent la pointe sur sa trajectoire pendant leur rotation, avec la part de la limite ; ci-dessus ceux de la pointe. L&apos;écart d&apos;orientation est l&apos;angle entre l&apos;outil et sa direction programmée.</translation>
+        <translation>Axes rotatifs, et X, Y et Z de la machine qui tiennent la pointe sur sa trajectoire pendant leur rotation, avec la part de la limite ; ci-dessus ceux de la pointe. L’écart d’orientation est l’angle entre l’outil et sa direction programmée.</translation>
     </message>
     <message>
         <source>Recording</source>
@@ -1579,7 +1579,7 @@
     </message>
     <message>
         <source>Feed error [%]</source>
-        <translation>Erreur d&apos;avance [%]</translation>
+        <translation>Erreur d’avance [%]</translation>
     </message>
     <message>
         <source>Time error [%]</source>
@@ -1603,7 +1603,7 @@
     </message>
     <message>
         <source>identified from %1, %2</source>
-        <translation>identifié d&apos;après %1, %2</translation>
+        <translation>identifié d’après %1, %2</translation>
     </message>
     <message>
         <source>Begun with</source>
@@ -1619,7 +1619,7 @@
     </message>
     <message>
         <source>Source, or why it is not told</source>
-        <translation>Source, ou pourquoi il n&apos;est pas révélé</translation>
+        <translation>Source, ou pourquoi il n’est pas révélé</translation>
     </message>
     <message>
         <source>Section</source>
@@ -1647,11 +1647,11 @@
     </message>
     <message>
         <source>Residual of %1: %2, root mean square of what it leaves over; 1 is noise and sampling alone. A model explains the recordings if it is within 5 % of the feed and 1 % of the time.</source>
-        <translation>Résidu de %1&#xa0;: %2, moyenne quadratique de ce qu&apos;il laisse de côté&#xa0;; 1&#xa0;: bruit et échantillonnage seuls. Un modèle explique les enregistrements s&apos;il est à moins de 5&#xa0;% de l&apos;avance et 1&#xa0;% du temps.</translation>
+        <translation>Résidu de %1&#xa0;: %2, moyenne quadratique de ce qu’il laisse de côté&#xa0;; 1&#xa0;: bruit et échantillonnage seuls. Un modèle explique les enregistrements s’il est à moins de 5&#xa0;% de l’avance et 1&#xa0;% du temps.</translation>
     </message>
     <message>
         <source>What is left over: how far the simulation is behind the recording as it goes on, or what it is longer in each section. A level curve: feed and time agree there.</source>
-        <translation>Ce qui reste&#xa0;: de combien la simulation prend du retard sur l&apos;enregistrement à mesure qu&apos;il avance, ou de combien elle est plus longue dans chaque section. Une courbe horizontale&#xa0;: avance et temps y concordent.</translation>
+        <translation>Ce qui reste&#xa0;: de combien la simulation prend du retard sur l’enregistrement à mesure qu’il avance, ou de combien elle est plus longue dans chaque section. Une courbe horizontale&#xa0;: avance et temps y concordent.</translation>
     </message>
     <message>
         <source>The first %1 of %2 recordings.</source>
@@ -1659,7 +1659,7 @@
     </message>
     <message>
         <source>Residuals of the identification</source>
-        <translation>Résidus de l&apos;identification</translation>
+        <translation>Résidus de l’identification</translation>
     </message>
     <message>
         <source>Identification</source>
@@ -1667,7 +1667,7 @@
     </message>
     <message>
         <source>Limits and settings of the machine, found from what it recorded.</source>
-        <translation>Limites et réglages de la machine, trouvés d&apos;après ce qu&apos;elle a enregistré.</translation>
+        <translation>Limites et réglages de la machine, trouvés d’après ce qu’elle a enregistré.</translation>
     </message>
     <message>
         <source>The search began with the machine %1.</source>
@@ -1683,7 +1683,7 @@
     </message>
     <message>
         <source>The control refuses the program: &lt;b&gt;%1&lt;/b&gt; on %2 runs none of its feed motions.</source>
-        <translation>La commande refuse le programme&#xa0;: &lt;b&gt;%1&lt;/b&gt; sur %2 n&apos;exécute aucun de ses déplacements en avance.</translation>
+        <translation>La commande refuse le programme&#xa0;: &lt;b&gt;%1&lt;/b&gt; sur %2 n’exécute aucun de ses déplacements en avance.</translation>
     </message>
     <message>
         <source>refused</source>
@@ -1691,7 +1691,7 @@
     </message>
     <message>
         <source>Runs of which the control refuses more lines or that the machine does not reach, and that are not compared: %1.</source>
-        <translation>Simulations dont la commande refuse plus de lignes ou que la machine n&apos;atteint pas, et qui ne sont pas comparées : %1.</translation>
+        <translation>Simulations dont la commande refuse plus de lignes ou que la machine n’atteint pas, et qui ne sont pas comparées : %1.</translation>
     </message>
     <message>
         <source>From %1 s to %2 s of %3 s.</source>
@@ -1744,15 +1744,15 @@
     </message>
     <message>
         <source>The program was read with work offsets other than those of this machine (%1); reload it to use those of the machine.</source>
-        <translation>Le programme a été lu avec d&apos;autres décalages d&apos;origine que ceux de cette machine (%1)&#xa0;; rechargez-le pour utiliser ceux de la machine.</translation>
+        <translation>Le programme a été lu avec d’autres décalages d’origine que ceux de cette machine (%1)&#xa0;; rechargez-le pour utiliser ceux de la machine.</translation>
     </message>
     <message>
         <source>The drive of axis %1 is poorly damped: it overshoots a step by %2 %; a smaller gain or lag damps it better.</source>
-        <translation>L&apos;entraînement de l&apos;axe %1 est mal amorti : il dépasse un échelon de %2 % ; un gain ou un retard plus petit l&apos;amortit mieux.</translation>
+        <translation>L’entraînement de l’axe %1 est mal amorti : il dépasse un échelon de %2 % ; un gain ou un retard plus petit l’amortit mieux.</translation>
     </message>
     <message>
         <source>No drive is given for %1: followed exactly.</source>
-        <translation>Aucun entraînement n&apos;est donné pour %1 : suivi exact.</translation>
+        <translation>Aucun entraînement n’est donné pour %1 : suivi exact.</translation>
     </message>
     <message>
         <source>Lines that the control refuses are not run: %1.</source>
@@ -1787,7 +1787,7 @@
     </message>
     <message>
         <source>corner blend</source>
-        <translation>raccord d&apos;angle</translation>
+        <translation>raccord d’angle</translation>
     </message>
     <message>
         <source>deviation drawn × %1</source>
@@ -1843,7 +1843,7 @@
     </message>
     <message>
         <source>Distance to the other run</source>
-        <translation>Distance à l&apos;autre simulation</translation>
+        <translation>Distance à l’autre simulation</translation>
     </message>
     <message>
         <source>Distance from %1</source>
@@ -1900,7 +1900,7 @@
     </message>
     <message>
         <source>reached after %1 s, by the other run after %2 s</source>
-        <translation>atteint après %1 s, par l&apos;autre simulation après %2 s</translation>
+        <translation>atteint après %1 s, par l’autre simulation après %2 s</translation>
     </message>
     <message>
         <source>Time lost or gained</source>
@@ -1936,11 +1936,11 @@
     </message>
     <message>
         <source>Chip thickness %1 (%2 at the programmed feed)</source>
-        <translation>Épaisseur de copeau %1 (%2 à l&apos;avance programmée)</translation>
+        <translation>Épaisseur de copeau %1 (%2 à l’avance programmée)</translation>
     </message>
     <message>
         <source>Peak cutting force %1 (%2 at the programmed feed)</source>
-        <translation>Effort de coupe de crête %1 (%2 à l&apos;avance programmée)</translation>
+        <translation>Effort de coupe de crête %1 (%2 à l’avance programmée)</translation>
     </message>
     <message>
         <source>smooth curve</source>
@@ -2214,7 +2214,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Program line that ends at the corner</source>
-        <translation>Ligne du programme qui finit à l&apos;angle</translation>
+        <translation>Ligne du programme qui finit à l’angle</translation>
     </message>
     <message>
         <source>Change of direction</source>
@@ -2222,7 +2222,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Mean feed of the trace from 0.5 mm before the corner to 0.5 mm behind it, less where blocks are short</source>
-        <translation>Avance moyenne de la trace de 0,5 mm avant l&apos;angle à 0,5 mm après, moins là où les blocs sont courts</translation>
+        <translation>Avance moyenne de la trace de 0,5 mm avant l’angle à 0,5 mm après, moins là où les blocs sont courts</translation>
     </message>
     <message>
         <source>The same of the current run, in the same unit</source>
@@ -2254,7 +2254,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Root mean square of the difference of the feeds over the path</source>
-        <translation>Moyenne quadratique de l&apos;écart des avances le long de la trajectoire</translation>
+        <translation>Moyenne quadratique de l’écart des avances le long de la trajectoire</translation>
     </message>
     <message>
         <source>%1 corners (rms)</source>
@@ -2262,7 +2262,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Root mean square of the difference of the mean feeds through corners</source>
-        <translation>Moyenne quadratique de l&apos;écart des avances moyennes dans les angles</translation>
+        <translation>Moyenne quadratique de l’écart des avances moyennes dans les angles</translation>
     </message>
     <message>
         <source>Largest distance from the path</source>
@@ -2313,11 +2313,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source> &lt;b&gt;The older program was read with errors.&lt;/b&gt;</source>
-        <translation> &lt;b&gt;L&apos;ancien programme a été lu avec des erreurs.&lt;/b&gt;</translation>
+        <translation> &lt;b&gt;L’ancien programme a été lu avec des erreurs.&lt;/b&gt;</translation>
     </message>
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt; instead of %2: %3 instead of %4, &lt;b&gt;%5&lt;/b&gt;%6. %7 % of the new path is in the older program too. Max. contour error %8 instead of %9.</source>
-        <translation>&lt;b&gt;%1&lt;/b&gt; au lieu de %2 : %3 au lieu de %4, &lt;b&gt;%5&lt;/b&gt;%6. %7 % de la nouvelle trajectoire est aussi dans l&apos;ancien programme. Erreur de contour max. %8 au lieu de %9.</translation>
+        <translation>&lt;b&gt;%1&lt;/b&gt; au lieu de %2 : %3 au lieu de %4, &lt;b&gt;%5&lt;/b&gt;%6. %7 % de la nouvelle trajectoire est aussi dans l’ancien programme. Erreur de contour max. %8 au lieu de %9.</translation>
     </message>
 </context>
 <context>
@@ -2336,39 +2336,39 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>On the corner blend, axis %1 runs at its maximum velocity, %2.</source>
-        <translation>Sur le raccord d&apos;angle, l&apos;axe %1 est à sa vitesse maximale, %2.</translation>
+        <translation>Sur le raccord d’angle, l’axe %1 est à sa vitesse maximale, %2.</translation>
     </message>
     <message>
         <source>The filters of the control spread every change of feed over %1.</source>
-        <translation>Les filtres de la commande étalent chaque changement d&apos;avance sur %1.</translation>
+        <translation>Les filtres de la commande étalent chaque changement d’avance sur %1.</translation>
     </message>
     <message>
         <source>Axis %1 is at its maximum jerk, %2, along and across the path combined.</source>
-        <translation>L&apos;axe %1 est à son jerk maximal, %2, le long de la trajectoire et en travers réunis.</translation>
+        <translation>L’axe %1 est à son jerk maximal, %2, le long de la trajectoire et en travers réunis.</translation>
     </message>
     <message>
         <source>Axis %1 is at its maximum acceleration, %2, along and across the path combined.</source>
-        <translation>L&apos;axe %1 est à son accélération maximale, %2, le long de la trajectoire et en travers réunis.</translation>
+        <translation>L’axe %1 est à son accélération maximale, %2, le long de la trajectoire et en travers réunis.</translation>
     </message>
     <message>
         <source>The tool keeps its speed between two speed changes; with a jerk of %1 along the path they take too long to gain more.</source>
-        <translation>L&apos;outil tient sa vitesse entre deux changements de vitesse&#xa0;; avec un jerk de %1 le long de la trajectoire, ils sont trop longs pour gagner plus.</translation>
+        <translation>L’outil tient sa vitesse entre deux changements de vitesse&#xa0;; avec un jerk de %1 le long de la trajectoire, ils sont trop longs pour gagner plus.</translation>
     </message>
     <message>
         <source>The tool accelerates; the jerk of axis %1 allows %2 along the path.</source>
-        <translation>L&apos;outil accélère&#xa0;; le jerk de l&apos;axe %1 permet %2 le long de la trajectoire.</translation>
+        <translation>L’outil accélère&#xa0;; le jerk de l’axe %1 permet %2 le long de la trajectoire.</translation>
     </message>
     <message>
         <source>The tool accelerates; axis %1 allows %2 along the path.</source>
-        <translation>L&apos;outil accélère&#xa0;; l&apos;axe %1 permet une accélération de %2 le long de la trajectoire.</translation>
+        <translation>L’outil accélère&#xa0;; l’axe %1 permet une accélération de %2 le long de la trajectoire.</translation>
     </message>
     <message>
         <source>Rapid traverse: axis %1 runs at its maximum velocity, %2.</source>
-        <translation>Déplacement rapide&#xa0;: l&apos;axe %1 est à sa vitesse maximale, %2.</translation>
+        <translation>Déplacement rapide&#xa0;: l’axe %1 est à sa vitesse maximale, %2.</translation>
     </message>
     <message>
         <source>Axis %1 runs at its maximum velocity, %2.</source>
-        <translation>L&apos;axe %1 est à sa vitesse maximale, %2.</translation>
+        <translation>L’axe %1 est à sa vitesse maximale, %2.</translation>
     </message>
     <message>
         <source>On the radius of %1 the control allows a curvilinear jerk of %2, of which %3 along the path.</source>
@@ -2376,15 +2376,15 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>The curvature jumps: axis %1 must absorb the change with its jerk of %2 within one interpolation period, %3.</source>
-        <translation>La courbure saute&#xa0;: l&apos;axe %1 doit absorber le changement avec son jerk de %2 en une période d&apos;interpolation, %3.</translation>
+        <translation>La courbure saute&#xa0;: l’axe %1 doit absorber le changement avec son jerk de %2 en une période d’interpolation, %3.</translation>
     </message>
     <message>
         <source>At a higher feed the filters would deviate from the programmed contour by more than the tolerance of %1.</source>
-        <translation>Plus vite, les filtres écarteraient l&apos;outil du contour programmé plus que la tolérance de %1 ne le permet.</translation>
+        <translation>Plus vite, les filtres écarteraient l’outil du contour programmé plus que la tolérance de %1 ne le permet.</translation>
     </message>
     <message>
         <source>The tool must stop.</source>
-        <translation>L&apos;outil doit s&apos;arrêter.</translation>
+        <translation>L’outil doit s’arrêter.</translation>
     </message>
     <message>
         <source>The program waits.</source>
@@ -2396,11 +2396,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>The tool brakes: in %1 (%2) it must stop, line %3.</source>
-        <translation>L&apos;outil freine&#xa0;: dans %1 (%2), il doit s&apos;arrêter, ligne %3.</translation>
+        <translation>L’outil freine&#xa0;: dans %1 (%2), il doit s’arrêter, ligne %3.</translation>
     </message>
     <message>
         <source>The tool brakes: in %1 (%2), in line %3, only %4 is possible.</source>
-        <translation>L&apos;outil freine&#xa0;: dans %1 (%2), ligne %3, seuls %4 sont possibles.</translation>
+        <translation>L’outil freine&#xa0;: dans %1 (%2), ligne %3, seuls %4 sont possibles.</translation>
     </message>
     <message>
         <source>from the program</source>
@@ -2440,79 +2440,79 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>The block is %1 long and takes the control at least one interpolation period, %2.</source>
-        <translation>Le bloc mesure %1 et demande à la commande au moins une période d&apos;interpolation, %2.</translation>
+        <translation>Le bloc mesure %1 et demande à la commande au moins une période d’interpolation, %2.</translation>
     </message>
     <message>
         <source>The control looks ahead over the next %1 of the path and must be able to stop within them.</source>
-        <translation>La commande anticipe sur les prochains %1 de la trajectoire et doit pouvoir s&apos;y arrêter.</translation>
+        <translation>La commande anticipe sur les prochains %1 de la trajectoire et doit pouvoir s’y arrêter.</translation>
     </message>
     <message>
         <source>Tool change: it takes the tool change time of the machine.</source>
-        <translation>Changement d&apos;outil&#xa0;: il dure le temps de changement d&apos;outil de la machine.</translation>
+        <translation>Changement d’outil&#xa0;: il dure le temps de changement d’outil de la machine.</translation>
     </message>
     <message>
         <source>On the corner blend (radius %1), radial acceleration may use %2 of the acceleration limit of axis %3, %4.</source>
-        <translation>Sur le raccord d&apos;angle (rayon %1), l&apos;accélération radiale peut utiliser %2 de l&apos;accélération limite de l&apos;axe %3, %4.</translation>
+        <translation>Sur le raccord d’angle (rayon %1), l’accélération radiale peut utiliser %2 de l’accélération limite de l’axe %3, %4.</translation>
     </message>
     <message>
         <source>On the corner blend, radial jerk may use %1 of the jerk limit of axis %2, %3, and the curvature changes quickly.</source>
-        <translation>Sur le raccord d&apos;angle, le jerk radial peut utiliser %1 du jerk limite de l&apos;axe %2, %3, et la courbure change vite.</translation>
+        <translation>Sur le raccord d’angle, le jerk radial peut utiliser %1 du jerk limite de l’axe %2, %3, et la courbure change vite.</translation>
     </message>
     <message>
         <source>The corner blend reserves a share of the acceleration limit of axis %1, %2, for radial acceleration: %3; the rest limits the change of speed.</source>
-        <translation>Le raccord d&apos;angle réserve une part de l&apos;accélération limite de l&apos;axe %1, %2, à l&apos;accélération radiale&#xa0;: %3&#xa0;; le reste limite le changement de vitesse.</translation>
+        <translation>Le raccord d’angle réserve une part de l’accélération limite de l’axe %1, %2, à l’accélération radiale&#xa0;: %3&#xa0;; le reste limite le changement de vitesse.</translation>
     </message>
     <message>
         <source>The corner blend reserves a share of the jerk limit of axis %1, %2, for radial jerk: %3; the rest limits how fast the acceleration changes.</source>
-        <translation>Le raccord d&apos;angle réserve une part du jerk limite de l&apos;axe %1, %2, au jerk radial&#xa0;: %3&#xa0;; le reste limite la variation de l&apos;accélération.</translation>
+        <translation>Le raccord d’angle réserve une part du jerk limite de l’axe %1, %2, au jerk radial&#xa0;: %3&#xa0;; le reste limite la variation de l’accélération.</translation>
     </message>
     <message>
         <source>The tool runs at the programmed feed: F %1.</source>
-        <translation>L&apos;outil va à l&apos;avance programmée&#xa0;: F %1.</translation>
+        <translation>L’outil va à l’avance programmée&#xa0;: F %1.</translation>
     </message>
     <message>
         <source>On the radius of %1, radial acceleration uses the full acceleration of axis %2, %3.</source>
-        <translation>Au rayon de %1, l&apos;accélération radiale utilise toute l&apos;accélération de l&apos;axe %2, %3.</translation>
+        <translation>Au rayon de %1, l’accélération radiale utilise toute l’accélération de l’axe %2, %3.</translation>
     </message>
     <message>
         <source>On the radius of %1, radial jerk uses the full jerk of axis %2, %3.</source>
-        <translation>Au rayon de %1, le jerk radial utilise tout le jerk de l&apos;axe %2, %3.</translation>
+        <translation>Au rayon de %1, le jerk radial utilise tout le jerk de l’axe %2, %3.</translation>
     </message>
     <message>
         <source>Contour error %1, of which the set path has %2: the drives make most of it. The axes are %3 behind across the path; a higher Kv, more feed-forward or a lower feed reduces that.</source>
-        <translation>Erreur de contour %1, dont %2 pour la trajectoire de consigne : les entraînements en font l&apos;essentiel. Les axes sont en retard de %3 perpendiculairement à la trajectoire ; un Kv plus élevé, plus d&apos;anticipation ou une avance plus faible réduit cet écart.</translation>
+        <translation>Erreur de contour %1, dont %2 pour la trajectoire de consigne : les entraînements en font l’essentiel. Les axes sont en retard de %3 perpendiculairement à la trajectoire ; un Kv plus élevé, plus d’anticipation ou une avance plus faible réduit cet écart.</translation>
     </message>
     <message>
         <source>The smooth curve through the blocks bends here, and its bend changes: turning takes %1 of the jerk of axis %2, %3; the rest is for changes of speed.</source>
-        <translation>La courbe lisse qui passe par les blocs tourne ici, et sa courbure change : tourner prend %1 du jerk de l&apos;axe %2, %3 ; le reste sert aux changements de vitesse.</translation>
+        <translation>La courbe lisse qui passe par les blocs tourne ici, et sa courbure change : tourner prend %1 du jerk de l’axe %2, %3 ; le reste sert aux changements de vitesse.</translation>
     </message>
     <message>
         <source>The smooth curve through the blocks bends here: turning takes %1 of the acceleration of axis %2, %3; the rest is for changes of speed.</source>
-        <translation>La courbe lisse qui passe par les blocs tourne ici : tourner prend %1 de l&apos;accélération de l&apos;axe %2, %3 ; le reste sert aux changements de vitesse.</translation>
+        <translation>La courbe lisse qui passe par les blocs tourne ici : tourner prend %1 de l’accélération de l’axe %2, %3 ; le reste sert aux changements de vitesse.</translation>
     </message>
     <message>
         <source>In the corner the control allows the speed at which an arc no farther from it than %1 would use the full acceleration of axis %2, %3.</source>
-        <translation>Dans le coin, la commande permet la vitesse à laquelle un arc qui ne s&apos;en écarte pas de plus de %1 utiliserait toute l&apos;accélération de l&apos;axe %2, %3.</translation>
+        <translation>Dans l’angle, la commande permet la vitesse à laquelle un arc qui ne s’en écarte pas de plus de %1 utiliserait toute l’accélération de l’axe %2, %3.</translation>
     </message>
     <message>
         <source>The control allows %1 in a corner of 90°, and here as much more or less as the corner is wider or sharper.</source>
-        <translation>La commande permet %1 dans un coin de 90°, et ici d&apos;autant plus ou moins que le coin est plus ouvert ou plus vif.</translation>
+        <translation>La commande permet %1 dans un angle de 90°, et ici d’autant plus ou moins que l’angle est plus ouvert ou plus vif.</translation>
     </message>
     <message>
         <source>The control keeps a part of the way between two slow places for constant speed, so that the tool does not accelerate any further.</source>
-        <translation>La commande réserve une part du trajet entre deux endroits lents à la vitesse constante : l&apos;outil n&apos;accélère pas davantage.</translation>
+        <translation>La commande réserve une part du trajet entre deux endroits lents à la vitesse constante : l’outil n’accélère pas davantage.</translation>
     </message>
     <message>
         <source>Where the blocks meet the velocity jumps: the axes must absorb that within one period.</source>
-        <translation>À la jonction des blocs, la vitesse saute : les axes doivent l&apos;absorber en une période.</translation>
+        <translation>À la jonction des blocs, la vitesse saute : les axes doivent l’absorber en une période.</translation>
     </message>
     <message>
         <source>The tool runs at the largest speed that the control allows along the path.</source>
-        <translation>L&apos;outil avance à la plus grande vitesse que la commande permet le long de la trajectoire.</translation>
+        <translation>L’outil avance à la plus grande vitesse que la commande permet le long de la trajectoire.</translation>
     </message>
     <message>
         <source>The tool accelerates as much as the control allows along the path.</source>
-        <translation>L&apos;outil accélère autant que la commande le permet le long de la trajectoire.</translation>
+        <translation>L’outil accélère autant que la commande le permet le long de la trajectoire.</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -2524,7 +2524,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>In the corner the control goes over from one block to the next within the blend tolerance, with what that leaves of the acceleration.</source>
-        <translation>Dans le coin, la commande passe d’un bloc au suivant dans la tolérance de raccord, avec ce qui reste pour cela de l’accélération.</translation>
+        <translation>Dans l’angle, la commande passe d’un bloc au suivant dans la tolérance de raccord, avec ce qui reste pour cela de l’accélération.</translation>
     </message>
     <message>
         <source>Turning on the arc takes the part of the acceleration that the control keeps for it.</source>
@@ -2532,7 +2532,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>The control rounds the corner with an arc of radius %1 within the blend tolerance; turning on it takes %2 of the acceleration of axis %3.</source>
-        <translation>La commande arrondit le coin par un arc de rayon %1 dans la tolérance de raccord ; y tourner prend %2 de l’accélération de l’axe %3.</translation>
+        <translation>La commande arrondit l’angle par un arc de rayon %1 dans la tolérance de raccord ; y tourner prend %2 de l’accélération de l’axe %3.</translation>
     </message>
     <message>
         <source>On the radius of %1 turning takes %2 of the acceleration of axis %3; the control keeps the rest for changes of speed.</source>
@@ -2540,35 +2540,35 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Rotary axis %1 turns along this block as fast as its velocity limit allows.</source>
-        <translation>L&apos;axe rotatif %1 tourne le long de ce bloc aussi vite que le permet sa limite de vitesse.</translation>
+        <translation>L’axe rotatif %1 tourne le long de ce bloc aussi vite que le permet sa limite de vitesse.</translation>
     </message>
     <message>
         <source>Rotary axis %1 turns while the tool stands: it takes what the limits of this axis allow, or the programmed feed if that is lower.</source>
-        <translation>L&apos;axe rotatif %1 tourne pendant que l&apos;outil s&apos;arrête : cela prend ce que permettent les limites de cet axe, ou l&apos;avance programmée si elle est plus basse.</translation>
+        <translation>L’axe rotatif %1 tourne pendant que l’outil s’arrête : cela prend ce que permettent les limites de cet axe, ou l’avance programmée si elle est plus basse.</translation>
     </message>
     <message>
         <source>Rotary axis %1 turns along this block at its maximum velocity, %2: it turns by %3 of path.</source>
-        <translation>L&apos;axe rotatif %1 tourne le long de ce bloc à sa vitesse maximale, %2 : il tourne de %3 de trajectoire.</translation>
+        <translation>L’axe rotatif %1 tourne le long de ce bloc à sa vitesse maximale, %2 : il tourne de %3 de trajectoire.</translation>
     </message>
     <message>
         <source>Rotary axes turn along this block; axis %1, which makes up for that, runs at its maximum velocity, %2: it moves %3 times as far as the tip.</source>
-        <translation>Des axes rotatifs tournent le long de ce bloc ; l&apos;axe %1, qui le compense, se déplace à sa vitesse maximale, %2 : il parcourt %3 fois le chemin de la pointe.</translation>
+        <translation>Des axes rotatifs tournent le long de ce bloc ; l’axe %1, qui le compense, se déplace à sa vitesse maximale, %2 : il parcourt %3 fois le chemin de la pointe.</translation>
     </message>
     <message>
         <source>The tool is %1 from the first rotary axis, near the singular position, where that axis turns by 1/sin of this angle.</source>
-        <translation>L&apos;outil est à %1 du premier axe rotatif, près de la position singulière, où cet axe tourne de 1/sin de cet angle.</translation>
+        <translation>L’outil est à %1 du premier axe rotatif, près de la position singulière, où cet axe tourne de 1/sin de cet angle.</translation>
     </message>
     <message>
         <source>Rotary axis %1 turns along this block or beside it: its acceleration limit holds the change of speed.</source>
-        <translation>L&apos;axe rotatif %1 tourne le long de ce bloc ou à côté : sa limite d&apos;accélération retient la variation de vitesse.</translation>
+        <translation>L’axe rotatif %1 tourne le long de ce bloc ou à côté : sa limite d’accélération retient la variation de vitesse.</translation>
     </message>
     <message>
         <source>Rotary axis %1 turns along this block or beside it: its jerk limit holds the change of speed.</source>
-        <translation>L&apos;axe rotatif %1 tourne le long de ce bloc ou à côté : sa limite de jerk retient la variation de vitesse.</translation>
+        <translation>L’axe rotatif %1 tourne le long de ce bloc ou à côté : sa limite de jerk retient la variation de vitesse.</translation>
     </message>
     <message>
         <source>The tool turns about its tip, which X, Y and Z hold: it takes what the limits of axis %1 allow, or the programmed feed in degrees a minute if that is lower.</source>
-        <translation>L&apos;outil pivote autour de sa pointe, que X, Y et Z maintiennent : il prend ce que permettent les limites de l&apos;axe %1, ou l&apos;avance programmée en degrés par minute si elle est plus faible.</translation>
+        <translation>L’outil pivote autour de sa pointe, que X, Y et Z maintiennent : il prend ce que permettent les limites de l’axe %1, ou l’avance programmée en degrés par minute si elle est plus faible.</translation>
     </message>
     <message>
         <source>Rotary axis %1 turns along this block or beside it; turning takes %2 of its maximum acceleration, %3, and changes of the speed have the rest.</source>
@@ -2623,15 +2623,15 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>axis velocity</source>
-        <translation>vitesse d&apos;un axe</translation>
+        <translation>vitesse d’un axe</translation>
     </message>
     <message>
         <source>axis acceleration</source>
-        <translation>accélération d&apos;un axe</translation>
+        <translation>accélération d’un axe</translation>
     </message>
     <message>
         <source>axis jerk</source>
-        <translation>jerk d&apos;un axe</translation>
+        <translation>jerk d’un axe</translation>
     </message>
     <message>
         <source>programmed feed</source>
@@ -2643,15 +2643,15 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>velocity of axis %1</source>
-        <translation>vitesse de l&apos;axe %1</translation>
+        <translation>vitesse de l’axe %1</translation>
     </message>
     <message>
         <source>acceleration of axis %1</source>
-        <translation>accélération de l&apos;axe %1</translation>
+        <translation>accélération de l’axe %1</translation>
     </message>
     <message>
         <source>jerk of axis %1</source>
-        <translation>jerk de l&apos;axe %1</translation>
+        <translation>jerk de l’axe %1</translation>
     </message>
     <message>
         <source>radial acceleration</source>
@@ -2659,7 +2659,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>radial acceleration of axis %1</source>
-        <translation>accélération radiale de l&apos;axe %1</translation>
+        <translation>accélération radiale de l’axe %1</translation>
     </message>
     <message>
         <source>radial jerk</source>
@@ -2667,7 +2667,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>radial jerk of axis %1</source>
-        <translation>jerk radial de l&apos;axe %1</translation>
+        <translation>jerk radial de l’axe %1</translation>
     </message>
     <message>
         <source>velocity on a blend</source>
@@ -2675,7 +2675,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>velocity of axis %1 on a blend</source>
-        <translation>vitesse de l&apos;axe %1 sur un raccord</translation>
+        <translation>vitesse de l’axe %1 sur un raccord</translation>
     </message>
     <message>
         <source>radial acceleration on a blend</source>
@@ -2683,7 +2683,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>radial acceleration of axis %1 on a blend</source>
-        <translation>accélération radiale de l&apos;axe %1 sur un raccord</translation>
+        <translation>accélération radiale de l’axe %1 sur un raccord</translation>
     </message>
     <message>
         <source>radial jerk on a blend</source>
@@ -2691,7 +2691,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>radial jerk of axis %1 on a blend</source>
-        <translation>jerk radial de l&apos;axe %1 sur un raccord</translation>
+        <translation>jerk radial de l’axe %1 sur un raccord</translation>
     </message>
     <message>
         <source>tangential acceleration on a blend</source>
@@ -2699,7 +2699,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>tangential acceleration of axis %1 on a blend</source>
-        <translation>accélération tangentielle de l&apos;axe %1 sur un raccord</translation>
+        <translation>accélération tangentielle de l’axe %1 sur un raccord</translation>
     </message>
     <message>
         <source>tangential jerk on a blend</source>
@@ -2707,7 +2707,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>tangential jerk of axis %1 on a blend</source>
-        <translation>jerk tangentiel de l&apos;axe %1 sur un raccord</translation>
+        <translation>jerk tangentiel de l’axe %1 sur un raccord</translation>
     </message>
     <message>
         <source>curvilinear jerk</source>
@@ -2719,11 +2719,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>jerk of axis %1 at a change of curvature</source>
-        <translation>jerk de l&apos;axe %1 à un changement de courbure</translation>
+        <translation>jerk de l’axe %1 à un changement de courbure</translation>
     </message>
     <message>
         <source>interpolation period</source>
-        <translation>période d&apos;interpolation</translation>
+        <translation>période d’interpolation</translation>
     </message>
     <message>
         <source>contour tolerance</source>
@@ -2731,7 +2731,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>look-ahead horizon</source>
-        <translation>horizon d&apos;anticipation</translation>
+        <translation>horizon d’anticipation</translation>
     </message>
     <message>
         <source>braking for a slower place ahead</source>
@@ -2747,7 +2747,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>tool change</source>
-        <translation>changement d&apos;outil</translation>
+        <translation>changement d’outil</translation>
     </message>
     <message>
         <source>spindle start</source>
@@ -2755,11 +2755,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Tool change time</source>
-        <translation>Temps de changement d&apos;outil</translation>
+        <translation>Temps de changement d’outil</translation>
     </message>
     <message>
         <source>Time of a tool change, from the end of the last motion to the start of the next one; without it tool changes are not included in the cycle time.</source>
-        <translation>Temps d&apos;un changement d&apos;outil, de la fin du dernier mouvement au début du suivant ; sans lui, les changements d&apos;outil ne sont pas comptés dans le temps de cycle.</translation>
+        <translation>Temps d’un changement d’outil, de la fin du dernier mouvement au début du suivant ; sans lui, les changements d’outil ne sont pas comptés dans le temps de cycle.</translation>
     </message>
     <message>
         <source>Spindle start time</source>
@@ -2767,23 +2767,23 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Time until the spindle has reached its speed, during which the axes wait; without it spindle starts are not included in the cycle time.</source>
-        <translation>Temps jusqu&apos;à ce que la broche ait atteint sa vitesse, pendant lequel les axes attendent ; sans lui, les démarrages de broche ne sont pas comptés dans le temps de cycle.</translation>
+        <translation>Temps jusqu’à ce que la broche ait atteint sa vitesse, pendant lequel les axes attendent ; sans lui, les démarrages de broche ne sont pas comptés dans le temps de cycle.</translation>
     </message>
     <message>
         <source>Home position %1</source>
-        <translation>Position d&apos;origine %1</translation>
+        <translation>Position d’origine %1</translation>
     </message>
     <message>
         <source>Machine coordinate of the reference point that G28 and G74 move to; without it such a move is neither drawn nor timed.</source>
-        <translation>Coordonnée machine du point de référence que rejoignent G28 et G74 ; sans elle, un tel déplacement n&apos;est ni dessiné ni chronométré.</translation>
+        <translation>Coordonnée machine du point de référence que rejoignent G28 et G74 ; sans elle, un tel déplacement n’est ni dessiné ni chronométré.</translation>
     </message>
     <message>
         <source>Tool change position %1</source>
-        <translation>Position de changement d&apos;outil %1</translation>
+        <translation>Position de changement d’outil %1</translation>
     </message>
     <message>
         <source>Machine coordinate of the position that G30 and G75 move to; without it such a move is neither drawn nor timed.</source>
-        <translation>Coordonnée machine de la position que rejoignent G30 et G75 ; sans elle, un tel déplacement n&apos;est ni dessiné ni chronométré.</translation>
+        <translation>Coordonnée machine de la position que rejoignent G30 et G75 ; sans elle, un tel déplacement n’est ni dessiné ni chronométré.</translation>
     </message>
     <message>
         <source>Part zero %1</source>
@@ -2791,7 +2791,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Machine coordinate of the zero point of the coordinates shown, 0 where work offsets are given in machine coordinates; without it moves to machine positions are neither drawn nor timed.</source>
-        <translation>Coordonnée machine de l&apos;origine des coordonnées affichées, 0 si les décalages d&apos;origine sont donnés en coordonnées machine ; sans elle, les déplacements vers des positions machine ne sont ni dessinés ni chronométrés.</translation>
+        <translation>Coordonnée machine de l’origine des coordonnées affichées, 0 si les décalages d’origine sont donnés en coordonnées machine ; sans elle, les déplacements vers des positions machine ne sont ni dessinés ni chronométrés.</translation>
     </message>
     <message>
         <source>Velocity</source>
@@ -2799,7 +2799,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Maximum velocity of this axis; rapids run at the speed at which the first axis reaches it.</source>
-        <translation>Vitesse maximale de cet axe&#xa0;; les rapides se font à la vitesse à laquelle le premier axe l&apos;atteint.</translation>
+        <translation>Vitesse maximale de cet axe&#xa0;; les rapides se font à la vitesse à laquelle le premier axe l’atteint.</translation>
     </message>
     <message>
         <source>Acceleration</source>
@@ -2823,7 +2823,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Maximum distance of the path from the programmed corners; with larger values the control slows down less there. 0: it stops in every corner.</source>
-        <translation>Écart permis à la commande par rapport aux angles programmés&#xa0;; plus il est grand, moins elle y ralentit. 0&#xa0;: elle s&apos;arrête à chaque angle.</translation>
+        <translation>Écart permis à la commande par rapport aux angles programmés&#xa0;; plus il est grand, moins elle y ralentit. 0&#xa0;: elle s’arrête à chaque angle.</translation>
     </message>
     <message>
         <source>Tolerance of the program</source>
@@ -2831,15 +2831,15 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>on: where the program asks for a tolerance (CTOL, CYCLE832, G64 P, cycle 32) or a blend distance (ADIS), it is used; off: the contour tolerance is used everywhere. Exact stops are always used.</source>
-        <translation>oui&#xa0;: là où le programme demande une tolérance (CTOL, CYCLE832, G64 P, cycle 32) ou une distance de raccord (ADIS), c&apos;est elle qui vaut&#xa0;; non&#xa0;: la tolérance de contour vaut partout. Les arrêts précis sont toujours respectés.</translation>
+        <translation>oui&#xa0;: là où le programme demande une tolérance (CTOL, CYCLE832, G64 P, cycle 32) ou une distance de raccord (ADIS), c’est elle qui vaut&#xa0;; non&#xa0;: la tolérance de contour vaut partout. Les arrêts précis sont toujours respectés.</translation>
     </message>
     <message>
         <source>Interpolation period</source>
-        <translation>Période d&apos;interpolation</translation>
+        <translation>Période d’interpolation</translation>
     </message>
     <message>
         <source>Radial share of acceleration</source>
-        <translation>Part radiale de l&apos;accélération</translation>
+        <translation>Part radiale de l’accélération</translation>
     </message>
     <message>
         <source>Radial share of jerk</source>
@@ -2867,19 +2867,19 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Weight of the end tangents of a blend; 2.5 was identified on a Sinumerik 840D.</source>
-        <translation>Poids des tangentes aux extrémités d&apos;un raccord&#xa0;; 2,5 a été identifié sur une Sinumerik 840D.</translation>
+        <translation>Poids des tangentes aux extrémités d’un raccord&#xa0;; 2,5 a été identifié sur une Sinumerik 840D.</translation>
     </message>
     <message>
         <source>Share of the contour tolerance that the control uses; 0 for the identified rule: 0.6 where an axis reverses in the corner, else 0.8.</source>
-        <translation>Part de la tolérance de contour que la commande utilise&#xa0;; 0 pour la règle identifiée&#xa0;: 0,6 là où un axe s&apos;inverse dans l&apos;angle, sinon 0,8.</translation>
+        <translation>Part de la tolérance de contour que la commande utilise&#xa0;; 0 pour la règle identifiée&#xa0;: 0,6 là où un axe s’inverse dans l’angle, sinon 0,8.</translation>
     </message>
     <message>
         <source>Interpretation of the paper</source>
-        <translation>Lecture de l&apos;article</translation>
+        <translation>Lecture de l’article</translation>
     </message>
     <message>
         <source>corrected: the acceleration continues after a blend; published: it drops to zero there, as in the figures of the paper; strict: constant du/dt on a blend, ramps where blends meet, every limit kept.</source>
-        <translation>corrigée&#xa0;: l&apos;accélération se poursuit après un raccord&#xa0;; publiée&#xa0;: elle est abandonnée à sa fin, comme dans les figures de l&apos;article&#xa0;; stricte&#xa0;: du/dt constant sur un raccord, en rampe là où des raccords se touchent, toutes les limites respectées.</translation>
+        <translation>corrigée&#xa0;: l’accélération se poursuit après un raccord&#xa0;; publiée&#xa0;: elle est abandonnée à sa fin, comme dans les figures de l’article&#xa0;; stricte&#xa0;: du/dt constant sur un raccord, en rampe là où des raccords se touchent, toutes les limites respectées.</translation>
     </message>
     <message>
         <source>Circular interpolation (Sinumerik 840D)</source>
@@ -2887,7 +2887,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>One feed for each arc, from the curvilinear jerk of the control and from what the axes allow where it is reached; speed is lost at every change of curvature; jerk-limited ramps in between. Corners are exact stops: the paper states that the control rounds them, but not how.</source>
-        <translation>Une seule avance par arc, d&apos;après le jerk curviligne de la commande et ce que les axes permettent là où il est atteint&#xa0;; perte de vitesse à chaque changement de courbure&#xa0;; rampes à jerk limité entre les deux. Les angles sont des arrêts précis&#xa0;: l&apos;article dit que la commande les arrondit, mais pas comment.</translation>
+        <translation>Une seule avance par arc, d’après le jerk curviligne de la commande et ce que les axes permettent là où il est atteint&#xa0;; perte de vitesse à chaque changement de courbure&#xa0;; rampes à jerk limité entre les deux. Les angles sont des arrêts précis&#xa0;: l’article dit que la commande les arrondit, mais pas comment.</translation>
     </message>
     <message>
         <source>Connecting arcs, static and dynamic look-ahead (Sinumerik 840D, TNC 430)</source>
@@ -2923,7 +2923,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>The shortest time in which any control could run the path of another model, including its blends, within the axis limits and the programmed feed: what a better control could still gain. The settings of the other model shape the path.</source>
-        <translation>Le temps minimal que pourrait mettre une loi de vitesse sur la trajectoire parcourue par un autre modèle, raccords compris, sous les limites des axes et l&apos;avance programmée&#xa0;: ce qu&apos;une meilleure commande pourrait encore gagner. Les réglages de l&apos;autre modèle déterminent la trajectoire.</translation>
+        <translation>Le temps minimal que pourrait mettre une loi de vitesse sur la trajectoire parcourue par un autre modèle, raccords compris, sous les limites des axes et l’avance programmée&#xa0;: ce qu’une meilleure commande pourrait encore gagner. Les réglages de l’autre modèle déterminent la trajectoire.</translation>
     </message>
     <message>
         <source>Path of the model</source>
@@ -2931,7 +2931,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Model whose path is run, including corner blends; for ward the path that its filters produce.</source>
-        <translation>Modèle dont la trajectoire est parcourue, raccords d&apos;angle compris ; pour ward, celle que tracent ses filtres.</translation>
+        <translation>Modèle dont la trajectoire est parcourue, raccords d’angle compris ; pour ward, celle que tracent ses filtres.</translation>
     </message>
     <message>
         <source>Jerk limits</source>
@@ -2939,7 +2939,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>off: the fastest within velocity and acceleration limits, which no control can beat; on: also within the jerk of every axis, close to the fastest and slow to compute.</source>
-        <translation>non&#xa0;: la loi la plus rapide sous les limites de vitesse et d&apos;accélération, qu&apos;aucune autre ne peut battre&#xa0;; oui&#xa0;: une loi qui respecte aussi le jerk de chaque axe, proche de la plus rapide, et longue à calculer.</translation>
+        <translation>non&#xa0;: la loi la plus rapide sous les limites de vitesse et d’accélération, qu’aucune autre ne peut battre&#xa0;; oui&#xa0;: une loi qui respecte aussi le jerk de chaque axe, proche de la plus rapide, et longue à calculer.</translation>
     </message>
     <message>
         <source>Tolerances and blend distances of the program are not used: the model has no blends.</source>
@@ -2999,7 +2999,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Look-ahead law</source>
-        <translation>Loi d&apos;anticipation</translation>
+        <translation>Loi d’anticipation</translation>
     </message>
     <message>
         <source>Time</source>
@@ -3079,43 +3079,43 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Maximum rate of change of acceleration on programmed lines and arcs; small values are gentle on the machine and cost most time on short blocks.</source>
-        <translation>Taux maximal de variation de l&apos;accélération sur les droites et arcs programmés&#xa0;; de petites valeurs ménagent la machine et coûtent surtout du temps sur les blocs courts.</translation>
+        <translation>Taux maximal de variation de l’accélération sur les droites et arcs programmés&#xa0;; de petites valeurs ménagent la machine et coûtent surtout du temps sur les blocs courts.</translation>
     </message>
     <message>
         <source>Maximum rate of change of acceleration on the corner blends that the control inserts.</source>
-        <translation>Taux maximal de variation de l&apos;accélération sur les raccords d&apos;angle insérés par la commande.</translation>
+        <translation>Taux maximal de variation de l’accélération sur les raccords d’angle insérés par la commande.</translation>
     </message>
     <message>
         <source>Time between two set points of the control; a block shorter than the distance that the feed covers in one period is run more slowly.</source>
-        <translation>Temps entre deux consignes de la commande&#xa0;; un bloc plus court que la distance parcourue en une période à l&apos;avance programmée est exécuté plus lentement.</translation>
+        <translation>Temps entre deux consignes de la commande&#xa0;; un bloc plus court que la distance parcourue en une période à l’avance programmée est exécuté plus lentement.</translation>
     </message>
     <message>
         <source>Number of blocks the control plans ahead; it must be able to stop within them, so a small number keeps the feed low on short blocks.</source>
-        <translation>Nombre de blocs que la commande planifie à l&apos;avance&#xa0;; elle doit pouvoir s&apos;arrêter dans ces blocs&#xa0;: un petit nombre maintient donc l&apos;avance basse sur des blocs courts.</translation>
+        <translation>Nombre de blocs que la commande planifie à l’avance&#xa0;; elle doit pouvoir s’arrêter dans ces blocs&#xa0;: un petit nombre maintient donc l’avance basse sur des blocs courts.</translation>
     </message>
     <message>
         <source>Share of the acceleration of every axis that is available for radial acceleration on a corner blend; the rest is left for accelerating and braking along the path.</source>
-        <translation>Part de l&apos;accélération de chaque axe disponible pour l&apos;accélération radiale sur un raccord d&apos;angle&#xa0;; le reste sert à accélérer et à freiner le long de la trajectoire.</translation>
+        <translation>Part de l’accélération de chaque axe disponible pour l’accélération radiale sur un raccord d’angle&#xa0;; le reste sert à accélérer et à freiner le long de la trajectoire.</translation>
     </message>
     <message>
         <source>Share of the jerk of every axis that is available for radial jerk on a corner blend; the rest is left for accelerating and braking along the path.</source>
-        <translation>Part du jerk de chaque axe disponible pour le jerk radial sur un raccord d&apos;angle&#xa0;; le reste sert à accélérer et à freiner le long de la trajectoire.</translation>
+        <translation>Part du jerk de chaque axe disponible pour le jerk radial sur un raccord d’angle&#xa0;; le reste sert à accélérer et à freiner le long de la trajectoire.</translation>
     </message>
     <message>
         <source>Maximum jerk along the path; it limits the feed on arcs to the cube root of jerk times radius squared.</source>
-        <translation>Jerk maximal le long de la trajectoire&#xa0;; il limite l&apos;avance sur les arcs à la racine cubique du jerk multiplié par le carré du rayon.</translation>
+        <translation>Jerk maximal le long de la trajectoire&#xa0;; il limite l’avance sur les arcs à la racine cubique du jerk multiplié par le carré du rayon.</translation>
     </message>
     <message>
         <source>Share of the curvilinear jerk used in the tangential direction; the rest is used in the normal direction.</source>
-        <translation>Part du jerk curviligne utilisée dans la direction tangentielle&#xa0;; le reste l&apos;est dans la direction normale.</translation>
+        <translation>Part du jerk curviligne utilisée dans la direction tangentielle&#xa0;; le reste l’est dans la direction normale.</translation>
     </message>
     <message>
         <source>Path length divided by programmed feed, block by block; rapids at axis speed; dwells as programmed: the time that a CAM system predicts.</source>
-        <translation>Longueur de trajectoire divisée par l&apos;avance programmée, bloc par bloc&#xa0;; rapides à la vitesse des axes&#xa0;; temporisations telles que programmées&#xa0;: le temps qu&apos;annonce un logiciel de FAO.</translation>
+        <translation>Longueur de trajectoire divisée par l’avance programmée, bloc par bloc&#xa0;; rapides à la vitesse des axes&#xa0;; temporisations telles que programmées&#xa0;: le temps qu’annonce un logiciel de FAO.</translation>
     </message>
     <message>
         <source>Corners between lines are blended by cubic Hermite curves within the contour tolerance; jerk-limited ramps on the lines, per-axis limits with radial shares on the blends, look-ahead over a number of blocks. Arcs and tangent junctions, which the paper does not cover, keep the static limits of Tapie 2007.</source>
-        <translation>Les angles entre droites sont raccordés par des courbes cubiques d&apos;Hermite dans la tolérance de contour&#xa0;; rampes à jerk limité sur les droites, limites par axe avec parts radiales sur les raccords, anticipation sur un certain nombre de blocs. Les arcs et les jonctions tangentes, que l&apos;article ne traite pas, gardent les limites statiques de Tapie 2007.</translation>
+        <translation>Les angles entre droites sont raccordés par des courbes cubiques d’Hermite dans la tolérance de contour&#xa0;; rampes à jerk limité sur les droites, limites par axe avec parts radiales sur les raccords, anticipation sur un certain nombre de blocs. Les arcs et les jonctions tangentes, que l’article ne traite pas, gardent les limites statiques de Tapie 2007.</translation>
     </message>
     <message>
         <source>Corners between lines are blended by circular arcs within the contour tolerance and passed at constant speed; where blends meet, they are passed within ramps. Limits apply along tangent and normal instead of per axis; jerk-limited ramps on the lines, look-ahead. Arcs and tangent junctions keep the static limits of Tapie 2007.</source>
@@ -3123,31 +3123,31 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>dynamic: ramps planned over the blocks ahead; static: every block at its own feed, as if feed changes took no time.</source>
-        <translation>dynamique&#xa0;: rampes planifiées sur les blocs à venir&#xa0;; statique&#xa0;: chaque bloc à sa propre avance, comme si les changements d&apos;avance ne prenaient pas de temps.</translation>
+        <translation>dynamique&#xa0;: rampes planifiées sur les blocs à venir&#xa0;; statique&#xa0;: chaque bloc à sa propre avance, comme si les changements d’avance ne prenaient pas de temps.</translation>
     </message>
     <message>
         <source>Connecting arcs are inserted at corners between lines within the contour tolerance (TIT); short blocks are merged. Static look-ahead assigns one feed to every block and arc; dynamic look-ahead plans ramps below it. Helices, dwells, rapids and corners at an arc, which the paper does not cover, keep the static limits of arcs and lines or are exact stops.</source>
-        <translation>Des arcs de raccordement sont insérés aux angles entre droites dans la tolérance de contour (TIT)&#xa0;; les blocs courts sont réunis. L&apos;anticipation statique attribue une avance à chaque bloc et à chaque arc&#xa0;; l&apos;anticipation dynamique planifie des rampes au-dessous. Hélices, temporisations, rapides et angles touchant un arc, que l&apos;article ne traite pas, gardent les limites statiques des arcs et des droites ou sont des arrêts précis.</translation>
+        <translation>Des arcs de raccordement sont insérés aux angles entre droites dans la tolérance de contour (TIT)&#xa0;; les blocs courts sont réunis. L’anticipation statique attribue une avance à chaque bloc et à chaque arc&#xa0;; l’anticipation dynamique planifie des rampes au-dessous. Hélices, temporisations, rapides et angles touchant un arc, que l’article ne traite pas, gardent les limites statiques des arcs et des droites ou sont des arrêts précis.</translation>
     </message>
     <message>
         <source>Number of moving averages in series; 3 are closer to the control in the paper, 2 are simpler.</source>
-        <translation>Nombre de moyennes glissantes en série&#xa0;; 3 s&apos;approchent mieux de la commande de l&apos;article, 2 sont plus simples.</translation>
+        <translation>Nombre de moyennes glissantes en série&#xa0;; 3 s’approchent mieux de la commande de l’article, 2 sont plus simples.</translation>
     </message>
     <message>
         <source>Used only if the filter time is 0: jerk of a ramp to the highest programmed feed between two stops; the filter time is the square root of this feed over the jerk. 0: the smallest axis jerk.</source>
-        <translation>Utilisé seulement si le temps de filtrage est 0&#xa0;: jerk d&apos;une rampe jusqu&apos;à la plus grande avance programmée entre deux arrêts&#xa0;; le temps de filtrage est la racine carrée de cette avance divisée par le jerk. 0&#xa0;: le plus petit jerk des axes.</translation>
+        <translation>Utilisé seulement si le temps de filtrage est 0&#xa0;: jerk d’une rampe jusqu’à la plus grande avance programmée entre deux arrêts&#xa0;; le temps de filtrage est la racine carrée de cette avance divisée par le jerk. 0&#xa0;: le plus petit jerk des axes.</translation>
     </message>
     <message>
         <source>Length of one moving average, the same for all feeds. 0: computed from the highest programmed feed between two stops and the jerk of the filters; a higher programmed feed can then slow the program down.</source>
-        <translation>Durée d&apos;une moyenne glissante, la même pour toutes les avances. 0&#xa0;: calculée d&apos;après la plus grande avance programmée entre deux arrêts et le jerk des filtres&#xa0;; une avance programmée plus élevée peut alors ralentir le programme.</translation>
+        <translation>Durée d’une moyenne glissante, la même pour toutes les avances. 0&#xa0;: calculée d’après la plus grande avance programmée entre deux arrêts et le jerk des filtres&#xa0;; une avance programmée plus élevée peut alors ralentir le programme.</translation>
     </message>
     <message>
         <source>on: corners are slowed down until the actual contour error is within the tolerance; off: every corner is treated as if it were alone, as in the paper.</source>
-        <translation>oui&#xa0;: les angles sont ralentis jusqu&apos;à ce que l&apos;erreur de contour réelle soit dans la tolérance&#xa0;; non&#xa0;: chaque angle est traité comme s&apos;il était seul, comme dans l&apos;article.</translation>
+        <translation>oui&#xa0;: les angles sont ralentis jusqu’à ce que l’erreur de contour réelle soit dans la tolérance&#xa0;; non&#xa0;: chaque angle est traité comme s’il était seul, comme dans l’article.</translation>
     </message>
     <message>
         <source>Every block is a velocity pulse, reduced around corners until the contour tolerance is kept; two or three equal moving averages smooth the pulses of each axis. On arcs, which the paper does not cover, the pulses follow the tangent; they keep the static limits of Tapie 2007 and, as at corners, the tolerance.</source>
-        <translation>Chaque bloc est une impulsion de vitesse, réduite autour des angles jusqu&apos;à ce que la tolérance de contour soit tenue&#xa0;; deux ou trois moyennes glissantes égales lissent les impulsions de chaque axe. Sur les arcs, que l&apos;article ne traite pas, les impulsions suivent la tangente&#xa0;; elles gardent les limites statiques de Tapie 2007 et, comme aux angles, la tolérance.</translation>
+        <translation>Chaque bloc est une impulsion de vitesse, réduite autour des angles jusqu’à ce que la tolérance de contour soit tenue&#xa0;; deux ou trois moyennes glissantes égales lissent les impulsions de chaque axe. Sur les arcs, que l’article ne traite pas, les impulsions suivent la tangente&#xa0;; elles gardent les limites statiques de Tapie 2007 et, comme aux angles, la tolérance.</translation>
     </message>
     <message>
         <source>Circular-arc blends at constant speed</source>
@@ -3163,7 +3163,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Velocity that the position loop of the axis asks for, over the following error: without feed-forward the axis stays v/Kv behind. Without a value the axis follows its set values exactly.</source>
-        <translation>Vitesse que la boucle de position de l&apos;axe demande, rapportée à l&apos;écart de poursuite : sans anticipation, l&apos;axe reste en retard de v/Kv. Sans valeur, l&apos;axe suit exactement ses consignes.</translation>
+        <translation>Vitesse que la boucle de position de l’axe demande, rapportée à l’écart de poursuite : sans anticipation, l’axe reste en retard de v/Kv. Sans valeur, l’axe suit exactement ses consignes.</translation>
     </message>
     <message>
         <source>Velocity feed-forward</source>
@@ -3171,7 +3171,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Share of the set velocity that the position loop adds to its own; with 1 there is no following error at constant velocity.</source>
-        <translation>Part de la vitesse de consigne que la boucle de position ajoute à la sienne ; avec 1, il n&apos;y a pas d&apos;écart de poursuite à vitesse constante.</translation>
+        <translation>Part de la vitesse de consigne que la boucle de position ajoute à la sienne ; avec 1, il n’y a pas d’écart de poursuite à vitesse constante.</translation>
     </message>
     <message>
         <source>Lag of the velocity loop</source>
@@ -3179,15 +3179,15 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Time constant with which the velocity loop of the axis reaches the velocity asked for; with feed-forward it makes circles grow with acceleration.</source>
-        <translation>Constante de temps avec laquelle la boucle de vitesse de l&apos;axe atteint la vitesse demandée ; avec l&apos;anticipation, elle fait grandir les cercles avec l&apos;accélération.</translation>
+        <translation>Constante de temps avec laquelle la boucle de vitesse de l’axe atteint la vitesse demandée ; avec l’anticipation, elle fait grandir les cercles avec l’accélération.</translation>
     </message>
     <message>
         <source>Backlash</source>
-        <translation>Jeu à l&apos;inversion</translation>
+        <translation>Jeu à l’inversion</translation>
     </message>
     <message>
         <source>Distance that the motor of the axis turns back at a reversal before the slide moves.</source>
-        <translation>Distance que le moteur de l&apos;axe parcourt en arrière à une inversion avant que la table ne bouge.</translation>
+        <translation>Distance que le moteur de l’axe parcourt en arrière à une inversion avant que la table ne bouge.</translation>
     </message>
     <message>
         <source>Backlash compensation</source>
@@ -3203,7 +3203,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Distance by which friction holds the axis back when it reverses; on a circle it shows as a spike where quadrants change.</source>
-        <translation>Distance dont le frottement retient l&apos;axe quand il s&apos;inverse ; sur un cercle, elle se voit comme un pic aux changements de quadrant.</translation>
+        <translation>Distance dont le frottement retient l’axe quand il s’inverse ; sur un cercle, elle se voit comme un pic aux changements de quadrant.</translation>
     </message>
     <message>
         <source>Decay of the friction spike</source>
@@ -3275,35 +3275,35 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Chip thickness at the programmed feed</source>
-        <translation>Épaisseur de copeau à l&apos;avance programmée</translation>
+        <translation>Épaisseur de copeau à l’avance programmée</translation>
     </message>
     <message>
         <source>at programmed feed</source>
-        <translation>à l&apos;avance programmée</translation>
+        <translation>à l’avance programmée</translation>
     </message>
     <message>
         <source>Peak cutting force at the programmed feed</source>
-        <translation>Effort de coupe de crête à l&apos;avance programmée</translation>
+        <translation>Effort de coupe de crête à l’avance programmée</translation>
     </message>
     <message>
         <source>peak at programmed feed</source>
-        <translation>crête à l&apos;avance programmée</translation>
+        <translation>crête à l’avance programmée</translation>
     </message>
     <message>
         <source>Mean cutting force at the programmed feed</source>
-        <translation>Effort de coupe moyen à l&apos;avance programmée</translation>
+        <translation>Effort de coupe moyen à l’avance programmée</translation>
     </message>
     <message>
         <source>Feed per tooth at the programmed feed</source>
-        <translation>Avance par dent à l&apos;avance programmée</translation>
+        <translation>Avance par dent à l’avance programmée</translation>
     </message>
     <message>
         <source>Torque at the programmed feed</source>
-        <translation>Couple à l&apos;avance programmée</translation>
+        <translation>Couple à l’avance programmée</translation>
     </message>
     <message>
         <source>Cutting power at the programmed feed</source>
-        <translation>Puissance de coupe à l&apos;avance programmée</translation>
+        <translation>Puissance de coupe à l’avance programmée</translation>
     </message>
     <message>
         <source>Actual error</source>
@@ -3335,7 +3335,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Lays a smooth curve through dense short blocks within the contour tolerance, in place of a blend in every corner. program: where the program asks for it (COMPON, COMPCURV, COMPCAD, COMPSURF, CYCLE832, cycle 32, G05.1 Q1); off: never; on: everywhere. Our own curve: no maker publishes theirs.</source>
-        <translation>Fait passer une courbe lisse par les blocs courts et denses, dans la tolérance de contour, au lieu d&apos;un raccordement à chaque coin. programme : là où le programme le demande (COMPON, COMPCURV, COMPCAD, COMPSURF, CYCLE832, cycle 32, G05.1 Q1) ; non : jamais ; oui : partout. Cette courbe est la nôtre : aucun fabricant ne publie la sienne.</translation>
+        <translation>Fait passer une courbe lisse par les blocs courts et denses, dans la tolérance de contour, au lieu d’un raccordement à chaque angle. programme : là où le programme le demande (COMPON, COMPCURV, COMPCAD, COMPSURF, CYCLE832, cycle 32, G05.1 Q1) ; non : jamais ; oui : partout. Cette courbe est la nôtre : aucun fabricant ne publie la sienne.</translation>
     </message>
     <message>
         <source>program</source>
@@ -3347,15 +3347,15 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Longer lines stay lines; 20 is the value of a Sinumerik (MD20170) when it is new.</source>
-        <translation>Les droites plus longues restent des droites ; 20 est la valeur d&apos;une Sinumerik (MD20170) à la livraison.</translation>
+        <translation>Les droites plus longues restent des droites ; 20 est la valeur d’une Sinumerik (MD20170) à la livraison.</translation>
     </message>
     <message>
         <source>Sharpest smoothed corner</source>
-        <translation>Coin le plus vif à lisser</translation>
+        <translation>Angle le plus vif à lisser</translation>
     </message>
     <message>
         <source>Corners that turn by more stay corners; 36 is the value of a Sinumerik (SD42470) when it is new.</source>
-        <translation>Les coins qui tournent davantage restent des coins ; 36 est la valeur d&apos;une Sinumerik (SD42470) à la livraison.</translation>
+        <translation>Les angles qui tournent davantage restent des angles ; 36 est la valeur d’une Sinumerik (SD42470) à la livraison.</translation>
     </message>
     <message>
         <source>Compressor smoothing</source>
@@ -3367,7 +3367,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Blocks shorter than this are merged into segments of at most this length where the tolerance allows it; 0: no compaction. Where the compressor is at work it takes the place of this.</source>
-        <translation>Les blocs plus courts sont réunis en segments d&apos;au plus cette longueur là où la tolérance le permet ; 0 : pas de compactage. Là où le compresseur agit, il le remplace.</translation>
+        <translation>Les blocs plus courts sont réunis en segments d’au plus cette longueur là où la tolérance le permet ; 0 : pas de compactage. Là où le compresseur agit, il le remplace.</translation>
     </message>
     <message>
         <source>junction deviation</source>
@@ -3375,7 +3375,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>square corner velocity</source>
-        <translation>vitesse de coin à 90° (square corner velocity)</translation>
+        <translation>vitesse dans un angle de 90° (square corner velocity)</translation>
     </message>
     <message>
         <source>minimum cruise ratio</source>
@@ -3399,7 +3399,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Steps of the motor over 1 mm of the axis: controls of stepper motors round the ends of blocks to whole steps. Without a value they are not rounded.</source>
-        <translation>Pas du moteur pour 1 mm de l&apos;axe : les commandes de moteurs pas à pas arrondissent les fins de bloc à des pas entiers. Sans valeur, elles ne sont pas arrondies.</translation>
+        <translation>Pas du moteur pour 1 mm de l’axe : les commandes de moteurs pas à pas arrondissent les fins de bloc à des pas entiers. Sans valeur, elles ne sont pas arrondies.</translation>
     </message>
     <message>
         <source>Refuse lines</source>
@@ -3415,7 +3415,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>$11 of grbl: how far an arc in a corner might leave it; the speed that such an arc would allow is that of the corner, which itself is run as programmed.</source>
-        <translation>$11 de grbl : de combien un arc dans un coin pourrait s&apos;en écarter ; la vitesse que permettrait un tel arc est celle du coin, qui est lui-même suivi tel qu&apos;il est programmé.</translation>
+        <translation>$11 de grbl : de combien un arc dans un angle pourrait s’en écarter ; la vitesse que permettrait un tel arc est celle de l’angle, qui est lui-même suivi tel qu’il est programmé.</translation>
     </message>
     <message>
         <source>Arc tolerance</source>
@@ -3423,7 +3423,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>$12 of grbl: how far the chords that arcs are cut into may leave them.</source>
-        <translation>$12 de grbl : de combien les cordes des arcs peuvent s&apos;en écarter.</translation>
+        <translation>$12 de grbl : de combien les cordes des arcs peuvent s’en écarter.</translation>
     </message>
     <message>
         <source>Planner buffer</source>
@@ -3431,11 +3431,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Blocks that are planned together, the running one included; the last of them always ends at rest.</source>
-        <translation>Blocs planifiés ensemble, celui en cours compris ; le dernier se termine toujours à l&apos;arrêt.</translation>
+        <translation>Blocs planifiés ensemble, celui en cours compris ; le dernier se termine toujours à l’arrêt.</translation>
     </message>
     <message>
         <source>Idle delay</source>
-        <translation>Maintien à l&apos;arrêt</translation>
+        <translation>Maintien à l’arrêt</translation>
     </message>
     <message>
         <source>$1 of grbl: time for which the motors hold each time all motion ends.</source>
@@ -3455,7 +3455,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Corners are passed at the speed that the junction deviation allows, with constant acceleration and no limit of the jerk; arcs are cut into chords. The control plans 15 blocks ahead and must be able to stop within them, so that short blocks are slow. Lines that it does not understand are not run.</source>
-        <translation>Les coins sont passés à la vitesse que permet l&apos;écart de jonction, à accélération constante et sans limite du jerk ; les arcs sont coupés en cordes. La commande planifie 15 blocs d&apos;avance et doit pouvoir s&apos;y arrêter, si bien que les blocs courts sont lents. Les lignes qu&apos;elle ne comprend pas ne sont pas exécutées.</translation>
+        <translation>Les angles sont passés à la vitesse que permet l’écart de jonction, à accélération constante et sans limite du jerk ; les arcs sont coupés en cordes. La commande planifie 15 blocs d’avance et doit pouvoir s’y arrêter, si bien que les blocs courts sont lents. Les lignes qu’elle ne comprend pas ne sont pas exécutées.</translation>
     </message>
     <message>
         <source>Maximum velocity</source>
@@ -3463,7 +3463,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>max_velocity of Klipper: of the tool along the path. Without a value the least of the axes.</source>
-        <translation>max_velocity de Klipper : de l&apos;outil le long de la trajectoire. Sans valeur, la plus petite des axes.</translation>
+        <translation>max_velocity de Klipper : de l’outil le long de la trajectoire. Sans valeur, la plus petite des axes.</translation>
     </message>
     <message>
         <source>Maximum acceleration</source>
@@ -3471,15 +3471,15 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>max_accel of Klipper: of the tool along the path. Without a value the least of the axes.</source>
-        <translation>max_accel de Klipper : de l&apos;outil le long de la trajectoire. Sans valeur, la plus petite des axes.</translation>
+        <translation>max_accel de Klipper : de l’outil le long de la trajectoire. Sans valeur, la plus petite des axes.</translation>
     </message>
     <message>
         <source>Square corner velocity</source>
-        <translation>Vitesse de coin à 90°</translation>
+        <translation>Vitesse dans un angle de 90°</translation>
     </message>
     <message>
         <source>Speed at which the tool may pass a corner of 90 degrees; other corners accordingly.</source>
-        <translation>Vitesse à laquelle l&apos;outil peut passer un coin de 90 degrés ; les autres coins en proportion.</translation>
+        <translation>Vitesse à laquelle l’outil peut passer un angle de 90 degrés ; les autres angles en proportion.</translation>
     </message>
     <message>
         <source>Minimum cruise ratio</source>
@@ -3487,7 +3487,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Part of a way between two slow places that is left for constant speed, so that short zigzags do not accelerate all the time.</source>
-        <translation>Part d&apos;un trajet entre deux endroits lents qui reste à vitesse constante, pour que de courts zigzags n&apos;accélèrent pas sans cesse.</translation>
+        <translation>Part d’un trajet entre deux endroits lents qui reste à vitesse constante, pour que de courts zigzags n’accélèrent pas sans cesse.</translation>
     </message>
     <message>
         <source>Arc resolution</source>
@@ -3515,7 +3515,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Velocity and acceleration are limited along the path; corners are passed as they are programmed, at a speed that the square corner velocity sets, without any limit of the jerk. The look-ahead has no end, and a part of every way is kept for constant speed. Every line must begin with its command.</source>
-        <translation>Vitesse et accélération sont limitées le long de la trajectoire ; les coins sont passés tels qu&apos;ils sont programmés, à une vitesse que fixe la vitesse de coin à 90°, sans limite du jerk. L&apos;anticipation est sans fin, et une part de chaque trajet reste à vitesse constante. Chaque ligne doit commencer par sa commande.</translation>
+        <translation>Vitesse et accélération sont limitées le long de la trajectoire ; les angles sont passés tels qu’ils sont programmés, à une vitesse que fixe la vitesse dans un angle de 90°, sans limite du jerk. L’anticipation est sans fin, et une part de chaque trajet reste à vitesse constante. Chaque ligne doit commencer par sa commande.</translation>
     </message>
     <message>
         <source>Planner</source>
@@ -3535,7 +3535,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>P of G64 where the program gives none: how far blends may leave the corner. 0: as far as a quarter of the blocks, as fast as possible.</source>
-        <translation>P de G64 quand le programme n’en donne pas : de combien les raccords peuvent s’écarter du coin. 0 : jusqu’au quart des blocs, aussi vite que possible.</translation>
+        <translation>P de G64 quand le programme n’en donne pas : de combien les raccords peuvent s’écarter de l’angle. 0 : jusqu’au quart des blocs, aussi vite que possible.</translation>
     </message>
     <message>
         <source>Naive CAM tolerance</source>
@@ -3575,7 +3575,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Every servo period the planner computes the next place, with constant acceleration and no limit of the jerk. Under G64 arcs within the tolerance blend corners, or neighbours overlap, and short blocks along a line become one; under G61 corners are exact stops. Half of the acceleration is kept back for blends.</source>
-        <translation>À chaque période d’asservissement, le planificateur calcule le prochain point, à accélération constante et sans limite de jerk. Sous G64, des arcs raccordent les coins dans la tolérance, ou deux blocs se chevauchent, et les blocs courts le long d’une droite n’en font qu’un ; sous G61, les coins sont des arrêts précis. La moitié de l’accélération est réservée aux raccords.</translation>
+        <translation>À chaque période d’asservissement, le planificateur calcule le prochain point, à accélération constante et sans limite de jerk. Sous G64, des arcs raccordent les angles dans la tolérance, ou deux blocs se chevauchent, et les blocs courts le long d’une droite n’en font qu’un ; sous G61, les angles sont des arrêts précis. La moitié de l’accélération est réservée aux raccords.</translation>
     </message>
     <message>
         <source>parameters of a Fanuc</source>
@@ -3611,7 +3611,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>corners</source>
-        <translation>coins</translation>
+        <translation>angles</translation>
     </message>
     <message>
         <source>turn</source>
@@ -3663,15 +3663,15 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>No jerk is limited: the acceleration jumps, and where blocks meet the velocity of an axis, too. There is no largest jerk, and the largest accelerations are those between the jumps.</source>
-        <translation>Le jerk n&apos;est pas limité : l&apos;accélération saute et, là où les blocs se rejoignent, la vitesse d&apos;un axe aussi. Il n&apos;y a pas de jerk maximal, et les accélérations maximales sont celles entre les sauts.</translation>
+        <translation>Le jerk n’est pas limité : l’accélération saute et, là où les blocs se rejoignent, la vitesse d’un axe aussi. Il n’y a pas de jerk maximal, et les accélérations maximales sont celles entre les sauts.</translation>
     </message>
     <message>
         <source>No jerk is limited: the acceleration jumps, and there is no largest jerk.</source>
-        <translation>Le jerk n&apos;est pas limité : l&apos;accélération saute, et il n&apos;y a pas de jerk maximal.</translation>
+        <translation>Le jerk n’est pas limité : l’accélération saute, et il n’y a pas de jerk maximal.</translation>
     </message>
     <message>
         <source>Velocity, acceleration and jerk of the axis, from rest to rest.</source>
-        <translation>Vitesse, accélération et jerk de l&apos;axe, d&apos;un arrêt à l&apos;autre.</translation>
+        <translation>Vitesse, accélération et jerk de l’axe, d’un arrêt à l’autre.</translation>
     </message>
     <message>
         <source>Velocity, acceleration and jerk of Z.</source>
@@ -3683,7 +3683,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Speed through a corner over its angle: tolerance or corner rule, and how far the control leaves the corner.</source>
-        <translation>Vitesse dans un coin selon son angle : tolérance ou règle de coin, et de combien la commande s&apos;écarte du coin.</translation>
+        <translation>Vitesse dans un angle selon sa valeur : tolérance ou règle d’angle, et de combien la commande s’écarte de l’angle.</translation>
     </message>
     <message>
         <source>Acceleration and jerk across the path, by radius.</source>
@@ -3695,7 +3695,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>The model does not explain the traces: a value of it would say nothing of the machine.</source>
-        <translation>Le modèle n&apos;explique pas les traces : une de ses valeurs ne dirait rien de la machine.</translation>
+        <translation>Le modèle n’explique pas les traces : une de ses valeurs ne dirait rien de la machine.</translation>
     </message>
     <message>
         <source>It changes nothing that these traces show.</source>
@@ -3703,7 +3703,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>These traces never reach it: larger values show the same.</source>
-        <translation>Ces traces ne l&apos;atteignent jamais : de plus grandes valeurs montrent la même chose.</translation>
+        <translation>Ces traces ne l’atteignent jamais : de plus grandes valeurs montrent la même chose.</translation>
     </message>
     <message>
         <source>These traces show the same with smaller values.</source>
@@ -3731,7 +3731,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Maximum rate of change of the acceleration of this rotary axis.</source>
-        <translation>Vitesse de variation maximale de l&apos;accélération de cet axe rotatif.</translation>
+        <translation>Vitesse de variation maximale de l’accélération de cet axe rotatif.</translation>
     </message>
     <message>
         <source>Minimum position</source>
@@ -3739,7 +3739,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Lower end of the travel of this rotary axis; without it the axis has no end.</source>
-        <translation>Extrémité inférieure de la course de cet axe rotatif ; sans elle, l&apos;axe tourne sans fin.</translation>
+        <translation>Extrémité inférieure de la course de cet axe rotatif ; sans elle, l’axe tourne sans fin.</translation>
     </message>
     <message>
         <source>Maximum position</source>
@@ -3747,7 +3747,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Upper end of the travel of this rotary axis; without it the axis has no end.</source>
-        <translation>Extrémité supérieure de la course de cet axe rotatif ; sans elle, l&apos;axe tourne sans fin.</translation>
+        <translation>Extrémité supérieure de la course de cet axe rotatif ; sans elle, l’axe tourne sans fin.</translation>
     </message>
     <message>
         <source>same motions, same feed</source>
@@ -3775,23 +3775,23 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>indexing of axis %1</source>
-        <translation>positionnement de l&apos;axe %1</translation>
+        <translation>positionnement de l’axe %1</translation>
     </message>
     <message>
         <source>Where the program gives none: G64 blends corners within the blend tolerance, G61 stops where blocks do not join tangentially, G61.1 at the end of every block.</source>
-        <translation>Quand le programme n’en donne pas : G64 raccorde les coins dans la tolérance de raccord, G61 s’arrête là où les blocs ne se suivent pas tangentiellement, G61.1 à la fin de chaque bloc.</translation>
+        <translation>Quand le programme n’en donne pas : G64 raccorde les angles dans la tolérance de raccord, G61 s’arrête là où les blocs ne se suivent pas tangentiellement, G61.1 à la fin de chaque bloc.</translation>
     </message>
     <message>
         <source>table of samples</source>
-        <translation>tableau d&apos;échantillons</translation>
+        <translation>tableau d’échantillons</translation>
     </message>
     <message>
         <source>%1 tool change</source>
-        <translation>%1 changement d&apos;outil</translation>
+        <translation>%1 changement d’outil</translation>
     </message>
     <message>
         <source>%1 tool changes</source>
-        <translation>%1 changements d&apos;outil</translation>
+        <translation>%1 changements d’outil</translation>
     </message>
     <message>
         <source>%1 spindle start</source>
@@ -3839,11 +3839,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>blends from %1 mm before the corner</source>
-        <translation>raccords dès %1 mm avant l&apos;angle</translation>
+        <translation>raccords dès %1 mm avant l’angle</translation>
     </message>
     <message>
         <source>orientation tolerance %1 deg</source>
-        <translation>tolérance d&apos;orientation %1°</translation>
+        <translation>tolérance d’orientation %1°</translation>
     </message>
     <message>
         <source>compaction tolerance %1 mm</source>
@@ -3907,7 +3907,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>interpolation end</source>
-        <translation>fin d&apos;interpolation</translation>
+        <translation>fin d’interpolation</translation>
     </message>
     <message>
         <source>inch</source>
@@ -3915,11 +3915,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1, by the program</source>
-        <translation>%1, d&apos;après le programme</translation>
+        <translation>%1, d’après le programme</translation>
     </message>
     <message>
         <source>%1, by --unit</source>
-        <translation>%1, d&apos;après --unit</translation>
+        <translation>%1, d’après --unit</translation>
     </message>
     <message>
         <source>%1, assumed: the program does not define its unit</source>
@@ -3943,11 +3943,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 more up to line %2</source>
-        <translation>%1 autres jusqu&apos;à la ligne %2</translation>
+        <translation>%1 autres jusqu’à la ligne %2</translation>
     </message>
     <message>
         <source>The program is written for %1, but %2 has a %3: path and times are those of that control. No published machine has a %4 control; use your own machine file.</source>
-        <translation>Le programme est écrit pour %1, mais %2 a une %3&#xa0;: trajectoire et temps sont ceux de cette commande. Aucune machine publiée n&apos;a de commande %4&#xa0;; utilisez votre propre fichier de machine.</translation>
+        <translation>Le programme est écrit pour %1, mais %2 a une %3&#xa0;: trajectoire et temps sont ceux de cette commande. Aucune machine publiée n’a de commande %4&#xa0;; utilisez votre propre fichier de machine.</translation>
     </message>
     <message>
         <source>The program is written for %1, but %2 has a %3: path and times are those of that control. Use machine %4, whose control reads it.</source>
@@ -3955,23 +3955,23 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>The program was read with work offsets other than those of the machine (%1).</source>
-        <translation>Le programme a été lu avec d&apos;autres décalages d&apos;origine que ceux de la machine (%1).</translation>
+        <translation>Le programme a été lu avec d’autres décalages d’origine que ceux de la machine (%1).</translation>
     </message>
     <message>
         <source>The contour tolerance of %1 mm is %2 % of the estimated chord error of the short lines (%3 mm); Heidenhain advises 110 to 200 %.</source>
-        <translation>La tolérance de contour de %1 mm vaut %2&#xa0;% de l&apos;erreur de corde estimée des droites courtes (%3 mm)&#xa0;; Heidenhain conseille 110 à 200&#xa0;%.</translation>
+        <translation>La tolérance de contour de %1 mm vaut %2&#xa0;% de l’erreur de corde estimée des droites courtes (%3 mm)&#xa0;; Heidenhain conseille 110 à 200&#xa0;%.</translation>
     </message>
     <message>
         <source>The drive of axis %1 is poorly damped: it overshoots a step by %2 %; a smaller %3 or %4 damps it better.</source>
-        <translation>L&apos;entraînement de l&apos;axe %1 est mal amorti&#xa0;: il dépasse un échelon de %2&#xa0;%&#xa0;; un %3 ou un %4 plus petit l&apos;amortit mieux.</translation>
+        <translation>L’entraînement de l’axe %1 est mal amorti&#xa0;: il dépasse un échelon de %2&#xa0;%&#xa0;; un %3 ou un %4 plus petit l’amortit mieux.</translation>
     </message>
     <message>
         <source>No drive is given for %1: followed exactly.</source>
-        <translation>Aucun entraînement n&apos;est donné pour %1&#xa0;: suivi exact.</translation>
+        <translation>Aucun entraînement n’est donné pour %1&#xa0;: suivi exact.</translation>
     </message>
     <message>
         <source>1 line of the program is refused by the control and not run (line %1).</source>
-        <translation>1 ligne du programme est refusée par la commande et n&apos;est pas exécutée (ligne %1).</translation>
+        <translation>1 ligne du programme est refusée par la commande et n’est pas exécutée (ligne %1).</translation>
     </message>
     <message>
         <source>%1 lines of the program are refused by the control and not run (lines %2).</source>
@@ -3987,11 +3987,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Positions of rotary axes that the machine does not reach: line %1: %2.</source>
-        <translation>Positions d&apos;axes rotatifs que la machine n&apos;atteint pas&#xa0;: ligne %1&#xa0;: %2.</translation>
+        <translation>Positions d’axes rotatifs que la machine n’atteint pas&#xa0;: ligne %1&#xa0;: %2.</translation>
     </message>
     <message>
         <source>Positions of rotary axes that the machine does not reach: line %1: %2. %3 more.</source>
-        <translation>Positions d&apos;axes rotatifs que la machine n&apos;atteint pas&#xa0;: ligne %1&#xa0;: %2. %3 de plus.</translation>
+        <translation>Positions d’axes rotatifs que la machine n’atteint pas&#xa0;: ligne %1&#xa0;: %2. %3 de plus.</translation>
     </message>
     <message>
         <source>The program has no full circle: no cut runs a whole turn in XY, ZX or YZ by arcs about one centre. Circles of short lines are not recognised.</source>
@@ -4027,23 +4027,23 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>The programmed path is followed by straight blocks, arcs by chords within the arc tolerance; no corner is blended. Ends of blocks are rounded to whole steps of the axes.</source>
-        <translation>La trajectoire programmée est suivie en blocs droits, les arcs par des cordes dans la tolérance d&apos;arc&#xa0;; aucun angle n&apos;est raccordé. Les fins de bloc sont arrondies à des pas entiers des axes.</translation>
+        <translation>La trajectoire programmée est suivie en blocs droits, les arcs par des cordes dans la tolérance d’arc&#xa0;; aucun angle n’est raccordé. Les fins de bloc sont arrondies à des pas entiers des axes.</translation>
     </message>
     <message>
         <source>The programmed path is followed by straight blocks, arcs by chords; no corner is blended.</source>
-        <translation>La trajectoire programmée est suivie en blocs droits, les arcs par des cordes&#xa0;; aucun angle n&apos;est raccordé.</translation>
+        <translation>La trajectoire programmée est suivie en blocs droits, les arcs par des cordes&#xa0;; aucun angle n’est raccordé.</translation>
     </message>
     <message>
         <source>The programmed path is followed exactly; no corner is blended.</source>
-        <translation>La trajectoire programmée est suivie exactement&#xa0;; aucun angle n&apos;est raccordé.</translation>
+        <translation>La trajectoire programmée est suivie exactement&#xa0;; aucun angle n’est raccordé.</translation>
     </message>
     <message>
         <source>The distance of programmed corners from the path is not bounded.</source>
-        <translation>La distance des angles programmés à la trajectoire n&apos;est pas bornée.</translation>
+        <translation>La distance des angles programmés à la trajectoire n’est pas bornée.</translation>
     </message>
     <message>
         <source>The distance of programmed corners from the path is not bounded; tangent transitions between blocks are passed exactly.</source>
-        <translation>La distance des angles programmés à la trajectoire n&apos;est pas bornée&#xa0;; les transitions tangentes entre blocs sont suivies exactement.</translation>
+        <translation>La distance des angles programmés à la trajectoire n’est pas bornée&#xa0;; les transitions tangentes entre blocs sont suivies exactement.</translation>
     </message>
     <message>
         <source>Every programmed corner lies within the contour tolerance of the path.</source>
@@ -4063,11 +4063,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>The programmed feed is kept along every block; where two blocks overlap their speeds add.</source>
-        <translation>L&apos;avance programmée est tenue dans chaque bloc&#xa0;; là où deux blocs se chevauchent, leurs vitesses s&apos;ajoutent.</translation>
+        <translation>L’avance programmée est tenue dans chaque bloc&#xa0;; là où deux blocs se chevauchent, leurs vitesses s’ajoutent.</translation>
     </message>
     <message>
         <source>The programmed feed is met to whole steps and counts of a timer; very slow feeds are exceeded.</source>
-        <translation>L&apos;avance programmée est tenue au pas entier et au tic de minuterie près&#xa0;; les avances très lentes sont dépassées.</translation>
+        <translation>L’avance programmée est tenue au pas entier et au tic de minuterie près&#xa0;; les avances très lentes sont dépassées.</translation>
     </message>
     <message>
         <source>Never faster than %1; rapids run at the maximum velocity of the control.</source>
@@ -4087,7 +4087,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the programmed feed</source>
-        <translation>l&apos;avance programmée</translation>
+        <translation>l’avance programmée</translation>
     </message>
     <message>
         <source>On lines: %1.</source>
@@ -4099,7 +4099,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>On corner blends: %1.</source>
-        <translation>Sur les raccords d&apos;angle&#xa0;: %1.</translation>
+        <translation>Sur les raccords d’angle&#xa0;: %1.</translation>
     </message>
     <message>
         <source>On smooth curves: %1.</source>
@@ -4111,7 +4111,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 of every axis: along the path the change of the acceleration (v&apos;&apos;) and the part due to curvature (v^3 k^2) each stay within %2, together within %3 times the limit</source>
-        <translation>%1 de chaque axe&#xa0;: le long de la trajectoire, la variation de l&apos;accélération (v&apos;&apos;) et la part due à la courbure (v^3 k^2) restent chacune au plus à %2, ensemble au plus à %3 fois la limite</translation>
+        <translation>%1 de chaque axe&#xa0;: le long de la trajectoire, la variation de l’accélération (v&apos;&apos;) et la part due à la courbure (v^3 k^2) restent chacune au plus à %2, ensemble au plus à %3 fois la limite</translation>
     </message>
     <message>
         <source>across the path (3 v v&apos; k) it is not bounded</source>
@@ -4171,7 +4171,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>The speed is continuous; the acceleration jumps where the curvature of the path does.</source>
-        <translation>La vitesse est continue&#xa0;; l&apos;accélération saute là où saute la courbure de la trajectoire.</translation>
+        <translation>La vitesse est continue&#xa0;; l’accélération saute là où saute la courbure de la trajectoire.</translation>
     </message>
     <message>
         <source>Velocity and acceleration are continuous everywhere.</source>
@@ -4179,15 +4179,15 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Where the program asks for BRISK, no jerk along the path is bounded: its acceleration changes within one interpolation period.</source>
-        <translation>Là où le programme demande BRISK, aucun jerk n&apos;est borné le long de la trajectoire&#xa0;: l&apos;accélération y change en une période d&apos;interpolation.</translation>
+        <translation>Là où le programme demande BRISK, aucun jerk n’est borné le long de la trajectoire&#xa0;: l’accélération y change en une période d’interpolation.</translation>
     </message>
     <message>
         <source>BRISK of the program is not followed.</source>
-        <translation>Le BRISK du programme n&apos;est pas suivi.</translation>
+        <translation>Le BRISK du programme n’est pas suivi.</translation>
     </message>
     <message>
         <source>A junction that touches an arc and turns by up to 0.01 rad is passed as if it were tangent: there the velocity of an axis jumps by up to 1 % of the feed (1 mm/s at 6000 mm/min).</source>
-        <translation>Une jonction qui touche un arc et tourne d&apos;au plus 0,01 rad est franchie comme si elle était tangente&#xa0;: la vitesse d&apos;un axe y saute d&apos;au plus 1&#xa0;% de l&apos;avance (1 mm/s à 6000 mm/min).</translation>
+        <translation>Une jonction qui touche un arc et tourne d’au plus 0,01 rad est franchie comme si elle était tangente&#xa0;: la vitesse d’un axe y saute d’au plus 1&#xa0;% de l’avance (1 mm/s à 6000 mm/min).</translation>
     </message>
     <message>
         <source>Full stops at dwells only.</source>
@@ -4215,19 +4215,19 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>On blends that nearly reverse, limits were exceeded by up to 5 % (acceleration) and a third (jerk).</source>
-        <translation>Sur des raccords proches du rebroussement, des dépassements de limite jusqu&apos;à 5&#xa0;% (accélération) et un tiers (jerk) ont été relevés.</translation>
+        <translation>Sur des raccords proches du rebroussement, des dépassements de limite jusqu’à 5&#xa0;% (accélération) et un tiers (jerk) ont été relevés.</translation>
     </message>
     <message>
         <source>On the path of ward, jerk=on keeps the jerk except for short peaks where an arc begins from a standstill.</source>
-        <translation>Sur la trajectoire de ward, jerk=on tient le jerk, sauf de courtes pointes là où un arc part de l&apos;arrêt.</translation>
+        <translation>Sur la trajectoire de ward, jerk=on tient le jerk, sauf de courtes pointes là où un arc part de l’arrêt.</translation>
     </message>
     <message>
         <source>Stops only where the path itself has a kink, a reversal or a dwell.</source>
-        <translation>Ne s&apos;arrête que là où la trajectoire elle-même a une cassure, un rebroussement ou une temporisation.</translation>
+        <translation>Ne s’arrête que là où la trajectoire elle-même a une cassure, un rebroussement ou une temporisation.</translation>
     </message>
     <message>
         <source>Kinks of up to 0.01 rad at arcs are treated as tangent, as in every model.</source>
-        <translation>Les cassures d&apos;au plus 0,01 rad aux arcs sont traitées comme tangentes, comme dans tous les modèles.</translation>
+        <translation>Les cassures d’au plus 0,01 rad aux arcs sont traitées comme tangentes, comme dans tous les modèles.</translation>
     </message>
     <message>
         <source>%1; %2</source>
@@ -4251,47 +4251,47 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>reading corrected, published: at the entry of a blend the radial shares of acceleration and jerk are kept. Further on, with equal axes and shares of 0.2, the acceleration stays within 1.01 and the jerk within 2.2 times the limit; the curvature grows up to five times, and other axes bear it.</source>
-        <translation>lecture corrected, published&#xa0;: à l&apos;entrée d&apos;un raccord, les parts radiales de l&apos;accélération et du jerk sont tenues. Plus loin, avec des axes égaux et des parts de 0,2, l&apos;accélération reste à moins de 1,01 fois la limite et le jerk à moins de 2,2 fois&#xa0;; la courbure croît jusqu&apos;à cinq fois, et d&apos;autres axes la supportent.</translation>
+        <translation>lecture corrected, published&#xa0;: à l’entrée d’un raccord, les parts radiales de l’accélération et du jerk sont tenues. Plus loin, avec des axes égaux et des parts de 0,2, l’accélération reste à moins de 1,01 fois la limite et le jerk à moins de 2,2 fois&#xa0;; la courbure croît jusqu’à cinq fois, et d’autres axes la supportent.</translation>
     </message>
     <message>
         <source>On blends the shares of the least acceleration and jerk of the axes are kept: of the acceleration R_A across and 1 - R_A along the path, of the jerk R_J across and 1 - R_J along it.</source>
-        <translation>Sur les raccords, les parts de la plus petite accélération et du plus petit jerk des axes sont tenues&#xa0;: de l&apos;accélération, R_A normalement à la trajectoire et 1 - R_A le long d&apos;elle&#xa0;; du jerk, R_J normalement et 1 - R_J le long.</translation>
+        <translation>Sur les raccords, les parts de la plus petite accélération et du plus petit jerk des axes sont tenues&#xa0;: de l’accélération, R_A normalement à la trajectoire et 1 - R_A le long d’elle&#xa0;; du jerk, R_J normalement et 1 - R_J le long.</translation>
     </message>
     <message>
         <source>No jerk is limited, and in corners the velocity of an axis jumps.</source>
-        <translation>Aucun jerk n&apos;est limité et, dans les angles, la vitesse d&apos;un axe saute.</translation>
+        <translation>Aucun jerk n’est limité et, dans les angles, la vitesse d’un axe saute.</translation>
     </message>
     <message>
         <source>Corners between rapids and feed motions follow the rule of all corners; the tool does not stop there.</source>
-        <translation>Les angles entre rapides et avances suivent la règle de tous les angles ; l&apos;outil ne s&apos;y arrête pas.</translation>
+        <translation>Les angles entre rapides et avances suivent la règle de tous les angles ; l’outil ne s’y arrête pas.</translation>
     </message>
     <message>
         <source>Rapids are lines at the feed in force; those of a program that is run as it is meant run at the maximum velocity.</source>
-        <translation>Les rapides sont des droites à l&apos;avance en vigueur&#xa0;; ceux d&apos;un programme exécuté tel qu&apos;il est pensé vont à la vitesse maximale.</translation>
+        <translation>Les rapides sont des droites à l’avance en vigueur&#xa0;; ceux d’un programme exécuté tel qu’il est pensé vont à la vitesse maximale.</translation>
     </message>
     <message>
         <source>No jerk is limited, and where blocks meet within a small kink the velocity of an axis jumps.</source>
-        <translation>Aucun jerk n&apos;est limité et, là où des blocs se rejoignent avec une petite cassure, la vitesse d&apos;un axe saute.</translation>
+        <translation>Aucun jerk n’est limité et, là où des blocs se rejoignent avec une petite cassure, la vitesse d’un axe saute.</translation>
     </message>
     <message>
         <source>The time runs from the first to the last motion: a dwell before or behind all of it is not counted.</source>
-        <translation>Le temps court du premier au dernier mouvement&#xa0;: une temporisation avant ou après n&apos;est pas comptée.</translation>
+        <translation>Le temps court du premier au dernier mouvement&#xa0;: une temporisation avant ou après n’est pas comptée.</translation>
     </message>
     <message>
         <source>Rapids blend among each other; next to a feed motion they stop.</source>
-        <translation>Les rapides se raccordent entre eux&#xa0;; à côté d&apos;un déplacement en avance, ils s&apos;arrêtent.</translation>
+        <translation>Les rapides se raccordent entre eux&#xa0;; à côté d’un déplacement en avance, ils s’arrêtent.</translation>
     </message>
     <message>
         <source>Points that compaction omits stay within the tolerance of the chord; a corner blend may deviate from the chord in addition.</source>
-        <translation>Les points que le compactage supprime restent à moins de la tolérance de la corde&#xa0;; un raccord d&apos;angle peut s&apos;écarter de la corde en plus.</translation>
+        <translation>Les points que le compactage supprime restent à moins de la tolérance de la corde&#xa0;; un raccord d’angle peut s’écarter de la corde en plus.</translation>
     </message>
     <message>
         <source>law dynamic: where curvature jumps, the acceleration changes within one interpolation period by what the axis jerk allows.</source>
-        <translation>loi dynamic&#xa0;: là où la courbure saute, l&apos;accélération change en une période d&apos;interpolation de ce que permet le jerk de l&apos;axe.</translation>
+        <translation>loi dynamic&#xa0;: là où la courbure saute, l’accélération change en une période d’interpolation de ce que permet le jerk de l’axe.</translation>
     </message>
     <message>
         <source>On arcs the tangential and the radial acceleration each keep the axis limits at the place where the steady feed is reached, and so do the two parts of the jerk along the path, v&apos;&apos; and v^3 k^2; their sum may exceed them, and elsewhere on the arc the radial acceleration and v^3 k^2 too, as measured there.</source>
-        <translation>Sur les arcs, l&apos;accélération tangentielle et l&apos;accélération radiale tiennent chacune les limites des axes à l&apos;endroit où l&apos;avance stable est atteinte, de même que les deux parts du jerk le long de la trajectoire, v&apos;&apos; et v^3 k^2&#xa0;; leur somme peut les dépasser et, ailleurs sur l&apos;arc, l&apos;accélération radiale et v^3 k^2 aussi, selon ce qui y est mesuré.</translation>
+        <translation>Sur les arcs, l’accélération tangentielle et l’accélération radiale tiennent chacune les limites des axes à l’endroit où l’avance stable est atteinte, de même que les deux parts du jerk le long de la trajectoire, v&apos;&apos; et v^3 k^2&#xa0;; leur somme peut les dépasser et, ailleurs sur l’arc, l’accélération radiale et v^3 k^2 aussi, selon ce qui y est mesuré.</translation>
     </message>
     <message>
         <source>A filtered velocity is an average of commanded ones, which keeps the axes&apos; velocities.</source>
@@ -4299,7 +4299,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Acceleration and jerk follow from the filters alone: a change of feed dF takes the jerk dF/T1^2; axis limits are not considered.</source>
-        <translation>Accélération et jerk ne viennent que des filtres&#xa0;: un changement d&apos;avance dF demande le jerk dF/T1^2&#xa0;; les limites des axes ne sont pas prises en compte.</translation>
+        <translation>Accélération et jerk ne viennent que des filtres&#xa0;: un changement d’avance dF demande le jerk dF/T1^2&#xa0;; les limites des axes ne sont pas prises en compte.</translation>
     </message>
     <message>
         <source>With three filters the jerk is continuous, too.</source>
@@ -4307,7 +4307,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Tolerance 0: full stops in every corner; on arcs the path is still inside the programmed one, by the amount that the filters reduce the radius.</source>
-        <translation>Tolérance 0&#xa0;: arrêt complet à chaque angle&#xa0;; sur les arcs, la trajectoire reste à l&apos;intérieur de la trajectoire programmée, de ce dont les filtres réduisent le rayon.</translation>
+        <translation>Tolérance 0&#xa0;: arrêt complet à chaque angle&#xa0;; sur les arcs, la trajectoire reste à l’intérieur de la trajectoire programmée, de ce dont les filtres réduisent le rayon.</translation>
     </message>
     <message>
         <source>info</source>
@@ -4319,11 +4319,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the trace does not belong to this program: %1 % of its way runs along the path, and along %2 % of it</source>
-        <translation>la trace n&apos;est pas celle de ce programme&#xa0;: %1 % de son parcours suit la trajectoire, et %2 % de celle-ci est suivi</translation>
+        <translation>la trace n’est pas celle de ce programme&#xa0;: %1 % de son parcours suit la trajectoire, et %2 % de celle-ci est suivi</translation>
     </message>
     <message>
         <source>open the program that was recorded, or give the zero point it ran with; times and feeds of the two tell nothing together</source>
-        <translation>ouvrir le programme enregistré, ou indiquer l&apos;origine avec laquelle il a tourné&#xa0;; les temps et les avances des deux ne disent rien ensemble</translation>
+        <translation>ouvrir le programme enregistré, ou indiquer l’origine avec laquelle il a tourné&#xa0;; les temps et les avances des deux ne disent rien ensemble</translation>
     </message>
     <message>
         <source>the trace does not move</source>
@@ -4339,7 +4339,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>give its columns the unit, as --columns x=2:in, where that is right</source>
-        <translation>si c&apos;est exact, donner l&apos;unité à ses colonnes, comme --columns x=2:in</translation>
+        <translation>si c’est exact, donner l’unité à ses colonnes, comme --columns x=2:in</translation>
     </message>
     <message>
         <source>the trace is 25.4 times as large as the program; it is used as that part of it</source>
@@ -4347,23 +4347,23 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>its positions are in mm, not in inches: say so, as --columns x=2:mm, where that is right</source>
-        <translation>ses positions sont en mm et non en pouces&#xa0;: si c&apos;est exact, l&apos;indiquer, comme --columns x=2:mm</translation>
+        <translation>ses positions sont en mm et non en pouces&#xa0;: si c’est exact, l’indiquer, comme --columns x=2:mm</translation>
     </message>
     <message>
         <source>axis %1 of the trace is mirrored; it is used with the other sign</source>
-        <translation>l&apos;axe %1 de la trace est inversé&#xa0;; il est utilisé avec le signe contraire</translation>
+        <translation>l’axe %1 de la trace est inversé&#xa0;; il est utilisé avec le signe contraire</translation>
     </message>
     <message>
         <source>give its column a minus sign, as --columns x=2:-mm, where that is right</source>
-        <translation>si c&apos;est exact, donner un signe moins à sa colonne, comme --columns x=2:-mm</translation>
+        <translation>si c’est exact, donner un signe moins à sa colonne, comme --columns x=2:-mm</translation>
     </message>
     <message>
         <source>axis %1 does not move in the trace, but by %2 mm in the program</source>
-        <translation>l&apos;axe %1 ne bouge pas dans la trace, mais de %2 mm dans le programme</translation>
+        <translation>l’axe %1 ne bouge pas dans la trace, mais de %2 mm dans le programme</translation>
     </message>
     <message>
         <source>if it was not recorded, name the columns of the others alone, as --columns time=1,x=2: times and the motion of these axes can be compared then</source>
-        <translation>s&apos;il n&apos;a pas été enregistré, ne nommer que les colonnes des autres, comme --columns time=1,x=2&#xa0;: les temps et le mouvement de ces axes peuvent alors être comparés</translation>
+        <translation>s’il n’a pas été enregistré, ne nommer que les colonnes des autres, comme --columns time=1,x=2&#xa0;: les temps et le mouvement de ces axes peuvent alors être comparés</translation>
     </message>
     <message>
         <source>the trace does not have %1, which the program moves: feeds, corners and distances are those of %2 alone</source>
@@ -4383,11 +4383,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>nothing was recorded for %1 s in %2 stretches, the longest from %3 s on at %4</source>
-        <translation>rien n&apos;a été enregistré pendant %1 s (tronçons&#xa0;: %2), le plus long à partir de %3 s, %4</translation>
+        <translation>rien n’a été enregistré pendant %1 s (tronçons&#xa0;: %2), le plus long à partir de %3 s, %4</translation>
     </message>
     <message>
         <source>the time of the whole is right; feeds, ramps and corners there are not known</source>
-        <translation>le temps de l&apos;ensemble est juste&#xa0;; avances, rampes et angles y sont inconnus</translation>
+        <translation>le temps de l’ensemble est juste&#xa0;; avances, rampes et angles y sont inconnus</translation>
     </message>
     <message>
         <source>the trace covers %1 % of the path of the program, %2; only that is compared</source>
@@ -4403,7 +4403,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the trace is nowhere within %1 mm of the path of the program; it is of another program, or its zero point is another</source>
-        <translation>la trace n&apos;est nulle part à moins de %1 mm de la trajectoire du programme&#xa0;; elle est d&apos;un autre programme, ou son origine est autre</translation>
+        <translation>la trace n’est nulle part à moins de %1 mm de la trajectoire du programme&#xa0;; elle est d’un autre programme, ou son origine est autre</translation>
     </message>
     <message>
         <source>the run does not follow the path of the program within the tolerance of the comparison</source>
@@ -4411,7 +4411,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>trace and run have no part of the path in common</source>
-        <translation>la trace et la simulation n&apos;ont aucune partie de la trajectoire en commun</translation>
+        <translation>la trace et la simulation n’ont aucune partie de la trajectoire en commun</translation>
     </message>
     <message>
         <source>the time goes back from %1 s to %2 s</source>
@@ -4435,7 +4435,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>signals recorded at one rate need none</source>
-        <translation>des signaux enregistrés à une même cadence n&apos;en ont pas besoin</translation>
+        <translation>des signaux enregistrés à une même cadence n’en ont pas besoin</translation>
     </message>
     <message>
         <source>%1 ms without a sample at %2 s</source>
@@ -4443,7 +4443,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>what happened there is not known; ramps and corners there tell nothing</source>
-        <translation>ce qui s&apos;y est passé est inconnu&#xa0;; rampes et angles n&apos;y disent rien</translation>
+        <translation>ce qui s’y est passé est inconnu&#xa0;; rampes et angles n’y disent rien</translation>
     </message>
     <message>
         <source>%1 more stretches without samples, %2 s in all</source>
@@ -4479,7 +4479,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>remove rows that are not data, or check the columns</source>
-        <translation>retirer ce qui n&apos;est pas un tableau, ou vérifier les colonnes</translation>
+        <translation>retirer ce qui n’est pas un tableau, ou vérifier les colonnes</translation>
     </message>
     <message>
         <source>%1 samples at the time of the one before are skipped</source>
@@ -4491,23 +4491,23 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the table has no head: what its columns are is judged by their values</source>
-        <translation>le tableau n&apos;a pas d&apos;en-tête&#xa0;: le sens de ses colonnes est jugé d&apos;après leurs valeurs</translation>
+        <translation>le tableau n’a pas d’en-tête&#xa0;: le sens de ses colonnes est jugé d’après leurs valeurs</translation>
     </message>
     <message>
         <source>say what they are: --columns time=1:s,x=2:mm,y=3:mm,z=4:mm</source>
-        <translation>l&apos;indiquer&#xa0;: --columns time=1:s,x=2:mm,y=3:mm,z=4:mm</translation>
+        <translation>l’indiquer&#xa0;: --columns time=1:s,x=2:mm,y=3:mm,z=4:mm</translation>
     </message>
     <message>
         <source>the time has no unit and rises by %1 a sample: milliseconds are assumed</source>
-        <translation>le temps n&apos;a pas d&apos;unité et croît de %1 par échantillon&#xa0;: des millisecondes sont supposées</translation>
+        <translation>le temps n’a pas d’unité et croît de %1 par échantillon&#xa0;: des millisecondes sont supposées</translation>
     </message>
     <message>
         <source>say it: --columns time=%1:ms</source>
-        <translation>l&apos;indiquer&#xa0;: --columns time=%1:ms</translation>
+        <translation>l’indiquer&#xa0;: --columns time=%1:ms</translation>
     </message>
     <message>
         <source>the trace has no times: one sample each millisecond is assumed</source>
-        <translation>la trace n&apos;a pas de temps&#xa0;: un échantillon par milliseconde est supposé</translation>
+        <translation>la trace n’a pas de temps&#xa0;: un échantillon par milliseconde est supposé</translation>
     </message>
     <message>
         <source>say the rate in samples a second: --columns linuxcnc, or ...,rate=1000</source>
@@ -4531,7 +4531,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the program lines of the trace are not those of this program; it is matched by position alone</source>
-        <translation>les lignes de programme de la trace ne sont pas celles de ce programme&#xa0;; elle est posée d&apos;après la position seule</translation>
+        <translation>les lignes de programme de la trace ne sont pas celles de ce programme&#xa0;; elle est posée d’après la position seule</translation>
     </message>
     <message>
         <source>record the line of the file, or number its blocks</source>
@@ -4543,27 +4543,27 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>nothing was recorded for %1 s from %2 s on at %3</source>
-        <translation>rien n&apos;a été enregistré pendant %1 s à partir de %2 s, %3</translation>
+        <translation>rien n’a été enregistré pendant %1 s à partir de %2 s, %3</translation>
     </message>
     <message>
         <source>This model holds no acceleration and jerk limits of the axes: largest values may be above what the machine allows.</source>
-        <translation>Ce modèle ne respecte aucune limite d&apos;accélération et de jerk des axes : les valeurs maximales peuvent dépasser ce que la machine permet.</translation>
+        <translation>Ce modèle ne respecte aucune limite d’accélération et de jerk des axes : les valeurs maximales peuvent dépasser ce que la machine permet.</translation>
     </message>
     <message>
         <source>Velocity, acceleration and jerk of X, Y and Z are those of the tool&apos;s tip in the part; where rotary axes turn, the axes of the machine move otherwise.</source>
-        <translation>Vitesse, accélération et jerk de X, Y et Z sont ceux de la pointe de l&apos;outil dans la pièce ; là où des axes rotatifs tournent, les axes de la machine se déplacent autrement.</translation>
+        <translation>Vitesse, accélération et jerk de X, Y et Z sont ceux de la pointe de l’outil dans la pièce ; là où des axes rotatifs tournent, les axes de la machine se déplacent autrement.</translation>
     </message>
     <message>
         <source>Tool length</source>
-        <translation>Longueur d&apos;outil</translation>
+        <translation>Longueur d’outil</translation>
     </message>
     <message>
         <source>From the gauge point of the spindle to the tip of the tool; it says how X, Y and Z follow rotary axes. Without it the one of the machine&apos;s kinematics.</source>
-        <translation>Du point de référence de la broche à la pointe de l&apos;outil ; elle détermine comment X, Y et Z suivent les axes rotatifs. En son absence, celle de la cinématique de la machine.</translation>
+        <translation>Du point de référence de la broche à la pointe de l’outil ; elle détermine comment X, Y et Z suivent les axes rotatifs. En son absence, celle de la cinématique de la machine.</translation>
     </message>
     <message>
         <source>Orientation tolerance</source>
-        <translation>Tolérance d&apos;orientation</translation>
+        <translation>Tolérance d’orientation</translation>
     </message>
     <message>
         <source>How far rotary axes may leave their programmed angles where blocks meet along which they turn at different rates; without it 0.05 degrees.</source>
@@ -4599,15 +4599,15 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>The program turns rotary axes, which this machine does not have: the time of their turns is missing, and they hold no feed. Choose a machine that has them, such as five-axis-table-ac.</source>
-        <translation>Le programme fait tourner des axes rotatifs que cette machine n&apos;a pas : le temps de leurs rotations manque et ils ne limitent pas l&apos;avance. Choisissez une machine qui en a, comme five-axis-table-ac.</translation>
+        <translation>Le programme fait tourner des axes rotatifs que cette machine n’a pas : le temps de leurs rotations manque et ils ne limitent pas l’avance. Choisissez une machine qui en a, comme five-axis-table-ac.</translation>
     </message>
     <message>
         <source>%1 turn of rotary axes for a tilted plane</source>
-        <translation>%1 rotation d&apos;axes rotatifs pour un plan incliné</translation>
+        <translation>%1 rotation d’axes rotatifs pour un plan incliné</translation>
     </message>
     <message>
         <source>%1 turns of rotary axes for tilted planes</source>
-        <translation>%1 rotations d&apos;axes rotatifs pour des plans inclinés</translation>
+        <translation>%1 rotations d’axes rotatifs pour des plans inclinés</translation>
     </message>
     <message>
         <source>This model does not hold the limits of rotary axes in full: their largest values may be above what the machine allows.</source>
@@ -4639,7 +4639,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1: the trace does not belong to its program: %2 % of its way runs along the path within %3 mm, and along %4 % of it; give the program that was recorded, with the zero point it ran with</source>
-        <translation>%1&#xa0;: la trace n&apos;est pas celle de son programme&#xa0;: %2&#xa0;% de son parcours suit le trajet à moins de %3&#xa0;mm, et sur %4&#xa0;% de celui-ci&#xa0;; donner le programme enregistré, avec l&apos;origine avec laquelle il a tourné</translation>
+        <translation>%1&#xa0;: la trace n’est pas celle de son programme&#xa0;: %2&#xa0;% de son parcours suit le trajet à moins de %3&#xa0;mm, et sur %4&#xa0;% de celui-ci&#xa0;; donner le programme enregistré, avec l’origine avec laquelle il a tourné</translation>
     </message>
     <message>
         <source>%1: the trace holds too little of its program to find anything from it</source>
@@ -4647,11 +4647,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1:%2: not a table of section times; the first row must have the titles, such as section,seconds</source>
-        <translation>%1:%2&#xa0;: ce n&apos;est pas un tableau de temps de sections&#xa0;; la première ligne doit porter les titres, par exemple section,seconds</translation>
+        <translation>%1:%2&#xa0;: ce n’est pas un tableau de temps de sections&#xa0;; la première ligne doit porter les titres, par exemple section,seconds</translation>
     </message>
     <message>
         <source>%1:%2: &apos;%3&apos; is not a section and its time; a row is like 12,1.234, with a time above 0 and below %4 s</source>
-        <translation>%1:%2&#xa0;: «&#xa0;%3&#xa0;» n&apos;est pas une section et son temps&#xa0;; une ligne est de la forme 12,1.234, avec un temps supérieur à 0 et inférieur à %4&#xa0;s</translation>
+        <translation>%1:%2&#xa0;: «&#xa0;%3&#xa0;» n’est pas une section et son temps&#xa0;; une ligne est de la forme 12,1.234, avec un temps supérieur à 0 et inférieur à %4&#xa0;s</translation>
     </message>
     <message>
         <source>%1: section times given: %2; at least %3 can tell something</source>
@@ -4659,11 +4659,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1:%2: %3 has no section &apos;%4&apos;; a section is marked by the comments SECTION 12 BEGINS and SECTION 12 ENDS, or is given by its lines, as 40-55</source>
-        <translation>%1:%2&#xa0;: %3 n&apos;a pas de section «&#xa0;%4&#xa0;»&#xa0;; une section est marquée par les commentaires SECTION 12 BEGINS et SECTION 12 ENDS, ou donnée par ses lignes, par exemple 40-55</translation>
+        <translation>%1:%2&#xa0;: %3 n’a pas de section «&#xa0;%4&#xa0;»&#xa0;; une section est marquée par les commentaires SECTION 12 BEGINS et SECTION 12 ENDS, ou donnée par ses lignes, par exemple 40-55</translation>
     </message>
     <message>
         <source>Where blocks meet along which rotary axes turn, acceleration and jerk of axes may be above their limits for a short time: rounding of the angles, corners and ramps add up there. Their velocity steps by some percent at both ends of a corner blend, which is shorter than the corner; the accelerations shown do not hold these steps.</source>
-        <translation>Là où se rejoignent des blocs le long desquels des axes rotatifs tournent, accélération et jerk d&apos;axes peuvent dépasser leurs limites pendant un court instant : l&apos;arrondi des angles, les coins et les rampes s&apos;y ajoutent. Leur vitesse fait un saut de quelques pour cent aux deux bouts d&apos;un arrondi de coin, plus court que le coin ; les accélérations montrées ne contiennent pas ces sauts.</translation>
+        <translation>Là où se rejoignent des blocs le long desquels des axes rotatifs tournent, accélération et jerk d’axes peuvent dépasser leurs limites pendant un court instant : l’arrondi des positions angulaires, les angles de la trajectoire et les rampes s’y ajoutent. Leur vitesse fait un saut de quelques pour cent aux deux bouts d’un arrondi d’angle, plus court que l’angle ; les accélérations montrées ne contiennent pas ces sauts.</translation>
     </message>
     <message>
         <source>No trace has both the set and the actual position of the axis.</source>
@@ -4703,7 +4703,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the program has no blocks</source>
-        <translation>le programme n&apos;a aucun bloc</translation>
+        <translation>le programme n’a aucun bloc</translation>
     </message>
     <message>
         <source>give a file with NC blocks such as &quot;G1 X10 F500&quot;</source>
@@ -4715,11 +4715,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>if the program has another dialect, give it with --dialect</source>
-        <translation>si le programme est d&apos;un autre dialecte, indiquez-le avec --dialect</translation>
+        <translation>si le programme est d’un autre dialecte, indiquez-le avec --dialect</translation>
     </message>
     <message>
         <source>the program ends in line %1; the text after it is not executed</source>
-        <translation>le programme se termine à la ligne %1&#xa0;; le texte qui suit n&apos;est pas exécuté</translation>
+        <translation>le programme se termine à la ligne %1&#xa0;; le texte qui suit n’est pas exécuté</translation>
     </message>
     <message>
         <source>I J K are used as positions: as offsets from the start most arcs do not fit, as positions all of them do</source>
@@ -4727,19 +4727,19 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>program G90.1 if that is right, G91.1 if not</source>
-        <translation>programmez G90.1 si c&apos;est exact, sinon G91.1</translation>
+        <translation>programmez G90.1 si c’est exact, sinon G91.1</translation>
     </message>
     <message>
         <source>this is a program for %1, which is not supported</source>
-        <translation>ce programme est écrit pour %1, qui n&apos;est pas pris en charge</translation>
+        <translation>ce programme est écrit pour %1, qui n’est pas pris en charge</translation>
     </message>
     <message>
         <source>it is interpreted as ISO and the path shown may be wrong: %1; give --dialect to interpret it as that dialect</source>
-        <translation>il est interprété comme de l&apos;ISO et la trajectoire affichée peut être fausse&#xa0;: %1&#xa0;; donnez --dialect pour l&apos;interpréter dans ce dialecte</translation>
+        <translation>il est interprété comme de l’ISO et la trajectoire affichée peut être fausse&#xa0;: %1&#xa0;; donnez --dialect pour l’interpréter dans ce dialecte</translation>
     </message>
     <message>
         <source>G15 H selects a work offset there, G56 H a tool length, VC1 is a variable and CALL a subprogram</source>
-        <translation>G15 H y choisit un décalage d&apos;origine, G56 H une longueur d&apos;outil, VC1 est une variable et CALL un sous-programme</translation>
+        <translation>G15 H y choisit un décalage d’origine, G56 H une longueur d’outil, VC1 est une variable et CALL un sous-programme</translation>
     </message>
     <message>
         <source>%1 moves to a machine position, which the program does not contain</source>
@@ -4751,7 +4751,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 are all zero: the tool has no direction</source>
-        <translation>%1 sont nuls&#xa0;: l&apos;outil n&apos;a aucune direction</translation>
+        <translation>%1 sont nuls&#xa0;: l’outil n’a aucune direction</translation>
     </message>
     <message>
         <source>the rotary axes stay; write the vector from the tip to the spindle, such as %1</source>
@@ -4779,7 +4779,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 more of this kind up to line %2</source>
-        <translation>%1 de plus de ce type jusqu&apos;à la ligne %2</translation>
+        <translation>%1 de plus de ce type jusqu’à la ligne %2</translation>
     </message>
     <message>
         <source>offsets without a value are assumed as zero, so parts of the path overlap; give them as an import option, --offset %1=X,Y,Z</source>
@@ -4787,7 +4787,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 has no valid number</source>
-        <translation>%1 n&apos;a pas de nombre valable</translation>
+        <translation>%1 n’a pas de nombre valable</translation>
     </message>
     <message>
         <source>correct the number</source>
@@ -4803,7 +4803,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 has no finite value</source>
-        <translation>%1 n&apos;a pas de valeur finie</translation>
+        <translation>%1 n’a pas de valeur finie</translation>
     </message>
     <message>
         <source>check the values that go into it</source>
@@ -4815,11 +4815,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>check the brackets of the expression</source>
-        <translation>vérifiez les crochets ou parenthèses de l&apos;expression</translation>
+        <translation>vérifiez les crochets ou parenthèses de l’expression</translation>
     </message>
     <message>
         <source>the expression is nested more than %1 deep</source>
-        <translation>l&apos;expression est imbriquée sur plus de %1 niveaux</translation>
+        <translation>l’expression est imbriquée sur plus de %1 niveaux</translation>
     </message>
     <message>
         <source>split it into several assignments</source>
@@ -4827,11 +4827,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>a value is missing at the end of the expression</source>
-        <translation>il manque une valeur à la fin de l&apos;expression</translation>
+        <translation>il manque une valeur à la fin de l’expression</translation>
     </message>
     <message>
         <source>%1 is not a value, variable or function</source>
-        <translation>%1 n&apos;est ni une valeur, ni une variable, ni une fonction</translation>
+        <translation>%1 n’est ni une valeur, ni une variable, ni une fonction</translation>
     </message>
     <message>
         <source>write a number, a variable or a function here</source>
@@ -4843,7 +4843,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>this call is skipped; check whether the subprogram calls itself, or raise the limit with --call-depth</source>
-        <translation>cet appel est ignoré&#xa0;; vérifiez si le sous-programme s&apos;appelle lui-même, ou augmentez la limite avec --call-depth</translation>
+        <translation>cet appel est ignoré&#xa0;; vérifiez si le sous-programme s’appelle lui-même, ou augmentez la limite avec --call-depth</translation>
     </message>
     <message>
         <source>the program does not define its unit; mm is used</source>
@@ -4855,7 +4855,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 x %2 x %3 mm cut at %4 mm/min at most look like inches; give --unit inch, or --unit mm if that is right</source>
-        <translation>%1 x %2 x %3 mm usinés à %4 mm/min au plus ressemblent à des pouces&#xa0;; donnez --unit inch, ou --unit mm si c&apos;est exact</translation>
+        <translation>%1 x %2 x %3 mm usinés à %4 mm/min au plus ressemblent à des pouces&#xa0;; donnez --unit inch, ou --unit mm si c’est exact</translation>
     </message>
     <message>
         <source>%1: is larger than 4 GiB; split the program</source>
@@ -4863,7 +4863,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1: is not a text file (%2); give an NC program as ASCII, UTF-8 or Latin-1 text</source>
-        <translation>%1&#xa0;: n&apos;est pas un fichier texte (%2)&#xa0;; donnez un programme CN en texte ASCII, UTF-8 ou Latin-1</translation>
+        <translation>%1&#xa0;: n’est pas un fichier texte (%2)&#xa0;; donnez un programme CN en texte ASCII, UTF-8 ou Latin-1</translation>
     </message>
     <message>
         <source>it is UTF-16</source>
@@ -4875,7 +4875,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the rest is control characters only</source>
-        <translation>le reste n&apos;est que caractères de commande</translation>
+        <translation>le reste n’est que caractères de commande</translation>
     </message>
     <message>
         <source>%1: cannot be read: %2</source>
@@ -4887,11 +4887,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1: does not exist; check the path</source>
-        <translation>%1&#xa0;: n&apos;existe pas&#xa0;; vérifiez le chemin</translation>
+        <translation>%1&#xa0;: n’existe pas&#xa0;; vérifiez le chemin</translation>
     </message>
     <message>
         <source>%1: is a directory; give the NC program inside it</source>
-        <translation>%1&#xa0;: est un dossier&#xa0;; donnez le programme CN qu&apos;il contient</translation>
+        <translation>%1&#xa0;: est un dossier&#xa0;; donnez le programme CN qu’il contient</translation>
     </message>
     <message>
         <source>%1: cannot be opened: %2</source>
@@ -4899,27 +4899,27 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>tool table &apos;%1&apos;, line %2: %3 is not a number</source>
-        <translation>table d&apos;outils &apos;%1&apos;, ligne %2&#xa0;: %3 n&apos;est pas un nombre</translation>
+        <translation>table d’outils &apos;%1&apos;, ligne %2&#xa0;: %3 n’est pas un nombre</translation>
     </message>
     <message>
         <source>tool table &apos;%1&apos;, line %2, column %3: %4</source>
-        <translation>table d&apos;outils &apos;%1&apos;, ligne %2, colonne %3&#xa0;: %4</translation>
+        <translation>table d’outils &apos;%1&apos;, ligne %2, colonne %3&#xa0;: %4</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not a supported tool table; give lines such as &quot;T1 D10&quot; or &quot;$TC_DP6[1,1]=5&quot;, &quot;G10 L12 P1 R5&quot;, or columns headed T and R</source>
-        <translation>&apos;%1&apos; n&apos;est pas une table d&apos;outils connue&#xa0;; donnez des lignes comme &quot;T1 D10&quot; ou &quot;$TC_DP6[1,1]=5&quot;, &quot;G10 L12 P1 R5&quot;, ou des colonnes intitulées T et R</translation>
+        <translation>&apos;%1&apos; n’est pas une table d’outils connue&#xa0;; donnez des lignes comme &quot;T1 D10&quot; ou &quot;$TC_DP6[1,1]=5&quot;, &quot;G10 L12 P1 R5&quot;, ou des colonnes intitulées T et R</translation>
     </message>
     <message>
         <source>the table in the program&apos;s folder is not used; correct it, or name another one</source>
-        <translation>la table du dossier du programme n&apos;est pas utilisée&#xa0;; corrigez-la, ou nommez-en une autre</translation>
+        <translation>la table du dossier du programme n’est pas utilisée&#xa0;; corrigez-la, ou nommez-en une autre</translation>
     </message>
     <message>
         <source>cutter radii are those of tool table &apos;%1&apos;</source>
-        <translation>les rayons d&apos;outil sont ceux de la table d&apos;outils &apos;%1&apos;</translation>
+        <translation>les rayons d’outil sont ceux de la table d’outils &apos;%1&apos;</translation>
     </message>
     <message>
         <source>give it as an import option (--tool %1=RADIUS) or in a tool table, or say that the path is already compensated (--wear-only)</source>
-        <translation>donnez-le en option de lecture (--tool %1=RADIUS) ou dans une table d&apos;outils, ou indiquez que la trajectoire est déjà corrigée (--wear-only)</translation>
+        <translation>donnez-le en option de lecture (--tool %1=RADIUS) ou dans une table d’outils, ou indiquez que la trajectoire est déjà corrigée (--wear-only)</translation>
     </message>
     <message>
         <source>a number is missing</source>
@@ -4931,7 +4931,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 is not a letter with a number</source>
-        <translation>%1 n&apos;est pas une lettre suivie d&apos;un nombre</translation>
+        <translation>%1 n’est pas une lettre suivie d’un nombre</translation>
     </message>
     <message>
         <source>the %1 of %2 mm: %3</source>
@@ -4951,11 +4951,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the corner stays sharp</source>
-        <translation>l&apos;angle reste vif</translation>
+        <translation>l’angle reste vif</translation>
     </message>
     <message>
         <source>the corner stays sharp; write it between two of them</source>
-        <translation>l&apos;angle reste vif&#xa0;; programmez-le entre deux de ces éléments</translation>
+        <translation>l’angle reste vif&#xa0;; programmez-le entre deux de ces éléments</translation>
     </message>
     <message>
         <source>the adjacent elements leave the working plane</source>
@@ -4975,7 +4975,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the path turns back at the corner</source>
-        <translation>la trajectoire fait demi-tour dans l&apos;angle</translation>
+        <translation>la trajectoire fait demi-tour dans l’angle</translation>
     </message>
     <message>
         <source>it does not fit between the adjacent elements</source>
@@ -4983,7 +4983,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the corner stays sharp; make it smaller</source>
-        <translation>l&apos;angle reste vif&#xa0;; réduisez-le</translation>
+        <translation>l’angle reste vif&#xa0;; réduisez-le</translation>
     </message>
     <message>
         <source>it is adjacent to an arc</source>
@@ -4991,7 +4991,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the corner stays sharp; a chamfer is supported between two lines</source>
-        <translation>l&apos;angle reste vif&#xa0;; un chanfrein est possible entre deux droites</translation>
+        <translation>l’angle reste vif&#xa0;; un chanfrein est possible entre deux droites</translation>
     </message>
     <message>
         <source>cutter radius compensation begins on an arc</source>
@@ -4999,7 +4999,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>a straight line leads to the start of the offset arc; begin it on a line</source>
-        <translation>une droite mène au départ de l&apos;arc décalé&#xa0;; commencez-la sur une droite</translation>
+        <translation>une droite mène au départ de l’arc décalé&#xa0;; commencez-la sur une droite</translation>
     </message>
     <message>
         <source>cutter radius compensation ends on an arc</source>
@@ -5023,15 +5023,15 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>it begins again in the other plane; end it before</source>
-        <translation>elle recommence dans l&apos;autre plan&#xa0;; terminez-la avant</translation>
+        <translation>elle recommence dans l’autre plan&#xa0;; terminez-la avant</translation>
     </message>
     <message>
         <source>the arc&apos;s radius, %1 mm, is smaller than the tool&apos;s, %2 mm</source>
-        <translation>le rayon de l&apos;arc, %1 mm, est plus petit que celui de l&apos;outil, %2 mm</translation>
+        <translation>le rayon de l’arc, %1 mm, est plus petit que celui de l’outil, %2 mm</translation>
     </message>
     <message>
         <source>a straight line to its end is used instead, which cuts into the contour; use a smaller tool</source>
-        <translation>une droite jusqu&apos;à sa fin est utilisée à la place et entame le contour&#xa0;; prenez un outil plus petit</translation>
+        <translation>une droite jusqu’à sa fin est utilisée à la place et entame le contour&#xa0;; prenez un outil plus petit</translation>
     </message>
     <message>
         <source>a tool of radius %1 mm does not fit between this block and its neighbours</source>
@@ -5043,7 +5043,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>axis %1 turns in feed motions of the tool&apos;s tip</source>
-        <translation>l&apos;axe %1 tourne pendant des déplacements en avance de la pointe de l&apos;outil</translation>
+        <translation>l’axe %1 tourne pendant des déplacements en avance de la pointe de l’outil</translation>
     </message>
     <message>
         <source>its limits hold along each block and where blocks meet</source>
@@ -5051,39 +5051,39 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>axis %1 turns in a feed motion of X, Y and Z without tool centre point control</source>
-        <translation>l&apos;axe %1 tourne pendant un déplacement en avance de X, Y et Z sans suivi de la pointe de l&apos;outil (RTCP)</translation>
+        <translation>l’axe %1 tourne pendant un déplacement en avance de X, Y et Z sans suivi de la pointe de l’outil (RTCP)</translation>
     </message>
     <message>
         <source>X, Y and Z are shown as programmed, not as the tool moves on the part; the limits of the axis hold along each block</source>
-        <translation>X, Y et Z sont affichés comme programmés, non comme l&apos;outil se déplace sur la pièce&#xa0;; les limites de l&apos;axe valent le long de chaque bloc</translation>
+        <translation>X, Y et Z sont affichés comme programmés, non comme l’outil se déplace sur la pièce&#xa0;; les limites de l’axe valent le long de chaque bloc</translation>
     </message>
     <message>
         <source>axis %1 turns by %2 degrees, from %3 to %4</source>
-        <translation>l&apos;axe %1 tourne de %2 degrés, de %3 à %4</translation>
+        <translation>l’axe %1 tourne de %2 degrés, de %3 à %4</translation>
     </message>
     <message>
         <source>a control whose axis takes the shortest way turns less; its time is that of the way as written</source>
-        <translation>une commande dont l&apos;axe prend le chemin le plus court tourne moins&#xa0;; son temps est celui du chemin tel qu&apos;il est écrit</translation>
+        <translation>une commande dont l’axe prend le chemin le plus court tourne moins&#xa0;; son temps est celui du chemin tel qu’il est écrit</translation>
     </message>
     <message>
         <source>the tool&apos;s direction and axis %1 are given in one block</source>
-        <translation>la direction de l&apos;outil et l&apos;axe %1 sont donnés dans un même bloc</translation>
+        <translation>la direction de l’outil et l’axe %1 sont donnés dans un même bloc</translation>
     </message>
     <message>
         <source>the direction is used; remove one of them</source>
-        <translation>la direction est utilisée&#xa0;; supprimez l&apos;un des deux</translation>
+        <translation>la direction est utilisée&#xa0;; supprimez l’un des deux</translation>
     </message>
     <message>
         <source>tool orientation</source>
-        <translation>l&apos;orientation de l&apos;outil</translation>
+        <translation>l’orientation de l’outil</translation>
     </message>
     <message>
         <source>tool vectors turn the rotary axes</source>
-        <translation>des vecteurs d&apos;outil font tourner les axes rotatifs</translation>
+        <translation>des vecteurs d’outil font tourner les axes rotatifs</translation>
     </message>
     <message>
         <source>the tool goes along a great circle in each block, to the position that it leads to; rounded where blocks meet</source>
-        <translation>l&apos;outil suit un grand cercle dans chaque bloc, jusqu&apos;à la position à laquelle il mène&#xa0;; arrondi à la jonction des blocs</translation>
+        <translation>l’outil suit un grand cercle dans chaque bloc, jusqu’à la position à laquelle il mène&#xa0;; arrondi à la jonction des blocs</translation>
     </message>
     <message>
         <source>to the nearer of two positions, the axes linearly along each block; rounded where blocks meet</source>
@@ -5091,7 +5091,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>X, Y and Z are those of the tool&apos;s tip and shown as programmed</source>
-        <translation>X, Y et Z sont ceux de la pointe de l&apos;outil et affichés comme programmés</translation>
+        <translation>X, Y et Z sont ceux de la pointe de l’outil et affichés comme programmés</translation>
     </message>
     <message>
         <source>X, Y and Z are shown as programmed</source>
@@ -5099,31 +5099,31 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>axis %1 moves to %2, which is not simulated</source>
-        <translation>l&apos;axe %1 va à %2, ce qui n&apos;est pas simulé</translation>
+        <translation>l’axe %1 va à %2, ce qui n’est pas simulé</translation>
     </message>
     <message>
         <source>axis %1 moves to %2 in a feed move, which is not simulated</source>
-        <translation>l&apos;axe %1 va à %2 dans un déplacement en avance, ce qui n&apos;est pas simulé</translation>
+        <translation>l’axe %1 va à %2 dans un déplacement en avance, ce qui n’est pas simulé</translation>
     </message>
     <message>
         <source>tool orientation moves to %1, which is not simulated</source>
-        <translation>l&apos;orientation de l&apos;outil change, ce qui n&apos;est pas simulé</translation>
+        <translation>l’orientation de l’outil change, ce qui n’est pas simulé</translation>
     </message>
     <message>
         <source>tool orientation moves to %1 in a feed move, which is not simulated</source>
-        <translation>l&apos;orientation de l&apos;outil change dans un déplacement en avance, ce qui n&apos;est pas simulé</translation>
+        <translation>l’orientation de l’outil change dans un déplacement en avance, ce qui n’est pas simulé</translation>
     </message>
     <message>
         <source>%1; the time of this axis is not included, so the cycle time is too short; reported once</source>
-        <translation>%1&#xa0;; le temps de cet axe n&apos;est pas compté, le temps de cycle est donc trop court&#xa0;; signalé une seule fois</translation>
+        <translation>%1&#xa0;; le temps de cet axe n’est pas compté, le temps de cycle est donc trop court&#xa0;; signalé une seule fois</translation>
     </message>
     <message>
         <source>a rounding or chamfer of a non-uniformly scaled contour is not supported</source>
-        <translation>un arrondi ou chanfrein d&apos;un contour à facteurs d&apos;échelle inégaux n&apos;est pas pris en charge</translation>
+        <translation>un arrondi ou chanfrein d’un contour à facteurs d’échelle inégaux n’est pas pris en charge</translation>
     </message>
     <message>
         <source>the arc is scaled non-uniformly and becomes an ellipse</source>
-        <translation>l&apos;arc a des facteurs d&apos;échelle inégaux et devient une ellipse</translation>
+        <translation>l’arc a des facteurs d’échelle inégaux et devient une ellipse</translation>
     </message>
     <message>
         <source>it is approximated by lines within 0.001 mm</source>
@@ -5131,11 +5131,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>a feed move while the position of %1 is not known</source>
-        <translation>un déplacement en avance alors que la position de %1 n&apos;est pas connue</translation>
+        <translation>un déplacement en avance alors que la position de %1 n’est pas connue</translation>
     </message>
     <message>
         <source>the axis is assumed where it was before the move to the machine position; program it first</source>
-        <translation>l&apos;axe est supposé là où il était avant d&apos;aller à la position machine&#xa0;; programmez-le d&apos;abord</translation>
+        <translation>l’axe est supposé là où il était avant d’aller à la position machine&#xa0;; programmez-le d’abord</translation>
     </message>
     <message>
         <source>a curve is approximated by tangent arcs within 0.001 mm of it</source>
@@ -5155,11 +5155,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the arc&apos;s centre is its start point</source>
-        <translation>le centre de l&apos;arc est son point de départ</translation>
+        <translation>le centre de l’arc est son point de départ</translation>
     </message>
     <message>
         <source>a straight line to its end is used instead</source>
-        <translation>une droite jusqu&apos;à sa fin est utilisée à la place</translation>
+        <translation>une droite jusqu’à sa fin est utilisée à la place</translation>
     </message>
     <message>
         <source>the centre would fit as %1</source>
@@ -5179,11 +5179,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the centre would fit as %1; a straight line to its end is used instead</source>
-        <translation>le centre conviendrait comme %1&#xa0;; une droite jusqu&apos;à sa fin est utilisée à la place</translation>
+        <translation>le centre conviendrait comme %1&#xa0;; une droite jusqu’à sa fin est utilisée à la place</translation>
     </message>
     <message>
         <source>the arc&apos;s radius is %1 mm at its start but %2 mm at its end</source>
-        <translation>le rayon de l&apos;arc est de %1 mm au départ mais de %2 mm à la fin</translation>
+        <translation>le rayon de l’arc est de %1 mm au départ mais de %2 mm à la fin</translation>
     </message>
     <message>
         <source>radius %1 mm is too small for ends %2 mm apart</source>
@@ -5223,19 +5223,19 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>motions with further ones have no spindle speed and no cutting load</source>
-        <translation>les déplacements aux vitesses suivantes n&apos;ont ni vitesse de broche ni effort de coupe</translation>
+        <translation>les déplacements aux vitesses suivantes n’ont ni vitesse de broche ni effort de coupe</translation>
     </message>
     <message>
         <source>short lines lie about %1 mm from the curve that they stand for: chord error, estimated from %2 lines</source>
-        <translation>des petits segments sont à environ %1 mm de la courbe qu&apos;ils remplacent&#xa0;: erreur de corde, estimée sur %2 segments</translation>
+        <translation>des petits segments sont à environ %1 mm de la courbe qu’ils remplacent&#xa0;: erreur de corde, estimée sur %2 segments</translation>
     </message>
     <message>
         <source>Heidenhain advises a contour tolerance of 110 to 200 % of the chord error: %1 to %2 mm</source>
-        <translation>Heidenhain conseille une tolérance de contour de 110 à 200 % de l&apos;erreur de corde&#xa0;: %1 à %2 mm</translation>
+        <translation>Heidenhain conseille une tolérance de contour de 110 à 200 % de l’erreur de corde&#xa0;: %1 à %2 mm</translation>
     </message>
     <message>
         <source>how X, Y and Z follow the rotary axes is not known without tool length and part zero</source>
-        <translation>sans longueur d&apos;outil ni origine pièce, la façon dont X, Y et Z suivent les axes rotatifs est inconnue</translation>
+        <translation>sans longueur d’outil ni origine pièce, la façon dont X, Y et Z suivent les axes rotatifs est inconnue</translation>
     </message>
     <message>
         <source>where rotary axes turn, their own limits hold and those of X, Y and Z as without them; give tool_length_mm and part_zero_x_mm, _y_mm, _z_mm</source>
@@ -5243,39 +5243,39 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>two positions of the rotary axes give the tool vector and are equally near</source>
-        <translation>deux positions des axes rotatifs donnent le vecteur d&apos;outil et sont aussi proches l&apos;une que l&apos;autre</translation>
+        <translation>deux positions des axes rotatifs donnent le vecteur d’outil et sont aussi proches l’une que l’autre</translation>
     </message>
     <message>
         <source>one of them is used; a control may choose the other</source>
-        <translation>l&apos;une d&apos;elles est utilisée&#xa0;; une commande peut choisir l&apos;autre</translation>
+        <translation>l’une d’elles est utilisée&#xa0;; une commande peut choisir l’autre</translation>
     </message>
     <message>
         <source>axis %1 turns by %2 degrees within one block for a tool vector</source>
-        <translation>l&apos;axe %1 tourne de %2 degrés dans un seul bloc pour un vecteur d&apos;outil</translation>
+        <translation>l’axe %1 tourne de %2 degrés dans un seul bloc pour un vecteur d’outil</translation>
     </message>
     <message>
         <source>a control may stop, limit the turn or go another way; near the singular position smaller steps of the tool vector, or a part that is clamped at a tilt, make it turn less</source>
-        <translation>une commande peut s&apos;arrêter, limiter la rotation ou prendre un autre chemin&#xa0;; près de la position singulière, des pas plus petits du vecteur d&apos;outil, ou une pièce bridée inclinée, réduisent la rotation</translation>
+        <translation>une commande peut s’arrêter, limiter la rotation ou prendre un autre chemin&#xa0;; près de la position singulière, des pas plus petits du vecteur d’outil, ou une pièce bridée inclinée, réduisent la rotation</translation>
     </message>
     <message>
         <source>axis %1 holds the feed at %2 of %3 mm/min near its singular position: the tool is %4 degrees from its axis</source>
-        <translation>l&apos;axe %1 retient l&apos;avance à %2 sur %3 mm/min près de sa position singulière&#xa0;: l&apos;outil est à %4 degrés de son axe</translation>
+        <translation>l’axe %1 retient l’avance à %2 sur %3 mm/min près de sa position singulière&#xa0;: l’outil est à %4 degrés de son axe</translation>
     </message>
     <message>
         <source>lines %1 to %2, one of %3 such places; tilting the part by some degrees in the clamping takes the path away from it</source>
-        <translation>lignes %1 à %2, l&apos;un de %3 endroits de ce type&#xa0;; incliner la pièce de quelques degrés dans le bridage en éloigne la trajectoire</translation>
+        <translation>lignes %1 à %2, l’un de %3 endroits de ce type&#xa0;; incliner la pièce de quelques degrés dans le bridage en éloigne la trajectoire</translation>
     </message>
     <message>
         <source>the part stays as programmed: the program sends the rotary axes of one machine to angles</source>
-        <translation>la pièce reste comme programmée&#xa0;: le programme envoie les axes rotatifs d&apos;une machine à des angles</translation>
+        <translation>la pièce reste comme programmée&#xa0;: le programme envoie les axes rotatifs d’une machine à des angles</translation>
     </message>
     <message>
         <source>part_angle_x_deg, _y_deg and _z_deg turn the part under programs with tool vectors, tilted planes or tool centre point control; post this one again</source>
-        <translation>part_angle_x_deg, _y_deg et _z_deg tournent la pièce sous des programmes à vecteurs d&apos;outil, plans inclinés ou suivi de la pointe de l&apos;outil (RTCP)&#xa0;; repassez celui-ci au post-processeur</translation>
+        <translation>part_angle_x_deg, _y_deg et _z_deg tournent la pièce sous des programmes à vecteurs d’outil, plans inclinés ou suivi de la pointe de l’outil (RTCP)&#xa0;; repassez celui-ci au post-processeur</translation>
     </message>
     <message>
         <source>axis %1 goes to %2 degrees, beyond its travel from %3 to %4</source>
-        <translation>l&apos;axe %1 va à %2 degrés, au-delà de sa course de %3 à %4</translation>
+        <translation>l’axe %1 va à %2 degrés, au-delà de sa course de %3 à %4</translation>
     </message>
     <message>
         <source>the time of the whole way is counted; a control refuses the block</source>
@@ -5283,19 +5283,19 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>no position of the rotary axes of machine &apos;%1&apos; gives the tool the direction %2, %3, %4 of the tool vector</source>
-        <translation>aucune position des axes rotatifs de la machine &apos;%1&apos; ne donne à l&apos;outil la direction %2, %3, %4 du vecteur d&apos;outil</translation>
+        <translation>aucune position des axes rotatifs de la machine &apos;%1&apos; ne donne à l’outil la direction %2, %3, %4 du vecteur d’outil</translation>
     </message>
     <message>
         <source>no position of the rotary axes of machine &apos;%1&apos; gives the tool the direction %2, %3, %4 of the tilted plane</source>
-        <translation>aucune position des axes rotatifs de la machine &apos;%1&apos; ne donne à l&apos;outil la direction %2, %3, %4 du plan incliné</translation>
+        <translation>aucune position des axes rotatifs de la machine &apos;%1&apos; ne donne à l’outil la direction %2, %3, %4 du plan incliné</translation>
     </message>
     <message>
         <source>no position of the rotary axes of machine &apos;%1&apos; gives the tool the direction %2, %3, %4 of the tool vector in the part as it is turned</source>
-        <translation>aucune position des axes rotatifs de la machine &apos;%1&apos; ne donne à l&apos;outil la direction %2, %3, %4 du vecteur d&apos;outil dans la pièce telle qu&apos;elle est tournée</translation>
+        <translation>aucune position des axes rotatifs de la machine &apos;%1&apos; ne donne à l’outil la direction %2, %3, %4 du vecteur d’outil dans la pièce telle qu’elle est tournée</translation>
     </message>
     <message>
         <source>no position of the rotary axes of machine &apos;%1&apos; gives the tool the direction %2, %3, %4 of the tilted plane in the part as it is turned</source>
-        <translation>aucune position des axes rotatifs de la machine &apos;%1&apos; ne donne à l&apos;outil la direction %2, %3, %4 du plan incliné dans la pièce telle qu&apos;elle est tournée</translation>
+        <translation>aucune position des axes rotatifs de la machine &apos;%1&apos; ne donne à l’outil la direction %2, %3, %4 du plan incliné dans la pièce telle qu’elle est tournée</translation>
     </message>
     <message>
         <source>the rotary axes stay; tilt less, or choose another machine</source>
@@ -5303,7 +5303,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>no position of the rotary axes with %1 of axis %2 gives the tool the direction of the tilted plane within its travel</source>
-        <translation>aucune position des axes rotatifs avec %1 de l&apos;axe %2 ne donne à l&apos;outil la direction du plan incliné dans sa course</translation>
+        <translation>aucune position des axes rotatifs avec %1 de l’axe %2 ne donne à l’outil la direction du plan incliné dans sa course</translation>
     </message>
     <message>
         <source>a positive angle</source>
@@ -5315,7 +5315,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the other position is used; ask for the other side</source>
-        <translation>l&apos;autre position est utilisée&#xa0;; demandez l&apos;autre côté</translation>
+        <translation>l’autre position est utilisée&#xa0;; demandez l’autre côté</translation>
     </message>
     <message>
         <source>an approach or departure without RL or RR</source>
@@ -5343,15 +5343,15 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the approach or departure is skipped</source>
-        <translation>l&apos;approche ou la sortie est ignorée</translation>
+        <translation>l’approche ou la sortie est ignorée</translation>
     </message>
     <message>
         <source>its radius R of %1 mm on the other side is not larger than the tool radius, %2 mm</source>
-        <translation>son rayon R de %1 mm de l&apos;autre côté n&apos;est pas plus grand que le rayon de l&apos;outil, %2 mm</translation>
+        <translation>son rayon R de %1 mm de l’autre côté n’est pas plus grand que le rayon de l’outil, %2 mm</translation>
     </message>
     <message>
         <source>the preceding block is not a line to the first point of the contour</source>
-        <translation>le bloc précédent n&apos;est pas une droite vers le premier point du contour</translation>
+        <translation>le bloc précédent n’est pas une droite vers le premier point du contour</translation>
     </message>
     <message>
         <source>the contour is approached straight</source>
@@ -5359,7 +5359,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>no contour follows the approach</source>
-        <translation>aucun contour ne suit l&apos;approche</translation>
+        <translation>aucun contour ne suit l’approche</translation>
     </message>
     <message>
         <source>a line to its first point is used; write a contour element after it</source>
@@ -5371,7 +5371,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the corner stays sharp; write the corner between two lines or arcs</source>
-        <translation>l&apos;angle reste vif&#xa0;; programmez l&apos;angle entre deux droites ou arcs</translation>
+        <translation>l’angle reste vif&#xa0;; programmez l’angle entre deux droites ou arcs</translation>
     </message>
     <message>
         <source>another rounding or chamfer follows</source>
@@ -5383,15 +5383,15 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the preceding block is not a contour element</source>
-        <translation>le bloc précédent n&apos;est pas un élément de contour</translation>
+        <translation>le bloc précédent n’est pas un élément de contour</translation>
     </message>
     <message>
         <source>it is skipped; write the corner between two lines or arcs</source>
-        <translation>il est ignoré&#xa0;; programmez l&apos;angle entre deux droites ou arcs</translation>
+        <translation>il est ignoré&#xa0;; programmez l’angle entre deux droites ou arcs</translation>
     </message>
     <message>
         <source>the contour after the approach has no direction in the plane at its start</source>
-        <translation>le contour après l&apos;approche n&apos;a pas de direction dans le plan à son départ</translation>
+        <translation>le contour après l’approche n’a pas de direction dans le plan à son départ</translation>
     </message>
     <message>
         <source>a line to its first point is used</source>
@@ -5399,7 +5399,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the tool starts inside the approach arc of radius %1 mm</source>
-        <translation>l&apos;outil part de l&apos;intérieur de l&apos;arc d&apos;approche de rayon %1 mm</translation>
+        <translation>l’outil part de l’intérieur de l’arc d’approche de rayon %1 mm</translation>
     </message>
     <message>
         <source>a line to the first point of the contour is used; start farther away or reduce R</source>
@@ -5415,7 +5415,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the departure ends inside its arc of radius %1 mm</source>
-        <translation>la sortie finit à l&apos;intérieur de son arc de rayon %1 mm</translation>
+        <translation>la sortie finit à l’intérieur de son arc de rayon %1 mm</translation>
     </message>
     <message>
         <source>a line to its end is used; end farther away or reduce R</source>
@@ -5435,7 +5435,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the arc has no direction</source>
-        <translation>l&apos;arc n&apos;a pas de sens</translation>
+        <translation>l’arc n’a pas de sens</translation>
     </message>
     <message>
         <source>counter-clockwise is assumed; write DR+ or DR-</source>
@@ -5443,11 +5443,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the arc has no radius</source>
-        <translation>l&apos;arc n&apos;a pas de rayon</translation>
+        <translation>l’arc n’a pas de rayon</translation>
     </message>
     <message>
         <source>a straight line to its end is used instead; write R</source>
-        <translation>une droite jusqu&apos;à sa fin est utilisée à la place&#xa0;; programmez R</translation>
+        <translation>une droite jusqu’à sa fin est utilisée à la place&#xa0;; programmez R</translation>
     </message>
     <message>
         <source>a tangent arc without a preceding motion in the working plane</source>
@@ -5455,19 +5455,19 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the arc would end straight behind its start</source>
-        <translation>l&apos;arc finirait droit derrière son départ</translation>
+        <translation>l’arc finirait droit derrière son départ</translation>
     </message>
     <message>
         <source>an angle of %1 degrees is opposite to the direction of the arc</source>
-        <translation>un angle de %1 degrés est opposé au sens de l&apos;arc</translation>
+        <translation>un angle de %1 degrés est opposé au sens de l’arc</translation>
     </message>
     <message>
         <source>the sign of the angle is used; write both with the same sign</source>
-        <translation>le signe de l&apos;angle est utilisé&#xa0;; programmez les deux avec le même signe</translation>
+        <translation>le signe de l’angle est utilisé&#xa0;; programmez les deux avec le même signe</translation>
     </message>
     <message>
         <source>rounding %1 mm is zero or negative</source>
-        <translation>l&apos;arrondi de %1 mm est nul ou négatif</translation>
+        <translation>l’arrondi de %1 mm est nul ou négatif</translation>
     </message>
     <message>
         <source>chamfer %1 mm is zero or negative</source>
@@ -5475,15 +5475,15 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>a tool direction (TX TY TZ) without M128 or FUNCTION TCPM</source>
-        <translation>une direction d&apos;outil (TX TY TZ) sans M128 ni FUNCTION TCPM</translation>
+        <translation>une direction d’outil (TX TY TZ) sans M128 ni FUNCTION TCPM</translation>
     </message>
     <message>
         <source>the rotary axes stay; switch tool centre point control on before it</source>
-        <translation>les axes rotatifs ne bougent pas&#xa0;; activez avant le suivi de la pointe de l&apos;outil (RTCP)</translation>
+        <translation>les axes rotatifs ne bougent pas&#xa0;; activez avant le suivi de la pointe de l’outil (RTCP)</translation>
     </message>
     <message>
         <source>%1 is not an approach or departure</source>
-        <translation>%1 n&apos;est ni une approche ni une sortie</translation>
+        <translation>%1 n’est ni une approche ni une sortie</translation>
     </message>
     <message>
         <source>it is skipped; write LT, LN, CT, LCT or the polar forms with P before them</source>
@@ -5507,7 +5507,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 is not a word of this block</source>
-        <translation>%1 n&apos;est pas un mot de ce bloc</translation>
+        <translation>%1 n’est pas un mot de ce bloc</translation>
     </message>
     <message>
         <source>the block is skipped; correct it</source>
@@ -5519,15 +5519,15 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>X, Y and Z are shown as programmed, without a compensation along them</source>
-        <translation>X, Y et Z sont affichés comme programmés, sans correction le long d&apos;elles</translation>
+        <translation>X, Y et Z sont affichés comme programmés, sans correction le long d’elles</translation>
     </message>
     <message>
         <source>surface normals and tool directions (LN) are not supported</source>
-        <translation>les normales à la surface et les directions d&apos;outil (LN) ne sont pas prises en charge</translation>
+        <translation>les normales à la surface et les directions d’outil (LN) ne sont pas prises en charge</translation>
     </message>
     <message>
         <source>FT%1 (time of the block) is not supported</source>
-        <translation>FT%1 (durée du bloc) n&apos;est pas pris en charge</translation>
+        <translation>FT%1 (durée du bloc) n’est pas pris en charge</translation>
     </message>
     <message>
         <source>the last feed stays in force</source>
@@ -5535,7 +5535,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>R%1 (extension by the tool radius) is not supported</source>
-        <translation>R%1 (prolongement du rayon d&apos;outil) n&apos;est pas pris en charge</translation>
+        <translation>R%1 (prolongement du rayon d’outil) n’est pas pris en charge</translation>
     </message>
     <message>
         <source>the position is shown as programmed</source>
@@ -5543,31 +5543,31 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the upper corner of the blank is not above the lower one in every axis</source>
-        <translation>le coin supérieur du brut n&apos;est pas au-dessus du coin inférieur dans chaque axe</translation>
+        <translation>le coin supérieur du brut n’est pas au-dessus du coin inférieur dans chaque axe</translation>
     </message>
     <message>
         <source>the control refuses such a blank; the path does not depend on it</source>
-        <translation>la commande refuse un tel brut&#xa0;; la trajectoire n&apos;en dépend pas</translation>
+        <translation>la commande refuse un tel brut&#xa0;; la trajectoire n’en dépend pas</translation>
     </message>
     <message>
         <source>scaling factor %1 is not from 0.000001 to 99.999999</source>
-        <translation>le facteur d&apos;échelle %1 n&apos;est pas compris entre 0,000001 et 99,999999</translation>
+        <translation>le facteur d’échelle %1 n’est pas compris entre 0,000001 et 99,999999</translation>
     </message>
     <message>
         <source>the scaling is ignored</source>
-        <translation>la mise à l&apos;échelle est ignorée</translation>
+        <translation>la mise à l’échelle est ignorée</translation>
     </message>
     <message>
         <source>a datum shift replaces one that the plane was tilted about</source>
-        <translation>un décalage d&apos;origine en remplace un autour duquel le plan était incliné</translation>
+        <translation>un décalage d’origine en remplace un autour duquel le plan était incliné</translation>
     </message>
     <message>
         <source>it is applied in the untilted system; cancel the tilt before it, or shift in the tilted plane only</source>
-        <translation>il s&apos;applique dans le système non incliné&#xa0;; annulez l&apos;inclinaison avant, ou ne décalez que dans le plan incliné</translation>
+        <translation>il s’applique dans le système non incliné&#xa0;; annulez l’inclinaison avant, ou ne décalez que dans le plan incliné</translation>
     </message>
     <message>
         <source>%1 changes the datum after a motion</source>
-        <translation>%1 change le point d&apos;origine après un déplacement</translation>
+        <translation>%1 change le point d’origine après un déplacement</translation>
     </message>
     <message>
         <source>cycle 247</source>
@@ -5579,7 +5579,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>datums of the machine are assumed as zero, so parts of the path overlap</source>
-        <translation>les points d&apos;origine de la machine sont supposés nuls, des parties de la trajectoire se recouvrent donc</translation>
+        <translation>les points d’origine de la machine sont supposés nuls, des parties de la trajectoire se recouvrent donc</translation>
     </message>
     <message>
         <source>the vectors of PLANE VECTOR do not span a plane</source>
@@ -5619,11 +5619,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the plane depends on the machine; they are used as spatial angles, as in PLANE SPATIAL</source>
-        <translation>le plan dépend de la machine&#xa0;; ils sont lus comme des angles dans l&apos;espace, comme dans PLANE SPATIAL</translation>
+        <translation>le plan dépend de la machine&#xa0;; ils sont lus comme des angles dans l’espace, comme dans PLANE SPATIAL</translation>
     </message>
     <message>
         <source>%1 is not X, Y or Z</source>
-        <translation>%1 n&apos;est ni X, ni Y, ni Z</translation>
+        <translation>%1 n’est ni X, ni Y, ni Z</translation>
     </message>
     <message>
         <source>the transformation is ignored</source>
@@ -5631,15 +5631,15 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1: the radius of the tool is not known</source>
-        <translation>%1&#xa0;: le rayon de l&apos;outil n&apos;est pas connu</translation>
+        <translation>%1&#xa0;: le rayon de l’outil n’est pas connu</translation>
     </message>
     <message>
         <source>the path shown is the programmed contour; %1, or write a TOOL DEF with R before the tool call</source>
-        <translation>la trajectoire affichée est le contour programmé&#xa0;; %1, ou programmez un TOOL DEF avec R avant l&apos;appel de l&apos;outil</translation>
+        <translation>la trajectoire affichée est le contour programmé&#xa0;; %1, ou programmez un TOOL DEF avec R avant l’appel de l’outil</translation>
     </message>
     <message>
         <source>program %1 was not found in the same folder</source>
-        <translation>le programme %1 n&apos;a pas été trouvé dans le même dossier</translation>
+        <translation>le programme %1 n’a pas été trouvé dans le même dossier</translation>
     </message>
     <message>
         <source>its motion is skipped; copy the file into this folder</source>
@@ -5647,11 +5647,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>program %1 is in another dialect, %2</source>
-        <translation>le programme %1 est d&apos;un autre dialecte, %2</translation>
+        <translation>le programme %1 est d’un autre dialecte, %2</translation>
     </message>
     <message>
         <source>%1 is the angle of a rotary axis that the control calculates for a tilted plane</source>
-        <translation>%1 est l&apos;angle d&apos;un axe rotatif que la commande calcule pour un plan incliné</translation>
+        <translation>%1 est l’angle d’un axe rotatif que la commande calcule pour un plan incliné</translation>
     </message>
     <message>
         <source>0 is used; X, Y and Z are shown in the tilted plane</source>
@@ -5659,27 +5659,27 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the tool radius Q108 is not known</source>
-        <translation>le rayon d&apos;outil Q108 n&apos;est pas connu</translation>
+        <translation>le rayon d’outil Q108 n’est pas connu</translation>
     </message>
     <message>
         <source>0 is used; write a TOOL DEF with R before the tool call</source>
-        <translation>0 est utilisé&#xa0;; programmez un TOOL DEF avec R avant l&apos;appel de l&apos;outil</translation>
+        <translation>0 est utilisé&#xa0;; programmez un TOOL DEF avec R avant l’appel de l’outil</translation>
     </message>
     <message>
         <source>%1 has no value</source>
-        <translation>%1 n&apos;a pas de valeur</translation>
+        <translation>%1 n’a pas de valeur</translation>
     </message>
     <message>
         <source>0 is used; the control may still have another value, assign one first</source>
-        <translation>0 est utilisé&#xa0;; la commande peut encore avoir une autre valeur, affectez-en une d&apos;abord</translation>
+        <translation>0 est utilisé&#xa0;; la commande peut encore avoir une autre valeur, affectez-en une d’abord</translation>
     </message>
     <message>
         <source>%1 is not valid in %2</source>
-        <translation>%1 n&apos;est pas valable dans %2</translation>
+        <translation>%1 n’est pas valable dans %2</translation>
     </message>
     <message>
         <source>a tool call</source>
-        <translation>un appel d&apos;outil</translation>
+        <translation>un appel d’outil</translation>
     </message>
     <message>
         <source>a block</source>
@@ -5691,7 +5691,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the name of the label is not closed, or empty</source>
-        <translation>le nom de l&apos;étiquette n&apos;est pas fermé, ou est vide</translation>
+        <translation>le nom de l’étiquette n’est pas fermé, ou est vide</translation>
     </message>
     <message>
         <source>write it as &quot;NAME&quot;</source>
@@ -5699,7 +5699,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 is not a label</source>
-        <translation>%1 n&apos;est pas une étiquette</translation>
+        <translation>%1 n’est pas une étiquette</translation>
     </message>
     <message>
         <source>write a whole number from 1 to 65535 or a name in quotes</source>
@@ -5707,7 +5707,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>label %1 is defined twice</source>
-        <translation>l&apos;étiquette %1 est définie deux fois</translation>
+        <translation>l’étiquette %1 est définie deux fois</translation>
     </message>
     <message>
         <source>the first one is used; a control refuses such a program</source>
@@ -5715,23 +5715,23 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>label %1 does not exist</source>
-        <translation>l&apos;étiquette %1 n&apos;existe pas</translation>
+        <translation>l’étiquette %1 n’existe pas</translation>
     </message>
     <message>
         <source>the jump or call is skipped</source>
-        <translation>le saut ou l&apos;appel est ignoré</translation>
+        <translation>le saut ou l’appel est ignoré</translation>
     </message>
     <message>
         <source>%1 is not a text</source>
-        <translation>%1 n&apos;est pas un texte</translation>
+        <translation>%1 n’est pas un texte</translation>
     </message>
     <message>
         <source>the assignment is skipped; write &quot;...&quot; or QS parameters, joined by ||</source>
-        <translation>l&apos;affectation est ignorée&#xa0;; programmez &quot;...&quot; ou des paramètres QS, reliés par ||</translation>
+        <translation>l’affectation est ignorée&#xa0;; programmez &quot;...&quot; ou des paramètres QS, reliés par ||</translation>
     </message>
     <message>
         <source>%1 is not an assignment</source>
-        <translation>%1 n&apos;est pas une affectation</translation>
+        <translation>%1 n’est pas une affectation</translation>
     </message>
     <message>
         <source>it is skipped; write Q1 = 5</source>
@@ -5747,11 +5747,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>function %1 has no finite value for %2 and %3</source>
-        <translation>la fonction %1 n&apos;a pas de valeur finie pour %2 et %3</translation>
+        <translation>la fonction %1 n’a pas de valeur finie pour %2 et %3</translation>
     </message>
     <message>
         <source>the program stops here with an error (FN 14)</source>
-        <translation>le programme s&apos;arrête ici sur une erreur (FN 14)</translation>
+        <translation>le programme s’arrête ici sur une erreur (FN 14)</translation>
     </message>
     <message>
         <source>the rest is skipped; check the values that lead here</source>
@@ -5759,15 +5759,15 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>FN %1 is not supported</source>
-        <translation>FN %1 n&apos;est pas pris en charge</translation>
+        <translation>FN %1 n’est pas pris en charge</translation>
     </message>
     <message>
         <source>what it writes to the machine or reads from a table is not known</source>
-        <translation>ce qu&apos;il écrit vers la machine ou lit dans une table n&apos;est pas connu</translation>
+        <translation>ce qu’il écrit vers la machine ou lit dans une table n’est pas connu</translation>
     </message>
     <message>
         <source>parameter %1 does not exist</source>
-        <translation>le paramètre %1 n&apos;existe pas</translation>
+        <translation>le paramètre %1 n’existe pas</translation>
     </message>
     <message>
         <source>the last one is Q%1</source>
@@ -5787,7 +5787,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 is not a number or parameter</source>
-        <translation>%1 n&apos;est ni un nombre ni un paramètre</translation>
+        <translation>%1 n’est ni un nombre ni un paramètre</translation>
     </message>
     <message>
         <source>the block is skipped; write a number or a Q parameter here</source>
@@ -5811,7 +5811,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>FN 18 reads the position of %1 before the program has moved it</source>
-        <translation>FN 18 lit la position de %1 avant que le programme ne l&apos;ait déplacé</translation>
+        <translation>FN 18 lit la position de %1 avant que le programme ne l’ait déplacé</translation>
     </message>
     <message>
         <source>%1 is set to the start position, which is assumed as zero; assign the value of your machine instead</source>
@@ -5819,7 +5819,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>cycle %1 is not executed: %2</source>
-        <translation>le cycle %1 n&apos;est pas exécuté&#xa0;: %2</translation>
+        <translation>le cycle %1 n’est pas exécuté&#xa0;: %2</translation>
     </message>
     <message>
         <source>its depth Q201 is above the surface; write it negative</source>
@@ -5827,15 +5827,15 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>centring to a diameter needs the tool&apos;s point angle; write Q343=0 and the depth</source>
-        <translation>le centrage à un diamètre demande l&apos;angle de pointe de l&apos;outil&#xa0;; programmez Q343=0 et la profondeur</translation>
+        <translation>le centrage à un diamètre demande l’angle de pointe de l’outil&#xa0;; programmez Q343=0 et la profondeur</translation>
     </message>
     <message>
         <source>the radius of the tool is not known; write a TOOL DEF with R before the tool call</source>
-        <translation>le rayon de l&apos;outil n&apos;est pas connu&#xa0;; programmez un TOOL DEF avec R avant l&apos;appel de l&apos;outil</translation>
+        <translation>le rayon de l’outil n’est pas connu&#xa0;; programmez un TOOL DEF avec R avant l’appel de l’outil</translation>
     </message>
     <message>
         <source>it has no pitch or the spindle no speed; write S in the tool call</source>
-        <translation>il n&apos;a pas de pas ou la broche pas de vitesse&#xa0;; programmez S dans l&apos;appel de l&apos;outil</translation>
+        <translation>il n’a pas de pas ou la broche pas de vitesse&#xa0;; programmez S dans l’appel de l’outil</translation>
     </message>
     <message>
         <source>it would take more than 10000 infeeds, or its infeeds are negative; check Q202 and the other infeeds</source>
@@ -5847,11 +5847,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>its depth Q249 is not above zero; write it positive</source>
-        <translation>sa profondeur Q249 n&apos;est pas supérieure à zéro&#xa0;; programmez-la positive</translation>
+        <translation>sa profondeur Q249 n’est pas supérieure à zéro&#xa0;; programmez-la positive</translation>
     </message>
     <message>
         <source>the direction Q214 in which the tool passes the hole is not 1 to 4</source>
-        <translation>la direction Q214 dans laquelle l&apos;outil passe le trou n&apos;est pas 1 à 4</translation>
+        <translation>la direction Q214 dans laquelle l’outil passe le trou n’est pas 1 à 4</translation>
     </message>
     <message>
         <source>CYCL CALL PAT without PATTERN DEF</source>
@@ -5859,7 +5859,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>CYCL CALL PAT of a program (cycle 12) is not supported</source>
-        <translation>CYCL CALL PAT d&apos;un programme (cycle 12) n&apos;est pas pris en charge</translation>
+        <translation>CYCL CALL PAT d’un programme (cycle 12) n’est pas pris en charge</translation>
     </message>
     <message>
         <source>the calls are skipped</source>
@@ -5879,7 +5879,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>this value of %1 is not supported</source>
-        <translation>cette valeur de %1 n&apos;est pas prise en charge</translation>
+        <translation>cette valeur de %1 n’est pas prise en charge</translation>
     </message>
     <message>
         <source>write a number</source>
@@ -5887,7 +5887,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>cycle %1 has no value for Q%2</source>
-        <translation>le cycle %1 n&apos;a pas de valeur pour Q%2</translation>
+        <translation>le cycle %1 n’a pas de valeur pour Q%2</translation>
     </message>
     <message>
         <source>the cycle is skipped; write all of its parameters</source>
@@ -5903,15 +5903,15 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>cycle %1: Q395=1 measures the depth to the cylinder of the drill</source>
-        <translation>cycle %1&#xa0;: Q395=1 mesure la profondeur jusqu&apos;au cylindre du foret</translation>
+        <translation>cycle %1&#xa0;: Q395=1 mesure la profondeur jusqu’au cylindre du foret</translation>
     </message>
     <message>
         <source>the length of its point is in the tool table; the depth is shown as that of the tip</source>
-        <translation>la longueur de sa pointe est dans la table d&apos;outils&#xa0;; la profondeur est affichée comme celle de la pointe</translation>
+        <translation>la longueur de sa pointe est dans la table d’outils&#xa0;; la profondeur est affichée comme celle de la pointe</translation>
     </message>
     <message>
         <source>cycle %1 (%2) is not supported</source>
-        <translation>le cycle %1 (%2) n&apos;est pas pris en charge</translation>
+        <translation>le cycle %1 (%2) n’est pas pris en charge</translation>
     </message>
     <message>
         <source>it does not move by itself</source>
@@ -5923,15 +5923,15 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>a cycle is called, but none is defined</source>
-        <translation>un cycle est appelé, mais aucun n&apos;est défini</translation>
+        <translation>un cycle est appelé, mais aucun n’est défini</translation>
     </message>
     <message>
         <source>the call is skipped</source>
-        <translation>l&apos;appel est ignoré</translation>
+        <translation>l’appel est ignoré</translation>
     </message>
     <message>
         <source>cycle %1: Q%2 is %3, not a number of places from 1 to %4</source>
-        <translation>cycle %1&#xa0;: Q%2 vaut %3, ce n&apos;est pas un nombre d&apos;emplacements de 1 à %4</translation>
+        <translation>cycle %1&#xa0;: Q%2 vaut %3, ce n’est pas un nombre d’emplacements de 1 à %4</translation>
     </message>
     <message>
         <source>the pattern is skipped</source>
@@ -5939,7 +5939,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>cycle %1 repeats a cycle, but none is defined</source>
-        <translation>le cycle %1 répète un cycle, mais aucun n&apos;est défini</translation>
+        <translation>le cycle %1 répète un cycle, mais aucun n’est défini</translation>
     </message>
     <message>
         <source>the pattern is skipped; define a cycle from 200 to 209 or 240 before it</source>
@@ -5947,7 +5947,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>cycle 220: Q365=1 goes from place to place on the circle</source>
-        <translation>cycle 220&#xa0;: Q365=1 va d&apos;un emplacement à l&apos;autre sur le cercle</translation>
+        <translation>cycle 220&#xa0;: Q365=1 va d’un emplacement à l’autre sur le cercle</translation>
     </message>
     <message>
         <source>the holes are right, the way between them is shown straight</source>
@@ -5955,7 +5955,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 is not a number of places from 1 to %2</source>
-        <translation>%1 n&apos;est pas un nombre d&apos;emplacements de 1 à %2</translation>
+        <translation>%1 n’est pas un nombre d’emplacements de 1 à %2</translation>
     </message>
     <message>
         <source>the pattern is skipped; check NUM, NUMX and NUMY</source>
@@ -5963,7 +5963,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 is not a pattern</source>
-        <translation>%1 n&apos;est pas un motif</translation>
+        <translation>%1 n’est pas un motif</translation>
     </message>
     <message>
         <source>the pattern is skipped; write POS, ROW, PAT, FRAME, CIRC or PITCHCIRC</source>
@@ -5983,11 +5983,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>feed F%1 is zero or negative</source>
-        <translation>l&apos;avance F%1 est nulle ou négative</translation>
+        <translation>l’avance F%1 est nulle ou négative</translation>
     </message>
     <message>
         <source>a feed per tooth without the number of teeth, which is in the tool table</source>
-        <translation>une avance par dent sans le nombre de dents, qui est dans la table d&apos;outils</translation>
+        <translation>une avance par dent sans le nombre de dents, qui est dans la table d’outils</translation>
     </message>
     <message>
         <source>one tooth is assumed; write F or FU</source>
@@ -6007,7 +6007,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>G%1 is not supported in this dialect</source>
-        <translation>G%1 n&apos;est pas pris en charge dans ce dialecte</translation>
+        <translation>G%1 n’est pas pris en charge dans ce dialecte</translation>
     </message>
     <message>
         <source>the block is skipped; the control may run another path</source>
@@ -6031,7 +6031,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the programmed feed is shown</source>
-        <translation>l&apos;avance programmée est affichée</translation>
+        <translation>l’avance programmée est affichée</translation>
     </message>
     <message>
         <source>small contour steps</source>
@@ -6043,15 +6043,15 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>feed factor for plunging</source>
-        <translation>facteur d&apos;avance en plongée</translation>
+        <translation>facteur d’avance en plongée</translation>
     </message>
     <message>
         <source>constant feed of the cutting edge</source>
-        <translation>avance constante à l&apos;arête de coupe</translation>
+        <translation>avance constante à l’arête de coupe</translation>
     </message>
     <message>
         <source>constant feed of the cutting edge on inside arcs</source>
-        <translation>avance constante à l&apos;arête de coupe dans les arcs intérieurs</translation>
+        <translation>avance constante à l’arête de coupe dans les arcs intérieurs</translation>
     </message>
     <message>
         <source>rounding between contour elements</source>
@@ -6059,7 +6059,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>rotary axes with tool compensation</source>
-        <translation>axes rotatifs avec correction d&apos;outil</translation>
+        <translation>axes rotatifs avec correction d’outil</translation>
     </message>
     <message>
         <source>filter of short lines</source>
@@ -6067,7 +6067,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>X, Y and Z of the tool tip are shown</source>
-        <translation>X, Y et Z de la pointe de l&apos;outil sont affichés</translation>
+        <translation>X, Y et Z de la pointe de l’outil sont affichés</translation>
     </message>
     <message>
         <source>positions in the untilted system</source>
@@ -6123,7 +6123,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>another machining mode</source>
-        <translation>autre mode d&apos;usinage</translation>
+        <translation>autre mode d’usinage</translation>
     </message>
     <message>
         <source>its path is shown as in milling mode</source>
@@ -6131,11 +6131,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>selection of a table, pattern or program</source>
-        <translation>choix d&apos;une table, d&apos;un motif ou d&apos;un programme</translation>
+        <translation>choix d’une table, d’un motif ou d’un programme</translation>
     </message>
     <message>
         <source>what it selects is not known</source>
-        <translation>ce qu&apos;il choisit n&apos;est pas connu</translation>
+        <translation>ce qu’il choisit n’est pas connu</translation>
     </message>
     <message>
         <source>contour definition</source>
@@ -6147,27 +6147,27 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 is not a statement of this dialect</source>
-        <translation>%1 n&apos;est pas une instruction de ce dialecte</translation>
+        <translation>%1 n’est pas une instruction de ce dialecte</translation>
     </message>
     <message>
         <source>it is skipped; if the program has another dialect, give it with --dialect</source>
-        <translation>il est ignoré&#xa0;; si le programme est d&apos;un autre dialecte, indiquez-le avec --dialect</translation>
+        <translation>il est ignoré&#xa0;; si le programme est d’un autre dialecte, indiquez-le avec --dialect</translation>
     </message>
     <message>
         <source>M%1 calls program %2, which is neither in the program nor in a file in its folder</source>
-        <translation>M%1 appelle le programme %2, qui n&apos;est ni dans le programme ni dans un fichier de son dossier</translation>
+        <translation>M%1 appelle le programme %2, qui n’est ni dans le programme ni dans un fichier de son dossier</translation>
     </message>
     <message>
         <source>M%1 calls file %2, which is neither in the program nor in a file in its folder</source>
-        <translation>M%1 appelle le fichier %2, qui n&apos;est ni dans le programme ni dans un fichier de son dossier</translation>
+        <translation>M%1 appelle le fichier %2, qui n’est ni dans le programme ni dans un fichier de son dossier</translation>
     </message>
     <message>
         <source>macro program %1 is called, which is neither in the program nor in a file in its folder</source>
-        <translation>le macroprogramme %1 est appelé, mais n&apos;est ni dans le programme ni dans un fichier de son dossier</translation>
+        <translation>le macroprogramme %1 est appelé, mais n’est ni dans le programme ni dans un fichier de son dossier</translation>
     </message>
     <message>
         <source>o%1 is called, which is neither in the program nor in a file in its folder</source>
-        <translation>o%1 est appelé, mais n&apos;est ni dans le programme ni dans un fichier de son dossier</translation>
+        <translation>o%1 est appelé, mais n’est ni dans le programme ni dans un fichier de son dossier</translation>
     </message>
     <message>
         <source>its motion is missing; add the file %1 to the program&apos;s folder</source>
@@ -6179,19 +6179,19 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>nothing is called; write P with the number of the subprogram</source>
-        <translation>rien n&apos;est appelé&#xa0;; programmez P avec le numéro du sous-programme</translation>
+        <translation>rien n’est appelé&#xa0;; programmez P avec le numéro du sous-programme</translation>
     </message>
     <message>
         <source>M97 without P and the number of a block in this program</source>
-        <translation>M97 sans P ni numéro d&apos;un bloc de ce programme</translation>
+        <translation>M97 sans P ni numéro d’un bloc de ce programme</translation>
     </message>
     <message>
         <source>nothing is called; write P with the N number of the first block</source>
-        <translation>rien n&apos;est appelé&#xa0;; programmez P avec le numéro N du premier bloc</translation>
+        <translation>rien n’est appelé&#xa0;; programmez P avec le numéro N du premier bloc</translation>
     </message>
     <message>
         <source>jump target N%1 does not exist</source>
-        <translation>la cible de saut N%1 n&apos;existe pas</translation>
+        <translation>la cible de saut N%1 n’existe pas</translation>
     </message>
     <message>
         <source>the jump is skipped; correct the number</source>
@@ -6207,7 +6207,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>L%1 is not a number of times from 0 to %2</source>
-        <translation>L%1 n&apos;est pas un nombre de fois de 0 à %2</translation>
+        <translation>L%1 n’est pas un nombre de fois de 0 à %2</translation>
     </message>
     <message>
         <source>it is run once</source>
@@ -6219,15 +6219,15 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>nothing is called; write P with the macro&apos;s number</source>
-        <translation>rien n&apos;est appelé&#xa0;; programmez P avec le numéro de la macro</translation>
+        <translation>rien n’est appelé&#xa0;; programmez P avec le numéro de la macro</translation>
     </message>
     <message>
         <source>%1 is not a variable number</source>
-        <translation>%1 n&apos;est pas un numéro de variable</translation>
+        <translation>%1 n’est pas un numéro de variable</translation>
     </message>
     <message>
         <source>the block does not move; variable numbers are whole and start at 0</source>
-        <translation>le bloc n&apos;a pas de déplacement&#xa0;; les numéros de variable sont entiers et commencent à 0</translation>
+        <translation>le bloc n’a pas de déplacement&#xa0;; les numéros de variable sont entiers et commencent à 0</translation>
     </message>
     <message>
         <source>&quot;&gt;&quot; is missing after the name</source>
@@ -6255,11 +6255,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the block does not move; correct the word or write a plain number</source>
-        <translation>le bloc n&apos;a pas de déplacement&#xa0;; corrigez le mot ou programmez un simple nombre</translation>
+        <translation>le bloc n’a pas de déplacement&#xa0;; corrigez le mot ou programmez un simple nombre</translation>
     </message>
     <message>
         <source>the comment %1 is not closed</source>
-        <translation>le commentaire %1 n&apos;est pas fermé</translation>
+        <translation>le commentaire %1 n’est pas fermé</translation>
     </message>
     <message>
         <source>the rest of the line is used as the comment; add the closing bracket</source>
@@ -6271,19 +6271,19 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>byte 0x%1</source>
-        <translation>l&apos;octet 0x%1</translation>
+        <translation>l’octet 0x%1</translation>
     </message>
     <message>
         <source>the rest of the line is skipped and the block does not move; remove the character</source>
-        <translation>le reste de la ligne est ignoré et le bloc n&apos;a pas de déplacement&#xa0;; supprimez le caractère</translation>
+        <translation>le reste de la ligne est ignoré et le bloc n’a pas de déplacement&#xa0;; supprimez le caractère</translation>
     </message>
     <message>
         <source>%1 has no %2</source>
-        <translation>%1 n&apos;a pas de %2</translation>
+        <translation>%1 n’a pas de %2</translation>
     </message>
     <message>
         <source>loop around it</source>
-        <translation>boucle qui l&apos;entoure</translation>
+        <translation>boucle qui l’entoure</translation>
     </message>
     <message>
         <source>END with its number</source>
@@ -6307,7 +6307,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 is not an O word</source>
-        <translation>%1 n&apos;est pas un mot O</translation>
+        <translation>%1 n’est pas un mot O</translation>
     </message>
     <message>
         <source>the line is skipped; O words are sub, call, if, while, do, repeat and their ends</source>
@@ -6319,23 +6319,23 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the call is skipped; pass the rest in global variables</source>
-        <translation>l&apos;appel est ignoré&#xa0;; passez le reste dans des variables globales</translation>
+        <translation>l’appel est ignoré&#xa0;; passez le reste dans des variables globales</translation>
     </message>
     <message>
         <source>return or endsub outside a subprogram</source>
-        <translation>return ou endsub hors d&apos;un sous-programme</translation>
+        <translation>return ou endsub hors d’un sous-programme</translation>
     </message>
     <message>
         <source>it is skipped; a subprogram is written between sub and endsub</source>
-        <translation>il est ignoré&#xa0;; un sous-programme s&apos;écrit entre sub et endsub</translation>
+        <translation>il est ignoré&#xa0;; un sous-programme s’écrit entre sub et endsub</translation>
     </message>
     <message>
         <source>a sub inside the sub of line %1</source>
-        <translation>un sub à l&apos;intérieur du sub de la ligne %1</translation>
+        <translation>un sub à l’intérieur du sub de la ligne %1</translation>
     </message>
     <message>
         <source>LinuxCNC rejects the program; write one subprogram after the other</source>
-        <translation>LinuxCNC refuse le programme&#xa0;; écrivez les sous-programmes l&apos;un après l&apos;autre</translation>
+        <translation>LinuxCNC refuse le programme&#xa0;; écrivez les sous-programmes l’un après l’autre</translation>
     </message>
     <message>
         <source>%1 writes to a device</source>
@@ -6355,15 +6355,15 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 is not a word of ISO programs</source>
-        <translation>%1 n&apos;est pas un mot des programmes ISO</translation>
+        <translation>%1 n’est pas un mot des programmes ISO</translation>
     </message>
     <message>
         <source>the block does not move; if the program has another dialect, give it with --dialect</source>
-        <translation>le bloc n&apos;a pas de déplacement&#xa0;; si le programme est d&apos;un autre dialecte, indiquez-le avec --dialect</translation>
+        <translation>le bloc n’a pas de déplacement&#xa0;; si le programme est d’un autre dialecte, indiquez-le avec --dialect</translation>
     </message>
     <message>
         <source>the block does not move; check the values that go into it</source>
-        <translation>le bloc n&apos;a pas de déplacement&#xa0;; vérifiez les valeurs qui y entrent</translation>
+        <translation>le bloc n’a pas de déplacement&#xa0;; vérifiez les valeurs qui y entrent</translation>
     </message>
     <message>
         <source>&quot;=&quot; is missing after the variable</source>
@@ -6379,7 +6379,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the assignment is skipped; use another variable</source>
-        <translation>l&apos;affectation est ignorée&#xa0;; prenez une autre variable</translation>
+        <translation>l’affectation est ignorée&#xa0;; prenez une autre variable</translation>
     </message>
     <message>
         <source>#%1 is a control-internal value</source>
@@ -6391,7 +6391,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>#%1 has not been set by the program</source>
-        <translation>#%1 n&apos;a pas été défini par le programme</translation>
+        <translation>#%1 n’a pas été défini par le programme</translation>
     </message>
     <message>
         <source>0 is used; on the control it keeps its last value</source>
@@ -6399,27 +6399,27 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>#&lt;%1&gt; has not been set</source>
-        <translation>#&lt;%1&gt; n&apos;a pas été défini</translation>
+        <translation>#&lt;%1&gt; n’a pas été défini</translation>
     </message>
     <message>
         <source>the block does not move; set it before, or check how the name is written</source>
-        <translation>le bloc n&apos;a pas de déplacement&#xa0;; définissez-la avant, ou vérifiez l&apos;orthographe du nom</translation>
+        <translation>le bloc n’a pas de déplacement&#xa0;; définissez-la avant, ou vérifiez l’orthographe du nom</translation>
     </message>
     <message>
         <source>the program raises alarm %1</source>
-        <translation>le programme déclenche l&apos;alarme %1</translation>
+        <translation>le programme déclenche l’alarme %1</translation>
     </message>
     <message>
         <source>the control stops here; check the condition that leads to it</source>
-        <translation>la commande s&apos;arrête ici&#xa0;; vérifiez la condition qui y mène</translation>
+        <translation>la commande s’arrête ici&#xa0;; vérifiez la condition qui y mène</translation>
     </message>
     <message>
         <source>the path shown is the programmed contour; write D with the tool&apos;s diameter</source>
-        <translation>la trajectoire affichée est le contour programmé&#xa0;; programmez D avec le diamètre de l&apos;outil</translation>
+        <translation>la trajectoire affichée est le contour programmé&#xa0;; programmez D avec le diamètre de l’outil</translation>
     </message>
     <message>
         <source>G%1 without D: the radius of the tool is not known</source>
-        <translation>G%1 sans D&#xa0;: le rayon de l&apos;outil n&apos;est pas connu</translation>
+        <translation>G%1 sans D&#xa0;: le rayon de l’outil n’est pas connu</translation>
     </message>
     <message>
         <source>the path shown is the programmed contour; write T and M6 before it, or D</source>
@@ -6427,11 +6427,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the path shown is the programmed contour; write D with the tool&apos;s offset</source>
-        <translation>la trajectoire affichée est le contour programmé&#xa0;; programmez D avec le correcteur de l&apos;outil</translation>
+        <translation>la trajectoire affichée est le contour programmé&#xa0;; programmez D avec le correcteur de l’outil</translation>
     </message>
     <message>
         <source>the radius of offset D%1 is not known</source>
-        <translation>le rayon du correcteur D%1 n&apos;est pas connu</translation>
+        <translation>le rayon du correcteur D%1 n’est pas connu</translation>
     </message>
     <message>
         <source>the path shown is the programmed contour; %1, or set it with G10 L12 P%2 R</source>
@@ -6439,7 +6439,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the radius is ignored; write P with the tool&apos;s number</source>
-        <translation>le rayon est ignoré&#xa0;; programmez P avec le numéro de l&apos;outil</translation>
+        <translation>le rayon est ignoré&#xa0;; programmez P avec le numéro de l’outil</translation>
     </message>
     <message>
         <source>%1 is selected after motion in %2</source>
@@ -6447,11 +6447,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>P%1 is not a work offset number from %2 to %3</source>
-        <translation>P%1 n&apos;est pas un numéro de décalage d&apos;origine de %2 à %3</translation>
+        <translation>P%1 n’est pas un numéro de décalage d’origine de %2 à %3</translation>
     </message>
     <message>
         <source>the block has no effect on the path</source>
-        <translation>le bloc n&apos;a pas d&apos;effet sur la trajectoire</translation>
+        <translation>le bloc n’a pas d’effet sur la trajectoire</translation>
     </message>
     <message>
         <source>the path is shown without it</source>
@@ -6459,7 +6459,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the path is shown without it; write R with the angle</source>
-        <translation>la trajectoire est affichée sans cela&#xa0;; programmez R avec l&apos;angle</translation>
+        <translation>la trajectoire est affichée sans cela&#xa0;; programmez R avec l’angle</translation>
     </message>
     <message>
         <source>the path is shown without it; write P with the factor</source>
@@ -6467,11 +6467,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>G68 with I0 J0 K0 has no rotation axis</source>
-        <translation>G68 avec I0 J0 K0 n&apos;a pas d&apos;axe de rotation</translation>
+        <translation>G68 avec I0 J0 K0 n’a pas d’axe de rotation</translation>
     </message>
     <message>
         <source>G68.2 P%1 (tilted working plane by points, vectors or projection angles) is not supported</source>
-        <translation>G68.2 P%1 (plan de travail incliné par points, vecteurs ou angles de projection) n&apos;est pas pris en charge</translation>
+        <translation>G68.2 P%1 (plan de travail incliné par points, vecteurs ou angles de projection) n’est pas pris en charge</translation>
     </message>
     <message>
         <source>the working plane is tilted</source>
@@ -6487,11 +6487,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>turning is not supported: X is used as a radius, G98 and G99 as those of drilling cycles</source>
-        <translation>le tournage n&apos;est pas pris en charge&#xa0;: X est lu comme un rayon, G98 et G99 comme ceux des cycles de perçage</translation>
+        <translation>le tournage n’est pas pris en charge&#xa0;: X est lu comme un rayon, G98 et G99 comme ceux des cycles de perçage</translation>
     </message>
     <message>
         <source>scale factor %1 is zero</source>
-        <translation>le facteur d&apos;échelle %1 est nul</translation>
+        <translation>le facteur d’échelle %1 est nul</translation>
     </message>
     <message>
         <source>1 is used; write a factor other than zero</source>
@@ -6499,7 +6499,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>G29 (bed levelling of printers) is not supported</source>
-        <translation>G29 (nivellement du plateau d&apos;imprimante) n&apos;est pas pris en charge</translation>
+        <translation>G29 (nivellement du plateau d’imprimante) n’est pas pris en charge</translation>
     </message>
     <message>
         <source>nothing moves</source>
@@ -6527,31 +6527,31 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>X and Y are ignored; write either of them</source>
-        <translation>X et Y sont ignorés&#xa0;; programmez l&apos;un ou l&apos;autre</translation>
+        <translation>X et Y sont ignorés&#xa0;; programmez l’un ou l’autre</translation>
     </message>
     <message>
         <source>the tool is at X0 Y0, where it has no angle</source>
-        <translation>l&apos;outil est en X0 Y0, où il n&apos;a pas d&apos;angle</translation>
+        <translation>l’outil est en X0 Y0, où il n’a pas d’angle</translation>
     </message>
     <message>
         <source>angle zero is used; write both @ and ^ with G90</source>
-        <translation>l&apos;angle nul est utilisé&#xa0;; programmez @ et ^ avec G90</translation>
+        <translation>l’angle nul est utilisé&#xa0;; programmez @ et ^ avec G90</translation>
     </message>
     <message>
         <source>G76 (threading cycle) is not supported</source>
-        <translation>G76 (cycle de filetage) n&apos;est pas pris en charge</translation>
+        <translation>G76 (cycle de filetage) n’est pas pris en charge</translation>
     </message>
     <message>
         <source>positions are skipped up to the next G0 to G3</source>
-        <translation>les positions sont ignorées jusqu&apos;au prochain G0 à G3</translation>
+        <translation>les positions sont ignorées jusqu’au prochain G0 à G3</translation>
     </message>
     <message>
         <source>G%1 begins while the position of %2 is not known</source>
-        <translation>G%1 commence alors que la position de %2 n&apos;est pas connue</translation>
+        <translation>G%1 commence alors que la position de %2 n’est pas connue</translation>
     </message>
     <message>
         <source>the tool returns to R after each hole; program the height before the cycle</source>
-        <translation>l&apos;outil revient à R après chaque trou&#xa0;; programmez la hauteur avant le cycle</translation>
+        <translation>l’outil revient à R après chaque trou&#xa0;; programmez la hauteur avant le cycle</translation>
     </message>
     <message>
         <source>G%1 without %2, the bottom of the hole</source>
@@ -6567,7 +6567,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the level before the cycle is used; program it in the cycle&apos;s first block</source>
-        <translation>le niveau d&apos;avant le cycle est utilisé&#xa0;; programmez-le dans le premier bloc du cycle</translation>
+        <translation>le niveau d’avant le cycle est utilisé&#xa0;; programmez-le dans le premier bloc du cycle</translation>
     </message>
     <message>
         <source>the bottom of the hole at %1 %2 mm is on the wrong side of R %3 mm</source>
@@ -6575,11 +6575,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the hole is skipped; correct one of them</source>
-        <translation>le trou est ignoré&#xa0;; corrigez l&apos;un des deux</translation>
+        <translation>le trou est ignoré&#xa0;; corrigez l’un des deux</translation>
     </message>
     <message>
         <source>the direction in which %1 retracts from the wall is a control setting</source>
-        <translation>la direction dans laquelle %1 s&apos;écarte de la paroi est un réglage de la commande</translation>
+        <translation>la direction dans laquelle %1 s’écarte de la paroi est un réglage de la commande</translation>
     </message>
     <message>
         <source>the positive direction of the plane&apos;s first axis is used</source>
@@ -6587,7 +6587,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 is not a number of repeats from 0 to %2</source>
-        <translation>%1 n&apos;est pas un nombre de répétitions de 0 à %2</translation>
+        <translation>%1 n’est pas un nombre de répétitions de 0 à %2</translation>
     </message>
     <message>
         <source>the cycle runs once</source>
@@ -6599,7 +6599,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the hole is drilled in one infeed; write Q with the depth of a peck</source>
-        <translation>le trou est percé en une passe&#xa0;; programmez Q avec la profondeur d&apos;une passe</translation>
+        <translation>le trou est percé en une passe&#xa0;; programmez Q avec la profondeur d’une passe</translation>
     </message>
     <message>
         <source>G%1 (hole pattern) needs an active drilling cycle, I and L</source>
@@ -6607,7 +6607,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>nothing is drilled; for the units inch and mm program G20 or G21</source>
-        <translation>rien n&apos;est percé&#xa0;; pour les unités pouce et mm, programmez G20 ou G21</translation>
+        <translation>rien n’est percé&#xa0;; pour les unités pouce et mm, programmez G20 ou G21</translation>
     </message>
     <message>
         <source>dwell time %1 is negative</source>
@@ -6643,7 +6643,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>M72 has no modal state to restore</source>
-        <translation>M72 n&apos;a pas d&apos;état modal à rétablir</translation>
+        <translation>M72 n’a pas d’état modal à rétablir</translation>
     </message>
     <message>
         <source>nothing changes; write M70 before it</source>
@@ -6651,7 +6651,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 is not a known G word</source>
-        <translation>%1 n&apos;est pas un mot G connu</translation>
+        <translation>%1 n’est pas un mot G connu</translation>
     </message>
     <message>
         <source>it is ignored; the control may run another path</source>
@@ -6659,19 +6659,19 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 (%2) is not supported</source>
-        <translation>%1 (%2) n&apos;est pas pris en charge</translation>
+        <translation>%1 (%2) n’est pas pris en charge</translation>
     </message>
     <message>
         <source>%1 and %2 exclude each other in one block</source>
-        <translation>%1 et %2 s&apos;excluent dans un même bloc</translation>
+        <translation>%1 et %2 s’excluent dans un même bloc</translation>
     </message>
     <message>
         <source>%1 is used; remove the other</source>
-        <translation>%1 est utilisé&#xa0;; supprimez l&apos;autre</translation>
+        <translation>%1 est utilisé&#xa0;; supprimez l’autre</translation>
     </message>
     <message>
         <source>%1 exceeds the 8 G words of coordinates that a block can have</source>
-        <translation>%1 dépasse les 8 mots G de coordonnées qu&apos;un bloc peut avoir</translation>
+        <translation>%1 dépasse les 8 mots G de coordonnées qu’un bloc peut avoir</translation>
     </message>
     <message>
         <source>it is skipped; write it in a block of its own</source>
@@ -6679,7 +6679,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>M428 is read as in LinuxCNC&apos;s own five-axis configurations: X, Y and Z are the tool&apos;s tip</source>
-        <translation>M428 est lu comme dans les configurations à cinq axes de LinuxCNC&#xa0;: X, Y et Z sont la pointe de l&apos;outil</translation>
+        <translation>M428 est lu comme dans les configurations à cinq axes de LinuxCNC&#xa0;: X, Y et Z sont la pointe de l’outil</translation>
     </message>
     <message>
         <source>M%1 is read as in LinuxCNC&apos;s own five-axis configurations: X, Y and Z are those of the machine</source>
@@ -6691,7 +6691,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>F%1 is in %2/min: LinuxCNC sets the feed before %3 of the same block changes the unit</source>
-        <translation>F%1 est en %2/min&#xa0;: LinuxCNC règle l&apos;avance avant que %3 du même bloc ne change l&apos;unité</translation>
+        <translation>F%1 est en %2/min&#xa0;: LinuxCNC règle l’avance avant que %3 du même bloc ne change l’unité</translation>
     </message>
     <message>
         <source>write %1 in a block before it, or give --unit %2 if the control starts so</source>
@@ -6699,7 +6699,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>feed F%1 is not above zero</source>
-        <translation>l&apos;avance F%1 n&apos;est pas supérieure à zéro</translation>
+        <translation>l’avance F%1 n’est pas supérieure à zéro</translation>
     </message>
     <message>
         <source>the last valid feed stays in force; write a feed above zero</source>
@@ -6723,7 +6723,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>what it moves is not known and missing</source>
-        <translation>ce qu&apos;elle déplace n&apos;est pas connu et manque</translation>
+        <translation>ce qu’elle déplace n’est pas connu et manque</translation>
     </message>
     <message>
         <source>%1 is programmed twice in this block</source>
@@ -6731,7 +6731,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>G10 L%1 (data setting) is not supported</source>
-        <translation>G10 L%1 (écriture de données) n&apos;est pas pris en charge</translation>
+        <translation>G10 L%1 (écriture de données) n’est pas pris en charge</translation>
     </message>
     <message>
         <source>%1 is a control command</source>
@@ -6739,11 +6739,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>E (extruder) is not supported</source>
-        <translation>E (extrudeuse) n&apos;est pas pris en charge</translation>
+        <translation>E (extrudeuse) n’est pas pris en charge</translation>
     </message>
     <message>
         <source>%1 has no meaning in this block</source>
-        <translation>%1 n&apos;a pas de sens dans ce bloc</translation>
+        <translation>%1 n’a pas de sens dans ce bloc</translation>
     </message>
     <message>
         <source>it is skipped</source>
@@ -6751,7 +6751,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>it is ignored; check whether G2 or G3 is missing</source>
-        <translation>il est ignoré&#xa0;; vérifiez s&apos;il manque G2 ou G3</translation>
+        <translation>il est ignoré&#xa0;; vérifiez s’il manque G2 ou G3</translation>
     </message>
     <message>
         <source>position words before the first G0, G1, G2 or G3</source>
@@ -6771,31 +6771,31 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>a rounding or chamfer of %1 is not above zero</source>
-        <translation>un arrondi ou chanfrein de %1 n&apos;est pas supérieur à zéro</translation>
+        <translation>un arrondi ou chanfrein de %1 n’est pas supérieur à zéro</translation>
     </message>
     <message>
         <source>,%1 in a block that is not a line or an arc</source>
-        <translation>,%1 dans un bloc qui n&apos;est ni une droite ni un arc</translation>
+        <translation>,%1 dans un bloc qui n’est ni une droite ni un arc</translation>
     </message>
     <message>
         <source>the corner stays sharp; write it in the G1, G2 or G3 block that ends at the corner</source>
-        <translation>l&apos;angle reste vif&#xa0;; programmez-le dans le bloc G1, G2 ou G3 qui finit dans l&apos;angle</translation>
+        <translation>l’angle reste vif&#xa0;; programmez-le dans le bloc G1, G2 ou G3 qui finit dans l’angle</translation>
     </message>
     <message>
         <source>the arc has neither a centre (I, J, K) nor a radius (R)</source>
-        <translation>l&apos;arc n&apos;a ni centre (I, J, K) ni rayon (R)</translation>
+        <translation>l’arc n’a ni centre (I, J, K) ni rayon (R)</translation>
     </message>
     <message>
         <source>the arc has both a centre (I, J, K) and a radius (R)</source>
-        <translation>l&apos;arc a un centre (I, J, K) et un rayon (R)</translation>
+        <translation>l’arc a un centre (I, J, K) et un rayon (R)</translation>
     </message>
     <message>
         <source>R is used; remove one of them</source>
-        <translation>R est utilisé&#xa0;; supprimez l&apos;un des deux</translation>
+        <translation>R est utilisé&#xa0;; supprimez l’un des deux</translation>
     </message>
     <message>
         <source>P%1 is not a number of turns from 1 to %2</source>
-        <translation>P%1 n&apos;est pas un nombre de tours de 1 à %2</translation>
+        <translation>P%1 n’est pas un nombre de tours de 1 à %2</translation>
     </message>
     <message>
         <source>one turn is used</source>
@@ -6803,19 +6803,19 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 is perpendicular to the plane of the arc</source>
-        <translation>%1 est perpendiculaire au plan de l&apos;arc</translation>
+        <translation>%1 est perpendiculaire au plan de l’arc</translation>
     </message>
     <message>
         <source>it is ignored; check whether G17, G18 or G19 is missing</source>
-        <translation>il est ignoré&#xa0;; vérifiez s&apos;il manque G17, G18 ou G19</translation>
+        <translation>il est ignoré&#xa0;; vérifiez s’il manque G17, G18 ou G19</translation>
     </message>
     <message>
         <source>R%1 of G5.1 (machining condition from speed to accuracy) is not supported</source>
-        <translation>R%1 de G5.1 (condition d&apos;usinage, de la vitesse à la précision) n&apos;est pas pris en charge</translation>
+        <translation>R%1 de G5.1 (condition d’usinage, de la vitesse à la précision) n’est pas pris en charge</translation>
     </message>
     <message>
         <source>its parameters exist only in the control; set acceleration and jerk of the machine instead</source>
-        <translation>ses paramètres n&apos;existent que dans la commande&#xa0;; réglez plutôt l&apos;accélération et le jerk de la machine</translation>
+        <translation>ses paramètres n’existent que dans la commande&#xa0;; réglez plutôt l’accélération et le jerk de la machine</translation>
     </message>
     <message>
         <source>tolerance %1 of %2 is negative</source>
@@ -6831,11 +6831,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>G6.2 as LinuxCNC has it (weights P, no knots K) is not supported</source>
-        <translation>G6.2 à la façon de LinuxCNC (poids P, pas de nœuds K) n&apos;est pas pris en charge</translation>
+        <translation>G6.2 à la façon de LinuxCNC (poids P, pas de nœuds K) n’est pas pris en charge</translation>
     </message>
     <message>
         <source>positions are skipped up to the next G0 to G3; write G5.2 and G5.3</source>
-        <translation>les positions sont ignorées jusqu&apos;au prochain G0 à G3&#xa0;; programmez G5.2 et G5.3</translation>
+        <translation>les positions sont ignorées jusqu’au prochain G0 à G3&#xa0;; programmez G5.2 et G5.3</translation>
     </message>
     <message>
         <source>G%1 without %2 and %3</source>
@@ -6851,7 +6851,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>order L%1 of G5.2 is above %2</source>
-        <translation>l&apos;ordre L%1 de G5.2 dépasse %2</translation>
+        <translation>l’ordre L%1 de G5.2 dépasse %2</translation>
     </message>
     <message>
         <source>%1 is taken</source>
@@ -6859,7 +6859,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>order P%1 of G6.2 is not from %2 to %3</source>
-        <translation>l&apos;ordre P%1 de G6.2 n&apos;est pas compris entre %2 et %3</translation>
+        <translation>l’ordre P%1 de G6.2 n’est pas compris entre %2 et %3</translation>
     </message>
     <message>
         <source>4 is taken</source>
@@ -6875,23 +6875,23 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>G6.2 of order %1 with %2 control points and %3 knots K</source>
-        <translation>G6.2 d&apos;ordre %1 avec %2 points de contrôle et %3 nœuds K</translation>
+        <translation>G6.2 d’ordre %1 avec %2 points de contrôle et %3 nœuds K</translation>
     </message>
     <message>
         <source>a straight line to the last point is used instead; write as many non-decreasing K as points and order together</source>
-        <translation>une droite jusqu&apos;au dernier point est utilisée à la place&#xa0;; programmez autant de K non décroissants que la somme des points et de l&apos;ordre</translation>
+        <translation>une droite jusqu’au dernier point est utilisée à la place&#xa0;; programmez autant de K non décroissants que la somme des points et de l’ordre</translation>
     </message>
     <message>
         <source>G5.2 with %1 control points is too short for order %2</source>
-        <translation>G5.2 avec %1 points de contrôle est trop court pour l&apos;ordre %2</translation>
+        <translation>G5.2 avec %1 points de contrôle est trop court pour l’ordre %2</translation>
     </message>
     <message>
         <source>a straight line to the last one is used instead</source>
-        <translation>une droite jusqu&apos;au dernier est utilisée à la place</translation>
+        <translation>une droite jusqu’au dernier est utilisée à la place</translation>
     </message>
     <message>
         <source>G5.2 in line %1 is not closed by G5.3</source>
-        <translation>G5.2 de la ligne %1 n&apos;est pas fermé par G5.3</translation>
+        <translation>G5.2 de la ligne %1 n’est pas fermé par G5.3</translation>
     </message>
     <message>
         <source>the curve ends at its last control point</source>
@@ -6903,7 +6903,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the path shown is that of the tool tip</source>
-        <translation>la trajectoire affichée est celle de la pointe de l&apos;outil</translation>
+        <translation>la trajectoire affichée est celle de la pointe de l’outil</translation>
     </message>
     <message>
         <source>it does not change the programmed path</source>
@@ -6951,11 +6951,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>tool length compensation</source>
-        <translation>compensation de longueur d&apos;outil</translation>
+        <translation>compensation de longueur d’outil</translation>
     </message>
     <message>
         <source>tool centre point control</source>
-        <translation>suivi de la pointe de l&apos;outil (RTCP)</translation>
+        <translation>suivi de la pointe de l’outil (RTCP)</translation>
     </message>
     <message>
         <source>only X, Y and Z are shown</source>
@@ -6963,15 +6963,15 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>tool offset of one block</source>
-        <translation>correcteur d&apos;outil pour un bloc</translation>
+        <translation>correcteur d’outil pour un bloc</translation>
     </message>
     <message>
         <source>engraving, or double tool offset of one block</source>
-        <translation>gravure, ou correcteur d&apos;outil double pour un bloc</translation>
+        <translation>gravure, ou correcteur d’outil double pour un bloc</translation>
     </message>
     <message>
         <source>turning of the tool axis</source>
-        <translation>rotation de l&apos;axe de l&apos;outil</translation>
+        <translation>rotation de l’axe de l’outil</translation>
     </message>
     <message>
         <source>macro call</source>
@@ -7003,11 +7003,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>cutter compensation in space</source>
-        <translation>correction de rayon dans l&apos;espace</translation>
+        <translation>correction de rayon dans l’espace</translation>
     </message>
     <message>
         <source>tool length compensation of five axes</source>
-        <translation>compensation de longueur d&apos;outil à cinq axes</translation>
+        <translation>compensation de longueur d’outil à cinq axes</translation>
     </message>
     <message>
         <source>pocket milling</source>
@@ -7015,7 +7015,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>dynamic work offset</source>
-        <translation>décalage d&apos;origine dynamique</translation>
+        <translation>décalage d’origine dynamique</translation>
     </message>
     <message>
         <source>%1 does not name a subprogram</source>
@@ -7023,7 +7023,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>write its number with digits only, as in L12; nothing is called</source>
-        <translation>écrivez son numéro en chiffres seuls, comme L12&#xa0;; rien n&apos;est appelé</translation>
+        <translation>écrivez son numéro en chiffres seuls, comme L12&#xa0;; rien n’est appelé</translation>
     </message>
     <message>
         <source>FOR cannot count with %1</source>
@@ -7035,7 +7035,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 is not a supported type</source>
-        <translation>%1 n&apos;est pas un type pris en charge</translation>
+        <translation>%1 n’est pas un type pris en charge</translation>
     </message>
     <message>
         <source>write REAL, INT, BOOL, CHAR, STRING, AXIS or FRAME; the variables are not defined</source>
@@ -7059,7 +7059,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 after PROC is not an attribute</source>
-        <translation>%1 après PROC n&apos;est pas un attribut</translation>
+        <translation>%1 après PROC n’est pas un attribut</translation>
     </message>
     <message>
         <source>write the parameters in brackets, then attributes such as SAVE</source>
@@ -7067,7 +7067,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 is not a parameter</source>
-        <translation>%1 n&apos;est pas un paramètre</translation>
+        <translation>%1 n’est pas un paramètre</translation>
     </message>
     <message>
         <source>write a type and a name</source>
@@ -7075,7 +7075,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>parameter %1 has no value</source>
-        <translation>le paramètre %1 n&apos;a pas de valeur</translation>
+        <translation>le paramètre %1 n’a pas de valeur</translation>
     </message>
     <message>
         <source>0 is used; call the program with a value</source>
@@ -7083,7 +7083,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>array parameter %1 has %2 elements, the argument has %3</source>
-        <translation>le paramètre tableau %1 a %2 éléments, l&apos;argument en a %3</translation>
+        <translation>le paramètre tableau %1 a %2 éléments, l’argument en a %3</translation>
     </message>
     <message>
         <source>pass an array of the same type and size</source>
@@ -7095,19 +7095,19 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 is not a settable frame from 0 to %2</source>
-        <translation>%1 n&apos;est pas un frame réglable de 0 à %2</translation>
+        <translation>%1 n’est pas un frame réglable de 0 à %2</translation>
     </message>
     <message>
         <source>%1 is not a part of a frame (TR, FI, RT, SC, MI)</source>
-        <translation>%1 n&apos;est pas une partie de frame (TR, FI, RT, SC, MI)</translation>
+        <translation>%1 n’est pas une partie de frame (TR, FI, RT, SC, MI)</translation>
     </message>
     <message>
         <source>a scale factor is zero</source>
-        <translation>un facteur d&apos;échelle est nul</translation>
+        <translation>un facteur d’échelle est nul</translation>
     </message>
     <message>
         <source>parts of a chain of frames cannot be set</source>
-        <translation>les parties d&apos;une chaîne de frames ne peuvent pas être réglées</translation>
+        <translation>les parties d’une chaîne de frames ne peuvent pas être réglées</translation>
     </message>
     <message>
         <source>in $P_PFRAME only shifts of X, Y and Z (TR, FI) can be set individually</source>
@@ -7115,7 +7115,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 is not a supported frame</source>
-        <translation>%1 n&apos;est pas un frame pris en charge</translation>
+        <translation>%1 n’est pas un frame pris en charge</translation>
     </message>
     <message>
         <source>%1 is a control-internal value</source>
@@ -7131,7 +7131,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>DEF FRAME of an array, or without a name, is not supported</source>
-        <translation>DEF FRAME d&apos;un tableau, ou sans nom, n&apos;est pas pris en charge</translation>
+        <translation>DEF FRAME d’un tableau, ou sans nom, n’est pas pris en charge</translation>
     </message>
     <message>
         <source>define frames one by one</source>
@@ -7143,11 +7143,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the block does not move; define data of the machine (GUD) at the program&apos;s top, DEF REAL %1=</source>
-        <translation>le bloc n&apos;a pas de déplacement&#xa0;; définissez les données de la machine (GUD) en tête du programme, DEF REAL %1=</translation>
+        <translation>le bloc n’a pas de déplacement&#xa0;; définissez les données de la machine (GUD) en tête du programme, DEF REAL %1=</translation>
     </message>
     <message>
         <source>R%1 is not an R parameter from R0 to R%2</source>
-        <translation>R%1 n&apos;est pas un paramètre R de R0 à R%2</translation>
+        <translation>R%1 n’est pas un paramètre R de R0 à R%2</translation>
     </message>
     <message>
         <source>R%1 is used before the program sets it</source>
@@ -7163,7 +7163,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>text %1 is not a number</source>
-        <translation>le texte %1 n&apos;est pas un nombre</translation>
+        <translation>le texte %1 n’est pas un nombre</translation>
     </message>
     <message>
         <source>compare texts with == or &lt;&gt;</source>
@@ -7175,7 +7175,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the block does not move; correct the expression</source>
-        <translation>le bloc n&apos;a pas de déplacement&#xa0;; corrigez l&apos;expression</translation>
+        <translation>le bloc n’a pas de déplacement&#xa0;; corrigez l’expression</translation>
     </message>
     <message>
         <source>the text is nested more than 100 deep</source>
@@ -7187,7 +7187,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the text is not closed</source>
-        <translation>le texte n&apos;est pas fermé</translation>
+        <translation>le texte n’est pas fermé</translation>
     </message>
     <message>
         <source>add the closing quotation mark</source>
@@ -7195,7 +7195,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 is not a number of array elements from 1 to %2</source>
-        <translation>%1 n&apos;est pas un nombre d&apos;éléments de tableau de 1 à %2</translation>
+        <translation>%1 n’est pas un nombre d’éléments de tableau de 1 à %2</translation>
     </message>
     <message>
         <source>correct the size</source>
@@ -7203,19 +7203,19 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 has no element %2, its largest index is %3</source>
-        <translation>%1 n&apos;a pas d&apos;élément %2, son plus grand indice est %3</translation>
+        <translation>%1 n’a pas d’élément %2, son plus grand indice est %3</translation>
     </message>
     <message>
         <source>correct the index or the size in DEF</source>
-        <translation>corrigez l&apos;indice ou la taille dans DEF</translation>
+        <translation>corrigez l’indice ou la taille dans DEF</translation>
     </message>
     <message>
         <source>&quot;the array&quot; has no element %1, its largest index is %2</source>
-        <translation>le tableau n&apos;a pas d&apos;élément %1, son plus grand indice est %2</translation>
+        <translation>le tableau n’a pas d’élément %1, son plus grand indice est %2</translation>
     </message>
     <message>
         <source>assignment to %1 is not supported</source>
-        <translation>l&apos;affectation de %1 n&apos;est pas prise en charge</translation>
+        <translation>l’affectation de %1 n’est pas prise en charge</translation>
     </message>
     <message>
         <source>the path does not change</source>
@@ -7223,15 +7223,15 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>a synchronized action is not supported</source>
-        <translation>une action synchrone n&apos;est pas prise en charge</translation>
+        <translation>une action synchrone n’est pas prise en charge</translation>
     </message>
     <message>
         <source>%1 is not a known variable, address or axis</source>
-        <translation>%1 n&apos;est ni une variable, ni une adresse, ni un axe connus</translation>
+        <translation>%1 n’est ni une variable, ni une adresse, ni un axe connus</translation>
     </message>
     <message>
         <source>its value is ignored; define a variable by DEF before it is used</source>
-        <translation>sa valeur est ignorée&#xa0;; définissez une variable par DEF avant de l&apos;utiliser</translation>
+        <translation>sa valeur est ignorée&#xa0;; définissez une variable par DEF avant de l’utiliser</translation>
     </message>
     <message>
         <source>%1 does not start a word or statement</source>
@@ -7239,19 +7239,19 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the rest of the line is skipped and the block does not move; correct it</source>
-        <translation>le reste de la ligne est ignoré et le bloc n&apos;a pas de déplacement&#xa0;; corrigez-le</translation>
+        <translation>le reste de la ligne est ignoré et le bloc n’a pas de déplacement&#xa0;; corrigez-le</translation>
     </message>
     <message>
         <source>correct the statement; the block does not move</source>
-        <translation>corrigez l&apos;instruction&#xa0;; le bloc n&apos;a pas de déplacement</translation>
+        <translation>corrigez l’instruction&#xa0;; le bloc n’a pas de déplacement</translation>
     </message>
     <message>
         <source>the bracket is not closed</source>
-        <translation>la parenthèse n&apos;est pas fermée</translation>
+        <translation>la parenthèse n’est pas fermée</translation>
     </message>
     <message>
         <source>the block does not move; correct the number</source>
-        <translation>le bloc n&apos;a pas de déplacement&#xa0;; corrigez le nombre</translation>
+        <translation>le bloc n’a pas de déplacement&#xa0;; corrigez le nombre</translation>
     </message>
     <message>
         <source>the coordinates are used for %1 and nothing moves; write a block for each</source>
@@ -7259,31 +7259,31 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>RET with a jump target is not supported</source>
-        <translation>RET avec une cible de saut n&apos;est pas pris en charge</translation>
+        <translation>RET avec une cible de saut n’est pas pris en charge</translation>
     </message>
     <message>
         <source>the program continues after the call; return without a target</source>
-        <translation>le programme continue après l&apos;appel&#xa0;; revenez sans cible</translation>
+        <translation>le programme continue après l’appel&#xa0;; revenez sans cible</translation>
     </message>
     <message>
         <source>ISOCALL (call of a program in ISO dialect) is not supported</source>
-        <translation>ISOCALL (appel d&apos;un programme en dialecte ISO) n&apos;est pas pris en charge</translation>
+        <translation>ISOCALL (appel d’un programme en dialecte ISO) n’est pas pris en charge</translation>
     </message>
     <message>
         <source>%1 is not a subprogram</source>
-        <translation>%1 n&apos;est pas un sous-programme</translation>
+        <translation>%1 n’est pas un sous-programme</translation>
     </message>
     <message>
         <source>write the name of a subprogram</source>
-        <translation>écrivez le nom d&apos;un sous-programme</translation>
+        <translation>écrivez le nom d’un sous-programme</translation>
     </message>
     <message>
         <source>cycle %1 is not supported</source>
-        <translation>le cycle %1 n&apos;est pas pris en charge</translation>
+        <translation>le cycle %1 n’est pas pris en charge</translation>
     </message>
     <message>
         <source>subprogram %1 is neither in the program nor a file in its folder</source>
-        <translation>le sous-programme %1 n&apos;est ni dans le programme ni un fichier de son dossier</translation>
+        <translation>le sous-programme %1 n’est ni dans le programme ni un fichier de son dossier</translation>
     </message>
     <message>
         <source>its motion is skipped; add it to the program or to its folder</source>
@@ -7291,7 +7291,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 has no matching start or end</source>
-        <translation>%1 n&apos;a pas de début ou de fin correspondants</translation>
+        <translation>%1 n’a pas de début ou de fin correspondants</translation>
     </message>
     <message>
         <source>the line is skipped; check IF, ELSE, ENDIF and the starts and ends of loops</source>
@@ -7299,7 +7299,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 after a condition is not a jump</source>
-        <translation>%1 après une condition n&apos;est pas un saut</translation>
+        <translation>%1 après une condition n’est pas un saut</translation>
     </message>
     <message>
         <source>write GOTOF, GOTOB or GOTO with a label, or nothing, after the condition</source>
@@ -7315,19 +7315,19 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>label %1 does not exist in the program</source>
-        <translation>l&apos;étiquette %1 n&apos;existe pas dans le programme</translation>
+        <translation>l’étiquette %1 n’existe pas dans le programme</translation>
     </message>
     <message>
         <source>label %1 does not exist after this line</source>
-        <translation>l&apos;étiquette %1 n&apos;existe pas après cette ligne</translation>
+        <translation>l’étiquette %1 n’existe pas après cette ligne</translation>
     </message>
     <message>
         <source>label %1 does not exist before this line</source>
-        <translation>l&apos;étiquette %1 n&apos;existe pas avant cette ligne</translation>
+        <translation>l’étiquette %1 n’existe pas avant cette ligne</translation>
     </message>
     <message>
         <source>the jump is skipped; check the label and the direction of the jump</source>
-        <translation>le saut est ignoré&#xa0;; vérifiez l&apos;étiquette et le sens du saut</translation>
+        <translation>le saut est ignoré&#xa0;; vérifiez l’étiquette et le sens du saut</translation>
     </message>
     <message>
         <source>a jump without a label</source>
@@ -7335,7 +7335,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>write the label after GOTOF or GOTOB</source>
-        <translation>écrivez l&apos;étiquette après GOTOF ou GOTOB</translation>
+        <translation>écrivez l’étiquette après GOTOF ou GOTOB</translation>
     </message>
     <message>
         <source>CASE without OF</source>
@@ -7355,35 +7355,35 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>nothing is repeated; write a second label or ENDLABEL</source>
-        <translation>rien n&apos;est répété&#xa0;; programmez une seconde étiquette ou ENDLABEL</translation>
+        <translation>rien n’est répété&#xa0;; programmez une seconde étiquette ou ENDLABEL</translation>
     </message>
     <message>
         <source>nothing is repeated; check the label</source>
-        <translation>rien n&apos;est répété&#xa0;; vérifiez l&apos;étiquette</translation>
+        <translation>rien n’est répété&#xa0;; vérifiez l’étiquette</translation>
     </message>
     <message>
         <source>TURN=%1 is not a number of turns from 0 to %2</source>
-        <translation>TURN=%1 n&apos;est pas un nombre de tours de 0 à %2</translation>
+        <translation>TURN=%1 n’est pas un nombre de tours de 0 à %2</translation>
     </message>
     <message>
         <source>no extra turn is used</source>
-        <translation>aucun tour de plus n&apos;est fait</translation>
+        <translation>aucun tour de plus n’est fait</translation>
     </message>
     <message>
         <source>the arc has both a centre (I, J, K) and a radius (CR)</source>
-        <translation>l&apos;arc a un centre (I, J, K) et un rayon (CR)</translation>
+        <translation>l’arc a un centre (I, J, K) et un rayon (CR)</translation>
     </message>
     <message>
         <source>CR is used; remove one of them</source>
-        <translation>CR est utilisé&#xa0;; supprimez l&apos;un des deux</translation>
+        <translation>CR est utilisé&#xa0;; supprimez l’un des deux</translation>
     </message>
     <message>
         <source>the arc has neither a centre (I, J, K) nor a radius (CR)</source>
-        <translation>l&apos;arc n&apos;a ni centre (I, J, K) ni rayon (CR)</translation>
+        <translation>l’arc n’a ni centre (I, J, K) ni rayon (CR)</translation>
     </message>
     <message>
         <source>opening angle AR=%1 is not between 0 and 360 degrees</source>
-        <translation>l&apos;angle d&apos;ouverture AR=%1 n&apos;est pas entre 0 et 360 degrés</translation>
+        <translation>l’angle d’ouverture AR=%1 n’est pas entre 0 et 360 degrés</translation>
     </message>
     <message>
         <source>start, intermediate point (I1, J1, K1) and end of CIP are on one line</source>
@@ -7395,7 +7395,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>tool radius %1 is negative</source>
-        <translation>le rayon d&apos;outil %1 est négatif</translation>
+        <translation>le rayon d’outil %1 est négatif</translation>
     </message>
     <message>
         <source>it is ignored; write a radius of zero or more</source>
@@ -7403,15 +7403,15 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>G41 without a tool: its radius is not known</source>
-        <translation>G41 sans outil&#xa0;: son rayon n&apos;est pas connu</translation>
+        <translation>G41 sans outil&#xa0;: son rayon n’est pas connu</translation>
     </message>
     <message>
         <source>G42 without a tool: its radius is not known</source>
-        <translation>G42 sans outil&#xa0;: son rayon n&apos;est pas connu</translation>
+        <translation>G42 sans outil&#xa0;: son rayon n’est pas connu</translation>
     </message>
     <message>
         <source>%1: the radius of T%2 D%3 is not known</source>
-        <translation>%1&#xa0;: le rayon de T%2 D%3 n&apos;est pas connu</translation>
+        <translation>%1&#xa0;: le rayon de T%2 D%3 n’est pas connu</translation>
     </message>
     <message>
         <source>the path shown is the programmed contour; %1, or set it with $TC_DP6[T,D]=</source>
@@ -7447,7 +7447,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the corner stays sharp; write it in the block that ends at the corner</source>
-        <translation>l&apos;angle reste vif&#xa0;; programmez-le dans le bloc qui finit dans l&apos;angle</translation>
+        <translation>l’angle reste vif&#xa0;; programmez-le dans le bloc qui finit dans l’angle</translation>
     </message>
     <message>
         <source>an increment of %1 after a change of frame also traverses the change, %2 mm</source>
@@ -7455,7 +7455,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>as on controls with setting data 42440 at 1, the default; else program it absolute</source>
-        <translation>comme sur les commandes dont la donnée de réglage 42440 vaut 1, le réglage d&apos;origine&#xa0;; sinon programmez-le en absolu</translation>
+        <translation>comme sur les commandes dont la donnée de réglage 42440 vaut 1, le réglage d’origine&#xa0;; sinon programmez-le en absolu</translation>
     </message>
     <message>
         <source>ANG=%1 needs exactly one coordinate of the plane</source>
@@ -7463,7 +7463,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>a line at ANG=%1 does not reach the given coordinate</source>
-        <translation>une droite à ANG=%1 n&apos;atteint pas la coordonnée donnée</translation>
+        <translation>une droite à ANG=%1 n’atteint pas la coordonnée donnée</translation>
     </message>
     <message>
         <source>the line ends at the given coordinates; program its end</source>
@@ -7471,7 +7471,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the depth of CYCLE%1 at the tool&apos;s diameter or shank is not supported</source>
-        <translation>la profondeur de CYCLE%1 au diamètre ou à la queue de l&apos;outil n&apos;est pas prise en charge</translation>
+        <translation>la profondeur de CYCLE%1 au diamètre ou à la queue de l’outil n’est pas prise en charge</translation>
     </message>
     <message>
         <source>it is used as the depth of the tip</source>
@@ -7479,7 +7479,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 is not a number of holes from 1 to %2</source>
-        <translation>%1 n&apos;est pas un nombre de trous de 1 à %2</translation>
+        <translation>%1 n’est pas un nombre de trous de 1 à %2</translation>
     </message>
     <message>
         <source>the holes are skipped; correct the number</source>
@@ -7487,7 +7487,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>subprogram %1 at a pattern of holes is not supported</source>
-        <translation>le sous-programme %1 sur un motif de trous n&apos;est pas pris en charge</translation>
+        <translation>le sous-programme %1 sur un motif de trous n’est pas pris en charge</translation>
     </message>
     <message>
         <source>its motion is skipped; call it after single positions</source>
@@ -7503,7 +7503,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>CYCLE832 with tolerance %1 and machining type 0 switches its settings off</source>
-        <translation>CYCLE832 avec la tolérance %1 et le type d&apos;usinage 0 désactive ses réglages</translation>
+        <translation>CYCLE832 avec la tolérance %1 et le type d’usinage 0 désactive ses réglages</translation>
     </message>
     <message>
         <source>write the type as the second value: 1 finishing, 2 semi-finishing, 3 roughing</source>
@@ -7511,11 +7511,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>CYCLE800 with mode %1 is not supported</source>
-        <translation>CYCLE800 avec le mode %1 n&apos;est pas pris en charge</translation>
+        <translation>CYCLE800 avec le mode %1 n’est pas pris en charge</translation>
     </message>
     <message>
         <source>the plane is shown without rotation; program angles about one axis after the other</source>
-        <translation>le plan est affiché sans rotation&#xa0;; programmez des angles autour d&apos;un axe après l&apos;autre</translation>
+        <translation>le plan est affiché sans rotation&#xa0;; programmez des angles autour d’un axe après l’autre</translation>
     </message>
     <message>
         <source>CYCLE800 says no direction (_DIR) of the rotary axes</source>
@@ -7547,7 +7547,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>its feed is lead times spindle speed; the run-up of the spindle is not shown</source>
-        <translation>son avance est le pas multiplié par la vitesse de broche&#xa0;; la montée en vitesse de la broche n&apos;est pas montrée</translation>
+        <translation>son avance est le pas multiplié par la vitesse de broche&#xa0;; la montée en vitesse de la broche n’est pas montrée</translation>
     </message>
     <message>
         <source>ADIS=%1 is negative</source>
@@ -7559,15 +7559,15 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>write a distance of zero or more; the block does not move</source>
-        <translation>programmez une distance nulle ou positive&#xa0;; le bloc n&apos;a pas de déplacement</translation>
+        <translation>programmez une distance nulle ou positive&#xa0;; le bloc n’a pas de déplacement</translation>
     </message>
     <message>
         <source>a denominator of polynomials is not supported</source>
-        <translation>un dénominateur de polynômes n&apos;est pas pris en charge</translation>
+        <translation>un dénominateur de polynômes n’est pas pris en charge</translation>
     </message>
     <message>
         <source>a polynomial of axis %1 is not supported</source>
-        <translation>un polynôme de l&apos;axe %1 n&apos;est pas pris en charge</translation>
+        <translation>un polynôme de l’axe %1 n’est pas pris en charge</translation>
     </message>
     <message>
         <source>X, Y and Z are shown without it</source>
@@ -7579,7 +7579,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the block does not move; write a polynomial of degree 5 or less</source>
-        <translation>le bloc n&apos;a pas de déplacement&#xa0;; programmez un polynôme de degré 5 au plus</translation>
+        <translation>le bloc n’a pas de déplacement&#xa0;; programmez un polynôme de degré 5 au plus</translation>
     </message>
     <message>
         <source>positioning axes in a block with a path motion are not supported</source>
@@ -7603,7 +7603,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>weight PW=%1 is not above zero</source>
-        <translation>le poids PW=%1 n&apos;est pas supérieur à zéro</translation>
+        <translation>le poids PW=%1 n’est pas supérieur à zéro</translation>
     </message>
     <message>
         <source>1 is used</source>
@@ -7611,7 +7611,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>positions are skipped up to the next motion word</source>
-        <translation>les positions sont ignorées jusqu&apos;au prochain mot de déplacement</translation>
+        <translation>les positions sont ignorées jusqu’au prochain mot de déplacement</translation>
     </message>
     <message>
         <source>the path shown is the programmed contour</source>
@@ -7651,7 +7651,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>a line at the programmed feed</source>
-        <translation>une droite à l&apos;avance programmée</translation>
+        <translation>une droite à l’avance programmée</translation>
     </message>
     <message>
         <source>the last spindle speed is used</source>
@@ -7699,11 +7699,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>frame in tool direction</source>
-        <translation>frame dans la direction de l&apos;outil</translation>
+        <translation>frame dans la direction de l’outil</translation>
     </message>
     <message>
         <source>rotation in tool direction</source>
-        <translation>rotation dans la direction de l&apos;outil</translation>
+        <translation>rotation dans la direction de l’outil</translation>
     </message>
     <message>
         <source>alignment with the workpiece</source>
@@ -7715,7 +7715,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the feed does not change</source>
-        <translation>l&apos;avance ne change pas</translation>
+        <translation>l’avance ne change pas</translation>
     </message>
     <message>
         <source>measuring</source>
@@ -7747,7 +7747,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>change of geometry axes</source>
-        <translation>changement d&apos;axes géométriques</translation>
+        <translation>changement d’axes géométriques</translation>
     </message>
     <message>
         <source>point-to-point motion</source>
@@ -7767,11 +7767,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>feed override</source>
-        <translation>correction d&apos;avance</translation>
+        <translation>correction d’avance</translation>
     </message>
     <message>
         <source>the feed of F is used</source>
-        <translation>l&apos;avance de F est utilisée</translation>
+        <translation>l’avance de F est utilisée</translation>
     </message>
     <message>
         <source>override of rapids</source>
@@ -7787,19 +7787,19 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>acceleration of an axis</source>
-        <translation>accélération d&apos;un axe</translation>
+        <translation>accélération d’un axe</translation>
     </message>
     <message>
         <source>speed of an axis</source>
-        <translation>vitesse d&apos;un axe</translation>
+        <translation>vitesse d’un axe</translation>
     </message>
     <message>
         <source>jerk of an axis</source>
-        <translation>jerk d&apos;un axe</translation>
+        <translation>jerk d’un axe</translation>
     </message>
     <message>
         <source>approach around the corner</source>
-        <translation>approche autour de l&apos;angle</translation>
+        <translation>approche autour de l’angle</translation>
     </message>
     <message>
         <source>approach on a curve</source>
@@ -7815,7 +7815,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>tool radius offset</source>
-        <translation>décalage du rayon d&apos;outil</translation>
+        <translation>décalage du rayon d’outil</translation>
     </message>
     <message>
         <source>the radius does not change</source>
@@ -7831,7 +7831,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>execution of a contour table</source>
-        <translation>exécution d&apos;une table de contour</translation>
+        <translation>exécution d’une table de contour</translation>
     </message>
     <message>
         <source>return to the contour</source>
@@ -7859,19 +7859,19 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>give it as an import option (--tool =RADIUS) or in a tool table, or say that the path is already compensated (--wear-only)</source>
-        <translation>donnez-le en option de lecture (--tool =RADIUS) ou dans une table d&apos;outils, ou indiquez que la trajectoire est déjà corrigée (--wear-only)</translation>
+        <translation>donnez-le en option de lecture (--tool =RADIUS) ou dans une table d’outils, ou indiquez que la trajectoire est déjà corrigée (--wear-only)</translation>
     </message>
     <message>
         <source>%1, line %2: %3; the program is not simulated: check its loops, raise the limit (--repeat-limit), or simulate the part that was read (--simulate-cut-off)</source>
-        <translation>%1, ligne %2&#xa0;: %3&#xa0;; le programme n&apos;est pas simulé&#xa0;: vérifiez ses boucles, augmentez la limite (--repeat-limit), ou simulez la partie lue (--simulate-cut-off)</translation>
+        <translation>%1, ligne %2&#xa0;: %3&#xa0;; le programme n’est pas simulé&#xa0;: vérifiez ses boucles, augmentez la limite (--repeat-limit), ou simulez la partie lue (--simulate-cut-off)</translation>
     </message>
     <message>
         <source>there is no model of a Fanuc: that of another control runs its limits</source>
-        <translation>il n&apos;y a pas de modèle de Fanuc&#xa0;: celui d&apos;une autre commande applique ses limites</translation>
+        <translation>il n’y a pas de modèle de Fanuc&#xa0;: celui d’une autre commande applique ses limites</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not a parameter; it is skipped</source>
-        <translation>&apos;%1&apos; n&apos;est pas un paramètre&#xa0;; il est ignoré</translation>
+        <translation>&apos;%1&apos; n’est pas un paramètre&#xa0;; il est ignoré</translation>
     </message>
     <message>
         <source>the machine measures in inches (1001, bit 0), in which parameters are not imported; all limits are assumed</source>
@@ -7883,7 +7883,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>which axes X, Y and Z are is not told; the first three are assumed</source>
-        <translation>il n&apos;est pas dit quels axes sont X, Y et Z&#xa0;; les trois premiers sont supposés</translation>
+        <translation>il n’est pas dit quels axes sont X, Y et Z&#xa0;; les trois premiers sont supposés</translation>
     </message>
     <message>
         <source>add parameter 1020</source>
@@ -7891,11 +7891,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>there is no linear axis %1; its limits are assumed</source>
-        <translation>il n&apos;y a pas d&apos;axe linéaire %1&#xa0;; ses limites sont supposées</translation>
+        <translation>il n’y a pas d’axe linéaire %1&#xa0;; ses limites sont supposées</translation>
     </message>
     <message>
         <source>the cutting feed is limited to %1 mm/min by %2: only the rapid traverse %3 limits here</source>
-        <translation>l&apos;avance de coupe est limitée à %1 mm/min par %2&#xa0;: seul le rapide %3 limite ici</translation>
+        <translation>l’avance de coupe est limitée à %1 mm/min par %2&#xa0;: seul le rapide %3 limite ici</translation>
     </message>
     <message>
         <source>indices 0, 1 and 2 are taken as X, Y and Z</source>
@@ -7903,15 +7903,15 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>exchange the axes in the machine file where that is not so</source>
-        <translation>échangez les axes dans le fichier machine si ce n&apos;est pas le cas</translation>
+        <translation>échangez les axes dans le fichier machine si ce n’est pas le cas</translation>
     </message>
     <message>
         <source>the acceleration along the path, %1 m/s2, is not modelled: those of the axes hold</source>
-        <translation>l&apos;accélération le long de la trajectoire, %1 m/s², n&apos;est pas modélisée&#xa0;: celles des axes valent</translation>
+        <translation>l’accélération le long de la trajectoire, %1 m/s², n’est pas modélisée&#xa0;: celles des axes valent</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not a machine parameter; it is skipped</source>
-        <translation>&apos;%1&apos; n&apos;est pas un paramètre machine&#xa0;; il est ignoré</translation>
+        <translation>&apos;%1&apos; n’est pas un paramètre machine&#xa0;; il est ignoré</translation>
     </message>
     <message>
         <source>the basic system is inch, in which machine data are not imported; all limits are assumed</source>
@@ -7923,15 +7923,15 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is no machine datum; skipped</source>
-        <translation>&apos;%1&apos; n&apos;est pas une donnée machine&#xa0;; ignoré</translation>
+        <translation>&apos;%1&apos; n’est pas une donnée machine&#xa0;; ignoré</translation>
     </message>
     <message>
         <source>machine axis %1 would be %2 but is a rotary axis; its limits are assumed</source>
-        <translation>l&apos;axe machine %1 serait %2 mais est un axe rotatif&#xa0;; ses limites sont supposées</translation>
+        <translation>l’axe machine %1 serait %2 mais est un axe rotatif&#xa0;; ses limites sont supposées</translation>
     </message>
     <message>
         <source>which machine axes X, Y and Z are is not told; AX1, AX2 and AX3 are assumed</source>
-        <translation>il n&apos;est pas dit quels axes machine sont X, Y et Z&#xa0;; AX1, AX2 et AX3 sont supposés</translation>
+        <translation>il n’est pas dit quels axes machine sont X, Y et Z&#xa0;; AX1, AX2 et AX3 sont supposés</translation>
     </message>
     <message>
         <source>add MD20050 to MD20080 of the channel</source>
@@ -7947,11 +7947,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not a setting; it is skipped</source>
-        <translation>&apos;%1&apos; n&apos;est pas un réglage&#xa0;; il est ignoré</translation>
+        <translation>&apos;%1&apos; n’est pas un réglage&#xa0;; il est ignoré</translation>
     </message>
     <message>
         <source>the settings are numbered as in grbl 0.8 and before, which is not supported</source>
-        <translation>les réglages sont numérotés comme dans grbl 0.8 et avant, ce qui n&apos;est pas pris en charge</translation>
+        <translation>les réglages sont numérotés comme dans grbl 0.8 et avant, ce qui n’est pas pris en charge</translation>
     </message>
     <message>
         <source>update the control, or write its values into a machine file</source>
@@ -7959,11 +7959,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>laser mode ($32 = 1) is not modelled: with a laser, changes of S do not stop the motion</source>
-        <translation>le mode laser ($32 = 1) n&apos;est pas modélisé&#xa0;: avec un laser, les changements de S n&apos;arrêtent pas le déplacement</translation>
+        <translation>le mode laser ($32 = 1) n’est pas modélisé&#xa0;: avec un laser, les changements de S n’arrêtent pas le déplacement</translation>
     </message>
     <message>
         <source>a setting that no model here uses; skipped</source>
-        <translation>un réglage qu&apos;aucun modèle n&apos;utilise ici&#xa0;; ignoré</translation>
+        <translation>un réglage qu’aucun modèle n’utilise ici&#xa0;; ignoré</translation>
     </message>
     <message>
         <source>axes other than X, Y and Z are not part of the simulation; skipped</source>
@@ -7975,15 +7975,15 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>remove one of the two</source>
-        <translation>supprimez l&apos;un des deux</translation>
+        <translation>supprimez l’un des deux</translation>
     </message>
     <message>
         <source>%1 is simulated as grbl with its values; what it does otherwise is not modelled</source>
-        <translation>%1 est simulé comme grbl avec ses valeurs&#xa0;; ce qu&apos;il fait autrement n&apos;est pas modélisé</translation>
+        <translation>%1 est simulé comme grbl avec ses valeurs&#xa0;; ce qu’il fait autrement n’est pas modélisé</translation>
     </message>
     <message>
         <source>%1: &apos;%2&apos; is not a value; it is skipped</source>
-        <translation>%1&#xa0;: &apos;%2&apos; n&apos;est pas une valeur&#xa0;; elle est ignorée</translation>
+        <translation>%1&#xa0;: &apos;%2&apos; n’est pas une valeur&#xa0;; elle est ignorée</translation>
     </message>
     <message>
         <source>%1 exceeds %2 (%3); the lower one is used</source>
@@ -7991,11 +7991,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>acceleration of travel moves %1 is not modelled: they have that of the others</source>
-        <translation>l&apos;accélération des déplacements à vide %1 n&apos;est pas modélisée&#xa0;: ils ont celle des autres</translation>
+        <translation>l’accélération des déplacements à vide %1 n’est pas modélisée&#xa0;: ils ont celle des autres</translation>
     </message>
     <message>
         <source>there is no model of %1: Klipper&apos;s runs its limits; its look-ahead has no end, while that of the firmware has some 16 blocks, so that short blocks may take longer there</source>
-        <translation>il n&apos;y a pas de modèle de %1&#xa0;: celui de Klipper applique ses limites&#xa0;; son anticipation est sans fin, alors que celle du micrologiciel compte quelque 16 blocs, des blocs courts peuvent donc y prendre plus de temps</translation>
+        <translation>il n’y a pas de modèle de %1&#xa0;: celui de Klipper applique ses limites&#xa0;; son anticipation est sans fin, alors que celle du micrologiciel compte quelque 16 blocs, des blocs courts peuvent donc y prendre plus de temps</translation>
     </message>
     <message>
         <source>section [printer] is missing; its limits are assumed</source>
@@ -8019,7 +8019,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>there is no section [gcode_arcs]: this Klipper does not know G2 and G3, while the model runs them</source>
-        <translation>il n&apos;y a pas de section [gcode_arcs]&#xa0;: ce Klipper ne connaît pas G2 et G3, alors que le modèle les exécute</translation>
+        <translation>il n’y a pas de section [gcode_arcs]&#xa0;: ce Klipper ne connaît pas G2 et G3, alors que le modèle les exécute</translation>
     </message>
     <message>
         <source>add [gcode_arcs], or let the CAM system write lines</source>
@@ -8027,11 +8027,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>kinematics %1 are not modelled: limits hold along the path, and those of Z alone</source>
-        <translation>la cinématique %1 n&apos;est pas modélisée&#xa0;: les limites valent le long de la trajectoire, et celles de Z seules</translation>
+        <translation>la cinématique %1 n’est pas modélisée&#xa0;: les limites valent le long de la trajectoire, et celles de Z seules</translation>
     </message>
     <message>
         <source>[printer] %1 is not used here; skipped</source>
-        <translation>[printer] %1 n&apos;est pas utilisé ici&#xa0;; ignoré</translation>
+        <translation>[printer] %1 n’est pas utilisé ici&#xa0;; ignoré</translation>
     </message>
     <message>
         <source>did you mean &apos;%1&apos;?</source>
@@ -8039,7 +8039,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>input shaping is not modelled: it smooths the motion and takes no longer on the whole</source>
-        <translation>l&apos;input shaping n&apos;est pas modélisé&#xa0;: il lisse le déplacement sans prendre plus de temps au total</translation>
+        <translation>l’input shaping n’est pas modélisé&#xa0;: il lisse le déplacement sans prendre plus de temps au total</translation>
     </message>
     <message>
         <source>[TRAJ] LINEAR_UNITS is missing; mm is assumed</source>
@@ -8051,15 +8051,15 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>LINEAR_UNITS = %1 is not a unit; mm is assumed</source>
-        <translation>LINEAR_UNITS = %1 n&apos;est pas une unité&#xa0;; le mm est supposé</translation>
+        <translation>LINEAR_UNITS = %1 n’est pas une unité&#xa0;; le mm est supposé</translation>
     </message>
     <message>
         <source>kinematics %1 is not modelled: X, Y and Z are treated as axes of their own</source>
-        <translation>la cinématique %1 n&apos;est pas modélisée&#xa0;: X, Y et Z sont traités comme des axes indépendants</translation>
+        <translation>la cinématique %1 n’est pas modélisée&#xa0;: X, Y et Z sont traités comme des axes indépendants</translation>
     </message>
     <message>
         <source>axis %1 is not part of the simulation; skipped</source>
-        <translation>l&apos;axe %1 ne fait pas partie de la simulation&#xa0;; ignoré</translation>
+        <translation>l’axe %1 ne fait pas partie de la simulation&#xa0;; ignoré</translation>
     </message>
     <message>
         <source>[%1] gives no %2; that of [%3] is assumed</source>
@@ -8067,11 +8067,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>write %1 into [%2]: LinuxCNC does not take it from the joint</source>
-        <translation>écrivez %1 dans [%2]&#xa0;: LinuxCNC ne le prend pas de l&apos;articulation (joint)</translation>
+        <translation>écrivez %1 dans [%2]&#xa0;: LinuxCNC ne le prend pas de l’articulation (joint)</translation>
     </message>
     <message>
         <source>%1 of axis %2 is missing; it is assumed</source>
-        <translation>%1 de l&apos;axe %2 manque&#xa0;; il est supposé</translation>
+        <translation>%1 de l’axe %2 manque&#xa0;; il est supposé</translation>
     </message>
     <message>
         <source>write %1 into [%2]</source>
@@ -8083,15 +8083,15 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the joint cannot follow there: lower the limit of the axis</source>
-        <translation>l&apos;articulation (joint) ne peut pas suivre&#xa0;: réduisez la limite de l&apos;axe</translation>
+        <translation>l’articulation (joint) ne peut pas suivre&#xa0;: réduisez la limite de l’axe</translation>
     </message>
     <message>
         <source>[TRAJ] %1 = %2 is not modelled; the model computes with %3</source>
-        <translation>[TRAJ] %1 = %2 n&apos;est pas modélisé&#xa0;; le modèle calcule avec %3</translation>
+        <translation>[TRAJ] %1 = %2 n’est pas modélisé&#xa0;; le modèle calcule avec %3</translation>
     </message>
     <message>
         <source>P of G64 in the start-up code has no effect on blends in LinuxCNC 2.9; P%1 is used for joining blocks alone</source>
-        <translation>P de G64 dans le code de démarrage n&apos;a pas d&apos;effet sur les raccordements dans LinuxCNC 2.9&#xa0;; P%1 ne sert qu&apos;à réunir des blocs</translation>
+        <translation>P de G64 dans le code de démarrage n’a pas d’effet sur les raccordements dans LinuxCNC 2.9&#xa0;; P%1 ne sert qu’à réunir des blocs</translation>
     </message>
     <message>
         <source>write G64 P into the program, or set blend_tolerance_mm if your release takes it</source>
@@ -8099,7 +8099,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>[%1] %2 is not known; skipped</source>
-        <translation>[%1] %2 n&apos;est pas connu&#xa0;; ignoré</translation>
+        <translation>[%1] %2 n’est pas connu&#xa0;; ignoré</translation>
     </message>
     <message>
         <source>the offsets of %1 are not in the INI file; 0 is assumed</source>
@@ -8111,19 +8111,19 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 of axis %2 cannot be used: %3</source>
-        <translation>%1 de l&apos;axe %2 n&apos;est pas utilisable&#xa0;: %3</translation>
+        <translation>%1 de l’axe %2 n’est pas utilisable&#xa0;: %3</translation>
     </message>
     <message>
         <source>%1 cannot be used: %2</source>
-        <translation>%1 n&apos;est pas utilisable&#xa0;: %2</translation>
+        <translation>%1 n’est pas utilisable&#xa0;: %2</translation>
     </message>
     <message>
         <source>correct the file of the control; until then the value is assumed</source>
-        <translation>corrigez le fichier de la commande&#xa0;; d&apos;ici là, la valeur est supposée</translation>
+        <translation>corrigez le fichier de la commande&#xa0;; d’ici là, la valeur est supposée</translation>
     </message>
     <message>
         <source>%1: &apos;%2&apos; is not a number</source>
-        <translation>%1&#xa0;: &apos;%2&apos; n&apos;est pas un nombre</translation>
+        <translation>%1&#xa0;: &apos;%2&apos; n’est pas un nombre</translation>
     </message>
     <message>
         <source>%1 more notes are not listed</source>
@@ -8135,11 +8135,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not the configuration of a control that can be imported; known: %2</source>
-        <translation>&apos;%1&apos; n&apos;est pas la configuration d&apos;une commande qui puisse être importée&#xa0;; connues&#xa0;: %2</translation>
+        <translation>&apos;%1&apos; n’est pas la configuration d’une commande qui puisse être importée&#xa0;; connues&#xa0;: %2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is neither a section nor a value; skipped</source>
-        <translation>&apos;%1&apos; n&apos;est ni une section ni une valeur&#xa0;; ignoré</translation>
+        <translation>&apos;%1&apos; n’est ni une section ni une valeur&#xa0;; ignoré</translation>
     </message>
     <message>
         <source>&apos;%1&apos; cannot be included: %2</source>
@@ -8147,11 +8147,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>values that stand there are missing here</source>
-        <translation>les valeurs qui s&apos;y trouvent manquent ici</translation>
+        <translation>les valeurs qui s’y trouvent manquent ici</translation>
     </message>
     <message>
         <source>no file is named</source>
-        <translation>aucun fichier n&apos;est nommé</translation>
+        <translation>aucun fichier n’est nommé</translation>
     </message>
     <message>
         <source>only the text itself is at hand</source>
@@ -8159,7 +8159,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>it includes itself</source>
-        <translation>il s&apos;inclut lui-même</translation>
+        <translation>il s’inclut lui-même</translation>
     </message>
     <message>
         <source>more than %1 files deep</source>
@@ -8171,7 +8171,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>&apos;&apos; cannot be included: no file is named</source>
-        <translation>&apos;&apos; ne peut pas être inclus&#xa0;: aucun fichier n&apos;est nommé</translation>
+        <translation>&apos;&apos; ne peut pas être inclus&#xa0;: aucun fichier n’est nommé</translation>
     </message>
     <message>
         <source>%1 = %2 is out of bounds; it must be %3</source>
@@ -8179,27 +8179,27 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 = &apos;%2&apos; is not a valid choice; it must be one of: %3</source>
-        <translation>%1 = &apos;%2&apos; n&apos;est pas un choix valable&#xa0;; il faut l&apos;un de&#xa0;: %3</translation>
+        <translation>%1 = &apos;%2&apos; n’est pas un choix valable&#xa0;; il faut l’un de&#xa0;: %3</translation>
     </message>
     <message>
         <source>at least %1 and at most %2</source>
-        <translation>d&apos;au moins %1 et d&apos;au plus %2</translation>
+        <translation>d’au moins %1 et d’au plus %2</translation>
     </message>
     <message>
         <source>above %1 and at most %2</source>
-        <translation>supérieure à %1 et d&apos;au plus %2</translation>
+        <translation>supérieure à %1 et d’au plus %2</translation>
     </message>
     <message>
         <source>a whole number at least %1 and at most %2</source>
-        <translation>entière d&apos;au moins %1 et d&apos;au plus %2</translation>
+        <translation>entière d’au moins %1 et d’au plus %2</translation>
     </message>
     <message>
         <source>0, or at least %1 and at most %2</source>
-        <translation>de 0, ou d&apos;au moins %1 et d&apos;au plus %2</translation>
+        <translation>de 0, ou d’au moins %1 et d’au plus %2</translation>
     </message>
     <message>
         <source>at least %1</source>
-        <translation>d&apos;au moins %1</translation>
+        <translation>d’au moins %1</translation>
     </message>
     <message>
         <source>above %1</source>
@@ -8207,7 +8207,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>at most %1</source>
-        <translation>d&apos;au plus %1</translation>
+        <translation>d’au plus %1</translation>
     </message>
     <message>
         <source>The positions go together better with a delay between set and actual ones than without, which cannot be told from a following error: record both in one cycle.</source>
@@ -8215,11 +8215,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>grbl rejects the line (error %1: %2: %3); it is not run</source>
-        <translation>grbl rejette la ligne (erreur %1&#xa0;: %2&#xa0;: %3)&#xa0;; elle n&apos;est pas exécutée</translation>
+        <translation>grbl rejette la ligne (erreur %1&#xa0;: %2&#xa0;: %3)&#xa0;; elle n’est pas exécutée</translation>
     </message>
     <message>
         <source>grbl rejects the line (error %1: %2); it is not run</source>
-        <translation>grbl rejette la ligne (erreur %1&#xa0;: %2)&#xa0;; elle n&apos;est pas exécutée</translation>
+        <translation>grbl rejette la ligne (erreur %1&#xa0;: %2)&#xa0;; elle n’est pas exécutée</translation>
     </message>
     <message>
         <source>a word must begin with a letter</source>
@@ -8231,7 +8231,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>system commands are not part of a program</source>
-        <translation>les commandes du système n&apos;ont pas leur place dans un programme</translation>
+        <translation>les commandes du système n’ont pas leur place dans un programme</translation>
     </message>
     <message>
         <source>the value must not be negative</source>
@@ -8243,7 +8243,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the command is not supported</source>
-        <translation>la commande n&apos;est pas prise en charge</translation>
+        <translation>la commande n’est pas prise en charge</translation>
     </message>
     <message>
         <source>two commands of one group</source>
@@ -8251,7 +8251,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>no feed is given</source>
-        <translation>aucune avance n&apos;est donnée</translation>
+        <translation>aucune avance n’est donnée</translation>
     </message>
     <message>
         <source>the number of the command must be whole</source>
@@ -8259,7 +8259,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>two commands both use the axis words</source>
-        <translation>deux commandes utilisent toutes deux les mots d&apos;axe</translation>
+        <translation>deux commandes utilisent toutes deux les mots d’axe</translation>
     </message>
     <message>
         <source>a word is repeated</source>
@@ -8267,7 +8267,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>axis words of the plane are missing</source>
-        <translation>il manque les mots d&apos;axe du plan</translation>
+        <translation>il manque les mots d’axe du plan</translation>
     </message>
     <message>
         <source>a value is missing</source>
@@ -8275,7 +8275,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the work offset does not exist</source>
-        <translation>le décalage d&apos;origine n&apos;existe pas</translation>
+        <translation>le décalage d’origine n’existe pas</translation>
     </message>
     <message>
         <source>G53 needs G0 or G1</source>
@@ -8283,11 +8283,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>axis words without a command that uses them</source>
-        <translation>mots d&apos;axe sans commande qui les utilise</translation>
+        <translation>mots d’axe sans commande qui les utilise</translation>
     </message>
     <message>
         <source>the arc does not fit its end point</source>
-        <translation>l&apos;arc ne correspond pas à son point final</translation>
+        <translation>l’arc ne correspond pas à son point final</translation>
     </message>
     <message>
         <source>the radius is smaller than half the distance of the ends</source>
@@ -8299,19 +8299,19 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>a word is not used by any command of the line</source>
-        <translation>un mot n&apos;est utilisé par aucune commande de la ligne</translation>
+        <translation>un mot n’est utilisé par aucune commande de la ligne</translation>
     </message>
     <message>
         <source>G43.1 takes Z only</source>
-        <translation>G43.1 n&apos;accepte que Z</translation>
+        <translation>G43.1 n’accepte que Z</translation>
     </message>
     <message>
         <source>the tool number is too large</source>
-        <translation>le numéro d&apos;outil est trop grand</translation>
+        <translation>le numéro d’outil est trop grand</translation>
     </message>
     <message>
         <source>the line is not accepted</source>
-        <translation>la ligne n&apos;est pas acceptée</translation>
+        <translation>la ligne n’est pas acceptée</translation>
     </message>
     <message>
         <source>radius %1 mm at its start, %2 mm at its end</source>
@@ -8335,7 +8335,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Klipper rejects the line (%1); it is not run</source>
-        <translation>Klipper rejette la ligne (%1)&#xa0;; elle n&apos;est pas exécutée</translation>
+        <translation>Klipper rejette la ligne (%1)&#xa0;; elle n’est pas exécutée</translation>
     </message>
     <message>
         <source>G20: inches are not supported</source>
@@ -8407,7 +8407,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>configuration of a control</source>
-        <translation>configuration d&apos;une commande</translation>
+        <translation>configuration d’une commande</translation>
     </message>
     <message>
         <source>configuration</source>
@@ -8459,11 +8459,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Is a directory</source>
-        <translation>c&apos;est un dossier</translation>
+        <translation>c’est un dossier</translation>
     </message>
     <message>
         <source>No space left on device</source>
-        <translation>il n&apos;y a plus de place sur le support</translation>
+        <translation>il n’y a plus de place sur le support</translation>
     </message>
     <message>
         <source>cannot read machine folder &apos;%1&apos;: %2</source>
@@ -8483,35 +8483,35 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>machine &apos;%1&apos;: axis %2 moves in this program, but one of its limits is %3; every limit of an axis that moves must be above 0</source>
-        <translation>machine &apos;%1&apos;&#xa0;: l&apos;axe %2 se déplace dans ce programme, mais l&apos;une de ses limites vaut %3&#xa0;; toute limite d&apos;un axe qui se déplace doit être supérieure à 0</translation>
+        <translation>machine &apos;%1&apos;&#xa0;: l’axe %2 se déplace dans ce programme, mais l’une de ses limites vaut %3&#xa0;; toute limite d’un axe qui se déplace doit être supérieure à 0</translation>
     </message>
     <message>
         <source>axis %1 has values of a drive but no position gain; give %2.kv in 1/s, or remove the others</source>
-        <translation>l&apos;axe %1 a des valeurs d&apos;entraînement mais pas de gain de position&#xa0;; donnez %2.kv en 1/s, ou supprimez les autres</translation>
+        <translation>l’axe %1 a des valeurs d’entraînement mais pas de gain de position&#xa0;; donnez %2.kv en 1/s, ou supprimez les autres</translation>
     </message>
     <message>
         <source>axis %1 has a friction spike but no time in which it decays; give %2.friction_time in ms</source>
-        <translation>l&apos;axe %1 a un pic de frottement mais pas de temps de décroissance&#xa0;; donnez %2.friction_time en ms</translation>
+        <translation>l’axe %1 a un pic de frottement mais pas de temps de décroissance&#xa0;; donnez %2.friction_time en ms</translation>
     </message>
     <message>
         <source>axis %1 is a rotary axis, and the file does not say where it is; add [kinematics] with its chain, and %2 with direction and point</source>
-        <translation>l&apos;axe %1 est un axe rotatif, et le fichier ne dit pas où il se trouve&#xa0;; ajoutez [kinematics] avec sa chaîne, et %2 avec direction et point</translation>
+        <translation>l’axe %1 est un axe rotatif, et le fichier ne dit pas où il se trouve&#xa0;; ajoutez [kinematics] avec sa chaîne, et %2 avec direction et point</translation>
     </message>
     <message>
         <source>%1 has no limits; add [axes.%2]</source>
-        <translation>%1 n&apos;a pas de limites&#xa0;; ajoutez [axes.%2]</translation>
+        <translation>%1 n’a pas de limites&#xa0;; ajoutez [axes.%2]</translation>
     </message>
     <message>
         <source>the chain &apos;%1&apos; %2; name X, Y, Z and the rotary axes once each from the part to the tool, with the word frame between those that carry the part and those that carry the tool, as in &quot;C A Y frame X Z&quot;</source>
-        <translation>la chaîne &apos;%1&apos; %2&#xa0;; nommez X, Y, Z et les axes rotatifs une fois chacun, de la pièce à l&apos;outil, avec le mot frame entre ceux qui portent la pièce et ceux qui portent l&apos;outil, comme dans &quot;C A Y frame X Z&quot;</translation>
+        <translation>la chaîne &apos;%1&apos; %2&#xa0;; nommez X, Y, Z et les axes rotatifs une fois chacun, de la pièce à l’outil, avec le mot frame entre ceux qui portent la pièce et ceux qui portent l’outil, comme dans &quot;C A Y frame X Z&quot;</translation>
     </message>
     <message>
         <source>the travel of axis %1 is empty, from %2 to %3 degrees</source>
-        <translation>la course de l&apos;axe %1 est vide, de %2 à %3 degrés</translation>
+        <translation>la course de l’axe %1 est vide, de %2 à %3 degrés</translation>
     </message>
     <message>
         <source>%1 is not a work offset; write it as programs name it, such as G55, &quot;G54.1 P3&quot; or G505</source>
-        <translation>%1 n&apos;est pas un décalage d&apos;origine&#xa0;; écrivez-le comme les programmes le nomment, par exemple G55, &quot;G54.1 P3&quot; ou G505</translation>
+        <translation>%1 n’est pas un décalage d’origine&#xa0;; écrivez-le comme les programmes le nomment, par exemple G55, &quot;G54.1 P3&quot; ou G505</translation>
     </message>
     <message>
         <source>%1 is given twice; remove one</source>
@@ -8543,7 +8543,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>unknown limit &apos;%1&apos; of axis %2; %3</source>
-        <translation>limite &apos;%1&apos; inconnue de l&apos;axe %2&#xa0;; %3</translation>
+        <translation>limite &apos;%1&apos; inconnue de l’axe %2&#xa0;; %3</translation>
     </message>
     <message>
         <source>the limits are %1</source>
@@ -8559,7 +8559,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 = &apos;%2&apos; is not a number; it must be %3</source>
-        <translation>%1 = &apos;%2&apos; n&apos;est pas un nombre&#xa0;; il doit être %3</translation>
+        <translation>%1 = &apos;%2&apos; n’est pas un nombre&#xa0;; il doit être %3</translation>
     </message>
     <message>
         <source>%1 = &apos;%2&apos;: %3</source>
@@ -8595,51 +8595,51 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1:%2: the line is longer than 1 MiB; this is not a table of samples</source>
-        <translation>%1:%2&#xa0;: la ligne dépasse 1 Mio&#xa0;; ce n&apos;est pas une table d&apos;échantillons</translation>
+        <translation>%1:%2&#xa0;: la ligne dépasse 1 Mio&#xa0;; ce n’est pas une table d’échantillons</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has no column that is known as the position of X, Y or Z; it has %2; say which, as --columns x=2:mm,y=3:mm</source>
-        <translation>&apos;%1&apos; n&apos;a aucune colonne reconnue comme position de X, Y ou Z&#xa0;; colonnes&#xa0;: %2&#xa0;; indiquez lesquelles, comme --columns x=2:mm,y=3:mm</translation>
+        <translation>&apos;%1&apos; n’a aucune colonne reconnue comme position de X, Y ou Z&#xa0;; colonnes&#xa0;: %2&#xa0;; indiquez lesquelles, comme --columns x=2:mm,y=3:mm</translation>
     </message>
     <message>
         <source>no title of a column says which are the positions of X, Y and Z</source>
-        <translation>aucun titre de colonne n&apos;indique les positions de X, Y et Z</translation>
+        <translation>aucun titre de colonne n’indique les positions de X, Y et Z</translation>
     </message>
     <message>
         <source>the columns have no titles</source>
-        <translation>les colonnes n&apos;ont pas de titres</translation>
+        <translation>les colonnes n’ont pas de titres</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has no signal that is known as the position of X, Y or Z; it has %2; say which, as --columns x=1:mm,y=2:mm</source>
-        <translation>&apos;%1&apos; n&apos;a aucun signal reconnu comme position de X, Y ou Z&#xa0;; signaux&#xa0;: %2&#xa0;; indiquez lesquels, comme --columns x=1:mm,y=2:mm</translation>
+        <translation>&apos;%1&apos; n’a aucun signal reconnu comme position de X, Y ou Z&#xa0;; signaux&#xa0;: %2&#xa0;; indiquez lesquels, comme --columns x=1:mm,y=2:mm</translation>
     </message>
     <message>
         <source>%1:%2: no samples follow the head of the TwinCAT Scope export</source>
-        <translation>%1:%2&#xa0;: aucun échantillon ne suit l&apos;en-tête de l&apos;export TwinCAT Scope</translation>
+        <translation>%1:%2&#xa0;: aucun échantillon ne suit l’en-tête de l’export TwinCAT Scope</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has no record of a SINUMERIK trace</source>
-        <translation>&apos;%1&apos; ne contient aucune donnée d&apos;une trace SINUMERIK</translation>
+        <translation>&apos;%1&apos; ne contient aucune donnée d’une trace SINUMERIK</translation>
     </message>
     <message>
         <source>%1:%2: %3; this is no whole XML file</source>
-        <translation>%1:%2&#xa0;: %3&#xa0;; ce n&apos;est pas un fichier XML complet</translation>
+        <translation>%1:%2&#xa0;: %3&#xa0;; ce n’est pas un fichier XML complet</translation>
     </message>
     <message>
         <source>%1:%2: the trace has more than %3 million samples</source>
-        <translation>%1:%2&#xa0;: la trace compte plus de %3 millions d&apos;échantillons</translation>
+        <translation>%1:%2&#xa0;: la trace compte plus de %3 millions d’échantillons</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has no position of X, Y or Z; name their columns, as --columns x=2:mm,y=3:mm</source>
-        <translation>&apos;%1&apos; n&apos;a pas de position de X, Y ou Z&#xa0;; nommez leurs colonnes, comme --columns x=2:mm,y=3:mm</translation>
+        <translation>&apos;%1&apos; n’a pas de position de X, Y ou Z&#xa0;; nommez leurs colonnes, comme --columns x=2:mm,y=3:mm</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has too few samples whose times rise: %2; a trace has at least %3</source>
-        <translation>&apos;%1&apos; a trop peu d&apos;échantillons dont le temps croît&#xa0;: %2&#xa0;; il en faut au moins %3</translation>
+        <translation>&apos;%1&apos; a trop peu d’échantillons dont le temps croît&#xa0;: %2&#xa0;; il en faut au moins %3</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has no column &apos;%2&apos; for %3; %4</source>
-        <translation>&apos;%1&apos; n&apos;a pas de colonne &apos;%2&apos; pour %3&#xa0;; %4</translation>
+        <translation>&apos;%1&apos; n’a pas de colonne &apos;%2&apos; pour %3&#xa0;; %4</translation>
     </message>
     <message>
         <source>it has %1 columns without names</source>
@@ -8651,7 +8651,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is no trace: no row of numbers in its first %2 lines; known are LinuxCNC halsampler, SINUMERIK trace (XML), TwinCAT Scope (text) and tables of samples</source>
-        <translation>&apos;%1&apos; n&apos;est pas une trace&#xa0;: aucune ligne de nombres dans ses %2 premières lignes&#xa0;; sont connus halsampler de LinuxCNC, la trace SINUMERIK (XML), TwinCAT Scope (texte) et les tables d&apos;échantillons</translation>
+        <translation>&apos;%1&apos; n’est pas une trace&#xa0;: aucune ligne de nombres dans ses %2 premières lignes&#xa0;; sont connus halsampler de LinuxCNC, la trace SINUMERIK (XML), TwinCAT Scope (texte) et les tables d’échantillons</translation>
     </message>
     <message>
         <source>column specification: %1</source>
@@ -8671,11 +8671,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1= needs the number or the name of a column, such as %2=2</source>
-        <translation>%1= demande le numéro ou le nom d&apos;une colonne, par exemple %2=2</translation>
+        <translation>%1= demande le numéro ou le nom d’une colonne, par exemple %2=2</translation>
     </message>
     <message>
         <source>unit &apos;%1&apos; of %2 is not known; known: %3</source>
-        <translation>l&apos;unité &apos;%1&apos; de %2 n&apos;est pas connue&#xa0;; unités connues&#xa0;: %3</translation>
+        <translation>l’unité &apos;%1&apos; de %2 n’est pas connue&#xa0;; unités connues&#xa0;: %3</translation>
     </message>
     <message>
         <source>unknown key &apos;%1&apos;; %2</source>
@@ -8683,19 +8683,19 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not KEY=VALUE</source>
-        <translation>&apos;%1&apos; n&apos;est pas de la forme KEY=VALUE</translation>
+        <translation>&apos;%1&apos; n’est pas de la forme KEY=VALUE</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is no preset of columns; known: %2; or write a specification such as time=1:ms,x=2:mm,y=3:mm</source>
-        <translation>&apos;%1&apos; n&apos;est pas un préréglage de colonnes&#xa0;; sont connus&#xa0;: %2&#xa0;; ou écrivez une spécification comme time=1:ms,x=2:mm,y=3:mm</translation>
+        <translation>&apos;%1&apos; n’est pas un préréglage de colonnes&#xa0;; sont connus&#xa0;: %2&#xa0;; ou écrivez une spécification comme time=1:ms,x=2:mm,y=3:mm</translation>
     </message>
     <message>
         <source>the load file has an operation for tool %1, but the program changes to no tool; omit &apos;tool&apos;, so that the operation applies to all motions</source>
-        <translation>le fichier de charge a une opération pour l&apos;outil %1, mais le programme n&apos;appelle aucun outil&#xa0;; supprimez &apos;tool&apos;, pour que l&apos;opération s&apos;applique à tous les déplacements</translation>
+        <translation>le fichier de charge a une opération pour l’outil %1, mais le programme n’appelle aucun outil&#xa0;; supprimez &apos;tool&apos;, pour que l’opération s’applique à tous les déplacements</translation>
     </message>
     <message>
         <source>the load file has an operation for tool %1, which the program never changes to; %2</source>
-        <translation>le fichier de charge a une opération pour l&apos;outil %1, que le programme n&apos;appelle jamais&#xa0;; %2</translation>
+        <translation>le fichier de charge a une opération pour l’outil %1, que le programme n’appelle jamais&#xa0;; %2</translation>
     </message>
     <message>
         <source>its tools are %1</source>
@@ -8703,7 +8703,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>did you mean tool %1?</source>
-        <translation>vouliez-vous dire l&apos;outil %1&#xa0;?</translation>
+        <translation>vouliez-vous dire l’outil %1&#xa0;?</translation>
     </message>
     <message>
         <source>the load file has an operation for lines %1-%2, but the program has %3 lines; correct the range</source>
@@ -8731,7 +8731,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>material &apos;%1&apos; is not known; %2, or add a [[material]] with its coefficients</source>
-        <translation>la matière &apos;%1&apos; n&apos;est pas connue&#xa0;; %2, ou ajoutez un [[material]] avec ses coefficients</translation>
+        <translation>la matière &apos;%1&apos; n’est pas connue&#xa0;; %2, ou ajoutez un [[material]] avec ses coefficients</translation>
     </message>
     <message>
         <source>use one such as &apos;%1&apos;</source>
@@ -8743,15 +8743,15 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>lines %1-%2 is no range; write FIRST-LAST, counted from 1</source>
-        <translation>lignes %1-%2&#xa0;: ce n&apos;est pas une plage&#xa0;; écrivez PREMIÈRE-DERNIÈRE, comptées à partir de 1</translation>
+        <translation>lignes %1-%2&#xa0;: ce n’est pas une plage&#xa0;; écrivez PREMIÈRE-DERNIÈRE, comptées à partir de 1</translation>
     </message>
     <message>
         <source>min_chip_um %1 is not below max_chip_um %2; every chip would be out of bounds</source>
-        <translation>min_chip_um %1 n&apos;est pas inférieur à max_chip_um %2&#xa0;; tout copeau serait hors limites</translation>
+        <translation>min_chip_um %1 n’est pas inférieur à max_chip_um %2&#xa0;; tout copeau serait hors limites</translation>
     </message>
     <message>
         <source>operations %1 (%2) and %3 (%4) apply to the same motions; remove one, or give each its own tool or lines</source>
-        <translation>les opérations %1 (%2) et %3 (%4) s&apos;appliquent aux mêmes déplacements&#xa0;; supprimez-en une, ou donnez à chacune son outil ou ses lignes</translation>
+        <translation>les opérations %1 (%2) et %3 (%4) s’appliquent aux mêmes déplacements&#xa0;; supprimez-en une, ou donnez à chacune son outil ou ses lignes</translation>
     </message>
     <message>
         <source>%1 in %2 must be a number</source>
@@ -8767,7 +8767,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>&apos;tool&apos; must be its number, or its name in quotes, as the program calls it</source>
-        <translation>&apos;tool&apos; doit être son numéro, ou son nom entre guillemets, tel que le programme l&apos;appelle</translation>
+        <translation>&apos;tool&apos; doit être son numéro, ou son nom entre guillemets, tel que le programme l’appelle</translation>
     </message>
     <message>
         <source>milling &apos;%1&apos; is not known; write &quot;up&quot; (conventional) or &quot;down&quot; (climb)</source>
@@ -8779,7 +8779,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 has no tangential cutting force; %2 must be above 0</source>
-        <translation>%1 n&apos;a pas d&apos;effort de coupe tangentiel&#xa0;; %2 doit être supérieur à 0</translation>
+        <translation>%1 n’a pas d’effort de coupe tangentiel&#xa0;; %2 doit être supérieur à 0</translation>
     </message>
     <message>
         <source>material &apos;%1&apos; is given twice; remove one or give it another id</source>
@@ -8791,11 +8791,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the file has no operation; add an [[operation]] with tool, diameter_mm, teeth, helix_deg, ae_mm, ap_mm, milling and material</source>
-        <translation>le fichier n&apos;a pas d&apos;opération&#xa0;; ajoutez une [[operation]] avec tool, diameter_mm, teeth, helix_deg, ae_mm, ap_mm, milling et material</translation>
+        <translation>le fichier n’a pas d’opération&#xa0;; ajoutez une [[operation]] avec tool, diameter_mm, teeth, helix_deg, ae_mm, ap_mm, milling et material</translation>
     </message>
     <message>
         <source>radius = %1 mm is out of bounds; it must be at least 0.001 mm and at most %2 mm</source>
-        <translation>rayon = %1 mm hors limites&#xa0;; il doit être d&apos;au moins 0,001 mm et d&apos;au plus %2 mm</translation>
+        <translation>rayon = %1 mm hors limites&#xa0;; il doit être d’au moins 0,001 mm et d’au plus %2 mm</translation>
     </message>
     <message>
         <source>feed = %1 mm/min is out of bounds; it must be above 0 mm/min</source>
@@ -8803,11 +8803,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>sweep = %1 degrees is out of bounds; it must be above 0 and at most 360</source>
-        <translation>angle = %1 degrés hors limites&#xa0;; il doit être supérieur à 0 et d&apos;au plus 360</translation>
+        <translation>angle = %1 degrés hors limites&#xa0;; il doit être supérieur à 0 et d’au plus 360</translation>
     </message>
     <message>
         <source>entry radius = %1 mm is out of bounds; it must be at least 0 mm and at most the radius of %2 mm</source>
-        <translation>rayon d&apos;entrée = %1 mm hors limites&#xa0;; il doit être d&apos;au moins 0 mm et au plus du rayon de %2 mm</translation>
+        <translation>rayon d’entrée = %1 mm hors limites&#xa0;; il doit être d’au moins 0 mm et au plus du rayon de %2 mm</translation>
     </message>
     <message>
         <source>sweep &apos;%1&apos;: %2; write KEY=FROM:TO:logN, KEY=FROM:TO:linN or &quot;KEY=A;B;C&quot;, such as tolerance=0.005:0.1:log12</source>
@@ -8815,7 +8815,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>from %1 to %2 is not a range</source>
-        <translation>de %1 à %2, ce n&apos;est pas une plage</translation>
+        <translation>de %1 à %2, ce n’est pas une plage</translation>
     </message>
     <message>
         <source>equal ratios need ends above 0, not %1</source>
@@ -8831,11 +8831,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>setting path: the path of ward needs more than %1 curves to be approximated within %2 mm, up to line %3; choose the path of another model</source>
-        <translation>réglage path&#xa0;: la trajectoire de ward demande plus de %1 courbes pour être approchée à %2 mm près, jusqu&apos;à la ligne %3&#xa0;; choisissez la trajectoire d&apos;un autre modèle</translation>
+        <translation>réglage path&#xa0;: la trajectoire de ward demande plus de %1 courbes pour être approchée à %2 mm près, jusqu’à la ligne %3&#xa0;; choisissez la trajectoire d’un autre modèle</translation>
     </message>
     <message>
         <source>%1 is told by set and actual positions of %2; no trace has both: record the actual position too, and name it if need be, as --columns actual_%3=5:mm</source>
-        <translation>%1 se détermine par les positions de consigne et réelles de %2&#xa0;; aucune trace n&apos;a les deux&#xa0;: enregistrez aussi la position réelle, et nommez-la au besoin, comme --columns actual_%3=5:mm</translation>
+        <translation>%1 se détermine par les positions de consigne et réelles de %2&#xa0;; aucune trace n’a les deux&#xa0;: enregistrez aussi la position réelle, et nommez-la au besoin, comme --columns actual_%3=5:mm</translation>
     </message>
     <message>
         <source>%1 = %2 %3 is out of bounds; it must be from %4 to %5 %6</source>
@@ -8843,7 +8843,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>identification needs at least one trace</source>
-        <translation>l&apos;identification demande au moins une trace</translation>
+        <translation>l’identification demande au moins une trace</translation>
     </message>
     <message>
         <source>cannot read session &apos;%1&apos;: %2</source>
@@ -8863,27 +8863,27 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not a session: %2 (%3)</source>
-        <translation>&apos;%1&apos; n&apos;est pas une session&#xa0;: %2 (%3)</translation>
+        <translation>&apos;%1&apos; n’est pas une session&#xa0;: %2 (%3)</translation>
     </message>
     <message>
         <source>it is not a Feedscope session: its &quot;format&quot; is not &quot;%1&quot;</source>
-        <translation>ce n&apos;est pas une session de Feedscope&#xa0;: son &quot;format&quot; n&apos;est pas &quot;%1&quot;</translation>
+        <translation>ce n’est pas une session de Feedscope&#xa0;: son &quot;format&quot; n’est pas &quot;%1&quot;</translation>
     </message>
     <message>
         <source>it is of version %1, written by a newer Feedscope; this one reads up to version %2</source>
-        <translation>elle est de la version %1, écrite par un Feedscope plus récent&#xa0;; celui-ci lit jusqu&apos;à la version %2</translation>
+        <translation>elle est de la version %1, écrite par un Feedscope plus récent&#xa0;; celui-ci lit jusqu’à la version %2</translation>
     </message>
     <message>
         <source>its &quot;version&quot; is not a whole number from 1 to %1</source>
-        <translation>sa &quot;version&quot; n&apos;est pas un nombre entier de 1 à %1</translation>
+        <translation>sa &quot;version&quot; n’est pas un nombre entier de 1 à %1</translation>
     </message>
     <message>
         <source>it names no program: &quot;program&quot; has no &quot;file&quot;</source>
-        <translation>elle ne nomme pas de programme&#xa0;: &quot;program&quot; n&apos;a pas de &quot;file&quot;</translation>
+        <translation>elle ne nomme pas de programme&#xa0;: &quot;program&quot; n’a pas de &quot;file&quot;</translation>
     </message>
     <message>
         <source>it has no runs: &quot;runs&quot; is empty or missing</source>
-        <translation>elle n&apos;a pas de simulations&#xa0;: &quot;runs&quot; est vide ou absent</translation>
+        <translation>elle n’a pas de simulations&#xa0;: &quot;runs&quot; est vide ou absent</translation>
     </message>
     <message>
         <source>cannot write &apos;%1&apos; as a picture; its name must end in .png, .svg or .pdf</source>
@@ -8895,7 +8895,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>not everything could be written; is there room for it?</source>
-        <translation>tout n&apos;a pas pu être écrit&#xa0;; y a-t-il assez de place&#xa0;?</translation>
+        <translation>tout n’a pas pu être écrit&#xa0;; y a-t-il assez de place&#xa0;?</translation>
     </message>
     <message>
         <source>this build of Feedscope has no Theora video</source>
@@ -8903,7 +8903,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>the program does not move, so that there is nothing to film</source>
-        <translation>le programme ne se déplace pas&#xa0;: il n&apos;y a rien à filmer</translation>
+        <translation>le programme ne se déplace pas&#xa0;: il n’y a rien à filmer</translation>
     </message>
     <message>
         <source>the film would begin at %1 s and end at %2 s; give --from a time before that of --to</source>
@@ -8955,7 +8955,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1: section %2 is not closed; write %3 after it</source>
-        <translation>%1&#xa0;: la section %2 n&apos;est pas fermée&#xa0;; écrivez %3 après elle</translation>
+        <translation>%1&#xa0;: la section %2 n’est pas fermée&#xa0;; écrivez %3 après elle</translation>
     </message>
     <message>
         <source>%1: %2 closes no section</source>
@@ -8971,31 +8971,31 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>machine &apos;%1&apos; has no rotary axes to draw; choose a machine with [kinematics], such as five-axis-table-ac</source>
-        <translation>la machine &apos;%1&apos; n&apos;a pas d&apos;axes rotatifs à dessiner&#xa0;; choisissez une machine avec [kinematics], comme five-axis-table-ac</translation>
+        <translation>la machine &apos;%1&apos; n’a pas d’axes rotatifs à dessiner&#xa0;; choisissez une machine avec [kinematics], comme five-axis-table-ac</translation>
     </message>
     <message>
         <source>picture &apos;%1&apos; cannot be read: %2</source>
-        <translation>l&apos;image &apos;%1&apos; ne peut pas être lue&#xa0;: %2</translation>
+        <translation>l’image &apos;%1&apos; ne peut pas être lue&#xa0;: %2</translation>
     </message>
     <message>
         <source>picture &apos;%1&apos; has %2 bytes, and a picture may have %3</source>
-        <translation>l&apos;image &apos;%1&apos; compte %2 octets, et une image peut en avoir %3</translation>
+        <translation>l’image &apos;%1&apos; compte %2 octets, et une image peut en avoir %3</translation>
     </message>
     <message>
         <source>picture &apos;%1&apos; is not a picture; PNG, JPEG, SVG and other formats of Qt are supported</source>
-        <translation>l&apos;image &apos;%1&apos; n&apos;est pas une image&#xa0;; PNG, JPEG, SVG et d&apos;autres formats de Qt sont pris en charge</translation>
+        <translation>l’image &apos;%1&apos; n’est pas une image&#xa0;; PNG, JPEG, SVG et d’autres formats de Qt sont pris en charge</translation>
     </message>
     <message>
         <source>the trace has no set positions of %1: the actual ones are used instead</source>
-        <translation>la trace n&apos;a pas de positions de consigne de %1&#xa0;: les positions réelles sont utilisées à leur place</translation>
+        <translation>la trace n’a pas de positions de consigne de %1&#xa0;: les positions réelles sont utilisées à leur place</translation>
     </message>
     <message>
         <source>feeds, ramps and corners contain what the drives do; record the set positions too to tell them apart</source>
-        <translation>avances, rampes et coins contiennent ce que font les entraînements&#xa0;; enregistrez aussi les positions de consigne pour les distinguer</translation>
+        <translation>avances, rampes et angles contiennent ce que font les entraînements&#xa0;; enregistrez aussi les positions de consigne pour les distinguer</translation>
     </message>
     <message>
         <source>Where rotary axes turn the bound is not strict: they hold the tip over each whole block by their fastest place, along curves and where blocks meet by their velocity and by what turning takes, not while the tip speeds up; turns between operations take the time of the machine&apos;s jerk.</source>
-        <translation>Là où des axes rotatifs tournent, ce n&apos;est pas une borne stricte&#xa0;: ils retiennent la pointe sur tout le bloc d&apos;après leur endroit le plus rapide, le long des courbes et aux jonctions de blocs d&apos;après leur vitesse et ce que demande la rotation, mais pas pendant que la pointe accélère&#xa0;; les rotations entre opérations prennent le temps du jerk de la machine.</translation>
+        <translation>Là où des axes rotatifs tournent, ce n’est pas une borne stricte&#xa0;: ils retiennent la pointe sur tout le bloc d’après leur endroit le plus rapide, le long des courbes et aux jonctions de blocs d’après leur vitesse et ce que demande la rotation, mais pas pendant que la pointe accélère&#xa0;; les rotations entre opérations prennent le temps du jerk de la machine.</translation>
     </message>
     <message>
         <source>the time goes back once; the longest part with %1 of %2 samples is used</source>
@@ -9039,23 +9039,23 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>swing about the tip, held by axis %1</source>
-        <translation>pivotement autour de la pointe, retenu par l&apos;axe %1</translation>
+        <translation>pivotement autour de la pointe, retenu par l’axe %1</translation>
     </message>
     <message>
         <source>%1 possible delay by X, Y and Z that follow rotary axes (tool length or part zero unknown)</source>
-        <translation>%1 retard possible par X, Y et Z qui suivent les axes rotatifs (longueur d&apos;outil ou origine de la pièce inconnue)</translation>
+        <translation>%1 retard possible par X, Y et Z qui suivent les axes rotatifs (longueur d’outil ou origine de la pièce inconnue)</translation>
     </message>
     <message>
         <source>%1 possible delays by X, Y and Z that follow rotary axes (tool length or part zero unknown)</source>
-        <translation>%1 retards possibles par X, Y et Z qui suivent les axes rotatifs (longueur d&apos;outil ou origine de la pièce inconnue)</translation>
+        <translation>%1 retards possibles par X, Y et Z qui suivent les axes rotatifs (longueur d’outil ou origine de la pièce inconnue)</translation>
     </message>
     <message>
         <source>the tool retracts to the end of travel before the axes turn (MB MAX)</source>
-        <translation>l&apos;outil se dégage jusqu&apos;en fin de course avant que les axes tournent (MB MAX)</translation>
+        <translation>l’outil se dégage jusqu’en fin de course avant que les axes tournent (MB MAX)</translation>
     </message>
     <message>
         <source>this motion is neither drawn nor timed, nor is the way back</source>
-        <translation>ce mouvement n&apos;est ni tracé ni compté, le retour non plus</translation>
+        <translation>ce mouvement n’est ni tracé ni compté, le retour non plus</translation>
     </message>
     <message>
         <source>X, Y and Z move while the rotary axes turn (MOVE)</source>
@@ -9063,15 +9063,15 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>this motion is neither drawn nor timed</source>
-        <translation>ce mouvement n&apos;est ni tracé ni compté</translation>
+        <translation>ce mouvement n’est ni tracé ni compté</translation>
     </message>
     <message>
         <source>the tool retracts before the axes turn (_FR %1 of CYCLE800)</source>
-        <translation>l&apos;outil se dégage avant que les axes tournent (_FR %1 de CYCLE800)</translation>
+        <translation>l’outil se dégage avant que les axes tournent (_FR %1 de CYCLE800)</translation>
     </message>
     <message>
         <source>where to, the machine&apos;s data says: this motion is neither drawn nor timed</source>
-        <translation>jusqu&apos;où, les données de la machine le disent : ce mouvement n&apos;est ni tracé ni compté</translation>
+        <translation>jusqu’où, les données de la machine le disent : ce mouvement n’est ni tracé ni compté</translation>
     </message>
     <message>
         <source>The model leaves over more than noise and sampling of these traces make: another value may explain them.</source>
@@ -9127,11 +9127,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>a feed hold, or a stop that the simulation does not know; its time is in that of the trace</source>
-        <translation>un arrêt d&apos;avance, ou un arrêt que la simulation ne connaît pas&#xa0;; sa durée est comprise dans celle de la trace</translation>
+        <translation>un arrêt d’avance, ou un arrêt que la simulation ne connaît pas&#xa0;; sa durée est comprise dans celle de la trace</translation>
     </message>
     <message>
         <source>%1:%2: section %3 has a time in line %4 already; keep one of the two</source>
-        <translation>%1:%2&#xa0;: la section %3 a déjà un temps à la ligne %4&#xa0;; garder l&apos;un des deux</translation>
+        <translation>%1:%2&#xa0;: la section %3 a déjà un temps à la ligne %4&#xa0;; garder l’un des deux</translation>
     </message>
     <message>
         <source>A feed override is set: feeds and times called programmed are those of the program with the override.</source>
@@ -9396,7 +9396,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Move the cursor one pixel to the left</source>
-        <translation>Déplacer le curseur d&apos;un pixel à gauche</translation>
+        <translation>Déplacer le curseur d’un pixel à gauche</translation>
     </message>
     <message>
         <source>Cursor &amp;right</source>
@@ -9404,7 +9404,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Move the cursor one pixel to the right</source>
-        <translation>Déplacer le curseur d&apos;un pixel à droite</translation>
+        <translation>Déplacer le curseur d’un pixel à droite</translation>
     </message>
     <message>
         <source>Cursor far left</source>
@@ -9436,7 +9436,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Set a second cursor at the cursor and show the differences</source>
-        <translation>Poser un second curseur à l&apos;endroit du curseur et afficher les différences</translation>
+        <translation>Poser un second curseur à l’endroit du curseur et afficher les différences</translation>
     </message>
     <message>
         <source>Remove c&amp;ursor B</source>
@@ -9468,7 +9468,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Show the limiting causes below the feed</source>
-        <translation>Afficher les causes limitantes sous l&apos;avance</translation>
+        <translation>Afficher les causes limitantes sous l’avance</translation>
     </message>
     <message>
         <source>Cur&amp;ves</source>
@@ -9476,7 +9476,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Curves of &amp;other runs</source>
-        <translation>Courbes d&apos;&amp;autres simulations</translation>
+        <translation>Courbes d’&amp;autres simulations</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -9508,7 +9508,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>No run to export yet.</source>
-        <translation>Il n&apos;y a pas encore de simulation à exporter.</translation>
+        <translation>Il n’y a pas encore de simulation à exporter.</translation>
     </message>
     <message>
         <source>Export visible range</source>
@@ -9536,7 +9536,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>%1 is still being written.</source>
-        <translation>%1 est encore en cours d&apos;écriture.</translation>
+        <translation>%1 est encore en cours d’écriture.</translation>
     </message>
     <message>
         <source>C&amp;harts shown</source>
@@ -9694,7 +9694,7 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     </message>
     <message>
         <source>&amp;Entry arc</source>
-        <translation>Arc d&apos;&amp;entrée</translation>
+        <translation>Arc d’&amp;entrée</translation>
     </message>
     <message>
         <source>Te&amp;st</source>
@@ -9702,7 +9702,7 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     </message>
     <message>
         <source>A quarter circle leads in and one out, as in a bore; without it the circle runs from rest to rest</source>
-        <translation>Un quart de cercle à l&apos;entrée et un à la sortie, comme dans un alésage ; sans lui, le cercle va d&apos;arrêt à arrêt</translation>
+        <translation>Un quart de cercle à l’entrée et un à la sortie, comme dans un alésage ; sans lui, le cercle va d’arrêt à arrêt</translation>
     </message>
     <message>
         <source>Radius of the quarter circles</source>
@@ -9726,11 +9726,11 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     </message>
     <message>
         <source>Circularity and radial errors of a circle on this machine and control</source>
-        <translation>Circularité et écarts radiaux d&apos;un cercle sur cette machine et cette commande</translation>
+        <translation>Circularité et écarts radiaux d’un cercle sur cette machine et cette commande</translation>
     </message>
     <message>
         <source>Copy the values of the circular test</source>
-        <translation>Copier les valeurs de l&apos;essai circulaire</translation>
+        <translation>Copier les valeurs de l’essai circulaire</translation>
     </message>
     <message>
         <source>Copy circularity and radial errors to the clipboard</source>
@@ -9738,11 +9738,11 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     </message>
     <message>
         <source>There is no circular test yet: press Test first.</source>
-        <translation>Il n&apos;y a pas encore d&apos;essai circulaire : cliquez d&apos;abord sur Essai.</translation>
+        <translation>Il n’y a pas encore d’essai circulaire : cliquez d’abord sur Essai.</translation>
     </message>
     <message>
         <source>Save the picture of the circular test …</source>
-        <translation>Enregistrer l&apos;image de l&apos;essai circulaire …</translation>
+        <translation>Enregistrer l’image de l’essai circulaire …</translation>
     </message>
     <message>
         <source>The polar plot as PNG or SVG</source>
@@ -9770,7 +9770,7 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     </message>
     <message>
         <source>Save the picture of the circular test</source>
-        <translation>Enregistrer l&apos;image de l&apos;essai circulaire</translation>
+        <translation>Enregistrer l’image de l’essai circulaire</translation>
     </message>
     <message>
         <source>Pictures (*.png *.svg)</source>
@@ -9858,7 +9858,7 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2. Choose another folder.</source>
-        <translation>Impossible d&apos;écrire %1&#xa0;: %2. Choisir un autre dossier.</translation>
+        <translation>Impossible d’écrire %1&#xa0;: %2. Choisir un autre dossier.</translation>
     </message>
 </context>
 <context>
@@ -9946,7 +9946,7 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     <name>feedscope::ui::ContourChart</name>
     <message>
         <source>Histogram of the contour error</source>
-        <translation>Histogramme de l&apos;erreur de contour</translation>
+        <translation>Histogramme de l’erreur de contour</translation>
     </message>
     <message>
         <source>%1 to %2 from the programmed path</source>
@@ -10001,7 +10001,7 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     </message>
     <message>
         <source>Side of the programmed path in XY, in its direction: left is the G41 side</source>
-        <translation>Côté de la trajectoire programmée dans XY, vu dans son sens&#xa0;: la gauche est là où G41 met l&apos;outil</translation>
+        <translation>Côté de la trajectoire programmée dans XY, vu dans son sens&#xa0;: la gauche est là où G41 met l’outil</translation>
     </message>
     <message>
         <source>Side</source>
@@ -10009,7 +10009,7 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     </message>
     <message>
         <source>Shape of the programmed path there</source>
-        <translation>Ce qu&apos;est la trajectoire programmée à cet endroit</translation>
+        <translation>Ce qu’est la trajectoire programmée à cet endroit</translation>
     </message>
     <message>
         <source>Where</source>
@@ -10021,7 +10021,7 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     </message>
     <message>
         <source>What limits the feed there</source>
-        <translation>Ce qui limite l&apos;avance à cet endroit</translation>
+        <translation>Ce qui limite l’avance à cet endroit</translation>
     </message>
     <message>
         <source>Limited by</source>
@@ -10068,7 +10068,7 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     </message>
     <message>
         <source>Zoom the 3D view to the selected place</source>
-        <translation>La vue 3D montre de près l&apos;endroit choisi</translation>
+        <translation>La vue 3D montre de près l’endroit choisi</translation>
     </message>
     <message>
         <source>Places farthest from the programmed path</source>
@@ -10084,7 +10084,7 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     </message>
     <message>
         <source>Copy the picture of the contour error</source>
-        <translation>Copier l&apos;image de l&apos;erreur de contour</translation>
+        <translation>Copier l’image de l’erreur de contour</translation>
     </message>
     <message>
         <source>Copy the worst contour errors</source>
@@ -10104,7 +10104,7 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     </message>
     <message>
         <source>Save the histogram of the contour error as CSV …</source>
-        <translation>Enregistrer l&apos;histogramme de l&apos;erreur de contour en CSV …</translation>
+        <translation>Enregistrer l’histogramme de l’erreur de contour en CSV …</translation>
     </message>
     <message>
         <source>Path length by contour error, one column per run, with units</source>
@@ -10112,7 +10112,7 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     </message>
     <message>
         <source>Save the histogram of the contour error</source>
-        <translation>Enregistrer l&apos;histogramme de l&apos;erreur de contour</translation>
+        <translation>Enregistrer l’histogramme de l’erreur de contour</translation>
     </message>
     <message>
         <source>Next contour error</source>
@@ -10120,7 +10120,7 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     </message>
     <message>
         <source>Go to the next listed place far from the programmed path</source>
-        <translation>Aller au prochain endroit de la liste qui s&apos;écarte de la trajectoire programmée</translation>
+        <translation>Aller au prochain endroit de la liste qui s’écarte de la trajectoire programmée</translation>
     </message>
     <message>
         <source>Previous contour error</source>
@@ -10128,11 +10128,11 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     </message>
     <message>
         <source>Go to the previous listed place</source>
-        <translation>Revenir à l&apos;endroit précédent de la liste</translation>
+        <translation>Revenir à l’endroit précédent de la liste</translation>
     </message>
     <message>
         <source>Open a program to see how far the executed path is from the programmed one.</source>
-        <translation>De combien la trajectoire exécutée s&apos;écarte de la trajectoire programmée&#xa0;: ouvrir un programme.</translation>
+        <translation>De combien la trajectoire exécutée s’écarte de la trajectoire programmée&#xa0;: ouvrir un programme.</translation>
     </message>
     <message>
         <source>Comparing the executed with the programmed path …</source>
@@ -10140,11 +10140,11 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     </message>
     <message>
         <source>The program needs more memory than is available.</source>
-        <translation>Le programme demande plus de mémoire qu&apos;il n&apos;y en a.</translation>
+        <translation>Le programme demande plus de mémoire qu’il n’y en a.</translation>
     </message>
     <message>
         <source>There is no contour error to save: open a program and this panel.</source>
-        <translation>Il n&apos;y a pas encore d&apos;erreur de contour à enregistrer&#xa0;: ouvrir le panneau avec un programme.</translation>
+        <translation>Il n’y a pas encore d’erreur de contour à enregistrer&#xa0;: ouvrir le panneau avec un programme.</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
@@ -10152,7 +10152,7 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2. Choose another folder.</source>
-        <translation>Impossible d&apos;écrire %1&#xa0;: %2. Choisir un autre dossier.</translation>
+        <translation>Impossible d’écrire %1&#xa0;: %2. Choisir un autre dossier.</translation>
     </message>
     <message>
         <source>This run has not been simulated.</source>
@@ -10160,11 +10160,11 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     </message>
     <message>
         <source>Show how far and where the executed path deviates from the programmed one</source>
-        <translation>Montrer de combien et où la trajectoire exécutée s&apos;écarte de la trajectoire programmée</translation>
+        <translation>Montrer de combien et où la trajectoire exécutée s’écarte de la trajectoire programmée</translation>
     </message>
     <message>
         <source>Copy the histogram to the clipboard</source>
-        <translation>Copier l&apos;histogramme dans le presse-papiers</translation>
+        <translation>Copier l’histogramme dans le presse-papiers</translation>
     </message>
     <message>
         <source>Copy the list to the clipboard as CSV with units</source>
@@ -10230,7 +10230,7 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     </message>
     <message>
         <source>%1 (%2 more up to line %3)</source>
-        <translation>%1 (%2 autres jusqu&apos;à la ligne %3)</translation>
+        <translation>%1 (%2 autres jusqu’à la ligne %3)</translation>
     </message>
 </context>
 <context>
@@ -10325,7 +10325,7 @@ max. : %1 %</translation>
     </message>
     <message>
         <source>Open one of the sample programs supplied with Feedscope</source>
-        <translation>Ouvrir un des programmes d&apos;exemple fournis avec Feedscope</translation>
+        <translation>Ouvrir un des programmes d’exemple fournis avec Feedscope</translation>
     </message>
     <message>
         <source>Open &amp;recent</source>
@@ -10349,7 +10349,7 @@ max. : %1 %</translation>
     </message>
     <message>
         <source>Program import &amp;options …</source>
-        <translation>&amp;Options d&apos;importation du programme …</translation>
+        <translation>&amp;Options d’importation du programme …</translation>
     </message>
     <message>
         <source>Ctrl+Shift+R</source>
@@ -10401,7 +10401,7 @@ max. : %1 %</translation>
     </message>
     <message>
         <source>No program has been opened yet</source>
-        <translation>Aucun programme ouvert jusqu&apos;ici</translation>
+        <translation>Aucun programme ouvert jusqu’ici</translation>
     </message>
     <message>
         <source>Clear list</source>
@@ -10510,6 +10510,17 @@ max. : %1 %</translation>
     <message>
         <source>&amp;Film …</source>
         <translation>&amp;Film …</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::FileWriting</name>
+    <message>
+        <source>%1 has been written</source>
+        <translation>%1 a été écrit</translation>
+    </message>
+    <message>
+        <source>Writing %1 …</source>
+        <translation>Écriture de %1 …</translation>
     </message>
 </context>
 <context>
@@ -10637,14 +10648,6 @@ max. : %1 %</translation>
     <message>
         <source>Folder for the pictures</source>
         <translation>Dossier des images</translation>
-    </message>
-    <message>
-        <source>%1 has been written</source>
-        <translation>%1 a été écrit</translation>
-    </message>
-    <message>
-        <source>Writing %1 …</source>
-        <translation>Écriture de %1 …</translation>
     </message>
     <message>
         <source>Cancelled; nothing has been written.</source>
@@ -10786,7 +10789,7 @@ max. : %1 %</translation>
     </message>
     <message>
         <source>Control mo&amp;dels: tick several to see which one explains the recording best</source>
-        <translation>Mo&amp;dèles de commande&#xa0;: en cocher plusieurs pour voir lequel explique le mieux l&apos;enregistrement</translation>
+        <translation>Mo&amp;dèles de commande&#xa0;: en cocher plusieurs pour voir lequel explique le mieux l’enregistrement</translation>
     </message>
     <message>
         <source>Tick the limits of the axes, the settings with a unit, and the drives whose set and actual positions are recorded</source>
@@ -10832,7 +10835,7 @@ max. : %1 %</translation>
     </message>
     <message>
         <source>Lists the pages that contain all words; Enter goes to the next match</source>
-        <translation>Affiche les pages qui contiennent tous les mots&#xa0;; Entrée va à l&apos;endroit suivant</translation>
+        <translation>Affiche les pages qui contiennent tous les mots&#xa0;; Entrée va à l’endroit suivant</translation>
     </message>
 </context>
 <context>
@@ -10946,7 +10949,7 @@ max. : %1 %</translation>
     </message>
     <message>
         <source>&amp;Start page</source>
-        <translation>Page d&apos;&amp;accueil</translation>
+        <translation>Page d’&amp;accueil</translation>
     </message>
     <message>
         <source>Samples, recent programs, lessons, what to do first</source>
@@ -10992,7 +10995,7 @@ max. : %1 %</translation>
     </message>
     <message>
         <source>Limits and settings of your machine from what it recorded, and which control it is like</source>
-        <translation>Limites et réglages de votre machine d&apos;après ce qu&apos;elle a enregistré, et à quelle commande elle ressemble</translation>
+        <translation>Limites et réglages de votre machine d’après ce qu’elle a enregistré, et à quelle commande elle ressemble</translation>
     </message>
     <message>
         <source>identify machine parameters trace calibrate fit my own limits measured</source>
@@ -11012,7 +11015,7 @@ max. : %1 %</translation>
     </message>
     <message>
         <source>A table of the times of sections, for those without a trace: section,seconds</source>
-        <translation>Un tableau des temps de sections, quand il n&apos;y a pas de trace&#xa0;: section,seconds</translation>
+        <translation>Un tableau des temps de sections, quand il n’y a pas de trace&#xa0;: section,seconds</translation>
     </message>
     <message>
         <source>Section times …</source>
@@ -11024,15 +11027,15 @@ max. : %1 %</translation>
     </message>
     <message>
         <source>Write a test program …</source>
-        <translation>Écrire un programme d&apos;essai …</translation>
+        <translation>Écrire un programme d’essai …</translation>
     </message>
     <message>
         <source>The program whose recording tells most limits of a machine</source>
-        <translation>Le programme dont l&apos;enregistrement révèle le plus de limites d&apos;une machine</translation>
+        <translation>Le programme dont l’enregistrement révèle le plus de limites d’une machine</translation>
     </message>
     <message>
         <source>Test program …</source>
-        <translation>Programme d&apos;essai …</translation>
+        <translation>Programme d’essai …</translation>
     </message>
     <message>
         <source>identify machine parameters trace measure corners circles</source>
@@ -11080,7 +11083,7 @@ max. : %1 %</translation>
     </message>
     <message>
         <source>Open the program that was recorded first.</source>
-        <translation>Ouvrir d&apos;abord le programme qui a été enregistré.</translation>
+        <translation>Ouvrir d’abord le programme qui a été enregistré.</translation>
     </message>
     <message>
         <source>The trace is being read …</source>
@@ -11104,7 +11107,7 @@ max. : %1 %</translation>
     </message>
     <message>
         <source>Identified from %1</source>
-        <translation>Identifiée d&apos;après %1</translation>
+        <translation>Identifiée d’après %1</translation>
     </message>
     <message>
         <source>Save the machine</source>
@@ -11120,7 +11123,7 @@ max. : %1 %</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2. Choose another folder.</source>
-        <translation>Impossible d&apos;écrire %1&#xa0;: %2. Choisir un autre dossier.</translation>
+        <translation>Impossible d’écrire %1&#xa0;: %2. Choisir un autre dossier.</translation>
     </message>
     <message>
         <source>Open table of section times</source>
@@ -11143,7 +11146,7 @@ max. : %1 %</translation>
     <name>feedscope::ui::JobBase</name>
     <message>
         <source>The program needs more memory than is available.</source>
-        <translation>Le programme demande plus de mémoire qu&apos;il n&apos;y en a.</translation>
+        <translation>Le programme demande plus de mémoire qu’il n’y en a.</translation>
     </message>
 </context>
 <context>
@@ -11183,7 +11186,7 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     </message>
     <message>
         <source>jumps of the acceleration are not drawn</source>
-        <translation>sauts de l&apos;accélération non tracés</translation>
+        <translation>sauts de l’accélération non tracés</translation>
     </message>
 </context>
 <context>
@@ -11388,7 +11391,7 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     </message>
     <message>
         <source>At the feed that the control reaches</source>
-        <translation>À l&apos;avance que la commande atteint</translation>
+        <translation>À l’avance que la commande atteint</translation>
     </message>
     <message>
         <source>In line</source>
@@ -11412,7 +11415,7 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     </message>
     <message>
         <source>If the tool ran at the programmed feed everywhere</source>
-        <translation>Si l&apos;outil avançait partout à l&apos;avance programmée</translation>
+        <translation>Si l’outil avançait partout à l’avance programmée</translation>
     </message>
     <message>
         <source>Programmed, mean</source>
@@ -11431,7 +11434,7 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     </message>
     <message>
         <source>Beyond a bound</source>
-        <translation>Au-delà d&apos;une borne</translation>
+        <translation>Au-delà d’une borne</translation>
     </message>
     <message>
         <source>Worst</source>
@@ -11458,7 +11461,7 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     </message>
     <message>
         <source>Places beyond a bound</source>
-        <translation>Endroits au-delà d&apos;une borne</translation>
+        <translation>Endroits au-delà d’une borne</translation>
     </message>
     <message>
         <source>Operation whose load is listed</source>
@@ -11486,11 +11489,11 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     </message>
     <message>
         <source>Remove operation</source>
-        <translation>Supprimer l&apos;opération</translation>
+        <translation>Supprimer l’opération</translation>
     </message>
     <message>
         <source>Remove the selected operation</source>
-        <translation>Supprimer l&apos;opération sélectionnée</translation>
+        <translation>Supprimer l’opération sélectionnée</translation>
     </message>
     <message>
         <source>Open load file …</source>
@@ -11498,7 +11501,7 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     </message>
     <message>
         <source>Operations and materials of a file</source>
-        <translation>Opérations et matériaux d&apos;un fichier</translation>
+        <translation>Opérations et matériaux d’un fichier</translation>
     </message>
     <message>
         <source>Save load file …</source>
@@ -11506,7 +11509,7 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     </message>
     <message>
         <source>Operations and materials, for other programs and the command line</source>
-        <translation>Opérations et matériaux, pour d&apos;autres programmes et la ligne de commande</translation>
+        <translation>Opérations et matériaux, pour d’autres programmes et la ligne de commande</translation>
     </message>
     <message>
         <source>cutting load</source>
@@ -11518,7 +11521,7 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     </message>
     <message>
         <source>Say how the tools of the program are engaged: the load then follows from the feed that the control reaches, beside that of the programmed feed.</source>
-        <translation>Indiquez comment les outils du programme sont engagés&#xa0;: la charge découle alors de l&apos;avance que la commande atteint, à côté de celle de l&apos;avance programmée.</translation>
+        <translation>Indiquez comment les outils du programme sont engagés&#xa0;: la charge découle alors de l’avance que la commande atteint, à côté de celle de l’avance programmée.</translation>
     </message>
     <message>
         <source>No program yet.</source>
@@ -11530,7 +11533,7 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     </message>
     <message>
         <source>No operation to save: add one first.</source>
-        <translation>Aucune opération à enregistrer&#xa0;: en ajouter une d&apos;abord.</translation>
+        <translation>Aucune opération à enregistrer&#xa0;: en ajouter une d’abord.</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2</source>
@@ -11690,7 +11693,7 @@ Utiliser la machine qu’elle décrit pour la simulation courante ?</translation
     </message>
     <message>
         <source>Diameter of the tool, a cylindrical end mill</source>
-        <translation>Diamètre de l&apos;outil, une fraise cylindrique</translation>
+        <translation>Diamètre de l’outil, une fraise cylindrique</translation>
     </message>
     <message>
         <source>Helix</source>
@@ -11698,7 +11701,7 @@ Utiliser la machine qu’elle décrit pour la simulation courante ?</translation
     </message>
     <message>
         <source>Helix angle of the cutting edges</source>
-        <translation>Angle d&apos;hélice des arêtes</translation>
+        <translation>Angle d’hélice des arêtes</translation>
     </message>
     <message>
         <source>Radial depth</source>
@@ -11706,7 +11709,7 @@ Utiliser la machine qu’elle décrit pour la simulation courante ?</translation
     </message>
     <message>
         <source>Radial depth of cut a_e, up to the diameter (slot); as given, it is not simulated along the path</source>
-        <translation>Profondeur de passe radiale a_e, jusqu&apos;au diamètre (rainure)&#xa0;; telle que donnée, elle n&apos;est pas simulée le long de la trajectoire</translation>
+        <translation>Profondeur de passe radiale a_e, jusqu’au diamètre (rainure)&#xa0;; telle que donnée, elle n’est pas simulée le long de la trajectoire</translation>
     </message>
     <message>
         <source>Axial depth</source>
@@ -11722,7 +11725,7 @@ Utiliser la machine qu’elle décrit pour la simulation courante ?</translation
     </message>
     <message>
         <source>Spindle speed where the program gives none; may be empty</source>
-        <translation>Vitesse de broche là où le programme n&apos;en donne pas&#xa0;; peut rester vide</translation>
+        <translation>Vitesse de broche là où le programme n’en donne pas&#xa0;; peut rester vide</translation>
     </message>
     <message>
         <source>Least chip</source>
@@ -11730,7 +11733,7 @@ Utiliser la machine qu’elle décrit pour la simulation courante ?</translation
     </message>
     <message>
         <source>Chip thickness below which the edge rubs; places below it are listed; may be empty</source>
-        <translation>Épaisseur de copeau sous laquelle l&apos;arête frotte&#xa0;; les endroits en dessous sont listés&#xa0;; peut rester vide</translation>
+        <translation>Épaisseur de copeau sous laquelle l’arête frotte&#xa0;; les endroits en dessous sont listés&#xa0;; peut rester vide</translation>
     </message>
     <message>
         <source>Max. chip</source>
@@ -11794,7 +11797,7 @@ Utiliser la machine qu’elle décrit pour la simulation courante ?</translation
     </message>
     <message>
         <source>is not known</source>
-        <translation>n&apos;est pas connu</translation>
+        <translation>n’est pas connu</translation>
     </message>
     <message>
         <source>Tool</source>
@@ -11802,7 +11805,7 @@ Utiliser la machine qu’elle décrit pour la simulation courante ?</translation
     </message>
     <message>
         <source>As the program calls it</source>
-        <translation>Tel que le programme l&apos;appelle</translation>
+        <translation>Tel que le programme l’appelle</translation>
     </message>
     <message>
         <source>Lines</source>
@@ -11810,7 +11813,7 @@ Utiliser la machine qu’elle décrit pour la simulation courante ?</translation
     </message>
     <message>
         <source>Where the operation applies, such as 10-25, 40-52; empty: wherever its tool cuts</source>
-        <translation>Où l&apos;opération s&apos;applique, comme 10-25, 40-52&#xa0;; vide&#xa0;: partout où son outil coupe</translation>
+        <translation>Où l’opération s’applique, comme 10-25, 40-52&#xa0;; vide&#xa0;: partout où son outil coupe</translation>
     </message>
     <message>
         <source>Teeth</source>
@@ -11818,7 +11821,7 @@ Utiliser la machine qu’elle décrit pour la simulation courante ?</translation
     </message>
     <message>
         <source>Number of cutting edges, equally spaced</source>
-        <translation>Nombre d&apos;arêtes, également réparties</translation>
+        <translation>Nombre d’arêtes, également réparties</translation>
     </message>
     <message>
         <source>Milling</source>
@@ -11826,7 +11829,7 @@ Utiliser la machine qu’elle décrit pour la simulation courante ?</translation
     </message>
     <message>
         <source>Up milling begins a chip thin, down milling thick: the side of the tool on which the material is</source>
-        <translation>En opposition, le copeau commence mince&#xa0;; en avalant, épais&#xa0;: c&apos;est le côté de l&apos;outil où se trouve la matière</translation>
+        <translation>En opposition, le copeau commence mince&#xa0;; en avalant, épais&#xa0;: c’est le côté de l’outil où se trouve la matière</translation>
     </message>
     <message>
         <source>Material</source>
@@ -11834,7 +11837,7 @@ Utiliser la machine qu’elle décrit pour la simulation courante ?</translation
     </message>
     <message>
         <source>Coefficients of the cutting force; each with its source</source>
-        <translation>Coefficients de l&apos;effort de coupe, chacun avec sa source</translation>
+        <translation>Coefficients de l’effort de coupe, chacun avec sa source</translation>
     </message>
 </context>
 <context>
@@ -12014,14 +12017,6 @@ Utiliser la machine qu’elle décrit pour la simulation courante ?</translation
         <translation>Enregistrer l’image</translation>
     </message>
     <message>
-        <source>%1 has been written</source>
-        <translation>%1 a été écrit</translation>
-    </message>
-    <message>
-        <source>Writing %1 …</source>
-        <translation>Écriture de %1 …</translation>
-    </message>
-    <message>
         <source>Sheet: 3D view, charts and figures</source>
         <translation>Fiche&#xa0;: vue 3D, graphiques et chiffres</translation>
     </message>
@@ -12118,7 +12113,7 @@ Utiliser la machine qu’elle décrit pour la simulation courante ?</translation
     </message>
     <message>
         <source>Go back one interpolation period</source>
-        <translation>Reculer d&apos;une période d&apos;interpolation</translation>
+        <translation>Reculer d’une période d’interpolation</translation>
     </message>
     <message>
         <source>&amp;Next sample</source>
@@ -12126,7 +12121,7 @@ Utiliser la machine qu’elle décrit pour la simulation courante ?</translation
     </message>
     <message>
         <source>Go forward one interpolation period</source>
-        <translation>Avancer d&apos;une période d&apos;interpolation</translation>
+        <translation>Avancer d’une période d’interpolation</translation>
     </message>
     <message>
         <source>Go to s&amp;tart</source>
@@ -12302,7 +12297,7 @@ Utiliser la machine qu’elle décrit pour la simulation courante ?</translation
     <name>feedscope::ui::ProgramMargin</name>
     <message>
         <source>Not in the cycle time: tool change; give the tool change time of the machine</source>
-        <translation>Non compté&#xa0;: changement d&apos;outil&#xa0;; le temps de changement d&apos;outil de la machine le donne</translation>
+        <translation>Non compté&#xa0;: changement d’outil&#xa0;; le temps de changement d’outil de la machine le donne</translation>
     </message>
     <message>
         <source>Not in the cycle time: spindle start; give the spindle start time of the machine</source>
@@ -12405,11 +12400,11 @@ Utiliser la machine qu’elle décrit pour la simulation courante ?</translation
     </message>
     <message>
         <source>Go to the next match</source>
-        <translation>Aller à l&apos;occurrence suivante</translation>
+        <translation>Aller à l’occurrence suivante</translation>
     </message>
     <message>
         <source>Go to the previous match</source>
-        <translation>Aller à l&apos;occurrence précédente</translation>
+        <translation>Aller à l’occurrence précédente</translation>
     </message>
     <message>
         <source>Extents [%1], including arcs
@@ -12457,7 +12452,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Work offsets</source>
-        <translation>Décalages d&apos;origine</translation>
+        <translation>Décalages d’origine</translation>
     </message>
     <message>
         <source>set here</source>
@@ -12469,7 +12464,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Program import options</source>
-        <translation>Options d&apos;importation du programme</translation>
+        <translation>Options d’importation du programme</translation>
     </message>
     <message>
         <source>Cutter radii</source>
@@ -12545,7 +12540,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Unit of lengths and feeds until the program sets one: G20, G21, G70, G71, BEGIN PGM ... MM</source>
-        <translation>Unité des longueurs et des avances tant que le programme n&apos;en indique pas : G20, G21, G70, G71, BEGIN PGM ... MM</translation>
+        <translation>Unité des longueurs et des avances tant que le programme n’en indique pas : G20, G21, G70, G71, BEGIN PGM ... MM</translation>
     </message>
     <message>
         <source>Radius</source>
@@ -12557,7 +12552,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>The radius of tool %1, &quot;%2&quot;, is not a length of 0 or more.</source>
-        <translation>Le rayon de l&apos;outil %1, « %2 », n&apos;est pas une longueur de 0 ou plus.</translation>
+        <translation>Le rayon de l’outil %1, « %2 », n’est pas une longueur de 0 ou plus.</translation>
     </message>
     <message>
         <source>program</source>
@@ -12620,11 +12615,11 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Open the program that ran on your machine. For most numbers run the test program: write it here, and open it.</source>
-        <translation>Ouvrir le programme qui a tourné sur votre machine. Le programme d&apos;essai révèle le plus de nombres&#xa0;: l&apos;écrire ici, et l&apos;ouvrir.</translation>
+        <translation>Ouvrir le programme qui a tourné sur votre machine. Le programme d’essai révèle le plus de nombres&#xa0;: l’écrire ici, et l’ouvrir.</translation>
     </message>
     <message>
         <source>Record X, Y and Z on the control while this program runs, best at 1 to 4 ms a sample, and open the trace. Without a trace: write the times of its sections into a table with the titles section,seconds and open that. The test program tells most numbers.</source>
-        <translation>Enregistrer X, Y et Z sur la commande pendant que ce programme tourne, au mieux un échantillon toutes les 1 à 4&#xa0;ms, et ouvrir la trace. Sans trace&#xa0;: écrire les temps de ses sections dans un tableau aux titres section,seconds et l&apos;ouvrir. Le programme d&apos;essai révèle le plus de nombres.</translation>
+        <translation>Enregistrer X, Y et Z sur la commande pendant que ce programme tourne, au mieux un échantillon toutes les 1 à 4&#xa0;ms, et ouvrir la trace. Sans trace&#xa0;: écrire les temps de ses sections dans un tableau aux titres section,seconds et l’ouvrir. Le programme d’essai révèle le plus de nombres.</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -12643,7 +12638,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>%1: the program takes %2 instead of %3, the place at the cursor %4 instead of %5</source>
-        <translation>%1&#xa0;: le programme prend %2 au lieu de %3, l&apos;endroit autour du curseur %4 au lieu de %5</translation>
+        <translation>%1&#xa0;: le programme prend %2 au lieu de %3, l’endroit autour du curseur %4 au lieu de %5</translation>
     </message>
     <message>
         <source>Cycle time with the change</source>
@@ -12651,7 +12646,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Change in cycle time: shorter (−) or longer (+)</source>
-        <translation>Temps de cycle plus court (−) ou plus long (+) d&apos;autant</translation>
+        <translation>Temps de cycle plus court (−) ou plus long (+) d’autant</translation>
     </message>
     <message>
         <source>The same for the blocks around the cursor</source>
@@ -12793,14 +12788,6 @@ Ensemble&#xa0;: %4</translation>
         <translation>Document (*.pdf);;Page web (*.html)</translation>
     </message>
     <message>
-        <source>%1 has been written</source>
-        <translation>%1 a été écrit</translation>
-    </message>
-    <message>
-        <source>Writing %1 …</source>
-        <translation>Écriture de %1 …</translation>
-    </message>
-    <message>
         <source>La&amp;nguage</source>
         <translation>La&amp;ngue</translation>
     </message>
@@ -12813,14 +12800,14 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>How far the simulation is behind the recording as it goes on, or what it is longer in each section. A level curve: feed and time agree there; a step: a place that takes longer or shorter</source>
-        <translation>De combien la simulation prend du retard sur l&apos;enregistrement à mesure qu&apos;il avance, ou de combien elle est plus longue dans chaque section. Une courbe horizontale&#xa0;: avance et temps y concordent&#xa0;; une marche&#xa0;: un endroit qui prend plus ou moins de temps</translation>
+        <translation>De combien la simulation prend du retard sur l’enregistrement à mesure qu’il avance, ou de combien elle est plus longue dans chaque section. Une courbe horizontale&#xa0;: avance et temps y concordent&#xa0;; une marche&#xa0;: un endroit qui prend plus ou moins de temps</translation>
     </message>
 </context>
 <context>
     <name>feedscope::ui::ResultBox</name>
     <message>
         <source>Models by how well they explain the recording</source>
-        <translation>Modèles selon ce qu&apos;ils expliquent de l&apos;enregistrement</translation>
+        <translation>Modèles selon ce qu’ils expliquent de l’enregistrement</translation>
     </message>
     <message>
         <source>Model</source>
@@ -12848,11 +12835,11 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Difference of the feeds (rms), as a share of the mean feed</source>
-        <translation>Écart des avances (moyenne quadratique), en part de l&apos;avance moyenne</translation>
+        <translation>Écart des avances (moyenne quadratique), en part de l’avance moyenne</translation>
     </message>
     <message>
         <source>Within 5 % of the feed and 1 % of the time</source>
-        <translation>À moins de 5&#xa0;% de l&apos;avance et 1&#xa0;% du temps</translation>
+        <translation>À moins de 5&#xa0;% de l’avance et 1&#xa0;% du temps</translation>
     </message>
     <message>
         <source>Numbers that were looked for</source>
@@ -12872,7 +12859,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Limit of an axis or setting of the control</source>
-        <translation>Limite d&apos;un axe ou réglage de la commande</translation>
+        <translation>Limite d’un axe ou réglage de la commande</translation>
     </message>
     <message>
         <source>Value that was begun with</source>
@@ -12880,7 +12867,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Value that explains the recording best, ± 95 %</source>
-        <translation>Valeur qui explique le mieux l&apos;enregistrement, ± à 95&#xa0;%</translation>
+        <translation>Valeur qui explique le mieux l’enregistrement, ± à 95&#xa0;%</translation>
     </message>
     <message>
         <source>Recordings, models or machine have changed since: identify again.</source>
@@ -12908,7 +12895,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Tick other models in step 2.</source>
-        <translation>Cocher d&apos;autres modèles à l&apos;étape 2.</translation>
+        <translation>Cocher d’autres modèles à l’étape 2.</translation>
     </message>
 </context>
 <context>
@@ -13009,7 +12996,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Machine whose axis limits apply</source>
-        <translation>Machine dont les limites d&apos;axe s&apos;appliquent</translation>
+        <translation>Machine dont les limites d’axe s’appliquent</translation>
     </message>
     <message>
         <source>Control model</source>
@@ -13017,7 +13004,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Cycle time [s, or min:s]; the star marks the fastest run within the error bound</source>
-        <translation>Temps de cycle [s, ou min:s]&#xa0;; l&apos;étoile marque la simulation la plus rapide qui respecte la borne d&apos;erreur</translation>
+        <translation>Temps de cycle [s, ou min:s]&#xa0;; l’étoile marque la simulation la plus rapide qui respecte la borne d’erreur</translation>
     </message>
     <message>
         <source>Cycle time above that of the fastest run [%]</source>
@@ -13073,11 +13060,11 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>What a control recorded. The panel Trace says how well the current run agrees.</source>
-        <translation>Ce qu&apos;une commande a enregistré. Le panneau Trace dit à quel point la simulation actuelle concorde.</translation>
+        <translation>Ce qu’une commande a enregistré. Le panneau Trace dit à quel point la simulation actuelle concorde.</translation>
     </message>
     <message>
         <source>It covers %1 % of the path: a cycle time is not known.</source>
-        <translation>Elle couvre %1 % de la trajectoire&#xa0;: le temps de cycle n&apos;est pas connu.</translation>
+        <translation>Elle couvre %1 % de la trajectoire&#xa0;: le temps de cycle n’est pas connu.</translation>
     </message>
     <message>
         <source>refused</source>
@@ -13097,7 +13084,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>The program sends rotary axes where the machine cannot turn them: the time is not that of the program.</source>
-        <translation>Le programme envoie des axes rotatifs là où la machine ne peut pas les tourner : le temps n&apos;est pas celui du programme.</translation>
+        <translation>Le programme envoie des axes rotatifs là où la machine ne peut pas les tourner : le temps n’est pas celui du programme.</translation>
     </message>
 </context>
 <context>
@@ -13164,11 +13151,11 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Runs with other tolerances</source>
-        <translation>Simulations à d&apos;autres tolérances</translation>
+        <translation>Simulations à d’autres tolérances</translation>
     </message>
     <message>
         <source>runs with other tolerances</source>
-        <translation>simulations à d&apos;autres tolérances</translation>
+        <translation>simulations à d’autres tolérances</translation>
     </message>
     <message>
         <source>Colour of the run</source>
@@ -13224,7 +13211,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Only runs with a contour error within this bound are considered for the fastest</source>
-        <translation>Seules les simulations dont l&apos;erreur de contour respecte cette borne sont prises en compte pour la plus rapide</translation>
+        <translation>Seules les simulations dont l’erreur de contour respecte cette borne sont prises en compte pour la plus rapide</translation>
     </message>
     <message>
         <source>Copy the current run to change it</source>
@@ -13232,7 +13219,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Create copies of the current run with other contour tolerances</source>
-        <translation>Créer des copies de la simulation courante avec d&apos;autres tolérances de contour</translation>
+        <translation>Créer des copies de la simulation courante avec d’autres tolérances de contour</translation>
     </message>
     <message>
         <source>Contour tolerances [%1], separated by spaces:</source>
@@ -13319,7 +13306,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Exaggerate deviations from the programmed path by this factor</source>
-        <translation>Dessiner les écarts à la trajectoire programmée agrandis d&apos;autant</translation>
+        <translation>Dessiner les écarts à la trajectoire programmée agrandis d’autant</translation>
     </message>
     <message>
         <source>Deviation %1</source>
@@ -13375,7 +13362,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>View from behind, X to the left</source>
-        <translation>Vue de l&apos;arrière, X vers la gauche</translation>
+        <translation>Vue de l’arrière, X vers la gauche</translation>
     </message>
     <message>
         <source>&amp;Left</source>
@@ -13471,7 +13458,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>There is no other run to compare with: duplicate the run (Ctrl+D) and change the copy</source>
-        <translation>Il n&apos;y a pas d&apos;autre simulation à comparer&#xa0;: dupliquez la simulation (Ctrl+D) et modifiez la copie</translation>
+        <translation>Il n’y a pas d’autre simulation à comparer&#xa0;: dupliquez la simulation (Ctrl+D) et modifiez la copie</translation>
     </message>
     <message>
         <source>Grid lines behind the path</source>
@@ -13483,7 +13470,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Corner radius of a bull nose end mill</source>
-        <translation>Rayon de coin d&apos;une fraise torique</translation>
+        <translation>Rayon de coin d’une fraise torique</translation>
     </message>
     <message>
         <source>Quantity shown by the colour of the executed path</source>
@@ -13503,11 +13490,11 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Tool drawn at the cursor</source>
-        <translation>L&apos;outil dessiné au curseur</translation>
+        <translation>L’outil dessiné au curseur</translation>
     </message>
     <message>
         <source>A cone that marks the place, without dimensions</source>
-        <translation>Un cône qui marque l&apos;endroit, sans dimension</translation>
+        <translation>Un cône qui marque l’endroit, sans dimension</translation>
     </message>
     <message>
         <source>A cylinder with a hemispherical end</source>
@@ -13539,11 +13526,11 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>The machine has no drives: give its axes kv_1_s</source>
-        <translation>La machine n&apos;a pas d&apos;entraînements : donner kv_1_s à ses axes</translation>
+        <translation>La machine n’a pas d’entraînements : donner kv_1_s à ses axes</translation>
     </message>
     <message>
         <source>Say how the tools are engaged in the panel Cutting load</source>
-        <translation>Indiquer l&apos;engagement des outils dans le panneau Charge de coupe</translation>
+        <translation>Indiquer l’engagement des outils dans le panneau Charge de coupe</translation>
     </message>
     <message>
         <source>Rapi&amp;ds</source>
@@ -13614,7 +13601,7 @@ Ensemble&#xa0;: %4</translation>
     <name>feedscope::ui::SceneRun</name>
     <message>
         <source>the other half</source>
-        <translation>l&apos;autre moitié</translation>
+        <translation>l’autre moitié</translation>
     </message>
 </context>
 <context>
@@ -13651,7 +13638,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Machine whose axis limits and control settings apply</source>
-        <translation>Machine dont les limites d&apos;axe et les réglages de commande s&apos;appliquent</translation>
+        <translation>Machine dont les limites d’axe et les réglages de commande s’appliquent</translation>
     </message>
     <message>
         <source>Control model: how the control turns the path into motion</source>
@@ -13721,7 +13708,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Source: default of the model; the machine file gives none.</source>
-        <translation>Source&#xa0;: valeur propre au modèle&#xa0;; le fichier machine n&apos;en donne pas.</translation>
+        <translation>Source&#xa0;: valeur propre au modèle&#xa0;; le fichier machine n’en donne pas.</translation>
     </message>
     <message>
         <source>Assumed: %1</source>
@@ -13741,8 +13728,8 @@ Ensemble&#xa0;: %4</translation>
     <message numerus="yes">
         <source>Positions, tool change (%n unset)</source>
         <translation>
-            <numerusform>Positions, changement d&apos;outil (%n sans valeur)</numerusform>
-            <numerusform>Positions, changement d&apos;outil (%n sans valeur)</numerusform>
+            <numerusform>Positions, changement d’outil (%n sans valeur)</numerusform>
+            <numerusform>Positions, changement d’outil (%n sans valeur)</numerusform>
         </translation>
     </message>
     <message>
@@ -13766,7 +13753,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Select a value to see what it means. Bold: changed. Italic: assumed, without a source.</source>
-        <translation>Choisir une valeur pour voir ce qu&apos;elle signifie. Gras&#xa0;: modifiée. Italique&#xa0;: supposée, aucune source ne la donne.</translation>
+        <translation>Choisir une valeur pour voir ce qu’elle signifie. Gras&#xa0;: modifiée. Italique&#xa0;: supposée, aucune source ne la donne.</translation>
     </message>
     <message>
         <source>This model has no control settings.</source>
@@ -13794,11 +13781,11 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Settings that have no value on this machine. Times of tool changes and spindle starts add to the cycle time; home, tool change position and part zero let moves to machine positions be drawn and timed.</source>
-        <translation>Réglages sans valeur sur cette machine. Les temps de changement d&apos;outil et de démarrage de broche s&apos;ajoutent au temps de cycle&#xa0;; l&apos;origine, la position de changement d&apos;outil et le zéro pièce permettent de dessiner et de chronométrer les déplacements vers des positions machine.</translation>
+        <translation>Réglages sans valeur sur cette machine. Les temps de changement d’outil et de démarrage de broche s’ajoutent au temps de cycle&#xa0;; l’origine, la position de changement d’outil et le zéro pièce permettent de dessiner et de chronométrer les déplacements vers des positions machine.</translation>
     </message>
     <message>
         <source>Tool length and part zero say how X, Y and Z follow the rotary axes, the orientation tolerance how far their turns are rounded where blocks meet, and an angle of the part how it is turned in the clamping.</source>
-        <translation>La longueur d&apos;outil et le zéro pièce déterminent comment X, Y et Z suivent les axes rotatifs, la tolérance d&apos;orientation de combien leurs rotations sont arrondies à la jonction des blocs, et un angle de la pièce comment elle est tournée dans son bridage.</translation>
+        <translation>La longueur d’outil et le zéro pièce déterminent comment X, Y et Z suivent les axes rotatifs, la tolérance d’orientation de combien leurs rotations sont arrondies à la jonction des blocs, et un angle de la pièce comment elle est tournée dans son bridage.</translation>
     </message>
 </context>
 <context>
@@ -13833,7 +13820,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>The current run to the left of a draggable line, another one to the right</source>
-        <translation>La simulation courante à gauche d&apos;une ligne que l&apos;on déplace, une autre à droite</translation>
+        <translation>La simulation courante à gauche d’une ligne que l’on déplace, une autre à droite</translation>
     </message>
     <message>
         <source>Ctrl+Shift+8</source>
@@ -13894,7 +13881,7 @@ Ensemble&#xa0;: %4</translation>
         <source>From %1 s to %2 s, slowest at %3 s in line %4.
 %5 s lost against the programmed feed, mostly due to: %6.</source>
         <translation>De %1&#xa0;s à %2&#xa0;s, le plus lent à %3&#xa0;s, ligne %4.
-%5&#xa0;s perdues par rapport à l&apos;avance programmée, surtout par&#xa0;: %6.</translation>
+%5&#xa0;s perdues par rapport à l’avance programmée, surtout par&#xa0;: %6.</translation>
     </message>
     <message>
         <source>Lost [s]</source>
@@ -13937,7 +13924,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>%1 s of %2 s lost against the programmed feed, in %3 places</source>
-        <translation>%1&#xa0;s sur %2&#xa0;s perdues par rapport à l&apos;avance programmée, en %3 endroits</translation>
+        <translation>%1&#xa0;s sur %2&#xa0;s perdues par rapport à l’avance programmée, en %3 endroits</translation>
     </message>
     <message>
         <source>Go to the next listed place that loses time</source>
@@ -13945,7 +13932,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Go to the previous listed place</source>
-        <translation>Revenir à l&apos;endroit précédent de la liste</translation>
+        <translation>Revenir à l’endroit précédent de la liste</translation>
     </message>
     <message>
         <source>Number of places listed and visited by F7</source>
@@ -13964,7 +13951,7 @@ Ensemble&#xa0;: %4</translation>
     <name>feedscope::ui::SplitHandle</name>
     <message>
         <source>Drag to show more of one run or the other</source>
-        <translation>Déplacer pour voir plus d&apos;une simulation ou de l&apos;autre</translation>
+        <translation>Déplacer pour voir plus d’une simulation ou de l’autre</translation>
     </message>
     <message>
         <source>Dividing line between the two runs</source>
@@ -14023,7 +14010,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Start page</source>
-        <translation>Page d&apos;accueil</translation>
+        <translation>Page d’accueil</translation>
     </message>
     <message>
         <source>What does the control do with your program?</source>
@@ -14059,7 +14046,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Sample programs</source>
-        <translation>Programmes d&apos;exemple</translation>
+        <translation>Programmes d’exemple</translation>
     </message>
     <message>
         <source>Lessons</source>
@@ -14067,7 +14054,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>No program has been opened yet</source>
-        <translation>Aucun programme n&apos;a encore été ouvert</translation>
+        <translation>Aucun programme n’a encore été ouvert</translation>
     </message>
     <message>
         <source>%1. %2</source>
@@ -14339,7 +14326,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Only runs with a contour error within this bound are considered for the fastest</source>
-        <translation>Seules les simulations dont l&apos;erreur de contour respecte cette borne sont prises en compte pour la plus rapide</translation>
+        <translation>Seules les simulations dont l’erreur de contour respecte cette borne sont prises en compte pour la plus rapide</translation>
     </message>
     <message>
         <source>Setting to vary</source>
@@ -14367,7 +14354,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>The control refuses the program: none of its feed motions is run.</source>
-        <translation>La commande refuse le programme : aucun de ses déplacements en avance n&apos;est exécuté.</translation>
+        <translation>La commande refuse le programme : aucun de ses déplacements en avance n’est exécuté.</translation>
     </message>
     <message>
         <source>Lines that the control refuses and that are not run: %1.</source>
@@ -14379,7 +14366,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>No run is possible: the program sends rotary axes where the machine cannot turn them.</source>
-        <translation>Aucune simulation n&apos;est possible : le programme envoie des axes rotatifs là où la machine ne peut pas les tourner.</translation>
+        <translation>Aucune simulation n’est possible : le programme envoie des axes rotatifs là où la machine ne peut pas les tourner.</translation>
     </message>
     <message>
         <source>no possible run</source>
@@ -14394,15 +14381,15 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>&amp;Open it here</source>
-        <translation>&amp;L&apos;ouvrir ici</translation>
+        <translation>&amp;L’ouvrir ici</translation>
     </message>
     <message>
         <source>Test program</source>
-        <translation>Programme d&apos;essai</translation>
+        <translation>Programme d’essai</translation>
     </message>
     <message>
         <source>The program keeps to this square in X and Y about the zero point</source>
-        <translation>Le programme reste dans ce carré en X et Y autour de l&apos;origine</translation>
+        <translation>Le programme reste dans ce carré en X et Y autour de l’origine</translation>
     </message>
     <message>
         <source>As fast as the machine may feed: velocities beyond it are told by the rapids alone, if at all</source>
@@ -14422,7 +14409,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Parts of the test program</source>
-        <translation>Parties du programme d&apos;essai</translation>
+        <translation>Parties du programme d’essai</translation>
     </message>
     <message>
         <source>Opens the program that was written, to lay its trace beside it</source>
@@ -14446,11 +14433,11 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Put the zero point in the middle of a free square of %1 with nothing below or around the tool: Z goes up from it by %2, never below. Controls of Fanuc and SINUMERIK take the times of its %3 sections themselves; the others need a trace.</source>
-        <translation>Placer l&apos;origine au milieu d&apos;un carré libre de %1, sans rien sous l&apos;outil ni autour&#xa0;: Z monte de %2 à partir d&apos;elle, jamais en dessous. Les commandes Fanuc et SINUMERIK prennent elles-mêmes les temps de ses %3 sections&#xa0;; les autres demandent une trace.</translation>
+        <translation>Placer l’origine au milieu d’un carré libre de %1, sans rien sous l’outil ni autour&#xa0;: Z monte de %2 à partir d’elle, jamais en dessous. Les commandes Fanuc et SINUMERIK prennent elles-mêmes les temps de ses %3 sections&#xa0;; les autres demandent une trace.</translation>
     </message>
     <message>
         <source>Write the test program</source>
-        <translation>Écrire le programme d&apos;essai</translation>
+        <translation>Écrire le programme d’essai</translation>
     </message>
     <message>
         <source>NC programs (*.nc *.ngc *.gcode *.mpf *.h);;All files (*)</source>
@@ -14458,11 +14445,11 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>%1 is written. Run it on the machine, record X, Y and Z meanwhile, open it here and then the trace.</source>
-        <translation>%1 est écrit. Le faire tourner sur la machine, enregistrer X, Y et Z pendant ce temps, l&apos;ouvrir ici, puis la trace.</translation>
+        <translation>%1 est écrit. Le faire tourner sur la machine, enregistrer X, Y et Z pendant ce temps, l’ouvrir ici, puis la trace.</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2. Choose another folder.</source>
-        <translation>Impossible d&apos;écrire %1&#xa0;: %2. Choisir un autre dossier.</translation>
+        <translation>Impossible d’écrire %1&#xa0;: %2. Choisir un autre dossier.</translation>
     </message>
     <message>
         <source>Time</source>
@@ -14560,7 +14547,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Keep what is chosen under a name, for other traces of this kind</source>
-        <translation>Garder ce choix sous un nom, pour d&apos;autres traces de ce type</translation>
+        <translation>Garder ce choix sous un nom, pour d’autres traces de ce type</translation>
     </message>
     <message>
         <source>Remove this preset from the list</source>
@@ -14580,11 +14567,11 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Nothing is chosen: there is nothing to keep.</source>
-        <translation>Rien n&apos;est choisi&#xa0;: il n&apos;y a rien à garder.</translation>
+        <translation>Rien n’est choisi&#xa0;: il n’y a rien à garder.</translation>
     </message>
     <message>
         <source>Choose another name: it is empty, or that of a preset of the program.</source>
-        <translation>Choisir un autre nom&#xa0;: il est vide, ou celui d&apos;un préréglage du programme.</translation>
+        <translation>Choisir un autre nom&#xa0;: il est vide, ou celui d’un préréglage du programme.</translation>
     </message>
     <message>
         <source>Name of the preset:</source>
@@ -14639,7 +14626,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Samples a second of a table without times</source>
-        <translation>Échantillons par seconde d&apos;un tableau sans temps</translation>
+        <translation>Échantillons par seconde d’un tableau sans temps</translation>
     </message>
     <message>
         <source>Lines before the table that are not read</source>
@@ -14659,7 +14646,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Sample number</source>
-        <translation>Numéro d&apos;échantillon</translation>
+        <translation>Numéro d’échantillon</translation>
     </message>
     <message>
         <source>Program line</source>
@@ -14687,7 +14674,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>found, if there is one</source>
-        <translation>trouvée, s&apos;il y en a une</translation>
+        <translation>trouvée, s’il y en a une</translation>
     </message>
     <message>
         <source>Column of %1</source>
@@ -14707,7 +14694,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>The trace counts this axis in the other direction; needs a unit</source>
-        <translation>La trace compte cet axe dans l&apos;autre sens&#xa0;; il faut une unité</translation>
+        <translation>La trace compte cet axe dans l’autre sens&#xa0;; il faut une unité</translation>
     </message>
     <message>
         <source>%1 mirrored</source>
@@ -14754,7 +14741,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Lay what a control recorded beside the run: LinuxCNC halsampler, SINUMERIK trace, TwinCAT Scope or any table of samples</source>
-        <translation>Placer à côté de la simulation ce qu&apos;une commande a enregistré&#xa0;: halsampler de LinuxCNC, trace SINUMERIK, TwinCAT Scope ou un tableau d&apos;échantillons</translation>
+        <translation>Placer à côté de la simulation ce qu’une commande a enregistré&#xa0;: halsampler de LinuxCNC, trace SINUMERIK, TwinCAT Scope ou un tableau d’échantillons</translation>
     </message>
     <message>
         <source>measurement oscilloscope recording machine compare real</source>
@@ -14762,7 +14749,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Trace import &amp;options …</source>
-        <translation>&amp;Options d&apos;import de la trace …</translation>
+        <translation>&amp;Options d’import de la trace …</translation>
     </message>
     <message>
         <source>What the columns of the trace are, with a preview</source>
@@ -14774,7 +14761,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>After its file has changed, or the comparison was cancelled</source>
-        <translation>Après un changement du fichier ou l&apos;annulation de la comparaison</translation>
+        <translation>Après un changement du fichier ou l’annulation de la comparaison</translation>
     </message>
     <message>
         <source>Save the agreement as JSON …</source>
@@ -14806,7 +14793,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>%1 is a trace: open the program that it was recorded of first.</source>
-        <translation>%1 est une trace&#xa0;: ouvrir d&apos;abord le programme dont elle est l&apos;enregistrement.</translation>
+        <translation>%1 est une trace&#xa0;: ouvrir d’abord le programme dont elle est l’enregistrement.</translation>
     </message>
     <message>
         <source>Open trace</source>
@@ -14818,11 +14805,11 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Drop what the control recorded onto the window, or open it here, to see how well the simulation agrees with your machine.</source>
-        <translation>Déposer sur la fenêtre ce que la commande a enregistré, ou l&apos;ouvrir ici, pour voir à quel point la simulation concorde avec votre machine.</translation>
+        <translation>Déposer sur la fenêtre ce que la commande a enregistré, ou l’ouvrir ici, pour voir à quel point la simulation concorde avec votre machine.</translation>
     </message>
     <message>
         <source>The comparison was cancelled. Read and compare the trace again to have it.</source>
-        <translation>La comparaison a été annulée. Relire et comparer la trace pour l&apos;obtenir.</translation>
+        <translation>La comparaison a été annulée. Relire et comparer la trace pour l’obtenir.</translation>
     </message>
     <message>
         <source>Reading the trace and laying it beside the run …</source>
@@ -14834,7 +14821,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>The agreement cannot be saved yet: compare the trace with a run first.</source>
-        <translation>La concordance ne peut pas encore être enregistrée&#xa0;: comparez d&apos;abord la trace à une simulation.</translation>
+        <translation>La concordance ne peut pas encore être enregistrée&#xa0;: comparez d’abord la trace à une simulation.</translation>
     </message>
     <message>
         <source>Save the agreement</source>
@@ -14846,7 +14833,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2. Choose another folder.</source>
-        <translation>Impossible d&apos;écrire %1&#xa0;: %2. Choisir un autre dossier.</translation>
+        <translation>Impossible d’écrire %1&#xa0;: %2. Choisir un autre dossier.</translation>
     </message>
     <message>
         <source>Trace %1: %2</source>
@@ -14888,7 +14875,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Which stretches of the program changed, and what they cost or gain</source>
-        <translation>Quels passages du programme ont changé, et ce qu&apos;ils coûtent ou gagnent</translation>
+        <translation>Quels passages du programme ont changé, et ce qu’ils coûtent ou gagnent</translation>
     </message>
     <message>
         <source>Ctrl+Shift+O</source>
@@ -14912,7 +14899,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Simulating the older program …</source>
-        <translation>Simulation de l&apos;ancien programme …</translation>
+        <translation>Simulation de l’ancien programme …</translation>
     </message>
     <message>
         <source>Open a program to compare an older one with it.</source>
@@ -15069,7 +15056,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Simulate changes of machine, control and feed, and show the time that each saves [s]</source>
-        <translation>Simuler des changements de machine, de commande et d&apos;avance, et montrer ce que chacun gagne [s]</translation>
+        <translation>Simuler des changements de machine, de commande et d’avance, et montrer ce que chacun gagne [s]</translation>
     </message>
     <message>
         <source>Ctrl+Shift+H</source>
@@ -15081,7 +15068,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Changes and the time they save</source>
-        <translation>Changements et ce qu&apos;ils gagnent</translation>
+        <translation>Changements et ce qu’ils gagnent</translation>
     </message>
     <message>
         <source>Why here?</source>
@@ -15089,7 +15076,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Open a program and point at a place to see what limits the feed there.</source>
-        <translation>Ouvrir un programme et désigner un endroit&#xa0;: ici s&apos;affiche ce qui empêche l&apos;outil d&apos;aller plus vite.</translation>
+        <translation>Ouvrir un programme et désigner un endroit&#xa0;: ici s’affiche ce qui empêche l’outil d’aller plus vite.</translation>
     </message>
     <message>
         <source>Line %1, %2 s: %3 of %4, %5&#xa0;%</source>
@@ -15129,7 +15116,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Go to the place that the tool brakes for</source>
-        <translation>Aller à l&apos;endroit pour lequel l&apos;outil freine</translation>
+        <translation>Aller à l’endroit pour lequel l’outil freine</translation>
     </message>
     <message>
         <source>Create a new run with the selected change</source>
@@ -15224,22 +15211,22 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>Keep what was done in other lessons?</source>
-        <translation>Garder ce qui a été fait dans d&apos;autres leçons&#xa0;?</translation>
+        <translation>Garder ce qui a été fait dans d’autres leçons&#xa0;?</translation>
     </message>
     <message>
         <source>Answers or tried values of a lesson are in the window of which this session holds nothing. Keep them beside what it holds?</source>
-        <translation>La fenêtre contient des réponses ou des valeurs essayées d&apos;une leçon dont cette session ne contient rien. Les garder à côté de ce qu&apos;elle contient&#xa0;?</translation>
+        <translation>La fenêtre contient des réponses ou des valeurs essayées d’une leçon dont cette session ne contient rien. Les garder à côté de ce qu’elle contient&#xa0;?</translation>
     </message>
     <message>
         <source>Answers or tried values of %1 lessons are in the window of which this session holds nothing. Keep them beside what it holds?</source>
-        <translation>La fenêtre contient des réponses ou des valeurs essayées de %1 leçons dont cette session ne contient rien. Les garder à côté de ce qu&apos;elle contient&#xa0;?</translation>
+        <translation>La fenêtre contient des réponses ou des valeurs essayées de %1 leçons dont cette session ne contient rien. Les garder à côté de ce qu’elle contient&#xa0;?</translation>
     </message>
 </context>
 <context>
     <name>feedscope::ui::WorkOffsetsTable</name>
     <message>
         <source>Work offsets</source>
-        <translation>Décalages d&apos;origine</translation>
+        <translation>Décalages d’origine</translation>
     </message>
     <message>
         <source>Offset</source>
@@ -15267,7 +15254,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>The %1 coordinate of work offset %2, &quot;%3&quot;, is not a number from -1000000 to 1000000.</source>
-        <translation>La coordonnée %1 du décalage d&apos;origine %2, « %3 », n&apos;est pas un nombre de -1000000 à 1000000.</translation>
+        <translation>La coordonnée %1 du décalage d’origine %2, « %3 », n’est pas un nombre de -1000000 à 1000000.</translation>
     </message>
 </context>
 <context>
@@ -15282,7 +15269,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2. Choose another folder.</source>
-        <translation>Impossible d&apos;écrire %1&#xa0;: %2. Choisir un autre dossier.</translation>
+        <translation>Impossible d’écrire %1&#xa0;: %2. Choisir un autre dossier.</translation>
     </message>
     <message>
         <source>Saved as %1.</source>

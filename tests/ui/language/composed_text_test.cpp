@@ -130,7 +130,7 @@ TEST_F(ComposedText, SaysInFrenchWhatIsNotInTheCycleTime) {
   counts.other_axes = {"B", "C"};
   EXPECT_EQ(
       composed_text(describe(counts)).toStdString(),
-      "2 changements d'outil, 1 démarrage de la broche, 3 arrêts programme (M0, M1), 1 déplacement vers "
+      "2 changements d’outil, 1 démarrage de la broche, 3 arrêts programme (M0, M1), 1 déplacement vers "
       "ou depuis une position machine, mouvement de B, C");
 }
 

@@ -153,11 +153,11 @@ TEST_F(FrenchFailures, OfMachinesThatAreNotKnown) {
 TEST_F(FrenchFailures, OfTraces) {
   const auto trace = file("part.csv", "a;b\n1;2\n3;4\n");
   EXPECT_EQ(said_of([&] { read_trace(trace, {}); }),
-            "'part.csv' n'a aucune colonne reconnue comme position de X, Y ou Z\u00a0; colonnes\u00a0: a, "
+            "'part.csv' n’a aucune colonne reconnue comme position de X, Y ou Z\u00a0; colonnes\u00a0: a, "
             "b\u00a0; indiquez "
             "lesquelles, comme --columns x=2:mm,y=3:mm");
   EXPECT_EQ(said_of([] { parse_trace_columns("x=2:kg"); }),
-            "spécification des colonnes\u00a0: l'unité 'kg' de x n'est pas connue\u00a0; unités "
+            "spécification des colonnes\u00a0: l’unité 'kg' de x n’est pas connue\u00a0; unités "
             "connues\u00a0: mm, um, nm, m, "
             "in, inch");
 }
@@ -176,7 +176,7 @@ TEST_F(FrenchFailures, OfSessionsSayWhyBehindTheFile) {
                                "\"file\""))
           .toStdString(),
       "la session 'a.feedscope' ne peut pas être utilisée : elle ne nomme pas de programme : "
-      "\"program\" n'a pas de \"file\"");
+      "\"program\" n’a pas de \"file\"");
 }
 
 TEST(FailureText, IsAsItWasThrownInEnglish) {

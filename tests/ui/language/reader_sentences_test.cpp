@@ -255,13 +255,13 @@ TEST_F(FrenchMessages, OfTheCorpus) {
 
 TEST_F(FrenchMessages, KeepWordsAndValuesOfTheProgram) {
   EXPECT_EQ(composed_text(std::string("\"F2.5\" is used; remove the other")).toStdString(),
-            "\"F2.5\" est utilisé\u00a0; supprimez l'autre");
+            "\"F2.5\" est utilisé\u00a0; supprimez l’autre");
   EXPECT_EQ(composed_text(std::string("feed F-2.5 is not above zero")).toStdString(),
-            "l'avance F-2.5 n'est pas supérieure à zéro");
+            "l’avance F-2.5 n’est pas supérieure à zéro");
   EXPECT_EQ(composed_text(std::string("the rounding of 2.500 mm: it is adjacent to a rapid")).toStdString(),
             "arrondi de 2,500 mm\u00a0: il touche un déplacement rapide");
   EXPECT_EQ(composed_text(std::string("\"%1 and %2\" is not a known G word")).toStdString(),
-            "\"%1 and %2\" n'est pas un mot G connu");
+            "\"%1 and %2\" n’est pas un mot G connu");
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ TEST(ReportMessages, SpeakTheLanguageOfTheReport) {
               AllOf(HasSubstr("a feed move without a feed"), HasSubstr("has no valid number")));
   EXPECT_THAT(messages_in(QStringLiteral("fr")),
               AllOf(HasSubstr("un déplacement en avance sans avance"), HasSubstr("programmez F avant"),
-                    HasSubstr("n'a pas de nombre valable"), Not(HasSubstr("the ")), Not(HasSubstr(" is "))));
+                    HasSubstr("n’a pas de nombre valable"), Not(HasSubstr("the ")), Not(HasSubstr(" is "))));
 }
 
 }  // namespace
