@@ -22,7 +22,7 @@ void ChartColumns::update(const ViewRange& range, int count) {
     cache_.clear();
   }
   cache_.update(
-      *envelope_, {range.lower(), range.upper()}, count,
+      *envelope_, trajectory_->duration(), {range.lower(), range.upper()}, count,
       [&range](double position) { return range.time_at(position); }, rapids_);
 }
 

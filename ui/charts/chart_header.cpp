@@ -91,7 +91,9 @@ void ChartHeader::set_notes(std::vector<LimitLine> limits, QStringList notes) {
   const int before = heightForWidth(width());
   limits_ = std::move(limits);
   notes_ = std::move(notes);
-  kept_height_ = std::max(kept_height_, lay_out(width()).curves_height);
+  const Layout layout = lay_out(width());
+  kept_height_ = std::max(kept_height_, layout.curves_height);
+  run_below_ = run_below_ || layout.height > layout.curves_height;
   if (heightForWidth(width()) != before) {
     updateGeometry();
   }
@@ -102,6 +104,7 @@ void ChartHeader::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   if (event->size().width() != event->oldSize().width()) {
     kept_height_ = 0;
+    run_below_ = false;
   }
 }
 
@@ -110,11 +113,16 @@ int ChartHeader::row_height() const {
 }
 
 int ChartHeader::value_width() const {
-  return QFontMetrics(font()).horizontalAdvance(QStringLiteral("-00000.0"));
+  const double wide_value = spec_.decimals > 1 ? -8888 : -88888;
+  return QFontMetrics(font()).horizontalAdvance(number(wide_value)) + name_gap();
 }
 
 int ChartHeader::item_width(const QString& name) const {
   return swatch_width() + name_gap() + QFontMetrics(font()).horizontalAdvance(name) + value_width();
+}
+
+int ChartHeader::run_width(const LegendEntry& run) const {
+  return item_width(QFontMetrics(font()).elidedText(run.name, Qt::ElideMiddle, longest_run_name()));
 }
 
 QString ChartHeader::unit_text() const {
@@ -181,7 +189,10 @@ ChartHeader::Layout ChartHeader::lay_out(int width) const {
   }
   layout.curves_height = layout.height =
       std::max(y + row_height(), width == this->width() ? kept_height_ : 0);
-  if (!runs_.empty()) {
+  const bool beside = runs_.size() == 1 && x + run_width(runs_.front()) <= width && x > plot_left_margin();
+  if (beside && !(run_below_ && width == this->width())) {
+    layout.runs.emplace_back(x, y, run_width(runs_.front()), row_height());
+  } else if (!runs_.empty()) {
     add_runs(layout, width);
   }
   return layout;
@@ -193,7 +204,7 @@ void ChartHeader::add_runs(Layout& layout, int width) const {
   int x = plot_left_margin();
   int row = 0;
   for (std::size_t i = 0; i < runs_.size(); ++i) {
-    const int room = item_width(metrics.elidedText(runs_[i].name, Qt::ElideMiddle, longest_run_name()));
+    const int room = run_width(runs_[i]);
     const bool last = i + 1 == runs_.size();
     const int end = x + room + (last || row + 1 < max_run_rows ? 0 : curve_gap() + more);
     if (end > width && x > plot_left_margin()) {
@@ -230,9 +241,6 @@ QString ChartHeader::tip_at(const QPoint& place) const {
       return i < limits_.size() ? limits_[i].label : notes_[static_cast<qsizetype>(i - limits_.size())];
     }
   }
-  if (place.y() < layout.curves_height) {
-    return {};
-  }
   QStringList names;
   for (std::size_t i = 0; i < runs_.size(); ++i) {
     if (i < layout.runs.size() && layout.runs[i].contains(place)) {
@@ -240,7 +248,7 @@ QString ChartHeader::tip_at(const QPoint& place) const {
     }
     names.append(runs_[i].name);
   }
-  return names.join('\n');
+  return place.y() < layout.curves_height ? QString() : names.join('\n');
 }
 
 bool ChartHeader::event(QEvent* event) {

@@ -75,6 +75,7 @@ class ChartHeader : public QWidget {
   int row_height() const;
   int value_width() const;
   int item_width(const QString& name) const;
+  int run_width(const LegendEntry& run) const;
   QString unit_text() const;
   QString number(double value) const;
   std::optional<std::size_t> curve_at(const QPoint& place) const;
@@ -89,7 +90,8 @@ class ChartHeader : public QWidget {
   std::vector<LegendEntry> runs_;
   std::vector<LimitLine> limits_;
   QStringList notes_;
-  int kept_height_ = 0;                        ///< of curves and notes [px], see set_notes()
+  int kept_height_ = 0;     ///< of curves and notes [px], see set_notes()
+  bool run_below_ = false;  ///< there was no room for the only run behind them: it keeps its line
   std::vector<std::optional<double>> values_;  ///< a curve each, in the chart's unit
 };
 

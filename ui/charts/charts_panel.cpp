@@ -146,6 +146,7 @@ void ChartsPanel::set_run(std::shared_ptr<const Trajectory> trajectory,
   overlays_.clear();
   if (!keep_range) {
     rows_.choose_values({});
+    range_.set_end_beside(0);
   }
   range_.set_trajectory(std::move(trajectory), keep_range);
   if (!keep_range) {
@@ -298,6 +299,7 @@ QString ChartsPanel::measurement_text() const {
 void ChartsPanel::refresh() {
   refresh_.stop();
   const int count = rows_.charts.front()->column_count();
+  range_.set_end_beside(overlays_.end());
   columns_.update(range_, count);
   if (columns_.envelope() != nullptr) {
     overlays_.update(range_, *trajectory_, count);
@@ -389,10 +391,6 @@ void ChartsPanel::choose_abscissa(Abscissa abscissa) {
   range_.set_abscissa(abscissa);
   abscissa_->setCurrentIndex(abscissa == Abscissa::time ? 0 : 1);
   show_charts_of_run();
-}
-
-ChartView ChartsPanel::view() const {
-  return {shown_times(), rows_.chosen_values()};
 }
 
 void ChartsPanel::show_view(const ChartView& view) {

@@ -69,7 +69,7 @@ class ChartsPanel : public Panel {
   std::optional<std::size_t> overlay_curve(std::size_t chart) const { return overlays_.chosen(chart); }
   Cursor& cursor() { return cursor_; }
   ViewRange& range() { return range_; }
-  Interval shown_times() const { return {range_.lower_time(), range_.upper_time()}; }  ///< [s]
+  Interval shown_times() const { return {range_.lower_time(), range_.upper_time()}; }  ///< of the run [s]
   /// Of the borders of the pixel columns as of the last refresh() [s].
   const std::vector<double>& column_times() const { return columns_.times(); }
   /// 0 feed, 1 acceleration, 2 jerk; 3 following error: shown where the run has drives; 4 cutting force,
@@ -130,7 +130,9 @@ class ChartsPanel : public Panel {
   void show_other_runs();
   void show_measurement();
 
-  ChartView view() const;
+  ChartView view() const {
+    return {{range_.time_at(range_.lower()), range_.time_at(range_.upper())}, rows_.chosen_values()};
+  }
   void show_view(const ChartView& view);
   void show_range(const ChartsState& state);
   void hold_range();

@@ -29,11 +29,15 @@ int ColumnCache::shift_to(const Interval& range, int count) const {
   return std::abs(shift - whole) <= same_border && std::abs(whole) < count ? static_cast<int>(whole) : count;
 }
 
-void ColumnCache::update(const Envelope& envelope, const Interval& range, int count, const TimeAt& time_at,
-                         bool rapids) {
+void ColumnCache::update(const Envelope& envelope, double end, const Interval& range, int count,
+                         const TimeAt& time_at, bool rapids) {
   update(
-      [&envelope, rapids](std::span<const double> times) {
-        return rapids ? envelope.columns(times) : envelope.cutting_columns(times);
+      [&envelope, end, rapids](std::span<const double> times) {
+        std::vector<Band> bands = rapids ? envelope.columns(times) : envelope.cutting_columns(times);
+        for (std::size_t i = bands.size(); i > 0 && times[i - 1] >= end && times[i] > end; --i) {
+          bands[i - 1] = Band();
+        }
+        return bands;
       },
       range, count, time_at);
 }

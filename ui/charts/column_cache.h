@@ -20,8 +20,9 @@ class ColumnCache {
 
   /// Brings `count` columns over `range` up to date.
   void update(const BandsOf& bands_of, const Interval& range, int count, const TimeAt& time_at);
-  /// The same of a run. `rapids`: whether they are in the columns.
-  void update(const Envelope& envelope, const Interval& range, int count, const TimeAt& time_at,
+  /// The same of a run, whose columns are empty beyond its `end` [s]. `rapids`: whether they are in the
+  /// columns.
+  void update(const Envelope& envelope, double end, const Interval& range, int count, const TimeAt& time_at,
               bool rapids = true);
   /// Another run or abscissa, or rapids that were not in the columns before.
   void clear();

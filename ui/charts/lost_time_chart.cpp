@@ -60,9 +60,10 @@ void LostTimeChart::show_runs(const std::shared_ptr<const Trajectory>& run,
     set_lost({});
     return;
   }
-  LostTimes at{times, {}, {}};
+  LostTimes at;
   const auto columns = static_cast<double>(times.size() - 1);
-  for (std::size_t i = 0; i < times.size(); ++i) {
+  for (std::size_t i = 0; i < times.size() && (i < 2 || times[i - 1] < run->duration()); ++i) {
+    at.times.push_back(times[i]);
     at.positions.push_back(std::lerp(range_.lower(), range_.upper(), static_cast<double>(i) / columns));
   }
   job_.start(

@@ -41,13 +41,27 @@ void OverlayCurves::clear() {
   }
 }
 
+double OverlayCurves::end() const {
+  double end = 0;
+  if (std::ranges::none_of(chosen_, [](const auto& curve) { return curve.has_value(); })) {
+    return end;
+  }
+  for (const RunOverlay& run : runs_) {
+    end = std::max(end, run.trajectory->duration());
+  }
+  for (const TraceOverlay& trace : traces_) {
+    end = std::max(end, trace.shown->alignment.end_time());
+  }
+  return end;
+}
+
 void OverlayCurves::update(const ViewRange& range, const Trajectory& run, int count) {
   if (std::exchange(rapids_, range.rapids_shown()) != rapids_) {
     clear();
   }
   for (std::size_t i = 0; i < runs_.size(); ++i) {
     columns_[i].update(
-        *runs_[i].envelope, {range.lower(), range.upper()}, count,
+        *runs_[i].envelope, runs_[i].trajectory->duration(), {range.lower(), range.upper()}, count,
         [&](double position) { return time_of(runs_[i], range, run, position); }, rapids_);
   }
   for (std::size_t i = 0; i < traces_.size(); ++i) {

@@ -28,6 +28,9 @@ class OverlayCurves {
   void choose(std::size_t chart, std::optional<std::size_t> curve) { chosen_[chart] = curve; }
   std::optional<std::size_t> chosen(std::size_t chart) const { return chosen_[chart]; }
 
+  /// When the last one ends that has a curve in the charts, over time [s].
+  double end() const;
+
   /// Another run or abscissa: all columns are to be found again.
   void clear();
   /// Brings `count` columns over the range up to date; `run` is the one that the range belongs to.

@@ -72,8 +72,8 @@ void ChartsPage::set_runs(const ReportInput& input, std::size_t row) {
       traces.push_back({trace.shown, trace.colour, trace.name});
     }
   }
-  charts_->set_overlays(std::move(others), std::move(traces));
   charts_->set_state(input.charts);
+  charts_->set_overlays(std::move(others), std::move(traces));
 }
 
 void ChartsPage::set_cursor(double time) {

@@ -21,6 +21,18 @@ void ViewRange::set_trajectory(std::shared_ptr<const Trajectory> trajectory, boo
   }
 }
 
+void ViewRange::set_end_beside(double end) {
+  const bool all = shows_all();
+  if (std::exchange(end_beside_, end) == end || trajectory_ == nullptr) {
+    return;
+  }
+  if (all) {
+    fit();
+  } else if (upper_ > length()) {
+    show(lower_, upper_);
+  }
+}
+
 void ViewRange::show_rapids(bool shown) {
   if (std::exchange(rapids_shown_, shown) != shown) {
     emit rapids_shown_changed(shown);
@@ -41,7 +53,8 @@ double ViewRange::length() const {
   if (trajectory_ == nullptr) {
     return 0;
   }
-  return abscissa_ == Abscissa::time ? trajectory_->duration() : trajectory_->path_length();
+  return abscissa_ == Abscissa::time ? std::max(trajectory_->duration(), end_beside_)
+                                     : trajectory_->path_length();
 }
 
 void ViewRange::fit() {
@@ -66,9 +79,18 @@ void ViewRange::show(double lower, double upper) {
 }
 
 void ViewRange::show_times(double from, double to) {
-  if (trajectory_ != nullptr) {
-    show(position_of(trajectory_->state(from)), position_of(trajectory_->state(to)));
+  if (trajectory_ == nullptr) {
+    return;
   }
+  if (abscissa_ == Abscissa::time) {
+    show(from, to);
+  } else {
+    show(trajectory_->state(from).path_length, trajectory_->state(to).path_length);
+  }
+}
+
+double ViewRange::in_run(double time) const {
+  return trajectory_ == nullptr ? time : std::min(time, trajectory_->duration());
 }
 
 double ViewRange::position_of(const State& state) const {

@@ -11,9 +11,10 @@ namespace feedscope::ui {
 /// What runs along the charts.
 enum class Abscissa { time, path_length };
 
-/// The stretch of the run that all charts show: one shared range along one shared abscissa.
+/// The stretch that all charts show: one shared range along one shared abscissa.
 ///
-/// Positions are seconds or millimetres, whichever the abscissa is.
+/// Positions are seconds or millimetres, whichever the abscissa is. Over time the charts go on where a run or
+/// a trace that is shown beside the run takes longer.
 class ViewRange : public QObject {
   Q_OBJECT
 
@@ -22,13 +23,15 @@ class ViewRange : public QObject {
 
   /// Another run; the range stays where it is if `keep` and the new run reaches there, else all is shown.
   void set_trajectory(std::shared_ptr<const Trajectory> trajectory, bool keep);
+  /// When what is shown beside the run ends [s]; where the whole was shown, it is again.
+  void set_end_beside(double end);
   /// Shows the same stretch along the other abscissa.
   void set_abscissa(Abscissa abscissa);
   Abscissa abscissa() const { return abscissa_; }
 
   double lower() const { return lower_; }
   double upper() const { return upper_; }
-  double length() const;  ///< whole run, in units of the abscissa
+  double length() const;  ///< of all that can be shown, in units of the abscissa
   /// Whether rapids are shown: one switch for the path and the charts.
   bool rapids_shown() const { return rapids_shown_; }
   void show_rapids(bool shown);
@@ -42,11 +45,11 @@ class ViewRange : public QObject {
   void show(double lower, double upper);
   /// The same from one time to another [s]; nothing without a run.
   void show_times(double from, double to);
-  double lower_time() const { return time_at(lower_); }  ///< [s]
-  double upper_time() const { return time_at(upper_); }  ///< [s]
+  double lower_time() const { return in_run(time_at(lower_)); }  ///< within the run [s]
+  double upper_time() const { return in_run(time_at(upper_)); }  ///< within the run [s]
 
   double position_of(const State& state) const;
-  double time_at(double position) const;  ///< [s]
+  double time_at(double position) const;  ///< over time also beyond the run's end [s]
   /// Times at `count` + 1 equally spaced positions from lower() to upper().
   std::vector<double> column_times(int count) const;
 
@@ -55,7 +58,10 @@ class ViewRange : public QObject {
   void rapids_shown_changed(bool shown);
 
  private:
+  double in_run(double time) const;
+
   std::shared_ptr<const Trajectory> trajectory_;
+  double end_beside_ = 0;  ///< [s]
   Abscissa abscissa_ = Abscissa::time;
   double lower_ = 0;
   double upper_ = 1;

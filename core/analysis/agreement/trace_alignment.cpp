@@ -29,4 +29,8 @@ double TraceAlignment::at_time(double time) const {
   return at < trace_->record.time.front() || at > trace_->record.time.back() ? MatchedRecord::unmatched : at;
 }
 
+double TraceAlignment::end_time() const {
+  return trace_ == nullptr || trace_->law.empty() ? 0 : trace_->law.times().back() - shift_;
+}
+
 }  // namespace feedscope

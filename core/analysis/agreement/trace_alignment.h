@@ -17,6 +17,9 @@ class TraceAlignment {
   double at_place(double time) const;
   /// As long after the trace's first motion as `time` after the run's [s]; not a number outside the trace.
   double at_time(double time) const;
+  /// When the trace ends on the time of the run, as at_time(): with its last motion along the program [s]; 0
+  /// where it has none.
+  double end_time() const;
   /// When the run first comes to a place of the programmed path [s]; `s`: programmed path length [mm].
   double run_time(double s) const { return agreement_->simulated.at(s); }
 

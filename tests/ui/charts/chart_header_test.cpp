@@ -73,7 +73,7 @@ TEST_F(ChartHeaderTest, OtherRunsTakeTwoLinesAtMostAndTheTipNamesAll) {
   for (int i = 0; i < 20; ++i) {
     runs.push_back({QStringLiteral("run %1").arg(i), Qt::red, false, 1.0});
   }
-  header.set_runs({runs[0]});
+  header.set_runs({runs[0], runs[1]});
   give_width(600);
   const int line = header.height() - alone;
   EXPECT_GT(line, 0);
@@ -82,6 +82,36 @@ TEST_F(ChartHeaderTest, OtherRunsTakeTwoLinesAtMostAndTheTipNamesAll) {
   EXPECT_EQ(header.height(), alone + 2 * line);
   EXPECT_EQ(header.tip_at({70, alone + 2}), "run 0");
   EXPECT_TRUE(header.tip_at({2, alone + 2}).endsWith("run 19"));
+}
+
+TEST_F(ChartHeaderTest, OneOtherRunStandsBehindTheCurvesWhereThereIsRoom) {
+  const LegendEntry run{QStringLiteral("slower"), Qt::red, false, 1.0};
+  for (int width = 1400; width >= header.minimumSizeHint().width(); width -= 50) {
+    header.set_runs({});
+    header.set_notes({}, {});
+    give_width(width);
+    const int alone = header.height();
+    const QRect last = header.item(count() - 1);
+    header.set_runs({run});
+    give_width(width);
+    if (header.height() == alone) {
+      EXPECT_EQ(header.tip_at({last.right() + 30, last.center().y()}), "slower") << width;
+    } else {
+      EXPECT_EQ(header.tip_at({70, alone + 2}), "slower") << width;
+    }
+  }
+  give_width(1400);
+  EXPECT_EQ(header.height(), header.heightForWidth(4000)) << "one line";
+}
+
+/// As ALineThatNotesNeededStays.
+TEST_F(ChartHeaderTest, ARunThatANotePushedDownStaysThere) {
+  header.set_runs({{QStringLiteral("slower"), Qt::red, false, 1.0}});
+  give_width(1000);
+  header.set_notes({}, QStringList(3, "bands: 5 to 95 % of the time, pale: extremes"));
+  const int with_notes = header.heightForWidth(1000);
+  header.set_notes({}, {});
+  EXPECT_EQ(header.heightForWidth(1000), with_notes);
 }
 
 TEST_F(ChartHeaderTest, NotesStandBehindTheCurvesAndInALineOfTheirOwnWhereThereIsNoRoom) {

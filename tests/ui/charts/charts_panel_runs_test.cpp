@@ -65,6 +65,22 @@ TEST_F(ChartsRuns, ItsCurveCanBeChosenForEveryChart) {
   EXPECT_EQ(panel.header(1).runs().size(), 1U);
 }
 
+TEST_F(ChartsRuns, TheChartsGoOnToTheEndOfALongerOne) {
+  const double end = trajectory().duration();
+  EXPECT_DOUBLE_EQ(panel.range().upper(), end) << "the other one is shorter";
+  std::string slow = test::small_program;
+  slow.replace(slow.find("F3000"), 5, "F1000");
+  const auto longer = test::simulate_text(slow, "cam").trajectory;
+  ASSERT_GT(longer->duration(), end);
+  panel.set_overlays({{longer, std::make_shared<const Envelope>(longer), {}, Qt::magenta, "slower", false}});
+  panel.refresh();
+  EXPECT_DOUBLE_EQ(panel.range().upper(), longer->duration());
+  EXPECT_DOUBLE_EQ(panel.shown_times().upper, end) << "what is written of the run ends with it";
+  panel.set_overlay_curve(0, std::nullopt);
+  panel.refresh();
+  EXPECT_DOUBLE_EQ(panel.range().upper(), end) << "nothing of it is shown";
+}
+
 TEST_F(ChartsRuns, TheOrdinateHoldsItsCurve) {
   show_only(velocity_z);
   EXPECT_GE(panel.chart(0).values().upper, 3000);  // the feed that it promises

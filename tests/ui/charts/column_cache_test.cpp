@@ -14,7 +14,7 @@ class ColumnCacheTest : public testing::Test {
   /// Counts how many positions are asked for.
   void update(double lower, double upper) {
     asked = 0;
-    cache.update(envelope, {lower, upper}, count, [this](double position) {
+    cache.update(envelope, trajectory->duration(), {lower, upper}, count, [this](double position) {
       ++asked;
       return position;
     });
@@ -83,6 +83,15 @@ TEST_F(ColumnCacheTest, AnotherScaleOrAFarPlaceOrAFractionIsMadeAnew) {
   EXPECT_TRUE(cache.bands().empty());
   update(3.5 + 0.4 * 0.9 / count, 4.4 + 0.4 * 0.9 / count);
   EXPECT_EQ(asked, count + 1);
+}
+
+TEST_F(ColumnCacheTest, IsEmptyBeyondTheEndOfTheRun) {
+  const double end = trajectory->duration();
+  update(0, 2 * end);
+  EXPECT_FALSE(cache.bands()[count / 2 - 1][QuantityId::feed].empty());
+  for (int i = count / 2 + 1; i < count; ++i) {
+    EXPECT_TRUE(cache.bands()[static_cast<std::size_t>(i)][QuantityId::feed].empty()) << i;
+  }
 }
 
 }  // namespace

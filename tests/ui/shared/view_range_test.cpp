@@ -80,6 +80,25 @@ TEST_F(ViewRangeTest, KeepsTheStretchForTheNextRunOnlyIfAsked) {
   EXPECT_DOUBLE_EQ(range.upper(), trajectory->duration());
 }
 
+TEST_F(ViewRangeTest, GoesOnWhereWhatIsBesideTheRunTakesLonger) {
+  const double end = trajectory->duration();
+  range.set_end_beside(1.5 * end);
+  EXPECT_DOUBLE_EQ(range.upper(), 1.5 * end);
+  EXPECT_TRUE(range.shows_all());
+  EXPECT_DOUBLE_EQ(range.upper_time(), end) << "the run itself is no longer";
+  range.show_times(0.5 * end, 1.25 * end);
+  EXPECT_DOUBLE_EQ(range.upper(), 1.25 * end);
+  range.set_end_beside(0);
+  EXPECT_DOUBLE_EQ(range.upper(), end);
+  EXPECT_DOUBLE_EQ(range.lower(), 0.25 * end) << "as wide as before";
+  range.fit();
+  range.set_end_beside(0.5 * end);
+  EXPECT_DOUBLE_EQ(range.upper(), end);
+  range.set_end_beside(2 * end);
+  range.set_abscissa(Abscissa::path_length);
+  EXPECT_DOUBLE_EQ(range.upper(), trajectory->path_length()) << "both go the same way";
+}
+
 TEST_F(ViewRangeTest, SaysWhenItChanges) {
   QSignalSpy spy(&range, &ViewRange::changed);
   range.zoom(0.5, 0.1);

@@ -325,6 +325,26 @@ TEST(TraceAlignment, OfATraceWithItsOwnRunIsTheSameInstantPausesIncluded) {
     EXPECT_NEAR(alignment.at_place(time), time + late, 3e-3) << time;
   }
   EXPECT_NEAR(alignment.run_time(60), alignment.at_place(alignment.run_time(60)) - late, 3e-3);
+  EXPECT_NEAR(alignment.end_time(), run.trajectory->duration(), 0.01) << "but for the last micrometre";
+}
+
+TEST(TraceAlignment, EndsWithTheLastMotionOfASlowMachine) {
+  const auto run = run_of(program_text);
+  const auto slow = run_of(program_text, {"X.acceleration=0.2", "Y.acceleration=0.2"});
+  Trace trace = trace_of(slow, 1e-3);
+  constexpr int waiting = 5000;  // [ms]
+  for (int i = 0; i < waiting; ++i) {
+    trace.time.push_back(trace.time.back() + 1e-3);
+    for (auto& place : trace.place) {
+      if (!place.empty()) {
+        place.push_back(place.back());
+      }
+    }
+  }
+  const auto [found, agreement] = compare(trace, run);
+  const double end = TraceAlignment(found, agreement).end_time();
+  EXPECT_GT(end, run.trajectory->duration());
+  EXPECT_NEAR(end, slow.trajectory->duration(), 0.05) << "both begin to move together";
 }
 
 TEST(TraceAlignment, PutsASlowMachineAtTheSamePlaceAndStretchesNothingThatIsLost) {
