@@ -12,7 +12,7 @@ DockSizes::DockSizes(QMainWindow& window, int left, int right, int bottom)
       window_(window),
       sides_{Side{Qt::LeftDockWidgetArea, Qt::Horizontal, 0.25, 0.2, left},
              Side{Qt::RightDockWidgetArea, Qt::Horizontal, 0.3, 0.33, right},
-             Side{Qt::BottomDockWidgetArea, Qt::Vertical, 0.49, 0.49, bottom}} {
+             Side{Qt::BottomDockWidgetArea, Qt::Vertical, 0.49, 0.49, bottom, 0.42}} {
   window_.installEventFilter(this);
   for (QDockWidget* dock : window_.findChildren<QDockWidget*>()) {
     dock->installEventFilter(this);
@@ -38,6 +38,7 @@ void DockSizes::note(QDockWidget& dock) {
   for (Side& side : sides_) {
     if (!dock.isFloating() && dock.isVisible() && window_.dockWidgetArea(&dock) == side.area) {
       adopt(side, dock);
+      side.sized = true;
     }
   }
 }
@@ -80,6 +81,7 @@ void DockSizes::follow_layout() {
 void DockSizes::follow_first_layout() {
   for (Side& side : sides_) {
     side.wanted = side.first;
+    side.sized = false;
     side.largest_share = side.usual_share;
   }
   following_ = true;
@@ -95,6 +97,7 @@ void DockSizes::begin() {
     if (dock != nullptr && (restored_ || side.wanted <= side.most(window_))) {
       adopt(side, *dock);
     }
+    side.sized = restored_;
   }
 }
 
@@ -108,7 +111,7 @@ void DockSizes::apply() {
   }
   for (const Side& side : sides_) {
     if (QDockWidget* dock = shown_on(side)) {
-      window_.resizeDocks({dock}, {std::min(side.wanted, side.most(window_))}, side.orientation);
+      window_.resizeDocks({dock}, {std::min(side.aim(window_), side.most(window_))}, side.orientation);
     }
   }
   // The panels get their sizes with the next turn of the event loop.

@@ -3,6 +3,7 @@
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QTimer>
+#include <algorithm>
 #include <array>
 
 namespace feedscope::ui {
@@ -10,7 +11,7 @@ namespace feedscope::ui {
 /// Keeps the panels around the middle of a window as large as the user has made them wherever the window is
 /// large enough: a smaller one takes from them too, so that the middle stays usable, and gives it back when
 /// it grows. QMainWindow alone takes all from the middle, and what it had to take from panels never comes
-/// back.
+/// back. Until the user sizes it, what is below grows with the height of the window.
 class DockSizes : public QObject {
   Q_OBJECT
 
@@ -33,14 +34,19 @@ class DockSizes : public QObject {
   struct Side {
     Qt::DockWidgetArea area;
     Qt::Orientation orientation;
-    double usual_share;   ///< of the window's width or height, at most, unless the user wants more
-    double narrow_share;  ///< the same of a window that is hardly wide enough for all
-    int first;            ///< what it has at first [logical pixels]
-    int wanted = first;   ///< as the user has it [logical pixels]
+    double usual_share;        ///< of the window's width or height, at most, unless the user wants more
+    double narrow_share;       ///< the same of a window that is hardly wide enough for all
+    int first;                 ///< what it has at first [logical pixels]
+    double growing_share = 0;  ///< of the window, at least, until the user sizes it
+    int wanted = first;        ///< as the user has it [logical pixels]
+    bool sized = false;        ///< by the user
     double largest_share = usual_share;
 
     int extent(const QWidget& widget) const {
       return orientation == Qt::Horizontal ? widget.width() : widget.height();
+    }
+    int aim(const QWidget& window) const {
+      return sized ? wanted : std::max(wanted, static_cast<int>(growing_share * extent(window)));
     }
     int most(const QWidget& window) const {
       constexpr int narrow = 900;  // [logical pixels]

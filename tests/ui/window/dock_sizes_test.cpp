@@ -49,12 +49,28 @@ TEST_F(DockSizesTest, ASmallWindowLeavesRoomForThe3dViewAndPanelsGetTheirsBack) 
   EXPECT_LE(window.height(), 600);
   EXPECT_GE(window.scene().canvas().height(), 110);
   EXPECT_GE(window.scene().canvas().width(), 250);
-  resize(1900, 1000);
+  resize(1900, 800);
   for (std::size_t i = 0; i < before.size(); ++i) {
     EXPECT_NEAR(panels()[i], before[i], 3) << "panel " << i;
   }
   resize(1280, 800);
   EXPECT_EQ(panels(), before);
+}
+
+TEST_F(DockSizesTest, WhatIsBelowGrowsWithTheWindowUntilTheUserSizesIt) {
+  resize(1920, 1080);
+  EXPECT_GT(panels()[2], before[2] + 60);
+  EXPECT_GT(window.scene().canvas().height(), panels()[2]) << "most is the 3D view's";
+  resize(1280, 800);
+  EXPECT_EQ(panels(), before);
+  window.resizeDocks({window.findChild<QDockWidget*>("charts")}, {300}, Qt::Vertical);
+  settle();
+  const int own = panels()[2];
+  const QByteArray layout = window.saveState();
+  window.restore_layout(layout);
+  settle();
+  resize(1920, 1080);
+  EXPECT_NEAR(panels()[2], own, 3);
 }
 
 TEST_F(DockSizesTest, TheDefaultLayoutOfASmallWindowIsThatOfALargeOne) {
