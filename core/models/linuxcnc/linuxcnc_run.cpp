@@ -280,8 +280,9 @@ std::uint32_t LinuxCncRun::lay_course() {
     return add_line(course.at(stretch_.to), segment);
   }
   std::optional<std::uint32_t> first;
-  if (stretch_.from < course.lead) {
-    first = add_line(course.at(course.lead), segment);
+  const Vec3 begin = course.at(course.lead);
+  if (stretch_.from < course.lead && (begin - place_).norm() > no_way) {  // of no length it has no direction
+    first = add_line(begin, segment);
   }
   const double from = std::max(stretch_.from, course.lead);
   const double length = stretch_.to - from;
@@ -303,7 +304,7 @@ void LinuxCncRun::close() {
   }
   stretch_.open = false;
   const double length = stretch_.to - stretch_.from;
-  if (!(length > 0)) {
+  if (!(length > no_way)) {
     for (const LinuxCncStep& step : stretch_.steps) {
       stand(step.time);
     }
