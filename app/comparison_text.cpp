@@ -108,7 +108,7 @@ std::string times_table(std::span<const ComparedRun> runs) {
                 fmt::format("x {:.3f}", run.against_cam()),
                 fmt::format("{:.1f}", units::to_mm_min(summary.mean_feed)),
                 fmt::format("{:.1f}", units::to_mm_min(summary.peak_feed)),
-                fmt::format("{:.4f}", summary.max_contour_error)};
+                fmt::format("{:.4f}", summary.cutting_contour_error)};
     for (const SourceFigure* figure : figures) {
       cells.push_back(figure_text(*figure, summary));
     }

@@ -389,8 +389,11 @@ std::string summary_text(const Run& run) {
   const std::string curves =
       count == 0 ? "" : fmt::format(", {} smooth {}", count, count == 1 ? "curve" : "curves");
   const std::string blends = fmt::format(", {} corner blends", run.trajectory->blend_count());
-  figures.add(
-      {"contour error", fmt::format("at most {:.4f} mm{}{}{}", s.max_contour_error, where, blends, curves)});
+  const bool in_rapid = s.cutting_contour_error < s.max_contour_error;
+  const std::string cutting =
+      in_rapid ? fmt::format(" in a rapid, {:.4f} mm in feed motions", s.cutting_contour_error) : "";
+  figures.add({"contour error", fmt::format("at most {:.4f} mm{}{}{}{}", s.max_contour_error, where, cutting,
+                                            blends, curves)});
   return out + figures.text("ll") + "\nLargest values\n" + axis_table(run) + rotary_text(run) +
          figure_notes_text(run) + actual_text(s) + load_text(s) + "\nTime by limiting cause\n" +
          cause_table(s);

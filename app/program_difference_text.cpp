@@ -79,8 +79,8 @@ std::string program_difference_text(const Run& old, const Run& now, const Progra
   text += wrapped(fmt::format("{} instead of {}: {}{}. {:.1f} % of the new path is in the old program too. "
                               "Max. contour error {:.4f} mm instead of {:.4f} mm.",
                               time_text(after), time_text(before), change(before, after), share,
-                              100 * difference.same_share(), now.summary.max_contour_error,
-                              old.summary.max_contour_error),
+                              100 * difference.same_share(), now.summary.cutting_contour_error,
+                              old.summary.cutting_contour_error),
                   0);
   text += "\n\nWhat became of the path\n" + sums_text(difference);
   text += "\nWhere the times differ most\n" + stretches_text(difference);

@@ -88,7 +88,7 @@ std::string curve_table(const Study& study, std::span<const StudyRun> curve) {
                                    fmt::format("{:.3f}", summary.cycle_time),
                                    clock_text(summary.cycle_time),
                                    fmt::format("{:.1f}", units::to_mm_min(summary.mean_feed)),
-                                   fmt::format("{:.4f}", summary.max_contour_error)};
+                                   fmt::format("{:.4f}", summary.cutting_contour_error)};
     if (!run.is_possible()) {
       std::ranges::fill(cells.begin() + 2, cells.end(), "-");
       cells[2] = run.refused ? refused_word : out_of_reach_word;
@@ -119,7 +119,7 @@ std::string none_possible_text(std::span<const StudyRun> runs) {
 /// Of `runs`, one of which is possible; of those of which most lines are run.
 const StudyRun& min_error(std::span<const StudyRun> runs) {
   return *std::ranges::min_element(runs, {}, [](const StudyRun& run) {
-    return std::tuple(!run.is_possible(), run.lines_not_run, run.summary.max_contour_error);
+    return std::tuple(!run.is_possible(), run.lines_not_run, run.summary.cutting_contour_error);
   });
 }
 
@@ -133,7 +133,9 @@ std::string no_difference_text(const Study& study, std::span<const StudyRun> cur
   if (is_jerk && !first.setup.model->guarantees(first.setup.settings).limits_jerk) {
     text += fmt::format(" Model {} limits no jerk and does not use it.", first.setup.model->info().id);
   }
-  const auto error = [](const StudyRun& run) { return fmt::format("{:.4f}", run.summary.max_contour_error); };
+  const auto error = [](const StudyRun& run) {
+    return fmt::format("{:.4f}", run.summary.cutting_contour_error);
+  };
   const StudyRun& least = min_error(curve);
   if (std::ranges::all_of(curve, [&](const StudyRun& run) { return error(run) == error(first); })) {
     text += fmt::format(" The contour error is {} mm with all.", error(first));
@@ -152,16 +154,16 @@ std::string optimum_text(const Study& study, std::span<const StudyRun> runs) {
   if (best == nullptr) {
     const StudyRun& least = min_error(runs);
     return fmt::format("No value has a contour error within {} mm; the smallest is {:.4f} mm at {}.",
-                       *study.within, least.summary.max_contour_error, setting_text(study, least));
+                       *study.within, least.summary.cutting_contour_error, setting_text(study, least));
   }
   const Summary& summary = best->summary;
   std::string where;
-  if (summary.max_contour_error > 0) {
+  if (summary.cutting_contour_error > 0 && summary.cutting_contour_error == summary.max_contour_error) {
     where = fmt::format(" (line {}, at {:.3f} s)", summary.worst_place.line, summary.worst_place.time);
   }
   return fmt::format("Fastest{}: {} with {}, contour error {:.4f} mm{}.{}",
                      study.within ? fmt::format(" within {} mm", *study.within) : "",
-                     setting_text(study, *best), time_text(summary.cycle_time), summary.max_contour_error,
+                     setting_text(study, *best), time_text(summary.cycle_time), summary.cutting_contour_error,
                      where, not_run_text(best->lines_not_run));
 }
 
@@ -211,7 +213,7 @@ std::string fastest_text(const Study& study) {
   if (best == nullptr) {
     const StudyRun& least = min_error(study.runs);
     return fmt::format("No run has a contour error within {} mm; the smallest is {:.4f} mm: {}.\n",
-                       *study.within, least.summary.max_contour_error, curve_title(study, least));
+                       *study.within, least.summary.cutting_contour_error, curve_title(study, least));
   }
   return fmt::format("Fastest within {} mm: {}, {}.{}\n", *study.within, curve_title(study, *best),
                      time_text(best->summary.cycle_time), not_run_text(best->lines_not_run));

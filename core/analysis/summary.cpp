@@ -223,6 +223,7 @@ Summary summarise(const Trajectory& trajectory, const Toolpath& toolpath, const 
   summary.time_by_cause = totals.time_by_cause();
   summary.time_by_slower_place = totals.time_by_slower_place();
   summary.max_contour_error = errors.largest;
+  summary.cutting_contour_error = cutting_contour_error(trajectory, errors);
   if (!errors.worst.empty()) {
     summary.worst_place = errors.worst.front();
   }

@@ -21,6 +21,7 @@ struct Summary {
   double programmed_time = 0;    ///< programmed length over programmed feed, rapids, dwells [s]
   double mean_feed = 0;          ///< executed length over cycle time less dwells [mm/s]
   double max_contour_error = 0;  ///< as ContourErrors::largest: of the executed from the programmed path [mm]
+  double cutting_contour_error = 0;  ///< the same of feed motions alone, without rapids [mm]
   /// Largest distance of a programmed corner, or of a point that compaction leaves out, from the executed
   /// path: what a contour tolerance bounds [mm].
   double max_corner_distance = 0;

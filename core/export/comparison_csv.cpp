@@ -133,7 +133,7 @@ std::vector<std::string> study_cells(const Study& study, const StudyRun& run, bo
   for (const double value : run.swept) {
     cells.push_back(csv_number(value));
   }
-  cells.push_back(run.is_possible() ? bound_text(study.within, run.summary.max_contour_error) : "");
+  cells.push_back(run.is_possible() ? bound_text(study.within, run.summary.cutting_contour_error) : "");
   cells.emplace_back(is_fastest ? "1" : "0");
   const std::vector<CauseShare> causes =
       run.out_of_reach ? std::vector<CauseShare>() : limiting_causes(run.summary);

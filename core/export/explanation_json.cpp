@@ -108,6 +108,8 @@ Json change_json(const TriedChange& change, const Setup& setup, double cycle_tim
           {"gain_s", done ? finite(cycle_time - change.cycle_time) : Json()},
           {"max_contour_error_mm",
            change.max_contour_error ? finite(rounded_error(*change.max_contour_error)) : Json()},
+          {"max_contour_error_cutting_mm",
+           change.cutting_contour_error ? finite(rounded_error(*change.cutting_contour_error)) : Json()},
           {"failure", done ? Json() : Json(change.failure)}};
 }
 

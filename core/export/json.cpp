@@ -281,6 +281,7 @@ Json run_json(const LoadedProgram& program, const ComparedRun& run, bool figures
           {"path_mm", finite(run.path_length)},
           {"blends", run.blends},
           {"max_contour_error_mm", figure(rounded_length(summary.max_contour_error))},
+          {"max_contour_error_cutting_mm", figure(rounded_length(summary.cutting_contour_error))},
           {"max_corner_distance_mm", figure(rounded_length(summary.max_corner_distance))},
           {"max_contour_error_at", contour_place(summary)},
           {"peaks", peaks(summary)},

@@ -120,6 +120,9 @@ MergedRun run_of(const Place& run) {
   merged.cycle_time = run.at("cycle_time_s").number();
   merged.mean_feed = run.at("mean_feed_mm_min").number();
   merged.max_contour_error = run.at("max_contour_error_mm").number();
+  const char* const cutting = "max_contour_error_cutting_mm";  // files of before have none
+  merged.cutting_contour_error =
+      run.json().contains(cutting) ? run.at(cutting).number() : merged.max_contour_error;
   return merged;
 }
 
@@ -207,7 +210,7 @@ std::string csv_row(const std::string& program, const MergedRun& run, std::size_
 }
 
 RunTime time_of(const MergedRun& run, bool competes) {
-  return {run.cycle_time, run.max_contour_error, run.lines_not_run, competes && !run.refused};
+  return {run.cycle_time, run.cutting_contour_error, run.lines_not_run, competes && !run.refused};
 }
 
 std::vector<bool> marks_of(const std::vector<RunTime>& times, std::optional<double> within) {
@@ -222,7 +225,8 @@ void add_to_sums(std::vector<MergedSum>& sums, const MergedRun& run) {
   auto sum = std::ranges::find(sums, run.key, [](const MergedSum& s) { return s.run.key; });
   if (sum == sums.end()) {
     sum = sums.insert(sum, {run, 0});
-    sum->run.cycle_time = sum->run.max_contour_error = sum->run.mean_feed = 0;
+    sum->run.cycle_time = sum->run.max_contour_error = sum->run.cutting_contour_error = 0;
+    sum->run.mean_feed = 0;
     sum->run.refused = true;
     sum->run.lines_not_run = 0;
   }
@@ -236,13 +240,14 @@ void add_to_sums(std::vector<MergedSum>& sums, const MergedRun& run) {
   sum->run.lines_not_run += run.lines_not_run;
   sum->run.cycle_time += run.cycle_time;
   sum->run.max_contour_error = std::max(sum->run.max_contour_error, run.max_contour_error);
+  sum->run.cutting_contour_error = std::max(sum->run.cutting_contour_error, run.cutting_contour_error);
   ++sum->programs;
 }
 
 }  // namespace
 
 bool MergedComparison::keeps(const MergedRun& run) const {
-  return !run.refused && keeps_bound(run.max_contour_error, within);
+  return !run.refused && keeps_bound(run.cutting_contour_error, within);
 }
 
 std::vector<bool> MergedComparison::fastest(const MergedProgram& program) const {

@@ -15,10 +15,11 @@ struct MergedRun {
                         ///< where that of the program is in force
   std::string key;      ///< everything that runs of the same setting share
   bool refused = false;  ///< by the control: no feed motion of the program is run, and there are no figures
-  std::size_t lines_not_run = 0;  ///< that the control refuses
-  double cycle_time = 0;          ///< [s]
-  double mean_feed = 0;           ///< [mm/min]
-  double max_contour_error = 0;   ///< [mm]
+  std::size_t lines_not_run = 0;     ///< that the control refuses
+  double cycle_time = 0;             ///< [s]
+  double mean_feed = 0;              ///< [mm/min]
+  double max_contour_error = 0;      ///< [mm]
+  double cutting_contour_error = 0;  ///< of feed motions, which a bound holds for [mm]
 };
 
 struct MergedProgram {

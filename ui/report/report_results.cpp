@@ -72,7 +72,7 @@ QString one_run_sentence(const ReportRun& run) {
                clock_text(summary.cycle_time), significant(against_programmed(summary), 3),
                clock_text(summary.programmed_time),
                fixed(summary.mean_feed, Dimension::feed) + ' ' + unit_of(Dimension::feed),
-               error_number(summary.max_contour_error) + ' ' + unit_of(Dimension::error));
+               error_number(summary.cutting_contour_error) + ' ' + unit_of(Dimension::error));
   return sentence + not_run_sentence(run);
 }
 
@@ -123,7 +123,7 @@ std::vector<ReportRun> comparable_runs(const std::vector<ReportRun>& runs) {
 QString fastest_sentence(const std::vector<ReportRun>& runs) {
   const auto time = [](const ReportRun& run) { return summary_of(run).cycle_time; };
   const auto error = [](const ReportRun& run) {
-    return error_number(summary_of(run).max_contour_error) + ' ' + unit_of(Dimension::error);
+    return error_number(summary_of(run).cutting_contour_error) + ' ' + unit_of(Dimension::error);
   };
   const ReportRun& fastest = *std::ranges::min_element(runs, {}, time);
   const ReportRun& slowest = *std::ranges::max_element(runs, {}, time);
@@ -233,6 +233,13 @@ QString run_notes_text(const ReportInput& input) {
   return html;
 }
 
+/// By how much the largest distance from the programmed path in rapids is above that in feed motions [mm].
+double excess_in_rapids(const ReportRun& run) {
+  return is_refused(run.shown->run)
+             ? 0
+             : summary_of(run).max_contour_error - summary_of(run).cutting_contour_error;
+}
+
 }  // namespace
 
 std::vector<std::pair<CauseKind, double>> time_by_kind(const Summary& summary) {
@@ -283,10 +290,19 @@ QString comparison_block(const ReportInput& input) {
     table.add({run_label(run), QStringLiteral("<b>%1</b>").arg(fixed(summary.cycle_time, 3)),
                summary.programmed_time > 0 ? fixed(against_programmed(summary), 3) : QStringLiteral("–"),
                difference_to_first(run, input.runs.front()), fixed(summary.mean_feed, Dimension::feed),
-               fixed(summary.peak_feed, Dimension::feed), error_number(summary.max_contour_error),
+               fixed(summary.peak_feed, Dimension::feed), error_number(summary.cutting_contour_error),
                QString::number(run.shown->run.trajectory->blend_count())});
   }
-  return table.html();
+  QString html = table.html();
+  const ReportRun& in_rapids = *std::ranges::max_element(input.runs, {}, excess_in_rapids);
+  if (excess_in_rapids(in_rapids) > 0) {
+    html += paragraph(
+        ReportWords::tr("Contour errors are those of feed motions; in rapids %1 leaves the programmed "
+                        "path by up to %2.")
+            .arg(html_text(in_rapids.name),
+                 error_number(summary_of(in_rapids).max_contour_error) + ' ' + unit_of(Dimension::error)));
+  }
+  return html;
 }
 
 QString causes_block(const ReportInput& input) {

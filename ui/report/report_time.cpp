@@ -161,13 +161,14 @@ QString time_changes_block(const ReportInput& input) {
                percent(now - time, now), error ? error_number(*error) : QStringLiteral("–")});
   };
   table.add({ReportWords::tr("As it is"), seconds(now), QStringLiteral("–"), QStringLiteral("–"),
-             error_number(input.run().shown->run.summary.max_contour_error)});
+             error_number(input.run().shown->run.summary.cutting_contour_error)});
   for (const std::size_t i : trials.best) {
-    add(change_title(input, trials.tried[i]), trials.tried[i].cycle_time, trials.tried[i].max_contour_error);
+    add(change_title(input, trials.tried[i]), trials.tried[i].cycle_time,
+        trials.tried[i].cutting_contour_error);
   }
   if (trials.together) {
     add(ReportWords::tr("Those of this machine together"), trials.together->cycle_time,
-        trials.together->max_contour_error);
+        trials.together->cutting_contour_error);
   }
   return table.html() +
          small(

@@ -149,7 +149,7 @@ class SheetPainter {
         {ReportWords::tr("peak feed, %1").arg(unit_of(Dimension::feed)),
          shown(fixed(summary.peak_feed, Dimension::feed))},
         {ReportWords::tr("contour error, %1").arg(unit_of(Dimension::error)),
-         shown(significant(summary.max_contour_error, Dimension::error, 3))}};
+         shown(significant(summary.cutting_contour_error, Dimension::error, 3))}};
     const double width = (room.width() - 4 * 8) / 5;
     double left = room.left();
     for (const auto& [name, value] : figures) {
@@ -230,7 +230,7 @@ class SheetPainter {
           {run_label(input_.runs[i]), fixed(summary.cycle_time, 3),
            i == 0 || !(first > 0) ? QStringLiteral("–") : signed_percent(summary.cycle_time / first - 1),
            fixed(summary.mean_feed, Dimension::feed),
-           significant(summary.max_contour_error, Dimension::error, 3)});
+           significant(summary.cutting_contour_error, Dimension::error, 3)});
     }
     if (input_.runs.size() > max_runs) {
       table.add({ReportWords::tr("and %1 more").arg(input_.runs.size() - max_runs)});

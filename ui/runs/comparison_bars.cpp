@@ -61,7 +61,7 @@ ComparisonBar bar_of(const ComparedRun& run, const KindFlags& told) {
                     run.tolerance,
                     run.is_possible() ? summary.cycle_time : 0,  // rapids and dwells are no run of it
                     run.against_cam(),
-                    summary.max_contour_error,
+                    summary.cutting_contour_error,
                     run.refused,
                     run.out_of_reach,
                     {}};

@@ -114,7 +114,7 @@ std::size_t RunTable::lines_not_run(std::size_t row) const {
 }
 
 bool RunTable::keeps_bound(const Summary& summary) const {
-  return feedscope::keeps_bound(summary.max_contour_error, bound_);
+  return feedscope::keeps_bound(summary.cutting_contour_error, bound_);
 }
 
 std::vector<std::size_t> RunTable::fastest() const {
@@ -122,7 +122,7 @@ std::vector<std::size_t> RunTable::fastest() const {
   for (std::size_t row = 0; row < runs_.items().size(); ++row) {
     const Summary* figures = summary(row);
     times.push_back(figures == nullptr ? RunTime{0, 0, 0, false}
-                                       : RunTime{figures->cycle_time, figures->max_contour_error,
+                                       : RunTime{figures->cycle_time, figures->cutting_contour_error,
                                                  lines_not_run(row), counts(row)});
   }
   return fastest_runs(times, bound_);
@@ -190,7 +190,7 @@ QString RunTable::figure(std::size_t row, int column) const {
     case mean_feed:
       return number_text(figures->mean_feed, Dimension::feed);
     case contour_error:
-      return number_text(figures->max_contour_error, Dimension::error);
+      return number_text(figures->cutting_contour_error, Dimension::error);
     default: {
       const SourceFigure& figure = *figures_[static_cast<std::size_t>(column - columns)];
       const std::optional<double> value = figure.of(*figures);
@@ -244,9 +244,14 @@ QString RunTable::explanation(std::size_t row) const {
   const Summary* figures = refused(row) ? nullptr : summary(row);
   if (figures != nullptr && !keeps_bound(*figures)) {
     lines.append(tr("Its contour error of %1 is above the bound of %2.")
-                     .arg(amount_text(figures->max_contour_error, Dimension::error),
+                     .arg(amount_text(figures->cutting_contour_error, Dimension::error),
                           amount_text(*bound_, Dimension::error)));
-  } else if (figures != nullptr && is_marked(row)) {
+  }
+  if (figures != nullptr && figures->max_contour_error > figures->cutting_contour_error) {
+    lines.append(tr("In rapids it leaves the programmed path by up to %1.")
+                     .arg(amount_text(figures->max_contour_error, Dimension::error)));
+  }
+  if (figures != nullptr && keeps_bound(*figures) && is_marked(row)) {
     lines.append(tr("★ The fastest of these runs."));
   }
   if (figures != nullptr) {
@@ -437,7 +442,7 @@ QVariant RunTable::headerData(int section, Qt::Orientation orientation, int role
       QT_TR_NOOP("Cycle time [s, or min:s]; the star marks the fastest run within the error bound"),
       QT_TR_NOOP("Cycle time above that of the fastest run [%]"),
       QT_TR_NOOP("Mean feed: executed path over cycle time without dwells"),
-      QT_TR_NOOP("Largest distance of the executed path from the programmed one")};
+      QT_TR_NOOP("Largest distance of the executed path from the programmed one in feed motions")};
   const auto i = static_cast<std::size_t>(section);
   if (role == Qt::DisplayRole) {
     return with_unit_of(tr(titles[i]), section == tolerance       ? Dimension::length

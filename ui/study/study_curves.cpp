@@ -36,7 +36,7 @@ StudyCurves study_curves(const Study& study) {
         curve.fastest.push_back(curve.points.size());
       }
       curve.points.push_back(
-          {run.swept.front() * unit.factor, run.summary.cycle_time, run.summary.max_contour_error});
+          {run.swept.front() * unit.factor, run.summary.cycle_time, run.summary.cutting_contour_error});
     }
     if (!curve.points.empty()) {
       shown.curves.push_back(std::move(curve));

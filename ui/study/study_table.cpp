@@ -82,7 +82,7 @@ QString StudyTable::text(const StudyRun& run, int column) const {
     case mean_feed:
       return number_text(summary.mean_feed, Dimension::feed);
     case contour_error:
-      return number_text(summary.max_contour_error, Dimension::error);
+      return number_text(summary.cutting_contour_error, Dimension::error);
     case cause:
       return main_cause_text(summary);
     default: {

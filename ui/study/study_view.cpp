@@ -385,7 +385,7 @@ QString StudyView::verdict() const {
       .arg(lead, key,
            (locale.toString(best->swept.front() * unit.factor, 'g', 5) + ' ' + unit.text).trimmed(),
            clock_text(best->summary.cycle_time),
-           amount_text(best->summary.max_contour_error, Dimension::error), rest);
+           amount_text(best->summary.cutting_contour_error, Dimension::error), rest);
 }
 
 QString StudyView::ends_text() const {

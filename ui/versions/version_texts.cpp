@@ -52,8 +52,8 @@ QString VersionTexts::conclusion(const Run& old, const Run& now, const ProgramDi
             "program too. Max. contour error %8 instead of %9.")
              .arg(name(now), name(old), seconds(after), seconds(before), signed_seconds(after - before),
                   share, QLocale().toString(100 * difference.same_share(), 'f', 1),
-                  amount_text(now.summary.max_contour_error, Dimension::error),
-                  amount_text(old.summary.max_contour_error, Dimension::error)) +
+                  amount_text(now.summary.cutting_contour_error, Dimension::error),
+                  amount_text(old.summary.cutting_contour_error, Dimension::error)) +
          faulty;
 }
 

@@ -27,6 +27,8 @@ class PlainCorners {
     return first;
   }
 
+  std::uint32_t element(std::size_t corner) const { return path_.corner_element(corner); }
+
   /// Largest distance of a corner from its legs.
   double error_from_legs(std::size_t corner) const {
     const Corner laid = path_.corner(corner);
@@ -61,6 +63,21 @@ class PlainCorners {
   ContourSearch& search_;
 };
 
+bool is_rapid(const Toolpath& path, std::size_t i) {
+  return i >= path.segments.size() || path.segments[i].rapid;
+}
+
+/// Whether `place` on programmed segment `i` belongs to rapids alone: that segment and the one behind its
+/// nearer end.
+bool is_in_rapids(const Toolpath& path, std::size_t i, const Vec3& place) {
+  if (!is_rapid(path, i)) {
+    return false;
+  }
+  const bool at_start =
+      (place - path.start_of(i)).squaredNorm() < (place - path.segments[i].end).squaredNorm();
+  return at_start ? i == 0 || is_rapid(path, i - 1) : is_rapid(path, i + 1);
+}
+
 class Analysis {
  public:
   Analysis(const Trajectory& trajectory, const ContourRequest& request, Progress* progress)
@@ -82,7 +99,8 @@ class Analysis {
     if (search_.course().has_plain_corners()) {
       const std::size_t end = corners_.first_from(last_);
       for (std::size_t i = corners_.first_from(first_); i < end; ++i) {
-        if (worst.takes(corners_.error_from_legs(i))) {
+        if (worst.takes(corners_.error_from_legs(i)) &&
+            counts_corner(trajectory_.path().segment(corners_.element(i)))) {
           double left = 0;
           const ContourNode farthest = corners_.farthest(i, left);
           if (worst.takes(farthest.error)) {
@@ -91,7 +109,11 @@ class Analysis {
         }
       }
     }
-    search_.for_spans(first_, last_, progress_, [&](const ContourSpan& span) { worst.visit(span); });
+    search_.for_spans(first_, last_, progress_, [&](const ContourSpan& span) {
+      if (counts(span.from) && counts(span.to)) {
+        worst.visit(span);
+      }
+    });
     worst.finish(errors, trajectory_);
     if (request_.bins != ContourBins::none || request_.spread) {
       count_lengths(errors);
@@ -100,6 +122,15 @@ class Analysis {
   }
 
  private:
+  bool counts(const ContourNode& node) const {
+    return !request_.cutting_only || !is_in_rapids(programmed_path(trajectory_), node.foot.segment,
+                                                   node.point.position - node.foot.offset);
+  }
+  bool counts_corner(std::size_t block) const {
+    const Toolpath& path = programmed_path(trajectory_);
+    return !request_.cutting_only || !is_rapid(path, block) || !is_rapid(path, block + 1);
+  }
+
   void count_lengths(ContourErrors& errors) {
     HistogramCounter histogram(request_.bins, errors.largest);
     SpreadCounter spread(errors.largest);
@@ -158,6 +189,18 @@ class Analysis {
 ContourErrors contour_errors(const Trajectory& trajectory, const ContourRequest& request,
                              Progress* progress) {
   return Analysis(trajectory, request, progress).run();
+}
+
+double cutting_contour_error(const Trajectory& trajectory, const ContourErrors& errors, Progress* progress) {
+  const Toolpath& path = programmed_path(trajectory);
+  if (errors.worst.empty() ||
+      !is_in_rapids(path, errors.worst.front().segment, errors.worst.front().programmed)) {
+    return errors.largest;
+  }
+  ContourRequest request;
+  request.places = 1;
+  request.cutting_only = true;
+  return contour_errors(trajectory, request, progress).largest;
 }
 
 double rounded_error(double error) {

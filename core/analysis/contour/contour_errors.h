@@ -49,7 +49,8 @@ struct ContourRequest {
   /// Elements of the executed path that count; the end is cut to the path's.
   std::uint32_t first_element = 0;
   std::uint32_t last_element = UINT32_MAX;
-  bool spread = false;  ///< whether ContourErrors::spread is wanted
+  bool spread = false;        ///< whether ContourErrors::spread is wanted
+  bool cutting_only = false;  ///< rapids, and corners between them, do not count
 };
 
 /// Contour error of a run: how far the executed path is from the programmed one.
@@ -73,6 +74,11 @@ struct ContourErrors {
 ///
 /// Cost in the order of the elements times the logarithm of the segments. Throws Cancelled.
 ContourErrors contour_errors(const Trajectory& trajectory, const ContourRequest& request = {},
+                             Progress* progress = nullptr);
+
+/// The largest of the feed motions of a run whose worst place of all `errors` know [mm]: a search of its own
+/// where that is in a rapid. Throws Cancelled.
+double cutting_contour_error(const Trajectory& trajectory, const ContourErrors& errors,
                              Progress* progress = nullptr);
 
 /// An error as it is exported: known to 1e-6 mm, so that what is below 1e-9 mm says nothing.

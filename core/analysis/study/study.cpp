@@ -94,7 +94,7 @@ std::vector<RunTime> times_of(std::span<const StudyRun> runs) {
   std::vector<RunTime> times;
   for (const StudyRun& run : runs) {
     times.push_back(
-        {run.summary.cycle_time, run.summary.max_contour_error, run.lines_not_run, run.is_possible()});
+        {run.summary.cycle_time, run.summary.cutting_contour_error, run.lines_not_run, run.is_possible()});
   }
   return times;
 }
@@ -173,7 +173,7 @@ bool makes_no_difference(std::span<const StudyRun> runs, std::optional<double> w
            return run.is_possible() && run.lines_not_run == first.lines_not_run &&
                   std::abs(run.summary.cycle_time - first.summary.cycle_time) <=
                       rounding * first.summary.cycle_time &&
-                  keeps_bound(run.summary.max_contour_error, within);
+                  keeps_bound(run.summary.cutting_contour_error, within);
          });
 }
 

@@ -105,7 +105,9 @@ TriedChange tried(const Run& run, const Remedy& remedy, bool with_error, Progres
     const Trajectory faster = try_remedy(run.input, run.setup, remedy, progress);
     change.cycle_time = faster.duration();
     if (with_error) {
-      change.max_contour_error = contour_errors(faster, {1}, progress).largest;
+      const ContourErrors errors = contour_errors(faster, {1}, progress);
+      change.max_contour_error = errors.largest;
+      change.cutting_contour_error = cutting_contour_error(faster, errors, progress);
     }
   } catch (const InputError& error) {
     change.failure = error.what();

@@ -13,10 +13,10 @@ namespace feedscope {
 /// A change for the whole program that was simulated.
 struct TriedChange {
   Remedy remedy;
-  double cycle_time = 0;  ///< with it [s]
-  std::optional<double>
-      max_contour_error;  ///< with it, as Summary::max_contour_error [mm]; of the best alone
-  std::string failure;    ///< why there is no result; "" if there is one
+  double cycle_time = 0;                        ///< with it [s]
+  std::optional<double> max_contour_error;      ///< with it, as in Summary [mm]; of the best alone
+  std::optional<double> cutting_contour_error;  ///< the same
+  std::string failure;                          ///< why there is no result; "" if there is one
 };
 
 /// What was tried on a run, and what helps most.

@@ -3,12 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <numeric>
 #include <random>
 
 #include "core/analysis/contour/contour_histogram.h"
 #include "core/analysis/path_deviation.h"
+#include "core/analysis/run.h"
 #include "core/trajectory/part_walk.h"
+#include "tests/support/folders.h"
 #include "tests/support/paths.h"
 
 namespace feedscope {
@@ -212,6 +215,42 @@ TEST(ContourErrors, HistogramsCountThePathLength) {
       EXPECT_GT(histogram.length[bins == ContourBins::sides ? histogram.length.size() / 2 : 0], 0);
     }
   }
+}
+
+/// Blocks that the control joins with almost nothing between two arcs: an element without length has no
+/// direction, and one place that is not a number spoilt all lengths.
+TEST(ContourErrors, HistogramsOfDenseBlocksCountThePathLength) {
+  const feedscope::Run dense = simulate_run(
+      load_program(std::filesystem::path(FEEDSCOPE_SOURCE_DIR "/resources/programs/freeform_finish.nc")),
+      make_setup({"", "linuxcnc", {}, {}}));
+  const BlendedPath& path = dense.trajectory->path();
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    ASSERT_TRUE(path.curve(i).start.allFinite() && path.curve(i).end.allFinite()) << i;
+  }
+  ContourRequest request;
+  request.bins = ContourBins::amounts;
+  const ContourErrors errors = contour_errors(*dense.trajectory, request);
+  const std::vector<double>& lengths = errors.histogram.length;
+  EXPECT_NEAR(std::accumulate(lengths.begin(), lengths.end(), 0.0), path.length(), 1e-3 * path.length());
+}
+
+/// Corners between rapids are cut by millimetres, those of the part by hundredths.
+TEST(ContourErrors, OfFeedMotionsAloneLeaveOutRapids) {
+  const feedscope::Run run = simulate_run(
+      load_program(std::make_shared<const SourceText>("test.ngc",
+                                                      "G21 G90 G64\nG0 X50 Z5\nG0 Y50\nG0 X0\nG64 P0.02\nG1 "
+                                                      "Z0 F3000\nX40\nY90\nG64\nG0 Z5\nG0 X0\nM2\n")),
+      make_setup({"", "linuxcnc", {}, {}}));
+  const ContourErrors all = contour_errors(*run.trajectory);
+  ContourRequest request;
+  request.cutting_only = true;
+  const ContourErrors cutting = contour_errors(*run.trajectory, request);
+  EXPECT_GT(all.largest, 0.1);
+  EXPECT_LE(cutting.largest, 0.02 + 1e-6);
+  EXPECT_GT(cutting.largest, 0.002);
+  EXPECT_EQ(cutting_contour_error(*run.trajectory, all), cutting.largest);
+  EXPECT_EQ(run.summary.cutting_contour_error, cutting.largest);
+  EXPECT_NEAR(run.summary.max_contour_error, all.largest, 1e-9);
 }
 
 TEST(ContourErrors, BinsHaveRoundEdges) {
