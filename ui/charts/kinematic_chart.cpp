@@ -223,6 +223,15 @@ void KinematicChart::fit() {
     values_ = *slower;
   }
   values_ = chosen_values_.value_or(values_);
+  programmed_beyond_.reset();
+  for (std::size_t k = 0; k < columns_.size() && !fastest_rapid_ && !chosen_values_; ++k) {
+    if (shown_[k] && spec_.curves[k].quantity == QuantityId::programmed_feed) {
+      const Extent programmed = reach_of(columns_[k], true).values;
+      if (!programmed.empty() && double{programmed.max} > values_.upper) {
+        programmed_beyond_ = programmed.max;
+      }
+    }
+  }
   const QRectF plot = chart()->plotArea();
   show_range(ordinate_, values_, std::max(2, static_cast<int>(plot.height() / type_pixels(tick_distance))),
              values_.width() * type_pixels(tick_distance + 1) / std::max(1.0, plot.height()));
@@ -408,6 +417,10 @@ QStringList KinematicChart::notes() const {
   QStringList notes;
   if (fastest_rapid_) {
     notes.append(tr("▴ rapids up to %1").arg(QLocale().toString(*fastest_rapid_, 'f', spec_.decimals)));
+  }
+  if (programmed_beyond_) {
+    notes.append(
+        tr("▴ programmed up to %1").arg(QLocale().toString(*programmed_beyond_, 'f', spec_.decimals)));
   }
   if (shows_usual()) {
     notes.append(tr("bands: 5 to 95 % of the time, pale: extremes"));

@@ -134,7 +134,8 @@ class KinematicChart : public QChartView {
   std::vector<LimitLine> limits_;
   std::optional<CuttingFeed> cutting_feed_;
   Interval values_{0, 1};
-  std::optional<double> fastest_rapid_;  ///< of those out of sight, in the chart's unit
+  std::optional<double> fastest_rapid_;      ///< of those out of sight, in the chart's unit
+  std::optional<double> programmed_beyond_;  ///< largest programmed feed, if it is out of sight
   std::optional<Interval> chosen_values_;
   std::optional<double> cursor_;
   std::optional<double> second_cursor_;

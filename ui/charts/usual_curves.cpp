@@ -1,5 +1,6 @@
 #include "ui/charts/usual_curves.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace feedscope::ui {
@@ -8,10 +9,11 @@ void UsualCurves::follow(const ChartColumns& columns, bool rapids) {
   std::vector<double> times;
   if (columns.crowded()) {
     const std::vector<double>& borders = columns.times();
-    for (std::size_t i = 0; i + 1 < borders.size(); i += columns_a_stretch) {
+    const double end = columns.trajectory()->duration();
+    for (std::size_t i = 0; i + 1 < borders.size() && borders[i] < end; i += columns_a_stretch) {
       times.push_back(borders[i]);
     }
-    times.push_back(borders.back());
+    times.push_back(std::min(borders.back(), end));
   }
   if (asked_ == columns.trajectory() && asked_times_ == times && asked_rapids_ == rapids) {
     return;
