@@ -1,6 +1,5 @@
 #include "ui/annotations/annotation_table.h"
 
-#include <QLocale>
 #include <utility>
 
 namespace feedscope::ui {
@@ -74,7 +73,7 @@ QVariant AnnotationTable::headerData(int section, Qt::Orientation orientation, i
 
 QString AnnotationTable::line_of(const Annotation& annotation) const {
   const bool known = toolpath_ != nullptr && annotation.place.segment < toolpath_->segments.size();
-  return known ? QLocale().toString(toolpath_->segments[annotation.place.segment].line) : QString();
+  return known ? QString::number(toolpath_->segments[annotation.place.segment].line) : QString();
 }
 
 }  // namespace feedscope::ui

@@ -94,10 +94,9 @@ QStringList circular_values(const CircularTest& test) {
 }
 
 QString circle_lines(const CirclePass& pass) {
-  const QLocale locale;
   return pass.first_line == pass.last_line
-             ? locale.toString(pass.first_line)
-             : QStringLiteral("%1–%2").arg(locale.toString(pass.first_line), locale.toString(pass.last_line));
+             ? QString::number(pass.first_line)
+             : QStringLiteral("%1–%2").arg(QString::number(pass.first_line), QString::number(pass.last_line));
 }
 
 QString circular_heading(const CircularTest& test) {

@@ -53,7 +53,7 @@ QString error_amount_text(double mm) {
 }
 
 QString line_text(const ContourFinding& finding) {
-  const QString line = QLocale().toString(finding.place.line);
+  const QString line = QString::number(finding.place.line);
   return finding.block.empty() ? line
                                : QStringLiteral("%1 (%2)").arg(line, QString::fromStdString(finding.block));
 }

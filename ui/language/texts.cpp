@@ -43,12 +43,15 @@ QString slower_tolerance_text(const SlowerTolerance& slower) {
 
 QString clock_text(double seconds) {
   constexpr int minute = 60;
-  if (seconds < minute) {
+  constexpr double half_of_last_place = 5e-4;
+  if (seconds < minute - half_of_last_place) {
     return QCoreApplication::translate("texts", "%1 s").arg(QLocale().toString(seconds, 'f', 3));
   }
   constexpr int hour = 60;  // [minutes]
-  const int minutes = static_cast<int>(seconds / minute);
-  const double rest = std::floor((seconds - minute * minutes) * 10) / 10;
+  constexpr int tenths_a_minute = 600;
+  const long long tenths = std::llround(seconds * 10);
+  const int minutes = static_cast<int>(tenths / tenths_a_minute);
+  const double rest = static_cast<double>(tenths % tenths_a_minute) / 10;
   const auto padded = [](const QString& text, double value) { return (value < 10 ? "0" : "") + text; };
   const QString rest_text = padded(QLocale().toString(rest, 'f', 1), rest);
   return minutes < hour ? QStringLiteral("%1:%2").arg(minutes).arg(rest_text)

@@ -1,6 +1,5 @@
 #include "ui/load/load_figures_table.h"
 
-#include <QLocale>
 
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
@@ -45,7 +44,7 @@ QVariant LoadFiguresTable::data(const QModelIndex& index, int role) const {
     case largest:
       return amount_text(predicted.largest, info.dimension);
     case line:
-      return QLocale().toString(predicted.line);
+      return QString::number(predicted.line);
     case mean:
       return amount_text(predicted.mean, info.dimension);
     case programmed_largest:

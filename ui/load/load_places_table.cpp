@@ -1,6 +1,5 @@
 #include "ui/load/load_places_table.h"
 
-#include <QLocale>
 #include <algorithm>
 
 #include "ui/language/shown_numbers.h"
@@ -48,9 +47,9 @@ QVariant LoadPlacesTable::data(const QModelIndex& index, int role) const {
       return amount_text(row.place.to - row.place.from, Dimension::time);
     default:
       return row.place.first_line == row.place.last_line
-                 ? QLocale().toString(row.place.first_line)
-                 : tr("%1 – %2").arg(QLocale().toString(row.place.first_line),
-                                     QLocale().toString(row.place.last_line));
+                 ? QString::number(row.place.first_line)
+                 : tr("%1 – %2").arg(QString::number(row.place.first_line),
+                                     QString::number(row.place.last_line));
   }
 }
 

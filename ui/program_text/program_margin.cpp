@@ -2,7 +2,6 @@
 
 #include <QCoreApplication>
 #include <QHelpEvent>
-#include <QLocale>
 #include <QPaintEvent>
 #include <QPainter>
 #include <QToolTip>
@@ -115,7 +114,7 @@ QString ProgramMargin::tip_of(std::uint32_t line) const {
   QStringList tip;
   if (view_.times() != nullptr) {
     const QString cost = line_time_text(*view_.times(), line, line);
-    tip.append(cost.isEmpty() ? tr("Line %1 takes no time").arg(QLocale().toString(line)) : cost);
+    tip.append(cost.isEmpty() ? tr("Line %1 takes no time").arg(QString::number(line)) : cost);
   }
   if (view_.times() != nullptr) {
     for (const Pause pause : view_.times()->not_counted(line)) {

@@ -146,7 +146,7 @@ void FilmFrames::draw_caption(QPainter& painter, const State& state) const {
   const double room = end - speed_room - gap - left;
   const QString code =
       QString::fromStdString(input_.program().program->source->utf8_line(state.line)).simplified();
-  const QString line = tr("Line %1: %2").arg(locale.toString(state.line), code);
+  const QString line = tr("Line %1: %2").arg(QString::number(state.line), code);
   if (room > 0) {
     write(QFontMetricsF(fixed).elidedText(line, Qt::ElideRight, room), room, Qt::AlignLeft);
   }

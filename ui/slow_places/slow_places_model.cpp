@@ -75,8 +75,8 @@ QString SlowPlacesModel::text(const SlowPlace& place, int column) const {
       return locale.toString(percent * place.loss / places_->loss, 'f', 1);
     case lines:
       return place.first_line == place.last_line
-                 ? locale.toString(place.line)
-                 : tr("%1 – %2").arg(locale.toString(place.first_line), locale.toString(place.last_line));
+                 ? QString::number(place.line)
+                 : tr("%1 – %2").arg(QString::number(place.first_line), QString::number(place.last_line));
     case feed:
       return tr("%1 of %2").arg(feed_text(place.feed), feed_text(place.programmed_feed));
     default:
@@ -89,7 +89,7 @@ QString SlowPlacesModel::tip(const SlowPlace& place) const {
   return tr("From %1 s to %2 s, slowest at %3 s in line %4.\n%5 s lost against the programmed feed, mostly "
             "due to: %6.")
       .arg(locale.toString(place.from, 'f', 4), locale.toString(place.to, 'f', 4),
-           locale.toString(place.slowest, 'f', 4), locale.toString(place.line),
+           locale.toString(place.slowest, 'f', 4), QString::number(place.line),
            locale.toString(place.loss, 'f', 4), core_text(cause_title(place.cause)));
 }
 
