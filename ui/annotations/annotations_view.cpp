@@ -112,10 +112,13 @@ void AnnotationsView::make_actions() {
   put(AnnotationKind::callout, tr("Add &callout"),
       tr("Place a label with feed, contour error and limiting cause at the cursor"), tr("Ctrl+Shift+C"));
   put(AnnotationKind::dimension, tr("Add &dimension"),
-      tr("Show the distance between cursors A and B of the charts, or between the ends of the visible range"),
+      tr("Show the distance between cursors A and B of the charts, or between the ends of the visible range, "
+         "or of the block at the cursor while the whole run is visible"),
       {});
   put(AnnotationKind::region, tr("Add &region"),
-      tr("Mark the path between cursors A and B of the charts, or over the whole visible range"), {});
+      tr("Mark the path between cursors A and B of the charts, or over the visible range, or the block at "
+         "the cursor while the whole run is visible"),
+      {});
   QAction* remove = add_action(tr("&Remove annotation"), tr("Delete the selected annotation"), {});
   remove->setIconText(tr("Remove"));
   connect(remove, &QAction::triggered, this, [this] { annotations_.remove(annotations_.selected()); });
@@ -164,13 +167,15 @@ void AnnotationsView::add(AnnotationKind kind) {
   Annotation annotation;
   annotation.kind = kind;
   annotation.text = first_text(kind);
-  if (has_two_places(kind) && stretch_) {
-    const auto [from, to] = stretch_();
-    annotation.place = programmed_place(trajectory, from);
-    annotation.until = programmed_place(trajectory, to);
-  } else {
-    annotation.place = programmed_place(trajectory, cursor_.state().time);
-    annotation.until = annotation.place;
+  annotation.place = annotation.until = programmed_place(trajectory, cursor_.state().time);
+  if (has_two_places(kind)) {
+    if (const Stretch stretch = stretch_ ? stretch_() : std::nullopt) {
+      annotation.place = programmed_place(trajectory, stretch->front());
+      annotation.until = programmed_place(trajectory, stretch->back());
+    } else {
+      annotation.place.share = 0;
+      annotation.until.share = 1;
+    }
   }
   annotations_.add(annotation);
   emit attention_wanted();

@@ -3,6 +3,7 @@
 #include <QList>
 #include <array>
 #include <functional>
+#include <optional>
 
 #include "ui/annotations/annotation_table.h"
 #include "ui/shared/cursor.h"
@@ -27,8 +28,10 @@ class AnnotationsView : public Panel {
   AnnotationsView(AnnotationList& annotations, Cursor& cursor, QWidget* parent = nullptr);
 
   void follow(Workbench& workbench) override;
-  /// Tells the two times [s] that a new dimension or region goes between.
-  void set_stretch(std::function<std::array<double, 2>()> stretch) { stretch_ = std::move(stretch); }
+  using Stretch = std::optional<std::array<double, 2>>;
+  /// Tells the two times [s] that a new dimension or region goes between; without them it goes along the
+  /// block at the cursor.
+  void set_stretch(std::function<Stretch()> stretch) { stretch_ = std::move(stretch); }
   void set_toolpath(std::shared_ptr<const Toolpath> toolpath);
   /// Selects it and puts the keyboard into its text.
   void edit(int id);
@@ -58,7 +61,7 @@ class AnnotationsView : public Panel {
 
   AnnotationList& annotations_;
   Cursor& cursor_;
-  std::function<std::array<double, 2>()> stretch_;
+  std::function<Stretch()> stretch_;
   AnnotationTable* model_;
   QTableView* table_;
   QPlainTextEdit* text_;

@@ -436,13 +436,13 @@ void MainWindow::show_lesson(const LessonWindow& look) {
   session_->begin_here();
 }
 
-std::array<double, 2> MainWindow::chosen_times() const {
+std::optional<std::array<double, 2>> MainWindow::chosen_times() const {
   if (const auto second = charts_->second_cursor()) {
     const double first = workbench_.cursor().state().time;
-    return {std::min(first, *second), std::max(first, *second)};
+    return std::array{std::min(first, *second), std::max(first, *second)};
   }
   const ViewRange& range = workbench_.view_range();
-  return {range.lower_time(), range.upper_time()};
+  return range.shows_all() ? std::nullopt : std::optional(std::array{range.lower_time(), range.upper_time()});
 }
 
 void MainWindow::show_failure(const QString& message) {

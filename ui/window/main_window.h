@@ -115,7 +115,7 @@ class MainWindow : public QMainWindow {
   void show_lesson(const LessonWindow& look);
   void show_failure(const QString& message);
   /// From cursor A to cursor B of the charts, or all that they show [s].
-  std::array<double, 2> chosen_times() const;
+  std::optional<std::array<double, 2>> chosen_times() const;
 
   Workbench& workbench_;
   SideBySide* scenes_;

@@ -159,6 +159,15 @@ TEST_F(AnnotationOverlayTest, ADimensionGoesBetweenTheCursors) {
   EXPECT_EQ(placed().lines.at(0), QStringLiteral("%1 mm").arg(distance, 0, 'f', 3));
 }
 
+TEST_F(AnnotationOverlayTest, ADimensionIsThatOfTheBlockWhileTheWholeRunIsVisible) {
+  action(AnnotationKind::dimension).trigger();
+  ASSERT_EQ(list.items().size(), 1U);
+  const Annotation& item = list.items().front();
+  const ProgrammedPlace here = programmed_place(*model.shown()->run.trajectory, model.cursor().state().time);
+  EXPECT_EQ(item.place, (ProgrammedPlace{here.segment, 0}));
+  EXPECT_EQ(item.until, (ProgrammedPlace{here.segment, 1}));
+}
+
 TEST_F(AnnotationOverlayTest, AnotherProgramHasNone) {
   action(AnnotationKind::callout).trigger();
   const LoadedProgram other = load_program(std::make_shared<const SourceText>("other.nc", "G1 F100 X1\n"));
