@@ -11,6 +11,7 @@
 #include "app/print.h"
 #include "core/analysis/not_counted.h"
 #include "core/analysis/refused_lines.h"
+#include "core/analysis/run_notes.h"
 #include "core/analysis/setup_options.h"
 #include "core/base/clock_text.h"
 #include "core/base/units.h"
@@ -36,6 +37,8 @@ std::string mean_feed_text(const TimeUse& use) {
                                          without_pauses_text(use.pauses()))
                            : "";
 }
+
+std::string change_text(const Remedy& remedy, const Setup& setup);
 
 /// "57.5 s more than the programmed feeds give (56.1 % of the cycle time; 2.28 times the programmed time).
 /// Most is lost in corners, to ...".
@@ -64,14 +67,14 @@ std::string conclusion(const Run& run, const TimeReport& report) {
   text += mean_feed_text(use);
   if (!report.slow.groups.empty() && report.slow.groups.front().loss > worth_a_row * use.cycle_time) {
     const SlowGroup& most = report.slow.groups.front();
-    text += fmt::format("Most is lost in {}, to {}: {}. ", info_of(most.shape).title, lost_to(most),
+    text += fmt::format("Most is lost in {}, mostly to {}: {}. ", info_of(most.shape).title, lost_to(most),
                         seconds_text(most.loss));
   }
   if (!report.changes.best.empty()) {
     const TriedChange& best = report.changes.tried[report.changes.best.front()];
-    text +=
-        fmt::format("The change that helps most gains {} ({}).", gain_text(use.cycle_time - best.cycle_time),
-                    percent(use.cycle_time - best.cycle_time, use.cycle_time));
+    text += fmt::format("The change that helps most, {}, gains {} ({}).", change_text(best.remedy, run.setup),
+                        gain_text(use.cycle_time - best.cycle_time),
+                        percent(use.cycle_time - best.cycle_time, use.cycle_time));
   } else if (!report.changes.tried.empty()) {
     text += "None of the changes that were simulated helps.";
   }
@@ -110,7 +113,8 @@ std::string causes_text(const TimeUse& use) {
       rest.lost += cost.lost;
     }
   }
-  if (std::abs(use.saved_by_path) > worth_a_row * use.cycle_time) {
+  constexpr double path_worth_a_row = 1e-4;  // it is no cause: with others it would hide what they lose
+  if (std::abs(use.saved_by_path) > path_worth_a_row * use.cycle_time) {
     table.add({std::string(path_title(use)), "", "", seconds_text(-use.saved_by_path)});
   } else {
     rest.lost -= use.saved_by_path;
@@ -266,7 +270,7 @@ std::string change_text(const Remedy& remedy, const Setup& setup) {
 }
 
 std::string error_text(const TriedChange& change) {
-  return change.max_contour_error ? fmt::format("{:.4f} mm", *change.max_contour_error) : "";
+  return change.cutting_contour_error ? fmt::format("{:.4f} mm", *change.cutting_contour_error) : "";
 }
 
 /// "feedscope simulate part.nc --set X.jerk=20", which gives what the trial gave; "" where the program has to
@@ -305,7 +309,8 @@ std::string changes_text(const Run& run, const TimeReport& report, const Program
   const double now = report.use.cycle_time;
   TextTable table;
   table.add({"", "cycle time", "gain", "", "contour error", "change"});
-  table.add({"now", seconds_text(now), "", "", fmt::format("{:.4f} mm", run.summary.max_contour_error), ""});
+  table.add(
+      {"now", seconds_text(now), "", "", fmt::format("{:.4f} mm", run.summary.cutting_contour_error), ""});
   const auto add = [&](const std::string& rank, const TriedChange& change) {
     table.add({rank, seconds_text(change.cycle_time), gain_text(now - change.cycle_time),
                percent(now - change.cycle_time, now), error_text(change),
@@ -354,8 +359,11 @@ std::string explanation_text(const Run& run, const TimeReport& report, const Pro
   if (const std::string missing = describe(run.summary.not_counted); !missing.empty()) {
     out += fmt::format("Not in the cycle time: {}\n", missing);
   }
+  if (const char* const note = limits_note(run.setup)) {
+    out += wrapped(note, 0) + "\n";
+  }
   out += "\nWhat it consists of\n" + kinds_text(use);
-  out += "\nWhat limits it\n" + causes_text(use);
+  out += "\nWhat limits it, with braking for it\n" + causes_text(use);
   if (!use.operations.empty()) {
     out += fmt::format("\nOperations by {}\n", use.split == OperationSplit::tool ? "tool" : "comment");
     out += operations_text(use);

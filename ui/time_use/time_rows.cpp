@@ -50,12 +50,12 @@ class TimeRows {
       row.cells = {TimeTexts::group(group), TimeTexts::change(group.loss),
                    TimeTexts::percent(group.loss, report_.slow.loss)};
       row.tip = tr("%1.\nClick to go to the worst place, in line %2.")
-                    .arg(TimeTexts::in_common(group), QLocale().toString(group.worst.front().line));
+                    .arg(TimeTexts::in_common(group), QString::number(group.worst.front().line));
       row.share = group.loss / report_.slow.loss;
       row.place = group.worst.front();
       for (const SlowPlace& place : group.worst) {
         TimeRow one;
-        one.cells = {tr("Line %1").arg(QLocale().toString(place.line)), TimeTexts::change(place.loss),
+        one.cells = {tr("Line %1").arg(QString::number(place.line)), TimeTexts::change(place.loss),
                      TimeTexts::percent(place.loss, report_.slow.loss)};
         one.place = place;
         row.rows.push_back(std::move(one));
@@ -97,7 +97,7 @@ class TimeRows {
   }
 
   TimeSection causes() const {
-    TimeSection section{{tr("Limited by"), tr("Time"), tr("Lost")}, {}};
+    TimeSection section{{tr("Limited by, with braking for it"), tr("Time"), tr("Lost")}, {}};
     CauseCost rest;
     const double shown = least_shown();
     for (const CauseCost& cost : use_.causes) {
@@ -123,7 +123,7 @@ class TimeRows {
           time_row(TimeTexts::operation(operation, use_.split), operation.all.time, operation.all.lost());
       row.time = operation.start;
       row.tip = tr("From line %1; %2 of it rapids. It loses most to: %3.")
-                    .arg(QLocale().toString(operation.line), clock_text(operation.rapid),
+                    .arg(QString::number(operation.line), clock_text(operation.rapid),
                          core_text(cause_title(operation.worst.cause)));
       section.rows.push_back(std::move(row));
     }
@@ -141,17 +141,18 @@ class TimeRows {
   TimeRow change_row(const TriedChange& change) const {
     TimeRow row;
     const double gain = use_.cycle_time - change.cycle_time;
-    row.cells = {
-        remedy_text(change.remedy, run_.setup), TimeTexts::gain(gain),
-        change.max_contour_error ? amount_text(*change.max_contour_error, Dimension::error) : QString()};
+    row.cells = {remedy_text(change.remedy, run_.setup), TimeTexts::gain(gain),
+                 change.cutting_contour_error ? amount_text(*change.cutting_contour_error, Dimension::error)
+                                              : QString()};
     row.share = use_.cycle_time > 0 ? gain / use_.cycle_time : 0;
     row.tip = tr("%1 instead of %2 (%3 less).")
                   .arg(clock_text(change.cycle_time), clock_text(use_.cycle_time),
                        TimeTexts::percent(gain, use_.cycle_time));
-    if (change.max_contour_error) {
-      row.tip += QLatin1Char('\n') + tr("Max. contour error %1, now %2.")
-                                         .arg(amount_text(*change.max_contour_error, Dimension::error),
-                                              amount_text(run_.summary.max_contour_error, Dimension::error));
+    if (change.cutting_contour_error) {
+      row.tip +=
+          QLatin1Char('\n') + tr("Max. contour error %1, now %2.")
+                                  .arg(amount_text(*change.cutting_contour_error, Dimension::error),
+                                       amount_text(run_.summary.cutting_contour_error, Dimension::error));
     }
     row.tip += QLatin1Char('\n') + tr("Whether machine, tool and material bear it is not checked.");
     row.remedy = change.remedy;

@@ -298,7 +298,9 @@ std::vector<Remedy> remedies(const Setup& setup, std::span<const Cause> causes,
   }
   compressor(candidates, feed_controls);
   faster_filters(candidates, setup);
-  candidates.all_axes("jerk");
+  if (setup.model->guarantees(setup.settings).limits_jerk) {
+    candidates.all_axes("jerk");
+  }
   candidates.all_axes("acceleration");
   larger_tolerance(candidates);
   candidates.setting("lookahead_blocks", 2);

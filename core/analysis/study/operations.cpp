@@ -72,7 +72,20 @@ std::vector<Heading> headings_of(const SourceText& text) {
   return headings;
 }
 
-/// The title of the comments (last_line_before, line): of the last run the first with a letter.
+/// "-- pocket 2 end --": of what is before.
+bool closes(const std::string& title) {
+  std::size_t end = title.size();
+  while (end > 0 && std::isalnum(static_cast<unsigned char>(title[end - 1])) == 0) {
+    --end;
+  }
+  constexpr std::string_view word = " end";
+  return end > word.size() &&
+         std::equal(word.begin(), word.end(), title.begin() + static_cast<std::ptrdiff_t>(end - word.size()),
+                    [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
+}
+
+/// The title of the comments (last_line_before, line): of the last run the first with a letter, but for those
+/// that only say that something ends.
 const Heading* title_between(const std::vector<Heading>& headings, std::uint32_t after,
                              std::uint32_t before) {
   const auto end = std::ranges::lower_bound(headings, before, {}, &Heading::line);
@@ -82,7 +95,7 @@ const Heading* title_between(const std::vector<Heading>& headings, std::uint32_t
     if (it->line <= after || (title != nullptr && std::next(it)->line != it->line + 1)) {
       break;
     }
-    if (title == nullptr || !it->title.empty()) {
+    if (title == nullptr || (!it->title.empty() && !closes(it->title)) || closes(title->title)) {
       title = &*it;
     }
   }

@@ -207,6 +207,14 @@ TEST(Operations, OfCommentsHaveTheirLastHeading) {
               ElementsAre("start"));
 }
 
+/// A comment that only closes what is before is the heading of nothing behind it.
+TEST(Operations, AreNotCalledAfterWhatEndsBeforeThem) {
+  const LoadedProgram program = program_of(
+      "(-- slot 1 --)\nG1 X10 F500\n(-- slot 1 END --)\n(-- slot 2 --)\nX20\n(10 mm ball end)\nY10\n");
+  EXPECT_THAT(titles(split_operations(program, OperationSplit::comment)),
+              ElementsAre("slot 1", "slot 2", "10 mm ball end"));
+}
+
 TEST(Operations, BeginAgainWhereALoopComesBackToTheirHeading) {
   const LoadedProgram program =
       program_of("#1=0\nWHILE [#1 LT 2] DO1\n(LEFT)\nG1 X10 F3000\n(RIGHT)\nX0\nY1\n#1=[#1+1]\nEND1\nM30\n");

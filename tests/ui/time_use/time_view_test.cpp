@@ -60,7 +60,7 @@ TEST_F(TimeViewTest, SaysWhereTheTimeGoesAndWhatWouldHelp) {
   ASSERT_NE(section("What it consists of"), nullptr);
   ASSERT_NE(section("Places that lose most"), nullptr);
   ASSERT_NE(section("What would help"), nullptr);
-  ASSERT_NE(section("Limited by"), nullptr);
+  ASSERT_NE(section("Limited by, with braking for it"), nullptr);
   ASSERT_NE(view.report(), nullptr);
   EXPECT_FALSE(view.report()->changes.best.empty());
   EXPECT_EQ(view.report()->use.cycle_time, run.summary.cycle_time);
