@@ -1,6 +1,5 @@
 #include "ui/lessons/lesson_view.h"
 
-#include <QAbstractTextDocumentLayout>
 #include <QAction>
 #include <QClipboard>
 #include <QCoreApplication>
@@ -16,7 +15,6 @@
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QTextBrowser>
-#include <QTimer>
 #include <QToolButton>
 #include <QUrl>
 #include <QVBoxLayout>
@@ -28,12 +26,12 @@
 #include "ui/fields/focus_outline.h"
 #include "ui/fields/short_number_box.h"
 #include "ui/language/texts.h"
+#include "ui/lessons/fit_to_text.h"
 #include "ui/lessons/lesson_tries.h"
 #include "ui/lessons/tries_table.h"
 #include "ui/shared/flow_layout.h"
 #include "ui/shared/panel_action.h"
 #include "ui/shared/row_copy.h"
-#include "ui/theme/type_size.h"
 
 namespace feedscope::ui {
 
@@ -46,17 +44,6 @@ QTextBrowser* make_browser(const QString& name, QWidget* parent) {
   browser->setFrameShape(QFrame::NoFrame);
   browser->setOpenLinks(false);
   return browser;
-}
-
-/// As high as its text, without a scroll bar of its own.
-void fit_to_text(QTextBrowser& browser) {
-  browser.setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  const auto fit = [&browser](const QSizeF& text) {
-    browser.setFixedHeight(static_cast<int>(std::ceil(text.height())) + 2 * browser.frameWidth());
-  };
-  QObject::connect(browser.document()->documentLayout(), &QAbstractTextDocumentLayout::documentSizeChanged,
-                   &browser, fit);
-  fit(browser.document()->size());
 }
 
 /// A button that can be pressed and shows that it is.
@@ -94,21 +81,6 @@ bool takes_numbers(const Control& control) {
                              [](const std::string& value) { return typed_number(value).value.has_value(); });
 }
 
-/// As high as its lines, three at least.
-void fit_to_lines(QPlainTextEdit& field) {
-  static constexpr int fewest = 3;
-  const auto fit = [&field] {
-    const int lines = std::max(fewest, static_cast<int>(std::ceil(field.document()->size().height())));
-    const double margins = 2 * (field.frameWidth() + field.document()->documentMargin());
-    field.setFixedHeight(static_cast<int>(std::ceil(lines * field.fontMetrics().lineSpacing() + margins)));
-  };
-  QObject::connect(field.document()->documentLayout(), &QAbstractTextDocumentLayout::documentSizeChanged,
-                   &field, fit);
-  QObject::connect(&TypeSize::of_application(), &TypeSize::changed, &field,
-                   [&field, fit] { QTimer::singleShot(0, &field, fit); });
-  fit();
-}
-
 }  // namespace
 
 LessonView::LessonView(LessonDesk& desk, QWidget* parent)
@@ -130,7 +102,8 @@ LessonView::LessonView(LessonDesk& desk, QWidget* parent)
       tries_(new TriesTable(tried_)),
       own_answer_(new QPlainTextEdit(this)),
       expected_(make_browser(tr("Expected answer"), this)),
-      work_(new QScrollArea(this)) {
+      work_(new QScrollArea(this)),
+      halves_(new QSplitter(Qt::Vertical, this)) {
   make_actions();
   make_own_value();
   set_up_ = make_button(set_up_action_, this);
@@ -231,17 +204,41 @@ void LessonView::make_actions() {
 }
 
 void LessonView::lay_out() {
-  auto* halves = new QSplitter(Qt::Vertical, this);
-  halves->addWidget(make_upper());
-  halves->addWidget(make_lower());
-  halves->setStretchFactor(0, 1);
-  halves->setStretchFactor(1, 2);
-  halves->setChildrenCollapsible(false);
+  halves_->addWidget(make_upper());
+  halves_->addWidget(make_lower());
+  halves_->setStretchFactor(0, 1);
+  halves_->setStretchFactor(1, 2);
+  halves_->setChildrenCollapsible(false);
+  sharing_.setSingleShot(true);
+  sharing_.setInterval(0);
+  connect(&sharing_, &QTimer::timeout, this, &LessonView::share_height);
+  connect(halves_, &QSplitter::splitterMoved, this, [this] { shared_by_user_ = true; });
   pages_->addWidget(list_);
-  pages_->addWidget(halves);
+  pages_->addWidget(halves_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   layout->addWidget(pages_, 1);
+}
+
+/// The text has what the question leaves, a third at least and no more than it needs; until the user moves
+/// the border. Hints and answers do not move it.
+void LessonView::share_height() {
+  if (shared_by_user_ || !isVisible() || shows_list()) {
+    return;
+  }
+  const QWidget& upper = *halves_->widget(0);
+  const QWidget& lower = *halves_->widget(1);
+  const QLayout& question = *work_->widget()->layout();
+  const int shown = work_->viewport()->width();
+  const int of_question =
+      question.hasHeightForWidth() ? question.totalHeightForWidth(shown) : question.totalSizeHint().height();
+  const int wanted_below = lower.height() - work_->viewport()->height() + of_question;
+  const int wanted_above = upper.height() - text_->viewport()->height() +
+                           static_cast<int>(std::ceil(text_->document()->size().height()));
+  const int all = upper.height() + lower.height();
+  const int least = all / 3;
+  const int above = std::clamp(all - wanted_below, least, std::max(least, wanted_above));
+  halves_->setSizes({above, all - above});
 }
 
 QWidget* LessonView::make_upper() {
@@ -326,6 +323,11 @@ void LessonView::showEvent(QShowEvent* event) {
   desk_.list();
 }
 
+void LessonView::resizeEvent(QResizeEvent* event) {
+  Panel::resizeEvent(event);
+  sharing_.start();
+}
+
 void LessonView::offer_return(bool there) {
   return_action_->setEnabled(there);
   return_->setVisible(there);
@@ -373,6 +375,7 @@ void LessonView::show_question() {
   show_control();
   show_value();
   show_work();
+  sharing_.start();
 }
 
 void LessonView::show_texts() {

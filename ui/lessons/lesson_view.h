@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QTimer>
+
 #include "ui/lessons/lesson_desk.h"
 #include "ui/workbench/panel.h"
 
@@ -8,6 +10,7 @@ class QLabel;
 class QPlainTextEdit;
 class QPushButton;
 class QScrollArea;
+class QSplitter;
 class QStackedWidget;
 class QTextBrowser;
 class QToolButton;
@@ -59,11 +62,13 @@ class LessonView : public Panel {
 
  protected:
   void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void make_actions();
   void make_own_value();
   void lay_out();
+  void share_height();
   QWidget* make_upper();
   QWidget* make_lower();
   void show_list();
@@ -101,6 +106,9 @@ class LessonView : public Panel {
   QPushButton* answer_;
   QTextBrowser* expected_;
   QScrollArea* work_;  ///< all of a question
+  QSplitter* halves_;  ///< the text above the question
+  QTimer sharing_;     ///< of the height between them, once both are laid out
+  bool shared_by_user_ = false;
   QList<QAction*> actions_;
   QAction* set_up_action_ = nullptr;
   QAction* return_action_ = nullptr;

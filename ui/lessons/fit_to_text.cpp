@@ -1,0 +1,38 @@
+#include "ui/lessons/fit_to_text.h"
+
+#include <QAbstractTextDocumentLayout>
+#include <QPlainTextEdit>
+#include <QTextBrowser>
+#include <QTimer>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/theme/type_size.h"
+
+namespace feedscope::ui {
+
+void fit_to_text(QTextBrowser& browser) {
+  browser.setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  const auto fit = [&browser](const QSizeF& text) {
+    browser.setFixedHeight(static_cast<int>(std::ceil(text.height())) + 2 * browser.frameWidth());
+  };
+  QObject::connect(browser.document()->documentLayout(), &QAbstractTextDocumentLayout::documentSizeChanged,
+                   &browser, fit);
+  fit(browser.document()->size());
+}
+
+void fit_to_lines(QPlainTextEdit& field) {
+  static constexpr int fewest = 3;
+  const auto fit = [&field] {
+    const int lines = std::max(fewest, static_cast<int>(std::ceil(field.document()->size().height())));
+    const double margins = 2 * (field.frameWidth() + field.document()->documentMargin());
+    field.setFixedHeight(static_cast<int>(std::ceil(lines * field.fontMetrics().lineSpacing() + margins)));
+  };
+  QObject::connect(field.document()->documentLayout(), &QAbstractTextDocumentLayout::documentSizeChanged,
+                   &field, fit);
+  QObject::connect(&TypeSize::of_application(), &TypeSize::changed, &field,
+                   [&field, fit] { QTimer::singleShot(0, &field, fit); });
+  fit();
+}
+
+}  // namespace feedscope::ui
