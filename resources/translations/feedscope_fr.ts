@@ -1705,6 +1705,10 @@
         <source>Note</source>
         <translation>Note</translation>
     </message>
+    <message>
+        <source>Contour errors are those of feed motions; in rapids %1 leaves the programmed path by up to %2.</source>
+        <translation>Les erreurs de contour sont celles des déplacements en avance&#xa0;; dans les rapides, %1 s’écarte de la trajectoire programmée jusqu’à %2.</translation>
+    </message>
 </context>
 <context>
     <name>ResidualPlot</name>
@@ -2016,10 +2020,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>Aucun des changements simulés n’aide</translation>
     </message>
     <message>
-        <source>Limited by</source>
-        <translation>Limité par</translation>
-    </message>
-    <message>
         <source>Others</source>
         <translation>Autres</translation>
     </message>
@@ -2042,6 +2042,10 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>Whether machine, tool and material bear it is not checked.</source>
         <translation>Si machine, outil et matière le supportent n’est pas vérifié.</translation>
+    </message>
+    <message>
+        <source>Limited by, with braking for it</source>
+        <translation>Limité par, freinage compris</translation>
     </message>
 </context>
 <context>
@@ -9301,12 +9305,12 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>Placer au curseur une étiquette avec avance, erreur de contour et cause limitante</translation>
     </message>
     <message>
-        <source>Show the distance between cursors A and B of the charts, or between the ends of the visible range</source>
-        <translation>Montrer la distance entre les curseurs A et B des graphiques, ou entre les extrémités de la plage visible</translation>
+        <source>Show the distance between cursors A and B of the charts, or between the ends of the visible range, or of the block at the cursor while the whole run is visible</source>
+        <translation>Montrer la distance entre les curseurs A et B des graphiques, ou entre les bouts de la plage visible, ou celle du bloc au curseur tant que toute la simulation est visible</translation>
     </message>
     <message>
-        <source>Mark the path between cursors A and B of the charts, or over the whole visible range</source>
-        <translation>Marquer la trajectoire entre les curseurs A et B des graphiques, ou sur toute la plage visible</translation>
+        <source>Mark the path between cursors A and B of the charts, or over the visible range, or the block at the cursor while the whole run is visible</source>
+        <translation>Marquer la trajectoire entre les curseurs A et B des graphiques, ou sur la plage visible, ou le bloc au curseur tant que toute la simulation est visible</translation>
     </message>
 </context>
 <context>
@@ -11188,6 +11192,10 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <source>jumps of the acceleration are not drawn</source>
         <translation>sauts de l’accélération non tracés</translation>
     </message>
+    <message>
+        <source>▴ programmed up to %1</source>
+        <translation>▴ programmée jusqu’à %1</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::LessonDesk</name>
@@ -13047,10 +13055,6 @@ Ensemble&#xa0;: %4</translation>
         <translation>Avance moyenne&#xa0;: trajectoire exécutée divisée par le temps de cycle sans temporisations</translation>
     </message>
     <message>
-        <source>Largest distance of the executed path from the programmed one</source>
-        <translation>Plus grande distance entre la trajectoire exécutée et la trajectoire programmée</translation>
-    </message>
-    <message>
         <source>Contour tolerance in force, from the program or the setting</source>
         <translation>Tolérance de contour en vigueur, du programme ou du réglage</translation>
     </message>
@@ -13085,6 +13089,14 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>The program sends rotary axes where the machine cannot turn them: the time is not that of the program.</source>
         <translation>Le programme envoie des axes rotatifs là où la machine ne peut pas les tourner : le temps n’est pas celui du programme.</translation>
+    </message>
+    <message>
+        <source>In rapids it leaves the programmed path by up to %1.</source>
+        <translation>Dans les rapides, elle s’écarte de la trajectoire programmée jusqu’à %1.</translation>
+    </message>
+    <message>
+        <source>Largest distance of the executed path from the programmed one in feed motions</source>
+        <translation>Plus grande distance de la trajectoire exécutée à la trajectoire programmée, en avance</translation>
     </message>
 </context>
 <context>

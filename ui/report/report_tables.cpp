@@ -94,12 +94,12 @@ QString program_facts_block(const ReportInput& input) {
   if (facts.dwells > 0) {
     add(ReportWords::tr("Dwells"), clock_text(facts.dwell_time));
   }
+  const QString slowest = significant(facts.min_feed, Dimension::feed, 6);
+  const QString fastest = significant(facts.largest_feed, Dimension::feed, 6);
   add(ReportWords::tr("Programmed feeds"),
-      facts.largest_feed > 0
-          ? ReportWords::tr("%1 to %2 %3")
-                .arg(significant(facts.min_feed, Dimension::feed, 6),
-                     significant(facts.largest_feed, Dimension::feed, 6), unit_of(Dimension::feed))
-          : ReportWords::tr("none"));
+      !(facts.largest_feed > 0) ? ReportWords::tr("none")
+      : slowest == fastest      ? fastest + ' ' + unit_of(Dimension::feed)
+                           : ReportWords::tr("%1 to %2 %3").arg(slowest, fastest, unit_of(Dimension::feed)));
   if (facts.chord_error) {
     add(ReportWords::tr("Chord error"),
         ReportWords::tr("about %1 %2, estimated from %3 short lines")

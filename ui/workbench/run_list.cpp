@@ -1,6 +1,7 @@
 #include "ui/workbench/run_list.h"
 
 #include <QLocale>
+#include <QRegularExpression>
 #include <QUndoCommand>
 #include <algorithm>
 
@@ -32,6 +33,50 @@ QColor run_colour(std::size_t number) {
   return QColor(run_colours[number % run_colours.size()]);
 }
 
+namespace {
+
+/// What was changed of a setup, one text each; the same limit of several axes is one: "X Y Z Jerk 20 m/s³",
+/// "X Z Jerk 20 / 10 m/s³".
+QStringList changed_texts(const SetupState& setup, std::string_view left_out) {
+  struct Group {
+    std::string limit;  ///< "" for what is no limit of an axis
+    std::string key;    ///< the first
+    QStringList axes;
+    QStringList values;
+  };
+  std::vector<Group> groups;
+  for (const auto& [key, value] : setup.edits()) {
+    if (key == contour_tolerance_key || key == program_tolerance_key || key == left_out) {
+      continue;
+    }
+    const bool of_axis = key.size() > 2 && key[1] == '.';
+    const std::string limit = of_axis ? key.substr(2) : std::string();
+    const auto same =
+        std::ranges::find_if(groups, [&](const Group& group) { return of_axis && group.limit == limit; });
+    Group& group = same == groups.end() ? groups.emplace_back(Group{limit, key, {}, {}}) : *same;
+    group.axes.append(of_axis ? QString(QLatin1Char(key.front())) : QString());
+    group.values.append(value_text(value, key_unit(setup.spec(key).unit)));
+  }
+  QStringList texts;
+  for (Group& group : groups) {
+    QString title = setting_title(group.key);
+    if (group.axes.size() > 1) {
+      static const QRegularExpression axis_name(QStringLiteral("\\b[A-Z]\\b"));
+      title.replace(axis_name, group.axes.join(QLatin1Char(' ')));
+    }
+    if (std::ranges::adjacent_find(group.values, std::ranges::not_equal_to()) == group.values.end()) {
+      group.values = {group.values.front()};
+    }
+    texts.append(
+        QStringLiteral("%1 %2 %3")
+            .arg(title, group.values.join(QStringLiteral(" / ")), key_unit(setup.spec(group.key).unit).text)
+            .trimmed());
+  }
+  return texts;
+}
+
+}  // namespace
+
 QString run_title(const RunItem& item, std::span<const PathControl> feed_controls,
                   std::string_view left_out) {
   if (!item.name.isEmpty()) {
@@ -43,19 +88,12 @@ QString run_title(const RunItem& item, std::span<const PathControl> feed_control
   if (tolerance && left_out != contour_tolerance_key) {
     parts.append(tolerance_text(*tolerance));
   }
-  constexpr int most = 2;
-  int more = -most;
-  for (const auto& [key, value] : setup.edits()) {
-    const bool is_said = key == contour_tolerance_key || key == program_tolerance_key;
-    if (!is_said && key != left_out && ++more <= 0) {
-      parts.append(QStringLiteral("%1 %2 %3")
-                       .arg(setting_title(key), value_text(value, key_unit(setup.spec(key).unit)),
-                            key_unit(setup.spec(key).unit).text)
-                       .trimmed());
-    }
-  }
-  if (more > 0) {
-    parts.append(RunList::tr("%n more", "changed settings, behind two of them", more));
+  constexpr qsizetype most = 2;
+  const QStringList changes = changed_texts(setup, left_out);
+  parts += changes.first(std::min(most, changes.size()));
+  if (changes.size() > most) {
+    parts.append(RunList::tr("%n more", "changed settings, behind two of them",
+                             static_cast<int>(changes.size() - most)));
   }
   return parts.join(QStringLiteral(", "));
 }

@@ -58,7 +58,7 @@ TEST(Captions, TheLegendOfALowPictureLeavesThePathMostOfIt) {
   const double all = screen_layout(220, 1000, 1, captions).legend_height;
   for (int height = 80; height <= 400; height += 20) {
     const double legend = screen_layout(220, height, 1, captions).legend_height;
-    EXPECT_LE(legend, std::max(0.45 * height + 8, row + 8)) << height;
+    EXPECT_LE(legend, std::max((height < 400 ? 0.25 : 0.45) * height + 8, row + 8)) << height;
     EXPECT_GE(legend, std::min(all, row)) << "the warning is never left out";
   }
 }

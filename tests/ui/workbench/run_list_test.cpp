@@ -167,7 +167,12 @@ TEST_F(RunListTest, ATitleSaysModelToleranceAndWhatIsChanged) {
   }
   runs.set_setup(0, setup, "more");
   EXPECT_EQ(runs.title(runs.items()[0]).toStdString(),
-            "essid, 0.05 mm, X Jerk 3 m/s³, X Velocity 7 m/min, 2 more");
+            "essid, 0.05 mm, X Jerk 3 m/s³, X Y Z Velocity 7 m/min");
+  setup.set("Y.jerk", 4.0);
+  setup.set("X.acceleration", 0.5);
+  runs.set_setup(0, setup, "still more");
+  EXPECT_EQ(runs.title(runs.items()[0]).toStdString(),
+            "essid, 0.05 mm, X Acceleration 0.5 m/s², X Y Jerk 3 / 4 m/s³, 1 more");
   runs.rename(0, "mine");
   EXPECT_EQ(runs.title(runs.items()[0]).toStdString(), "mine");
 }

@@ -143,7 +143,8 @@ std::vector<Entry> legend(const Captions& captions, double room, double k) {
   }
   if (!texts.warning.empty()) {
     constexpr Rgb alarm{0.86, 0.15, 0.10};
-    const double longest = room - (panel_margin + sample_width + 30) * k;
+    const double longest =
+        room - (panel_margin + sample_width + 30) * k - Canvas::text_size(" …", text_style(k, colours)).x();
     std::istringstream lines(texts.warning);
     for (std::string line; std::getline(lines, line);) {
       const std::size_t first = list.size();
@@ -174,25 +175,38 @@ int for_each_cell(const std::vector<Entry>& entries, double width, double scale,
   return row;
 }
 
-/// Of those the ones that leave the path most of a picture that is `height` high, warnings before others.
+/// Every text that takes several rows with the first of them alone.
+void shorten(std::vector<Entry>& list) {
+  for (std::size_t i = 1; i < list.size(); ++i) {
+    if (list[i].continues && !list[i - 1].continues) {
+      list[i - 1].text += " …";
+    }
+  }
+  std::erase_if(list, [](const Entry& entry) { return entry.continues; });
+}
+
+/// Of those the ones that leave the path most of a picture that is `height` high: texts of several rows are
+/// cut first, then warnings are kept before others.
 std::vector<Entry> fitting_legend(const Captions& captions, double room, double height, double k) {
-  constexpr double most = 0.45;
+  constexpr double low = 400;
+  const double most = height < low * k ? 0.25 : 0.45;
   std::vector<Entry> list = legend(captions, room, k);
-  const auto rows = [&] {
-    return for_each_cell(list, room, k, *captions.colours, [](const Entry&, double, int) {});
+  const auto is_too_high = [&] {
+    return for_each_cell(list, room, k, *captions.colours, [](const Entry&, double, int) {}) * row_height *
+               k >
+           most * height;
   };
-  while (list.size() > 1 && rows() * row_height * k > most * height) {
+  if (is_too_high()) {
+    shorten(list);
+  }
+  while (list.size() > 1 && is_too_high()) {
     const auto other =
         std::find_if(list.rbegin(), list.rend(), [](const Entry& entry) { return !entry.warns; });
     if (other != list.rend()) {
       list.erase(other.base() - 1);
       continue;
     }
-    const bool cut = list.back().continues;
     list.pop_back();
-    if (cut) {
-      list.back().text += " …";
-    }
   }
   return list;
 }
