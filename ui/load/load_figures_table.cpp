@@ -1,6 +1,5 @@
 #include "ui/load/load_figures_table.h"
 
-
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
 
