@@ -227,8 +227,9 @@ void KinematicChart::fit() {
   for (std::size_t k = 0; k < columns_.size() && !fastest_rapid_ && !chosen_values_; ++k) {
     if (shown_[k] && spec_.curves[k].quantity == QuantityId::programmed_feed) {
       const Extent programmed = reach_of(columns_[k], true).values;
-      if (!programmed.empty() && double{programmed.max} > values_.upper) {
-        programmed_beyond_ = programmed.max;
+      const double most = cutting_feed_ ? cutting_feed_->programmed : double{programmed.max};  // no rapids
+      if (!programmed.empty() && std::min(most, double{programmed.max}) > values_.upper) {
+        programmed_beyond_ = std::min(most, double{programmed.max});
       }
     }
   }
@@ -345,6 +346,14 @@ void KinematicChart::draw_curves(QPainter& painter) const {
       draw_columns(painter, plot, spans_of(*this, plot, columns_[k]),
                    {mixed(colours.plot, curve_colour(spec_.curves[k].role, colours), pale), 1});
     }
+    // The last stretch may reach beyond the end of the run.
+    const auto last = std::find_if_not(columns_.front().rbegin(), columns_.front().rend(),
+                                       [](const Extent& column) { return column.empty(); });
+    QRectF run = plot;
+    run.setWidth(plot.width() * static_cast<double>(columns_.front().rend() - last) /
+                 static_cast<double>(columns_.front().size()));
+    painter.save();
+    painter.setClipRect(run, Qt::IntersectClip);
     for (const std::size_t k : order) {
       if (!means_.empty() && k > 0) {
         continue;  // beside the mean of one curve the bands of all others would hide it
@@ -352,6 +361,7 @@ void KinematicChart::draw_curves(QPainter& painter) const {
       draw_usual_band(painter, plot, spans_of(*this, plot, usual_[k]), columns_a_stretch_, columns_[k].size(),
                       curve_colour(spec_.curves[k].role, colours), line_pixels(band_edge, *this));
     }
+    painter.restore();
     return;
   }
   for (const std::size_t k : order) {

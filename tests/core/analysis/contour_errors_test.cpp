@@ -8,6 +8,7 @@
 #include <random>
 
 #include "core/analysis/contour/contour_histogram.h"
+#include "core/analysis/contour/contour_search.h"
 #include "core/analysis/path_deviation.h"
 #include "core/analysis/run.h"
 #include "core/trajectory/part_walk.h"
@@ -248,9 +249,10 @@ TEST(ContourErrors, OfFeedMotionsAloneLeaveOutRapids) {
   EXPECT_GT(all.largest, 0.1);
   EXPECT_LE(cutting.largest, 0.02 + 1e-6);
   EXPECT_GT(cutting.largest, 0.002);
-  EXPECT_EQ(cutting_contour_error(*run.trajectory, all), cutting.largest);
-  EXPECT_EQ(run.summary.cutting_contour_error, cutting.largest);
-  EXPECT_NEAR(run.summary.max_contour_error, all.largest, 1e-9);
+  constexpr double found = 2 * ContourSearch::precision;  // with other numbers of places
+  EXPECT_NEAR(cutting_contour_error(*run.trajectory, all), cutting.largest, found);
+  EXPECT_NEAR(run.summary.cutting_contour_error, cutting.largest, found);
+  EXPECT_NEAR(run.summary.max_contour_error, all.largest, found);
 }
 
 TEST(ContourErrors, BinsHaveRoundEdges) {

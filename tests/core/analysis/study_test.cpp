@@ -212,7 +212,7 @@ TEST(Operations, AreNotCalledAfterWhatEndsBeforeThem) {
   const LoadedProgram program = program_of(
       "(-- slot 1 --)\nG1 X10 F500\n(-- slot 1 END --)\n(-- slot 2 --)\nX20\n(10 mm ball end)\nY10\n");
   EXPECT_THAT(titles(split_operations(program, OperationSplit::comment)),
-              ElementsAre("slot 1", "slot 2", "10 mm ball end"));
+              ElementsAre("-- slot 1 --", "-- slot 2 --", "10 mm ball end"));
 }
 
 TEST(Operations, BeginAgainWhereALoopComesBackToTheirHeading) {

@@ -170,6 +170,7 @@ class Files {
                               "path_mm",
                               "blends",
                               "max_contour_error_mm",
+                              "max_contour_error_cutting_mm",
                               "max_corner_distance_mm",
                               "max_contour_error_at",
                               "actual",

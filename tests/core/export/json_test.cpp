@@ -46,6 +46,7 @@ struct Sample {
     summary.programmed_time = 3;
     summary.mean_feed = 0.5;
     summary.max_contour_error = 0.08;
+    summary.cutting_contour_error = 0.06;
     summary.max_corner_distance = 0.11;
     summary.worst_place = {0.08, -0.05, 0.5, 7, 4, 1, {1, 2, 3}, {1, 2, 2.92}};
     summary.peak_feed = 1;
@@ -92,6 +93,7 @@ TEST(SimulationJson, HoldsTheKeysOfTheDesignInTheirOrder) {
     "path_mm": 2.5,
     "blends": 7,
     "max_contour_error_mm": 0.08,
+    "max_contour_error_cutting_mm": 0.06,
     "max_corner_distance_mm": 0.11,
     "max_contour_error_at": {"line": 4, "time_s": 0.5, "position_mm": [1.0, 2.0, 3.0], "side_mm": -0.05},
     "peaks": {"feed_mm_min": 60.0,

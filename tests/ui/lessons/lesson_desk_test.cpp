@@ -44,7 +44,8 @@ TEST_F(LessonDeskTest, ListsTheShippedLessons) {
 
 TEST_F(LessonDeskTest, OpensALessonWithItsNumbersAndLeavesTheWindow) {
   open("4");
-  EXPECT_THAT(desk.filled(desk.lesson()->text).toStdString(), HasSubstr("For 2.5 mm that is 2.008 m/min."));
+  EXPECT_THAT(desk.filled(desk.lesson()->text).toStdString(),
+              HasSubstr("circles of 2.5 mm and 30 mm radius"));
   EXPECT_EQ(model.program(), nullptr);
   EXPECT_EQ(desk.value(), "");
 }
