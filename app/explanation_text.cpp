@@ -128,6 +128,12 @@ std::string causes_text(const TimeUse& use) {
   return table.text("lrrr");
 }
 
+/// A comment may be of any length; its line leads to the whole.
+std::string short_title(const std::string& title) {
+  std::string start = fmt::format("{:.50}", title);
+  return start == title ? title : start + "...";
+}
+
 std::string operations_text(const TimeUse& use) {
   TextTable table;
   table.add({"", "line", "time", "share", "programmed", "lost", "rapids", "loses most to"});
@@ -155,7 +161,7 @@ std::string operations_text(const TimeUse& use) {
                seconds_text(operation.rapid), cause});
   };
   for (const OperationTime* operation : shown) {
-    add(operation->title, fmt::format("{}", operation->line), *operation,
+    add(short_title(operation->title), fmt::format("{}", operation->line), *operation,
         operation->loses() ? cause_title(operation->worst.cause) : "");
   }
   if (others > 0) {

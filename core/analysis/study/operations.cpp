@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <numeric>
+#include <set>
 
 #include "core/analysis/contour/contour_errors.h"
 #include "core/analysis/study/heading.h"
@@ -60,28 +61,35 @@ std::vector<Operation> by_tool(const LoadedProgram& program) {
 struct Heading {
   std::uint32_t line;
   std::string title;
+  bool closes = false;  ///< it says that what an earlier one heads ends: "-- pocket 2 end --"
 };
 
-std::vector<Heading> headings_of(const SourceText& text) {
-  std::vector<Heading> headings;
-  for (std::uint32_t line = 1; line <= text.line_count(); ++line) {
-    if (std::optional<std::string> title = operation_heading(text.utf8_line(line))) {
-      headings.push_back({line, std::move(*title)});
-    }
-  }
-  return headings;
-}
-
-/// "-- pocket 2 end --": of what is before.
-bool closes(const std::string& title) {
+/// What is in front of the word "end" at the end of a title; "" without it.
+std::string what_ends(const std::string& title) {
   std::size_t end = title.size();
   while (end > 0 && std::isalnum(static_cast<unsigned char>(title[end - 1])) == 0) {
     --end;
   }
   constexpr std::string_view word = " end";
-  return end > word.size() &&
-         std::equal(word.begin(), word.end(), title.begin() + static_cast<std::ptrdiff_t>(end - word.size()),
-                    [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
+  const bool says_so =
+      end > word.size() &&
+      std::equal(word.begin(), word.end(), title.begin() + static_cast<std::ptrdiff_t>(end - word.size()),
+                 [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
+  return says_so ? title.substr(0, end - word.size()) : std::string();
+}
+
+std::vector<Heading> headings_of(const SourceText& text) {
+  std::vector<Heading> headings;
+  std::set<std::string> before;
+  for (std::uint32_t line = 1; line <= text.line_count(); ++line) {
+    if (std::optional<std::string> title = operation_heading(text.utf8_line(line))) {
+      const std::string ended = what_ends(*title);
+      const auto heads = ended.empty() ? before.end() : before.lower_bound(ended);
+      headings.push_back({line, *title, heads != before.end() && heads->starts_with(ended)});
+      before.insert(std::move(*title));
+    }
+  }
+  return headings;
 }
 
 /// The title of the comments (last_line_before, line): of the last run the first with a letter, but for those
@@ -95,7 +103,7 @@ const Heading* title_between(const std::vector<Heading>& headings, std::uint32_t
     if (it->line <= after || (title != nullptr && std::next(it)->line != it->line + 1)) {
       break;
     }
-    if (title == nullptr || (!it->title.empty() && !closes(it->title)) || closes(title->title)) {
+    if (title == nullptr || (!it->title.empty() && !it->closes) || title->closes) {
       title = &*it;
     }
   }
@@ -117,7 +125,8 @@ std::vector<Operation> by_comment(const LoadedProgram& program) {
     const bool goes_on = goes_back && title != nullptr && title->line == operations.back().line;
     if (title != nullptr && !goes_on) {
       operations.push_back(
-          {title->title.empty() ? fmt::format("line {}", title->line) : title->title, title->line, i, 0});
+          {title->title.empty() || title->closes ? fmt::format("line {}", title->line) : title->title,
+           title->line, i, 0});
     }
     before = line;
   }

@@ -210,9 +210,10 @@ TEST(Operations, OfCommentsHaveTheirLastHeading) {
 /// A comment that only closes what is before is the heading of nothing behind it.
 TEST(Operations, AreNotCalledAfterWhatEndsBeforeThem) {
   const LoadedProgram program = program_of(
-      "(-- slot 1 --)\nG1 X10 F500\n(-- slot 1 END --)\n(-- slot 2 --)\nX20\n(10 mm ball end)\nY10\n");
+      "(-- slot 1 --)\nG1 X10 F500\n(-- slot 1 END --)\n(-- slot 2 --)\nX20\n(10 mm ball end)\nY10\n"
+      "(-- slot 2 end --)\nY20\n");
   EXPECT_THAT(titles(split_operations(program, OperationSplit::comment)),
-              ElementsAre("-- slot 1 --", "-- slot 2 --", "10 mm ball end"));
+              ElementsAre("-- slot 1 --", "-- slot 2 --", "10 mm ball end", "line 8"));
 }
 
 TEST(Operations, BeginAgainWhereALoopComesBackToTheirHeading) {
