@@ -6,6 +6,7 @@
 
 #include "app/print.h"
 #include "core/analysis/refused_lines.h"
+#include "core/base/clock_text.h"
 
 namespace feedscope {
 namespace {
