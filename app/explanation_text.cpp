@@ -113,7 +113,7 @@ std::string causes_text(const TimeUse& use) {
       rest.lost += cost.lost;
     }
   }
-  constexpr double path_worth_a_row = 1e-4;  // it is no cause: with others it would hide what they lose
+  constexpr double path_worth_a_row = 1e-4;  // among the others it would hide what causes lose
   if (std::abs(use.saved_by_path) > path_worth_a_row * use.cycle_time) {
     table.add({std::string(path_title(use)), "", "", seconds_text(-use.saved_by_path)});
   } else {

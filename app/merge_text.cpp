@@ -73,7 +73,7 @@ std::string merge_text(const MergedComparison& merged) {
     table.add({fastest ? "*" : "", run.machine, run.model, run.setting, fmt::format("{}", programs),
                fmt::format("{:.3f}", run.cycle_time), clock_text(run.cycle_time),
                has_feed ? fmt::format("{:.1f}", run.mean_feed) : "",
-               fmt::format("{:.4f}", run.max_contour_error)});
+               fmt::format("{:.4f}", run.cutting_contour_error)});
   };
   for (const MergedProgram& program : merged.programs) {
     const std::string defect = defect_text(program);

@@ -39,8 +39,9 @@ namespace {
 /// "X Z Jerk 20 / 10 m/s³".
 QStringList changed_texts(const SetupState& setup, std::string_view left_out) {
   struct Group {
-    std::string limit;  ///< "" for what is no limit of an axis
+    std::string limit;  ///< "" for a setting of the model
     std::string key;    ///< the first
+    QString unit;       ///< rotary axes have another one than linear ones
     QStringList axes;
     QStringList values;
   };
@@ -51,11 +52,13 @@ QStringList changed_texts(const SetupState& setup, std::string_view left_out) {
     }
     const bool of_axis = key.size() > 2 && key[1] == '.';
     const std::string limit = of_axis ? key.substr(2) : std::string();
-    const auto same =
-        std::ranges::find_if(groups, [&](const Group& group) { return of_axis && group.limit == limit; });
-    Group& group = same == groups.end() ? groups.emplace_back(Group{limit, key, {}, {}}) : *same;
+    const KeyUnit unit = key_unit(setup.spec(key).unit);
+    const auto same = std::ranges::find_if(groups, [&](const Group& group) {
+      return of_axis && group.limit == limit && group.unit == unit.text;
+    });
+    Group& group = same == groups.end() ? groups.emplace_back(Group{limit, key, unit.text, {}, {}}) : *same;
     group.axes.append(of_axis ? QString(QLatin1Char(key.front())) : QString());
-    group.values.append(value_text(value, key_unit(setup.spec(key).unit)));
+    group.values.append(value_text(value, unit));
   }
   QStringList texts;
   for (Group& group : groups) {
@@ -67,10 +70,9 @@ QStringList changed_texts(const SetupState& setup, std::string_view left_out) {
     if (std::ranges::adjacent_find(group.values, std::ranges::not_equal_to()) == group.values.end()) {
       group.values = {group.values.front()};
     }
-    texts.append(
-        QStringLiteral("%1 %2 %3")
-            .arg(title, group.values.join(QStringLiteral(" / ")), key_unit(setup.spec(group.key).unit).text)
-            .trimmed());
+    texts.append(QStringLiteral("%1 %2 %3")
+                     .arg(title, group.values.join(QStringLiteral(" / ")), group.unit)
+                     .trimmed());
   }
   return texts;
 }

@@ -177,6 +177,18 @@ TEST_F(RunListTest, ATitleSaysModelToleranceAndWhatIsChanged) {
   EXPECT_EQ(runs.title(runs.items()[0]).toStdString(), "mine");
 }
 
+TEST_F(RunListTest, ATitleGivesRotaryAxesTheirOwnUnit) {
+  RunList five(make_setup({"five-axis-table-ac", "essid", {}, {}}));
+  SetupState setup = five.current_item().setup;
+  for (const char* key : {"A.velocity", "X.velocity", "Y.velocity"}) {
+    setup.set(key, 7.0);
+  }
+  five.set_setup(0, setup, "slower");
+  EXPECT_TRUE(
+      five.title(five.items()[0]).endsWith(QStringLiteral("A Velocity 7 rev/min, X Y Velocity 7 m/min")))
+      << five.title(five.items()[0]).toStdString();
+}
+
 TEST_F(RunListTest, ATitleSaysTheToleranceOfTheProgramWhereThatIsInForce) {
   QSignalSpy renamed(&runs, &RunList::item_changed);
   PathControl fine;
