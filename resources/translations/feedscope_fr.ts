@@ -176,6 +176,10 @@
         <source>90 % of the path is within %1, 99 % within %2.</source>
         <translation>90&#xa0;% de la trajectoire à moins de %1, 99&#xa0;% à moins de %2.</translation>
     </message>
+    <message>
+        <source>That is in a rapid; in feed motions it is %1 at most.</source>
+        <translation>C’est dans un rapide&#xa0;; en avance, elle est au plus de %1.</translation>
+    </message>
 </context>
 <context>
     <name>ContourPlot</name>

@@ -86,9 +86,13 @@ QString verdict_text(const ContourReport& report) {
     return Contour::tr("The programmed path is followed exactly: no contour error.");
   }
   const ContourFinding& worst = report.worst.front();
-  const QString where =
-      Contour::tr("Largest contour error %1, in line %2 at %3.")
-          .arg(error_amount_text(report.largest), line_text(worst), clock_text(worst.place.time));
+  QString where = Contour::tr("Largest contour error %1, in line %2 at %3.")
+                      .arg(error_amount_text(report.largest), line_text(worst), clock_text(worst.place.time));
+  constexpr double rounding = 1e-6;
+  if (report.cutting < report.largest * (1 - rounding)) {
+    where += QStringLiteral(" ") + Contour::tr("That is in a rapid; in feed motions it is %1 at most.")
+                                       .arg(error_amount_text(report.cutting));
+  }
   return report.tolerance ? where + QStringLiteral(" ") + tolerance_sentence(report)
                           : where + QStringLiteral(" ") + Contour::tr("No contour tolerance applies.");
 }

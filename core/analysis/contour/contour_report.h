@@ -38,6 +38,7 @@ struct ContourFinding {
 /// Contour error of a run for people: how much, how often, where, and against which tolerance.
 struct ContourReport {
   double largest = 0;                 ///< [mm]
+  double cutting = 0;                 ///< the largest of feed motions alone [mm]
   std::vector<ContourFinding> worst;  ///< the largest first; within 10 nm in the order of the program
   ContourSpread spread;
   /// The deviation lies in XY, that of the worst place too, so that left and right of the path say it.

@@ -16,7 +16,7 @@ struct TriedChange {
   double cycle_time = 0;                        ///< with it [s]
   std::optional<double> max_contour_error;      ///< with it, as in Summary [mm]; of the best alone
   std::optional<double> cutting_contour_error;  ///< the same
-  std::string failure;                          ///< why there is no result; "" if there is one
+  std::string failure;                          ///< why it could not be simulated, else ""
 };
 
 /// What was tried on a run, and what helps most.

@@ -86,6 +86,10 @@ TEST_F(ContourModels, SayHowLargeWhereAndAgainstWhat) {
   EXPECT_THAT(verdict_text(exceeded).toStdString(), HasSubstr("is exceeded by"));
   exceeded.tolerance.reset();
   EXPECT_THAT(verdict_text(exceeded).toStdString(), HasSubstr("No contour tolerance applies."));
+  EXPECT_THAT(kept, testing::Not(HasSubstr("rapid")));
+  exceeded.cutting = report->largest / 2;
+  EXPECT_THAT(verdict_text(exceeded).toStdString(),
+              HasSubstr("in a rapid; in feed motions it is " + error_text(exceeded.cutting).toStdString()));
   EXPECT_THAT(share_text(*report, true).toStdString(), testing::Not(HasSubstr("along Z")));
   exceeded.worst[0].place.side = 0;
   EXPECT_THAT(share_text(exceeded, true).toStdString(), HasSubstr("along Z"));
