@@ -4,7 +4,7 @@
 Each trial simulates the test program of `feedscope identify --program` on a machine whose limits and tolerance are
 drawn, makes a trace of it (positions with noise, rounded to 1 um, one sample each 4 ms with jitter, axes shifted), and
 has the numbers found again from the shipped machine. A number counts as right within 2 % or its stated uncertainty, as
-not told if identify says so, else as wrong.
+not told if identify says so, else as wrong; exit code 1 if any is.
 """
 
 import csv
@@ -73,6 +73,7 @@ def main():
     trials = int(sys.argv[2]) if len(sys.argv) > 2 else 100
     first = int(sys.argv[3]) if len(sys.argv) > 3 else 1
     models = sys.argv[4:] or list(MACHINES)
+    all_right = True
     print("| model | number | right | not told | wrong | largest deviation of the told |\n| --- | --- | --- | --- | --- | --- |")
     for model in models:
         table = {}
@@ -81,13 +82,15 @@ def main():
                 for key, (verdict, off) in trial(feedscope, model, seed, pathlib.Path(folder)).items():
                     table.setdefault(key, []).append((verdict, off))
                     if verdict == "wrong":
+                        all_right = False
                         print(f"wrong: {model} seed {seed}: {key} {100 * off:+.2f} %", file=sys.stderr)
         for key, verdicts in table.items():
             count = {kind: sum(verdict == kind for verdict, _ in verdicts) for kind in ("right", "not told", "wrong")}
             told = [abs(off) for verdict, off in verdicts if verdict != "not told"]
             print(f"| {model} | `{key}` | {count['right']} | {count['not told']} | {count['wrong']} | "
                   f"{100 * max(told, default=0):.2f} % |", flush=True)
+    return 0 if all_right else 1
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

@@ -187,7 +187,7 @@ struct Variant {
   const char* name;
   const char* model;
   std::vector<Setting> settings;
-  std::uint32_t paths = 500;
+  std::uint32_t paths = 240;
 };
 
 const std::vector<Variant>& variants() {

@@ -87,7 +87,7 @@ TEST(DriveFit, FindsGainFeedForwardAndLagOfRandomDrives) {
   const Recorder recorder({});
   std::mt19937 random(7);
   std::uniform_real_distribution<double> share(0, 1);
-  constexpr unsigned trials = 9;
+  constexpr unsigned trials = 6;
   std::size_t told = 0;
   for (unsigned trial = 0; trial < trials; ++trial) {
     const double gain = 20 * std::pow(6, share(random));
