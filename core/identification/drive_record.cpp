@@ -19,7 +19,7 @@ constexpr double window_time = 8;      // [s] of the parts that are taken of lon
 constexpr double standing = 1e-9;      // [mm]
 constexpr std::size_t standing_samples = 5;
 constexpr std::size_t least_samples = 50;  // of a stretch
-constexpr std::size_t most_shift = 10;     // samples that actual positions may be late or early
+constexpr double most_shift = 9.5;         // periods; actual positions may be nine late or early
 
 /// Derivatives at `t[at]` of the cubic through four places.
 std::array<double, 3> cubic_derivatives(const double* t, const double* x, std::size_t at) {
@@ -71,8 +71,9 @@ DriveRecord::DriveRecord(const std::vector<const Trace*>& traces, std::size_t ax
   }
   measured_.reserve(steps_.size());
   trace_of_.reserve(steps_.size());
-  for (const Stretch& stretch : stretches_) {
-    for (std::size_t i = stretch.first + stretch.settling; i + most_shift < stretch.last; ++i) {
+  for (Stretch& stretch : stretches_) {
+    leave_margins(stretch);
+    for (std::size_t i = stretch.first + stretch.settling; i < stretch.last_compared; ++i) {
       measured_.push_back(steps_[i].set - steps_[i].actual);
       trace_of_.push_back(static_cast<std::uint32_t>(stretch.trace));
     }
@@ -108,7 +109,9 @@ void DriveRecord::add_stretch(const Trace& trace, std::size_t axis, std::size_t 
     return;
   }
   const std::vector<double>& set = trace.place[axis];
-  Stretch stretch{steps_.size(), 0, 0, number};
+  Stretch stretch;
+  stretch.first = steps_.size();
+  stretch.trace = number;
   for (std::size_t i = begin; i + 1 < end; ++i) {
     const std::size_t first = std::min(std::max(i, begin + 1) - 1, end - around);
     double time = trace.time[i + 1] - trace.time[i];
@@ -136,11 +139,25 @@ void DriveRecord::add_stretch(const Trace& trace, std::size_t axis, std::size_t 
   }
   stretch.last = steps_.size();
   period_ = std::max(period_, trace.period);
-  stretch.settling = std::max(
-      most_shift,
-      at_rest ? 0 : static_cast<std::size_t>(std::ceil(settling_time / std::max(trace.period, 1e-6))));
-  stretch.settling = std::min(stretch.settling, stretch.last - stretch.first);
+  stretch.begins_in_motion = !at_rest;
   stretches_.push_back(stretch);
+}
+
+void DriveRecord::leave_margins(Stretch& stretch) const {
+  const double shift = most_shift * period_;
+  const double settling = stretch.begins_in_motion ? std::max(shift, settling_time) : shift;
+  double time = 0;
+  std::size_t from = stretch.first;
+  while (from < stretch.last && time < settling) {
+    time += steps_[from++].time;
+  }
+  stretch.settling = from - stretch.first;
+  time = 0;
+  std::size_t to = stretch.last;
+  while (to > from && time < shift) {
+    time += steps_[--to].time;
+  }
+  stretch.last_compared = to;
 }
 
 Eigen::VectorXd DriveRecord::without_means(Eigen::VectorXd values) const {
@@ -188,7 +205,7 @@ Eigen::VectorXd DriveRecord::residuals(const AxisDrive& drive, double delay) con
   Eigen::Index next = 0;
   for (const Stretch& stretch : stretches_) {
     MotorMotion motor;
-    if (stretch.settling > most_shift) {
+    if (stretch.begins_in_motion) {
       // As if the set position had gone on like this for ever.
       const auto& [v, a, j] = steps_[stretch.first].derivative;
       const double gain = *drive.gain;
@@ -209,12 +226,13 @@ Eigen::VectorXd DriveRecord::residuals(const AxisDrive& drive, double delay) con
       time += step.time;
       course.push_back({time, step.set - answer.error, answer.velocity});
     }
-    const double period = course.empty() ? 1 : time / static_cast<double>(course.size());
-    const auto back = static_cast<std::ptrdiff_t>(std::ceil(delay / period));
-    for (std::size_t i = stretch.settling; i + most_shift < course.size(); ++i) {
-      const auto before = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) - back);
-      left[next++] = between(course[before], course[before + 1], course[i].time - delay) -
-                     steps_[stretch.first + i].actual;
+    std::size_t before = 0;
+    for (std::size_t i = stretch.settling; stretch.first + i < stretch.last_compared; ++i) {
+      const double wanted = course[i].time - delay;
+      while (before + 2 < course.size() && course[before + 1].time <= wanted) {
+        ++before;
+      }
+      left[next++] = between(course[before], course[before + 1], wanted) - steps_[stretch.first + i].actual;
     }
   }
   return without_means(std::move(left));

@@ -41,10 +41,12 @@ class DriveRecord {
  private:
   /// Samples in order without a gap.
   struct Stretch {
-    std::size_t first = 0;     ///< step
-    std::size_t last = 0;      ///< behind the last step
-    std::size_t settling = 0;  ///< steps at its start that are not compared: it may begin in motion
+    std::size_t first = 0;          ///< step
+    std::size_t last = 0;           ///< behind the last step
+    std::size_t settling = 0;       ///< steps at its start that are not compared
+    std::size_t last_compared = 0;  ///< behind the last step that is
     std::size_t trace = 0;
+    bool begins_in_motion = false;
   };
   /// From one sample to the next.
   struct Step {
@@ -57,6 +59,8 @@ class DriveRecord {
   void add(const Trace& trace, std::size_t axis, std::size_t number, std::size_t most);
   void add_stretch(const Trace& trace, std::size_t axis, std::size_t number, std::size_t begin,
                    std::size_t end);
+  /// Leaves what delays reach beyond out of both ends of a stretch.
+  void leave_margins(Stretch& stretch) const;
   Eigen::VectorXd without_means(Eigen::VectorXd values) const;
 
   std::vector<Step> steps_;

@@ -250,7 +250,8 @@ TEST(SlowGroups, RapidsAreApartFromTheCutsBesideThem) {
 TEST(SlowGroups, ArcsAreKnownByTheirRadius) {
   const SimulatedRun run =
       run_of("G21 G90 G17 F12000\nG1 X20\nG3 X20 Y4 J2\nG1 X0\nG2 X0 Y8 J2\nG1 X20\nM30\n", "tapie");
-  const SlowGroup* arcs = group_of(find_slow_groups(*run.trajectory), PlaceShape::arc);
+  const SlowGroups groups = find_slow_groups(*run.trajectory);
+  const SlowGroup* arcs = group_of(groups, PlaceShape::arc);
   ASSERT_NE(arcs, nullptr);
   EXPECT_NEAR(arcs->median, 2, 1e-6);
 }

@@ -169,6 +169,23 @@ TEST(DriveFit, CopesWithJitterAndGaps) {
   EXPECT_NEAR(fit.parameters[2].value, 3, 0.1);
 }
 
+/// Nine periods of the slower trace are many samples of the faster one.
+TEST(DriveRecord, ShiftsTracesOfTwoRatesByOneDelay) {
+  const Recorder recorder({});
+  const AxisDrive drive = drive_of(60, 0.5, 3e-3);
+  Recording how;
+  how.delay = 0.036;
+  const Trace fast = recorder.record(drive, how);
+  how.period = 4e-3;
+  const Trace slow = recorder.record(drive, how);
+  const DriveRecord record({&fast, &slow}, 0, fast.size() + slow.size());
+  EXPECT_GT(record.size(), fast.size());
+  const double samples = std::sqrt(static_cast<double>(record.size()));
+  EXPECT_LT(record.residuals(drive, how.delay).norm() / samples, 2e-4);
+  EXPECT_GT(record.residuals(drive, 0).norm() / samples, 0.1);
+  EXPECT_GT(record.residuals(drive, -how.delay).norm() / samples, 0.2);
+}
+
 TEST(DriveFit, TakesEvenlySpreadPartsOfLongTraces) {
   const Recorder recorder({});
   const Trace trace = recorder.record(drive_of(60, 0.5, 3e-3), {2e-4});
