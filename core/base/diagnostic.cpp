@@ -41,11 +41,11 @@ std::vector<RepeatedDiagnostic> without_repeats(const std::vector<Diagnostic>& d
   constexpr std::size_t several = std::numeric_limits<std::size_t>::max();
   std::vector<RepeatedDiagnostic> all;
   std::map<std::pair<Kind, Said>, std::size_t> known;
-  std::map<Kind, std::size_t> only_of_kind;
+  std::map<std::pair<Kind, int>, std::size_t> only_of_kind;  // by detail
   for (const Diagnostic& d : diagnostics) {
     const Kind kind(d.file, d.code, d.severity);
     if (d.count > 1 || d.last_line > 0) {
-      const auto only = only_of_kind.find(kind);
+      const auto only = only_of_kind.find({kind, d.detail});
       if (only != only_of_kind.end() && only->second != several) {
         RepeatedDiagnostic& same = all[only->second];
         same.unlisted += d.count;
@@ -57,7 +57,7 @@ std::vector<RepeatedDiagnostic> without_repeats(const std::vector<Diagnostic>& d
     }
     const auto [found, is_new] = known.try_emplace({kind, Said(d.message, d.hint)}, all.size());
     if (is_new) {
-      const auto [only, is_first] = only_of_kind.try_emplace(kind, all.size());
+      const auto [only, is_first] = only_of_kind.try_emplace({kind, d.detail}, all.size());
       only->second = is_first ? all.size() : several;
       all.push_back({&d});
       continue;

@@ -24,6 +24,7 @@ struct Diagnostic {
   /// Places that it stands for: more than one where a closing line counts what is not listed.
   std::uint64_t count = 1;
   std::uint32_t last_line = 0;  ///< of the last of these places; 0: there is one
+  int detail = 0;               ///< tells kinds with one code apart; places are counted by kind
 };
 
 /// A message with every place that it applies to.

@@ -16,7 +16,8 @@ std::vector<DiagnosticRow> diagnostic_rows(const std::vector<Diagnostic>& diagno
   const auto kept_once = [&](const Diagnostic& closing) {
     return std::ranges::any_of(said, [&](const RepeatedDiagnostic& one) {
       return one.unlisted > 0 && one.further_lines.empty() && one.first->code == closing.code &&
-             one.first->severity == closing.severity && one.first->file == closing.file;
+             one.first->detail == closing.detail && one.first->severity == closing.severity &&
+             one.first->file == closing.file;
     });
   };
   std::vector<DiagnosticRow> rows;

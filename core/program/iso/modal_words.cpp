@@ -247,7 +247,7 @@ void ModalWords::apply_m(const Word& word) {
 /// in which X, Y and Z are the tip, M429 and M430 for others.
 void ModalWords::switch_kinematics(int number, std::uint32_t column) {
   modal_.tip_kinematics = number == 428;
-  report(Severity::info, "rotary-feed", 4, column, [&] {
+  report(Severity::info, "rotary-feed", number, column, [&] {
     return Text{
         modal_.tip_kinematics
             ? "M428 is read as in LinuxCNC's own five-axis configurations: X, Y and Z are the tool's tip"

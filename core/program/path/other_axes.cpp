@@ -41,8 +41,10 @@ RotaryMove& OtherAxes::move_of_block() {
 }
 
 void OtherAxes::report_feed(char axis, bool at_tip, std::uint32_t column) {
+  // One kind for each axis: detail 0 to 255 are letters, and those at the tip follow.
   log_.add(
-      at_tip ? Severity::info : Severity::warning, "rotary-feed", at_tip ? 1 : 0, lines_.place(column), [&] {
+      at_tip ? Severity::info : Severity::warning, "rotary-feed", axis + (at_tip ? 256 : 0),
+      lines_.place(column), [&] {
         return at_tip
                    ? DiagnosticLog::Text{fmt::format("axis {} turns in feed motions of the tool's tip", axis),
                                          "its limits hold along each block and where blocks meet"}

@@ -38,7 +38,8 @@ std::vector<Diagnostic> DiagnosticLog::take() {
            "",
            {},
            kind.left_out,
-           kind.last_left_out});
+           kind.last_left_out,
+           key.second});
     }
   }
   kinds_.clear();

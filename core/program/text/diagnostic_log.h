@@ -38,7 +38,8 @@ class DiagnosticLog {
     if (admit(severity, code, detail, place)) {
       Text made = text();
       diagnostics_.push_back({severity, place.line, place.column, std::string(code.text()),
-                              std::move(made.message), std::move(made.hint), std::string(place.file)});
+                              std::move(made.message), std::move(made.hint), std::string(place.file), 1, 0,
+                              detail});
     }
   }
 

@@ -61,6 +61,12 @@ TEST(WithoutRepeats, TakesTheCountOfTheRestToTheOnlyMessageOfItsKind) {
   EXPECT_EQ(printed({at(1, "a", "x"), at(2, "a", "y"), closing(3, "a", 40, 90)}),
             "1 x|\n2 y|\n3 more like it|\n")
       << "of which of both is not known";
+  Diagnostic other = at(2, "a", "y");
+  other.detail = 1;
+  Diagnostic rest = closing(3, "a", 40, 90);
+  EXPECT_EQ(printed({other, at(3, "a", "x"), rest}), "2 y|\n3 x|40 more up to line 90\n");
+  rest.detail = 1;
+  EXPECT_EQ(printed({at(1, "a", "x"), other, rest}), "1 x|\n2 y|40 more up to line 90\n");
 }
 
 TEST(WithoutRepeats, LosesNoPlace) {
