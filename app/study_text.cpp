@@ -199,7 +199,7 @@ std::string operations_text(const Study& study, const StudyRun& run) {
                fmt::format("{:.0f}", 100 * figures.time / std::max(run.summary.cycle_time, 1e-12)),
                fmt::format("{:.1f}", figures.cutting_length),
                fmt::format("{:.1f}", units::to_mm_min(figures.mean_feed())),
-               fmt::format("{:.4f}", figures.contour_error),
+               fmt::format("{:.4f}", figures.cutting_contour_error),
                figures.time > 0 ? share_text({figures.cause, figures.cause_time / figures.time}) : ""});
   }
   return table.text("rlrrrrrl");

@@ -159,7 +159,7 @@ std::vector<std::string> operation_row(const Study& study, const StudyRun& run, 
   put("cycle_time_s", csv_number(figures.time));
   put("mean_feed_mm_min", csv_number(units::to_mm_min(figures.mean_feed())));
   put("max_contour_error_mm", csv_number(rounded_error(figures.contour_error)));
-  put("within_bound", bound_text(study.within, figures.contour_error));
+  put("within_bound", bound_text(study.within, figures.cutting_contour_error));
   put("limiting_cause", cause_key(figures.cause));
   put("limiting_share", figures.time > 0 ? csv_number(figures.cause_time / figures.time) : "");
   put("operation", csv_field(operation.title));

@@ -404,6 +404,7 @@ Json operations_json(const Study& study, const StudyRun& run) {
                     {"cutting_length_mm", finite(figures.cutting_length)},
                     {"mean_feed_mm_min", finite(units::to_mm_min(figures.mean_feed()))},
                     {"max_contour_error_mm", rounded_length(figures.contour_error)},
+                    {"max_contour_error_cutting_mm", rounded_length(figures.cutting_contour_error)},
                     {"limiting_cause", cause_key(figures.cause)},
                     {"limiting_time_s", finite(figures.cause_time)}});
   }

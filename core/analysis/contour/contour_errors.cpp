@@ -191,14 +191,16 @@ ContourErrors contour_errors(const Trajectory& trajectory, const ContourRequest&
   return Analysis(trajectory, request, progress).run();
 }
 
-double cutting_contour_error(const Trajectory& trajectory, const ContourErrors& errors, Progress* progress) {
+double cutting_contour_error(const Trajectory& trajectory, const ContourErrors& errors,
+                             ContourRequest request, Progress* progress) {
   const Toolpath& path = programmed_path(trajectory);
   if (errors.worst.empty() ||
       !is_in_rapids(path, errors.worst.front().segment, errors.worst.front().programmed)) {
     return errors.largest;
   }
-  ContourRequest request;
   request.places = 1;
+  request.bins = ContourBins::none;
+  request.spread = false;
   request.cutting_only = true;
   return contour_errors(trajectory, request, progress).largest;
 }

@@ -76,10 +76,10 @@ struct ContourErrors {
 ContourErrors contour_errors(const Trajectory& trajectory, const ContourRequest& request = {},
                              Progress* progress = nullptr);
 
-/// The largest of the feed motions of a run whose worst place of all `errors` know [mm]: a search of its own
-/// where that is in a rapid. Throws Cancelled.
+/// The largest of the feed motions of a run, of those elements that `request` names, whose worst place of all
+/// `errors` know [mm]: a search of its own where that is in a rapid. Throws Cancelled.
 double cutting_contour_error(const Trajectory& trajectory, const ContourErrors& errors,
-                             Progress* progress = nullptr);
+                             ContourRequest request = {}, Progress* progress = nullptr);
 
 /// An error as it is exported: known to 1e-6 mm, so that what is below 1e-9 mm says nothing.
 double rounded_error(double error);

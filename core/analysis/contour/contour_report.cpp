@@ -112,8 +112,11 @@ ContourReport contour_report(const Run& run, std::size_t places, Progress* progr
   const Toolpath& programmed = programmed_path(trajectory);
   const ContourErrors errors =
       contour_errors(trajectory, {.places = places, .bins = ContourBins::none, .spread = true}, progress);
-  ContourReport report{
-      errors.largest, cutting_contour_error(trajectory, errors, progress), {}, errors.spread, std::nullopt};
+  ContourReport report{errors.largest,
+                       cutting_contour_error(trajectory, errors, {}, progress),
+                       {},
+                       errors.spread,
+                       std::nullopt};
   std::optional<PathRules> rules;
   const auto tolerance = tolerance_in_force(run.input.feed_controls, run.setup);
   if (tolerance && tolerance->max > 0) {

@@ -203,8 +203,10 @@ std::vector<OperationFigures> figures_of(const std::vector<Operation>& operation
     const std::size_t cause = largest_of(by_cause[i]);
     figures[i].cause = all_causes()[cause];
     figures[i].cause_time = by_cause[i][cause];
-    figures[i].contour_error =
-        contour_errors(trajectory, {1, ContourBins::none, first_element[i], first_element[i + 1]}).largest;
+    const ContourRequest request{1, ContourBins::none, first_element[i], first_element[i + 1]};
+    const ContourErrors errors = contour_errors(trajectory, request);
+    figures[i].contour_error = errors.largest;
+    figures[i].cutting_contour_error = cutting_contour_error(trajectory, errors, request);
   }
   return figures;
 }

@@ -41,12 +41,13 @@ std::vector<Operation> split_operations(const LoadedProgram& program, OperationS
 
 /// Figures of one operation in one run.
 struct OperationFigures {
-  double time = 0;            ///< [s]; rapids and dwells included
-  double cutting_time = 0;    ///< of the motions at a programmed feed [s]
-  double cutting_length = 0;  ///< executed by them [mm]
-  double contour_error = 0;   ///< largest [mm], as ContourErrors::largest
-  Cause cause;                ///< that most of `time` is due to, as limiting_causes() counts
-  double cause_time = 0;      ///< [s]
+  double time = 0;                   ///< [s]; rapids and dwells included
+  double cutting_time = 0;           ///< of the motions at a programmed feed [s]
+  double cutting_length = 0;         ///< executed by them [mm]
+  double contour_error = 0;          ///< largest [mm], as ContourErrors::largest
+  double cutting_contour_error = 0;  ///< of its feed motions [mm]
+  Cause cause;                       ///< that most of `time` is due to, as limiting_causes() counts
+  double cause_time = 0;             ///< [s]
 
   /// While cutting [mm/s]; 0 if it does not cut.
   double mean_feed() const { return cutting_time > 0 ? cutting_length / cutting_time : 0; }

@@ -107,7 +107,7 @@ TriedChange tried(const Run& run, const Remedy& remedy, bool with_error, Progres
     if (with_error) {
       const ContourErrors errors = contour_errors(faster, {1}, progress);
       change.max_contour_error = errors.largest;
-      change.cutting_contour_error = cutting_contour_error(faster, errors, progress);
+      change.cutting_contour_error = cutting_contour_error(faster, errors, {}, progress);
     }
   } catch (const InputError& error) {
     change.failure = error.what();

@@ -237,6 +237,24 @@ TEST(Operations, KnowTheHeadingsOfTheDialects) {
   EXPECT_FALSE(operation_heading("("));
 }
 
+/// LinuxCNC rounds corners between rapids, too.
+TEST(Operations, KnowTheContourErrorOfTheirFeedMotions) {
+  const LoadedProgram program =
+      program_of("G64 P1\n(air)\nG0 X50\nY50\n(part)\nG0 X0\nY0\nG64 P0.01\nG1 X40 F3000\nY40\nX0\n");
+  StudyRequest request = request_of({"X.velocity=30"}, {"linuxcnc"});
+  request.split = OperationSplit::comment;
+  const Study study = run_study(program, request);
+  ASSERT_EQ(study.runs.size(), 1U);
+  const std::vector<OperationFigures>& operations = study.runs[0].operations;
+  ASSERT_EQ(operations.size(), 2U);
+  EXPECT_GT(operations[0].contour_error, 0.05);
+  EXPECT_EQ(operations[0].cutting_contour_error, 0);
+  EXPECT_GT(operations[1].contour_error, 0.05);
+  EXPECT_GT(operations[1].cutting_contour_error, 0.001);
+  EXPECT_LE(operations[1].cutting_contour_error, 0.01 + 1e-9);
+  EXPECT_EQ(operations[1].cutting_contour_error, study.runs[0].summary.cutting_contour_error);
+}
+
 TEST(Operations, AddUpToTheRun) {
   const LoadedProgram program =
       program_of("G0 Z5\n(one)\nG1 X20 F3000\nY20\nX0\n(two)\nG0 Z9\nG1 X9 Y9 F6000\nX0 Y0\nG4 P1\n");
@@ -247,14 +265,17 @@ TEST(Operations, AddUpToTheRun) {
   for (const StudyRun& run : study.runs) {
     double time = 0;
     double error = 0;
+    double cutting = 0;
     for (const OperationFigures& operation : run.operations) {
       time += operation.time;
       error = std::max(error, operation.contour_error);
+      cutting = std::max(cutting, operation.cutting_contour_error);
       EXPECT_LE(operation.cause_time, operation.time);
       EXPECT_LE(operation.cutting_time, operation.time);
     }
     EXPECT_NEAR(time, run.summary.cycle_time, 1e-9 * time);
     EXPECT_NEAR(error, run.summary.max_contour_error, 2e-6);
+    EXPECT_NEAR(cutting, run.summary.cutting_contour_error, 2e-6);
     EXPECT_EQ(run.operations[0].cutting_length, 0) << "a rapid does not cut";
     EXPECT_NEAR(run.operations[1].cutting_length, 60, 0.5);
     EXPECT_GT(run.operations[1].mean_feed(), 0);
