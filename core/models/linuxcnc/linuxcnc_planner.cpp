@@ -35,7 +35,8 @@ void LinuxCncPlanner::join(LinuxCncSegment& t) {
   if (p.rapid != t.rapid || t.waits_for_spindle) {
     p.end = LinuxCncEnd::stop;
   }
-  const bool open = p.progress <= p.length / 2 && p.end != LinuxCncEnd::stop;
+  // Of a joint beside which rotary axes turn the control decides nothing: it stays as G61 and G64 have it.
+  const bool open = p.progress <= p.length / 2 && p.end != LinuxCncEnd::stop && !p.turns && !t.turns;
   Blended blended = Blended::no;
   if (open && !join_tangentially(p, t) && p.end == LinuxCncEnd::parabolic && !p.finalised) {
     blended = join_by_blend(t);
@@ -44,7 +45,7 @@ void LinuxCncPlanner::join(LinuxCncSegment& t) {
     return;
   }
   LinuxCncSegment& before = queue_[queue_.size() - (blended == Blended::behind_it ? 2 : 1)];
-  t.blends_before = before.end == LinuxCncEnd::parabolic;
+  t.blends_before = open && before.end == LinuxCncEnd::parabolic;
   before.finalise(settings_.period);
 }
 
@@ -84,10 +85,7 @@ bool LinuxCncPlanner::join_tangentially(LinuxCncSegment& p, LinuxCncSegment& t) 
 /// The fastest of a parabolic blend, a tangential joint at the kink's speed and a blend arc.
 LinuxCncPlanner::Blended LinuxCncPlanner::join_by_blend(LinuxCncSegment& t) {
   LinuxCncSegment& p = queue_.back();
-  std::optional<LinuxCncBlend> blend;
-  if (!p.turns && !t.turns) {
-    blend = find_linuxcnc_blend(p, t, settings_);
-  }
+  std::optional<LinuxCncBlend> blend = find_linuxcnc_blend(p, t, settings_);
   const double parabolic = find_linuxcnc_overlap(p, t, settings_, false).net / 2;
   const double tangent = p.kink_speed;
   if (blend) {

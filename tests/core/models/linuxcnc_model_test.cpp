@@ -4,11 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 #include <sstream>
 
 #include "core/analysis/run.h"
 #include "core/export/export.h"
+#include "core/machine/import/machine_import.h"
+#include "tests/support/folders.h"
 
 namespace feedscope {
 namespace {
@@ -103,6 +106,32 @@ TEST(LinuxCncModel, TakesItsModeFromTheSettingsWhereTheProgramHasNone) {
         << mode;
   }
   EXPECT_GT(run("G21 G90\n" + moves, "G61.1").duration(), run("G21 G90\n" + moves, "G61").duration() + 0.04);
+}
+
+/// Where rotary axes turn beside a joint, neither of its blocks has half of its acceleration for the other's
+/// sake. Times of the control itself on its table xyzac-trt (tests/oracle/table.ini), to the millisecond.
+TEST(LinuxCncModel, TakesAsLongAsTheControlWhereBlocksWithAndWithoutRotaryAxesMeet) {
+  const auto time = [](const std::string& text) {
+    feedscope::Setup setup;
+    setup.machine = import_machine(std::filesystem::path(FEEDSCOPE_SOURCE_DIR) / "tests/oracle/table.ini",
+                                   machine_file_settings())
+                        .machine;
+    setup.model = &find_model("linuxcnc");
+    setup.settings = complete_settings(*setup.model, setup.machine);
+    const auto source = std::make_shared<const SourceText>("t.ngc", text);
+    return simulate_run(load_program(source, nullptr, reading_on({}, setup.machine)), setup)
+        .summary.cycle_time;
+  };
+  EXPECT_NEAR(time("G21 G90 G94 G17 G64\nG0 X20 Y5 Z4 A-10 C20\nG0 Z1\nG0 X20.05 Y5.1\nG1 Z-2 F3000\n"
+                   "X40 Y12 A-20 C25\nX60 Y12 Z-3\nX61 Y12.5\nX61.5 Y13 A-21 C25.4\nX62 Y13.4 A-22 C26\n"
+                   "Y40 C40\nY60\nX0 Z2\nG0 Z10\nX10 A0 C0\nZ20\nM2\n"),
+              4.481, 1e-9);
+  EXPECT_NEAR(time("G21 G90 G17 G64 P0.02\nG0 X-20 Y5 Z4 A-40 C120\nG0 Z1\nG93\n"
+                   "G1 X-21 Y5.4 Z0 A-41 C121 F160\nX-22 Y6 Z-1 A-42.5 C122.4 F160\n"
+                   "X-23.5 Y6.8 Z-1.6 A-43.1 C124 F160\nX-25 Y7.1 Z-2 F160\n"
+                   "X-26.2 Y7.3 Z-2.1 A-44 C126 F320\nX-27 Y7.2 Z-2.1 A-45 C128.5 F320\n"
+                   "X-27.4 Y7 Z-2 A-45.5 C130 F640\nG94\nX-40 Y0 F2000\nG0 Z20\nM2\n"),
+              3.924, 1e-9);
 }
 
 TEST(LinuxCncModel, RoundsNothingUnderAnExactStop) {
