@@ -21,6 +21,12 @@ Vector<T> constant(const Vec3& v) {
   return {T(v.x()), T(v.y()), T(v.z())};
 }
 
+/// Part of `v` along a constant direction.
+template <class T>
+T along(const Vec3& direction, const Vector<T>& v) {
+  return direction.x() * v[0] + direction.y() * v[1] + direction.z() * v[2];
+}
+
 template <class T>
 T dot(const Vector<T>& a, const Vector<T>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -38,12 +44,15 @@ Vector<T> scaled(const T& factor, const Vector<T>& v) {
 
 /// `v` turned by `angle` about the unit vector `axis`.
 template <class T>
-Vector<T> turned(const Vector<T>& v, const Vector<T>& axis, const T& angle) {
+Vector<T> turned(const Vector<T>& v, const Vec3& axis, const T& angle) {
   using std::cos;
   using std::sin;
   const T c = cos(angle);
   const T s = sin(angle);
-  return scaled(c, v) + scaled(s, cross(axis, v)) + scaled(T((T(1) - c) * dot(axis, v)), axis);
+  const T kept = (T(1) - c) * along<T>(axis, v);
+  return {c * v[0] + s * (axis.y() * v[2] - axis.z() * v[1]) + axis.x() * kept,
+          c * v[1] + s * (axis.z() * v[0] - axis.x() * v[2]) + axis.y() * kept,
+          c * v[2] + s * (axis.x() * v[1] - axis.y() * v[0]) + axis.z() * kept};
 }
 
 /// The angle by which a turn about `axis` takes `from` to `to`, both at the same height along it.
@@ -125,34 +134,52 @@ ToolPose KinematicChain::pose(std::span<const double> places, double tool_length
 }
 
 /// The tip is affine in the linear axes: b + sum of their directions, each turned by the rotary axes between
-/// it and the part.
+/// it and the first linear axis; those between that one and the part are taken off the tip.
 template <class T>
 std::vector<T> KinematicChain::solve(const Eigen::Matrix<T, 3, 1>& tip, std::span<const T> angles,
                                      double tool_length) const {
+  Vector<T> to = tip;
+  std::size_t carrying = 0;
+  for (; axes_[carrying].rotary; ++carrying) {
+    const ChainAxis& axis = axes_[carrying];
+    const Vector<T> point = constant<T>(axis.point);
+    to = point + turned<T>(to - point, axis.direction, -sense(carrying) * angles[carrying]);
+  }
   Vector<T> from = constant<T>(gauge_ - tool_length * tool_);
   std::array<Vector<T>, 3> slides;
   std::size_t found = 3;
   std::size_t turns = rotary_.size();
-  for (std::size_t i = axes_.size(); i-- > 0;) {
+  bool constant_slides = true;
+  for (std::size_t i = axes_.size(); i-- > carrying;) {
     const ChainAxis& axis = axes_[i];
-    const Vector<T> direction = constant<T>(axis.direction);
     if (!axis.rotary) {
       slides[--found] = constant<T>(sense(i) * axis.direction);
       continue;
     }
-    const T angle = T(sense(i)) * angles[--turns];
+    const T angle = sense(i) * angles[--turns];
     const Vector<T> point = constant<T>(axis.point);
-    from = point + turned<T>(from - point, direction, angle);
+    from = point + turned<T>(from - point, axis.direction, angle);
     for (std::size_t k = found; k < 3; ++k) {
-      slides[k] = turned<T>(slides[k], direction, angle);
+      slides[k] = turned<T>(slides[k], axis.direction, angle);
+      constant_slides = false;
     }
   }
-  const Vector<T> way = tip - from;
-  const T volume = dot<T>(slides[0], cross<T>(slides[1], slides[2]));
+  const Vector<T> way = to - from;
   std::vector<T> places(axes_.size());
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vector<T> across = cross<T>(slides[(k + 1) % 3], slides[(k + 2) % 3]);
-    places[linear_[k]] = dot<T>(way, across) / volume;
+  const auto slide = [&](std::size_t k) -> Vec3 {
+    return sense(linear_[k % 3]) * axes_[linear_[k % 3]].direction;
+  };
+  if (constant_slides) {
+    const double volume = slide(0).dot(slide(1).cross(slide(2)));
+    for (std::size_t k = 0; k < 3; ++k) {
+      places[linear_[k]] = along<T>(slide(k + 1).cross(slide(k + 2)) / volume, way);
+    }
+  } else {
+    const T volume = dot<T>(slides[0], cross<T>(slides[1], slides[2]));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector<T> across = cross<T>(slides[(k + 1) % 3], slides[(k + 2) % 3]);
+      places[linear_[k]] = dot<T>(way, across) / volume;
+    }
   }
   for (std::size_t k = 0; k < rotary_.size(); ++k) {
     places[rotary_[k]] = angles[k];

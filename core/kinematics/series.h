@@ -50,6 +50,12 @@ class Series {
     }
     return r;
   }
+  friend Series operator*(double a, Series b) {
+    for (int i = 0; i <= order; ++i) {
+      b.at(i) *= a;
+    }
+    return b;
+  }
   friend Series operator/(const Series& a, const Series& b) {
     Series r;
     for (int i = 0; i <= order; ++i) {
