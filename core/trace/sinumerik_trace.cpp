@@ -17,6 +17,17 @@ namespace {
 
 constexpr double not_a_value = 9.2e18;  // the bits of a missing 64-bit number, written as a whole number
 
+// Expat 2.9 deprecates the functions whose width depends on how it was built.
+#if XML_MAJOR_VERSION > 2 || (XML_MAJOR_VERSION == 2 && XML_MINOR_VERSION >= 9)
+std::uint64_t current_line(XML_Parser parser) {
+  return XML_GetCurrentLineNumber64(parser);
+}
+#else
+std::uint64_t current_line(XML_Parser parser) {
+  return XML_GetCurrentLineNumber(parser);
+}
+#endif
+
 using Attributes = std::map<std::string, std::string, std::less<>>;
 
 std::string attribute(const Attributes& attributes, std::string_view name) {
@@ -73,7 +84,7 @@ class SinumerikReader {
     }
     return !error_;
   }
-  std::uint32_t line() const { return static_cast<std::uint32_t>(XML_GetCurrentLineNumber(parser_.get())); }
+  std::uint32_t line() const { return static_cast<std::uint32_t>(current_line(parser_.get())); }
 
   static void XMLCALL start(void* self, const XML_Char* name, const XML_Char** attributes) {
     auto& reader = *static_cast<SinumerikReader*>(self);
