@@ -276,7 +276,7 @@ class Drawing {
   QPainter& painter_;
   const Machine& machine_;
   const MachineKinematics& kinematics_;
-  const ThemeColours& colours_;
+  const ThemeColours colours_;
   Vec3 tool_;         ///< its tip [mm]
   double reach_ = 0;  ///< half the length of the lines of rotary axes [mm]
   double scale_ = 1;

@@ -71,7 +71,7 @@ const IdentifiedParameter& of(const Identification& found, const std::string& ke
 }
 
 void expect_truth(const Identification& found, const std::string& key, double truth) {
-  const IdentifiedParameter& one = of(found, key);
+  const IdentifiedParameter one = of(found, key);
   EXPECT_TRUE(one.told) << key << ": " << one.reason;
   EXPECT_LE(std::abs(one.value - truth), std::max(0.02 * truth, one.uncertainty))
       << key << " = " << one.value << " +- " << one.uncertainty;
@@ -101,7 +101,7 @@ TEST(Identify, SaysOfALimitThatIsNeverReachedWhatItIsAtLeast) {
   const auto one = std::make_shared<const TraceCase>(trace_of(truth, 1e-3, 1e-4, 5), program(), truth);
   const Identification found =
       identify({one}, truth, fit_parameters_of(truth, {"X.velocity", "X.acceleration"}));
-  const IdentifiedParameter& velocity = of(found, "X.velocity");
+  const IdentifiedParameter velocity = of(found, "X.velocity");
   EXPECT_FALSE(velocity.told);
   ASSERT_TRUE(velocity.at_least.has_value());
   EXPECT_LE(*velocity.at_least, 12.1);
@@ -113,7 +113,7 @@ TEST(Identify, SaysOfALimitThatIsNeverReachedWhatItIsAtLeast) {
   const auto slow = setup_of("linuxcnc-mill", {"X.velocity=5", "max_linear_velocity_m_min=60"});
   const Identification risen =
       identify({one}, slow, fit_parameters_of(slow, {"X.velocity", "X.acceleration"}));
-  const IdentifiedParameter& reached = of(risen, "X.velocity");
+  const IdentifiedParameter reached = of(risen, "X.velocity");
   ASSERT_TRUE(reached.at_least.has_value());
   EXPECT_GE(reached.value, *reached.at_least) << "what is too slow becomes what explains the trace";
   EXPECT_NEAR(axis_limit(risen.setup.machine, 'X', "velocity"), reached.value, 1e-6);
@@ -173,7 +173,7 @@ TEST(Identify, DoesNotTakeTimesThatJitterForAnotherModel) {
       identify(cases, start, fit_parameters_of(start, {"X.acceleration", "Y.acceleration"}));
   EXPECT_TRUE(found.explains);
   for (const auto& [key, value] : {std::pair("X.acceleration", 1.3), std::pair("Y.acceleration", 0.6)}) {
-    const IdentifiedParameter& one = of(found, key);
+    const IdentifiedParameter one = of(found, key);
     EXPECT_TRUE(one.told) << one.reason;
     EXPECT_NEAR(one.value, value, std::max(0.02 * value, one.uncertainty));
   }
