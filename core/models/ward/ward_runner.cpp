@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/compressor/smoothed_points.h"
 #include "core/models/ward/corner_pulse.h"
 #include "core/models/ward/short_blocks.h"
+#include "core/models/ward/ward_motion.h"
+#include "core/models/ward/ward_tolerance.h"
+#include "core/trajectory/filtered_corner.h"
 
 namespace feedscope {
 
@@ -28,22 +30,23 @@ WardRunner::WardRunner(std::shared_ptr<const Toolpath> toolpath, std::shared_ptr
 
 void WardRunner::run(const StretchRange& range, ProgressSteps& steps) {
   smooth_points(range);
-  train_ = {
-      commanded_, range.first, settings_.filters, 0, 0, {}, smoothed_ != nullptr ? programmed_ : nullptr};
-  train_.blocks.resize(range.last - range.first + 1);
-  find_limits(range);
-  choose_filter_time();
+  WardPulses pulses = empty_pulses(range);
   if (settings_.enforce) {
-    limit_arcs();
+    limit_arcs(pulses);
   }
-  choose_corner_speeds();
-  walk_.forget();
+  choose_corner_speeds(pulses);
+  const double error = keep_tolerance(pulses, steps);
+  WardMotion(std::move(pulses), builder_).lay(error, steps);
+}
+
+double WardRunner::keep_tolerance(WardPulses& pulses, ProgressSteps& steps) const {
+  WardTolerance tolerance(pulses, rules_);
   if (settings_.enforce) {
-    enforce_tolerance(steps);
+    tolerance.enforce(steps);
   } else {
-    measure_distances();
+    tolerance.measure();
   }
-  lay_motion(steps);
+  return tolerance.largest();
 }
 
 void WardRunner::smooth_points(const StretchRange& range) {
@@ -57,31 +60,27 @@ void WardRunner::smooth_points(const StretchRange& range) {
   }
 }
 
-void WardRunner::find_limits(const StretchRange& range) {
-  limits_.clear();
-  for (std::size_t i = range.first; i < range.last; ++i) {
-    limits_.push_back(segment_limits(*commanded_, i, axes_).speed);
-  }
-}
-
-void WardRunner::choose_filter_time() {
+WardPulses WardRunner::empty_pulses(const StretchRange& range) const {
+  WardPulses pulses;
+  pulses.train = {
+      commanded_, range.first, settings_.filters, 0, 0, {}, smoothed_ != nullptr ? programmed_ : nullptr};
+  pulses.train.blocks.resize(range.last - range.first + 1);
+  pulses.limits.reserve(range.last - range.first);
   double feed = 0;
-  for (const SpeedBound& limit : limits_) {
-    feed = std::max(feed, limit.value);
+  for (std::size_t i = range.first; i < range.last; ++i) {
+    pulses.limits.push_back(segment_limits(*commanded_, i, axes_).speed);
+    feed = std::max(feed, pulses.limits.back().value);
   }
-  train_.filter_time = settings_.time > 0 ? settings_.time : std::sqrt(feed / settings_.jerk);
+  pulses.train.filter_time = settings_.time > 0 ? settings_.time : std::sqrt(feed / settings_.jerk);
+  return pulses;
 }
 
-double WardRunner::arc_tolerance(std::size_t block) const {
-  const double tolerance = rules_.tolerance(train_.first + block);
-  return tolerance > 0 ? tolerance : std::numeric_limits<double>::infinity();
-}
-
-void WardRunner::limit_arcs() {
-  for (std::size_t i = 0; i < train_.size(); ++i) {
-    if (is_arc(i)) {
-      limits_[i].lower(arc_speed(settings_.filters, train_.filter_time, train_.arc(i), arc_tolerance(i)),
-                       {CauseKind::contour_tolerance});
+void WardRunner::limit_arcs(WardPulses& pulses) const {
+  for (std::size_t i = 0; i < pulses.train.size(); ++i) {
+    if (pulses.is_arc(i)) {
+      pulses.limits[i].lower(arc_speed(settings_.filters, pulses.train.filter_time, pulses.train.arc(i),
+                                       pulses.arc_tolerance(rules_, i)),
+                             {CauseKind::contour_tolerance});
     }
   }
 }
@@ -91,33 +90,34 @@ void WardRunner::limit_arcs() {
 /// tolerance is enforced the first speeds are a start only, which the measured distances lower. Faster
 /// corners make a shorter block's feed rise or fall, so that a few swing for ever: feeds that have not
 /// settled after a few passes go half of the way to the new ones.
-void WardRunner::choose_corner_speeds() {
+void WardRunner::choose_corner_speeds(WardPulses& pulses) const {
+  PulseTrain& train = pulses.train;
   constexpr int max_passes = 200;
   constexpr double same = 1e-12;
   constexpr int quick_passes = 16;
-  std::vector<double> alone(train_.size(), 0.0);  // speeds of the corners by their own legs
-  std::vector<double> leg_feeds;                  // for which these hold
-  for (const SpeedBound& limit : limits_) {
+  std::vector<double> alone(train.size(), 0.0);  // speeds of the corners by their own legs
+  std::vector<double> leg_feeds;                 // for which these hold
+  for (const SpeedBound& limit : pulses.limits) {
     leg_feeds.push_back(limit.value);
   }
-  std::vector<char> moved(train_.size(), 1);
+  std::vector<char> moved(train.size(), 1);
   for (int pass = 0; pass < max_passes; ++pass) {
-    for (std::size_t i = 1; i < train_.size(); ++i) {
+    for (std::size_t i = 1; i < train.size(); ++i) {
       if (moved[i - 1] != 0 || moved[i] != 0) {
-        alone[i] =
-            corner_speed(settings_.filters, train_.filter_time,
-                         {leg_feeds[i - 1], leg_feeds[i], corner_turn(train_, i)}, corner_tolerance(i));
+        alone[i] = corner_speed(settings_.filters, train.filter_time,
+                                {leg_feeds[i - 1], leg_feeds[i], corner_turn(train, i)},
+                                pulses.corner_tolerance(rules_, i));
       }
     }
-    corner_speeds_ = alone;
-    cap_by_short_blocks(train_, corner_speeds_);
-    lay_pulses(train_, limits_, corner_speeds_);
+    pulses.corner_speeds = alone;
+    cap_by_short_blocks(train, pulses.corner_speeds);
+    lay_pulses(train, pulses.limits, pulses.corner_speeds);
     if (settings_.enforce) {
       return;
     }
     bool any = false;
-    for (std::size_t i = 0; i < train_.size(); ++i) {
-      const double feed = train_.blocks[i].feed;
+    for (std::size_t i = 0; i < train.size(); ++i) {
+      const double feed = train.blocks[i].feed;
       moved[i] = std::abs(feed - leg_feeds[i]) > same * feed ? 1 : 0;
       if (moved[i] != 0) {
         leg_feeds[i] += (pass < quick_passes ? 1.0 : 0.5) * (feed - leg_feeds[i]);
