@@ -1,39 +1,19 @@
-#include <cmath>
+#include "core/analysis/explanation/filtered_reason.h"
 
-#include "core/analysis/explanation/reason_finder.h"
+#include <cmath>
+#include <utility>
+
+#include "core/analysis/explanation/reason_source.h"
 #include "core/blend/junction.h"
 #include "core/blend/path_rules.h"
 #include "core/models/ward/corner_pulse.h"
 #include "core/trajectory/filtered_corner.h"
 
 namespace feedscope {
-
-/// The pulses are limited, and the filters draw them out: on settled stretches the pulse of the block counts.
-Reason ReasonFinder::filtered(const State& state, Cause cause) const {
-  const FilteredMotion& motion = run_.motion_of(state.element);
-  const PulseTrain& train = motion.train();
-  const std::size_t block = run_.path().segment(state.element) - train.first;
-  switch (cause.kind) {
-    case CauseKind::velocity_filter:
-    case CauseKind::ramp_down:
-      return made(cause,
-                  {FormulaId::filter_delay,
-                   {{Symbol::filters, -1, static_cast<double>(train.filters)},
-                    {Symbol::filter_time, -1, train.filter_time}}},
-                  motion.delay(), state.element);
-    case CauseKind::contour_tolerance: {
-      const PathRules rules(*run_.path().programmed(), settings_);
-      const double tolerance = rules.tolerance(train.first + block);
-      return made(cause, filtered_corner(motion, block, state.time - motion.start()), tolerance,
-                  state.element);
-    }
-    default:
-      return made(cause, limits_.speed(cause, state.element), train.blocks[block].feed, state.element);
-  }
-}
+namespace {
 
 /// Contour error of an arc, or of the corner of `block` that lies nearest in time.
-Formula ReasonFinder::filtered_corner(const FilteredMotion& motion, std::size_t block, double time) const {
+Formula filtered_corner(const FilteredMotion& motion, std::size_t block, double time) {
   const PulseTrain& train = motion.train();
   const double feed = train.blocks[block].feed;
   if (train.segment(block).kind == SegmentKind::arc) {
@@ -63,6 +43,33 @@ Formula ReasonFinder::filtered_corner(const FilteredMotion& motion, std::size_t 
           {{Symbol::leg_before, -1, leg(corner - 1)},
            {Symbol::leg_after, -1, leg(corner)},
            {Symbol::turn, -1, corner_turn(train, corner)}}};
+}
+
+}  // namespace
+
+Reason filtered_reason(const Trajectory& run, const Settings& settings, const ElementLimits& limits,
+                       const State& state, Cause cause) {
+  const auto made = [&](Formula formula, double reached) {
+    return made_reason(run, limits, cause, std::move(formula), reached, state.element);
+  };
+  const FilteredMotion& motion = run.motion_of(state.element);
+  const PulseTrain& train = motion.train();
+  const std::size_t block = run.path().segment(state.element) - train.first;
+  switch (cause.kind) {
+    case CauseKind::velocity_filter:
+    case CauseKind::ramp_down:
+      return made({FormulaId::filter_delay,
+                   {{Symbol::filters, -1, static_cast<double>(train.filters)},
+                    {Symbol::filter_time, -1, train.filter_time}}},
+                  motion.delay());
+    case CauseKind::contour_tolerance: {
+      const PathRules rules(*run.path().programmed(), settings);
+      const double tolerance = rules.tolerance(train.first + block);
+      return made(filtered_corner(motion, block, state.time - motion.start()), tolerance);
+    }
+    default:
+      return made(limits.speed(cause, state.element), train.blocks[block].feed);
+  }
 }
 
 }  // namespace feedscope

@@ -2,6 +2,7 @@
 
 #include "core/analysis/explanation/element_limits.h"
 #include "core/analysis/explanation/explanation.h"
+#include "core/analysis/explanation/turn_reason.h"
 
 namespace feedscope {
 
@@ -10,6 +11,8 @@ class ReasonFinder {
  public:
   /// `run` outlives this.
   explicit ReasonFinder(const Run& run);
+  ReasonFinder(const ReasonFinder&) = delete;
+  ReasonFinder& operator=(const ReasonFinder&) = delete;
 
   /// Why the tool is not faster at `state`.
   Reason find(const State& state, Cause cause) const;
@@ -25,27 +28,18 @@ class ReasonFinder {
   Reason braking_evenly(const Piece& piece, double duration, std::uint32_t element) const;
   Reason at_junction(const State& state, Cause cause) const;
   Reason of_joints(const State& state, Cause cause) const;
-  /// Along a block in which rotary axes turn: by its own limits or by theirs.
-  Reason of_turn(const State& state, Cause cause) const;
-  Reason of_turn_on_ramp(const State& state, Cause cause) const;
   /// As if no rotary axis turned.
   Reason without_turns(const State& state, Cause cause) const;
   Reason of_speed(const State& state, Cause cause) const;
   Reason on_blend(const State& state, Cause cause, std::uint32_t element) const;
   Reason sampled_on_blend(const State& state, Cause cause) const;
   Reason whole_axis(const State& state, Cause cause) const;
-  Reason filtered(const State& state, Cause cause) const;
-  Formula filtered_corner(const FilteredMotion& motion, std::size_t block, double time) const;
-
   Reason made(Cause cause, Formula formula, double reached, std::uint32_t element) const;
 
   const Trajectory& run_;
-  const Machine& machine_;
-  const Settings& settings_;
   ElementLimits limits_;
+  TurnReasons turns_;
+  const Settings& settings_;
 };
-
-/// Paper and equation of a formula as a model uses it.
-std::string_view source_of(FormulaId id, const LimitTraits& traits);
 
 }  // namespace feedscope

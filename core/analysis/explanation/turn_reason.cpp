@@ -1,8 +1,10 @@
+#include "core/analysis/explanation/turn_reason.h"
+
 #include <algorithm>
 #include <cmath>
 
-#include "core/analysis/explanation/reason_finder.h"
 #include "core/analysis/explanation/reason_search.h"
+#include "core/analysis/explanation/reason_source.h"
 #include "core/analysis/explanation/turn_formula.h"
 
 namespace feedscope {
@@ -35,19 +37,25 @@ TurnRamp shortened(TurnRamp ramp, double by) {
 
 }  // namespace
 
-/// The turn along the block or the one behind the corner that the tool rounds, or the joint at an end of the
-/// block, that allows about this speed.
-Reason ReasonFinder::of_turn(const State& state, Cause cause) const {
+TurnReasons::TurnReasons(const Run& run, const ElementLimits& limits)
+    : run_(*run.trajectory), machine_(run.setup.machine), settings_(run.setup.settings), limits_(limits) {}
+
+/// Without a formula yet.
+Reason TurnReasons::made(Cause cause, const State& state) const {
+  return made_reason(run_, limits_, cause, {}, state.speed, state.element);
+}
+
+Reason TurnReasons::find(const State& state, Cause cause) const {
   const BlendedPath& path = run_.path();
   if (path.is_executed() || path.programmed() == nullptr) {
-    return made(cause, {}, state.speed, state.element);
+    return made(cause, state);
   }
   const Toolpath& programmed = *path.programmed();
   const std::size_t segment = path.segment(state.element);
   const double shorter = shortening(path, state.element);
   const char* const key = "interpolation_period_s";
   const double period = settings_.has(key) ? settings_.number(key) : 0;
-  Reason best = made(cause, {}, state.speed, state.element);
+  Reason best = made(cause, state);
   const auto consider = [&](const TurnLimit& programmed_limit, double of_tilt, std::size_t i) {
     const TurnLimit limit = shortened(programmed_limit, shorter);
     const bool sets = cause_of(limit) == cause;
@@ -72,7 +80,7 @@ Reason ReasonFinder::of_turn(const State& state, Cause cause) const {
     }
   }
   if (best.formula.empty() && cause.kind != CauseKind::axis_velocity) {
-    Reason ramp = of_turn_on_ramp(state, cause);
+    Reason ramp = on_ramp(state, cause);
     ramp.tilt = ramp.tilt ? ramp.tilt : best.tilt;
     return ramp;
   }
@@ -80,13 +88,12 @@ Reason ReasonFinder::of_turn(const State& state, Cause cause) const {
   return best;
 }
 
-/// The ramp has the limits of the segment, or of the joint at its end, that allow least.
-Reason ReasonFinder::of_turn_on_ramp(const State& state, Cause cause) const {
+Reason TurnReasons::on_ramp(const State& state, Cause cause) const {
   const BlendedPath& path = run_.path();
   const Toolpath& programmed = *path.programmed();
   const double acceleration = std::abs(state.tangential_acceleration);
   const double jerk = std::abs(state.tangential_jerk);
-  Reason best = made(cause, {}, state.speed, state.element);
+  Reason best = made(cause, state);
   const auto consider = [&](const TurnRamp& ramp, double tilt, std::size_t i, double fastest) {
     const bool by_jerk = cause.kind == CauseKind::axis_jerk;
     const bool of_acceleration = ramp.acceleration_axis == cause.axis && ramp.acceleration_by_jerk == by_jerk;

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/analysis/explanation/element_limits.h"
+#include "core/analysis/explanation/explanation.h"
+
+namespace feedscope {
+
+/// Finds the formula behind a cause on blocks beside which rotary axes turn: by their limits, or by those of
+/// the linear axes that follow them.
+class TurnReasons {
+ public:
+  /// Both outlive this; `limits` is of `run`.
+  TurnReasons(const Run& run, const ElementLimits& limits);
+
+  /// The turn along the block or the one behind the corner that the tool rounds, or the joint at an end of
+  /// the block, that allows about this speed; on a ramp, about this acceleration or jerk.
+  Reason find(const State& state, Cause cause) const;
+
+ private:
+  /// The ramp has the limits of the segment, or of the joint at its end, that allow least.
+  Reason on_ramp(const State& state, Cause cause) const;
+  Reason made(Cause cause, const State& state) const;
+
+  const Trajectory& run_;
+  const Machine& machine_;
+  const Settings& settings_;
+  const ElementLimits& limits_;
+};
+
+}  // namespace feedscope
