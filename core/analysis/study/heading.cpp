@@ -43,6 +43,37 @@ bool has_letter(std::string_view text) {
   });
 }
 
+bool is_rule(char c) {
+  return std::string_view("-=*#_~+<>").find(c) != std::string_view::npos;
+}
+
+/// How much of the start of `text`, read from first to last, is decoration: two signs of a rule or more, or
+/// one that stands alone. A sign that belongs to a word ("-X side", "#1") is none.
+template <class Iterator>
+std::ptrdiff_t decoration(Iterator first, Iterator last) {
+  const auto end = std::find_if_not(first, last, is_rule);
+  const std::ptrdiff_t count = end - first;
+  const bool alone = end == last || is_blank(*end);
+  return count > 1 || alone ? count : 0;
+}
+
+/// A title without the dashes and stars around it, its blanks single: "--- Operation   1 ---" is "Operation
+/// 1".
+std::string undecorated(std::string_view text) {
+  text = trimmed(text);
+  text.remove_prefix(static_cast<std::size_t>(decoration(text.begin(), text.end())));
+  text.remove_suffix(static_cast<std::size_t>(decoration(text.rbegin(), text.rend())));
+  std::string title;
+  for (const char c : trimmed(text)) {
+    if (!is_blank(c)) {
+      title += c;
+    } else if (title.back() != ' ') {
+      title += ' ';
+    }
+  }
+  return title;
+}
+
 /// What a comment line holds; none for a line with anything else.
 std::optional<std::string_view> comment_of(std::string_view text) {
   if (text.starts_with(';')) {
@@ -134,7 +165,7 @@ std::optional<std::string> operation_heading(std::string_view line) {
   if (!comment) {
     return std::nullopt;
   }
-  return has_letter(*comment) ? std::string(trimmed(*comment)) : std::string();
+  return has_letter(*comment) ? undecorated(*comment) : std::string();
 }
 
 }  // namespace feedscope

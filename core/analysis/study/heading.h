@@ -6,8 +6,8 @@
 
 namespace feedscope {
 
-/// What a line says that heads an operation; "" for one without a letter in it (a rule); none for every other
-/// line. Block numbers in front do not count.
+/// What a line says that heads an operation, without the dashes or stars around it; "" for one without a
+/// letter in it (a rule); none for every other line. Block numbers in front do not count.
 std::optional<std::string> operation_heading(std::string_view line);
 
 /// What a line says of tools, comments omitted: the names that "T3", "T=\"MILL\"" or "TOOL CALL 3" give, the

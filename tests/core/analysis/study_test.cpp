@@ -213,7 +213,7 @@ TEST(Operations, AreNotCalledAfterWhatEndsBeforeThem) {
       "(-- slot 1 --)\nG1 X10 F500\n(-- slot 1 END --)\n(-- slot 2 --)\nX20\n(10 mm ball end)\nY10\n"
       "(-- slot 2 end --)\nY20\n");
   EXPECT_THAT(titles(split_operations(program, OperationSplit::comment)),
-              ElementsAre("-- slot 1 --", "-- slot 2 --", "10 mm ball end", "line 8"));
+              ElementsAre("slot 1", "slot 2", "10 mm ball end", "line 8"));
 }
 
 TEST(Operations, BeginAgainWhereALoopComesBackToTheirHeading) {
@@ -230,6 +230,10 @@ TEST(Operations, KnowTheHeadingsOfTheDialects) {
   EXPECT_EQ(operation_heading("N5 MSG(\"ROUGH\")"), "ROUGH");
   EXPECT_EQ(operation_heading("  /N7 (a b) "), "a b");
   EXPECT_EQ(operation_heading("(======)"), "");
+  EXPECT_EQ(operation_heading("(--- Operation   1)"), "Operation 1");
+  EXPECT_EQ(operation_heading("(*** side -X ***)"), "side -X");
+  EXPECT_EQ(operation_heading("(- #1 pocket -)"), "#1 pocket");
+  EXPECT_EQ(operation_heading("(-X side)"), "-X side");
   EXPECT_FALSE(operation_heading("(a) G1 X1"));
   EXPECT_FALSE(operation_heading("(a) (b)"));
   EXPECT_FALSE(operation_heading("G1 X1 (a)"));
