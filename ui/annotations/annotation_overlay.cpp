@@ -38,6 +38,7 @@ void AnnotationOverlay::set_run(std::shared_ptr<const Trajectory> trajectory, co
   sources_ = sources;
   run_ = name;
   update();
+  emit run_changed();
 }
 
 void AnnotationOverlay::set_scale(double scale) {
@@ -61,6 +62,12 @@ std::optional<AnnotatedView> AnnotationOverlay::view() const {
 std::vector<PlacedAnnotation> AnnotationOverlay::placed() const {
   const auto shown = view();
   return shown ? place_annotations(annotations_->items(), *shown) : std::vector<PlacedAnnotation>();
+}
+
+QString AnnotationOverlay::text_of(const Annotation& annotation) const {
+  const auto shown = view();
+  return shown && !shown->trajectory.pieces().empty() ? annotation_texts({&annotation, 1}, *shown).front()
+                                                      : annotation.text;
 }
 
 void AnnotationOverlay::paintEvent(QPaintEvent*) {

@@ -39,8 +39,12 @@ class AnnotationOverlay : public QWidget {
   bool take(const QEvent& event);
   /// Where they are drawn now, in device pixels.
   std::vector<PlacedAnnotation> placed() const;
+  /// What it says of the run, on one or more lines; as it was written where there is no run.
+  QString text_of(const Annotation& annotation) const;
 
  signals:
+  /// The values are those of another run.
+  void run_changed();
   /// A double click: its text is to be changed.
   void edit_wanted(int id);
 

@@ -25,6 +25,17 @@ void AnnotationTable::set_toolpath(std::shared_ptr<const Toolpath> toolpath) {
   }
 }
 
+void AnnotationTable::set_teller(std::function<QString(const Annotation&)> teller) {
+  teller_ = std::move(teller);
+  refresh_texts();
+}
+
+void AnnotationTable::refresh_texts() {
+  if (rows_ > 0) {
+    emit dataChanged(index(0, text), index(rows_ - 1, text));
+  }
+}
+
 int AnnotationTable::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : rows_;
 }
@@ -44,6 +55,9 @@ QVariant AnnotationTable::data(const QModelIndex& index, int role) const {
   if (role == Qt::TextAlignmentRole && index.column() == line) {
     return QVariant::fromValue(Qt::AlignRight | Qt::AlignVCenter);
   }
+  if (role == Qt::ToolTipRole && index.column() == text) {
+    return annotation.text;
+  }
   if (role != Qt::DisplayRole) {
     return {};
   }
@@ -53,7 +67,7 @@ QVariant AnnotationTable::data(const QModelIndex& index, int role) const {
     case line:
       return line_of(annotation);
     default:
-      return QString(annotation.text).replace('\n', QStringLiteral(" · "));
+      return (teller_ ? teller_(annotation) : QString(annotation.text)).replace('\n', QStringLiteral(" · "));
   }
 }
 

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <QAbstractTableModel>
+#include <functional>
 
 #include "ui/workbench/annotation_list.h"
 
 namespace feedscope::ui {
 
-/// The annotations as rows: kind, line of the program, text as it was written.
+/// The annotations as rows: kind, line of the program, text with its values. The tip has the text as it was
+/// written.
 class AnnotationTable : public QAbstractTableModel {
   Q_OBJECT
 
@@ -18,6 +20,10 @@ class AnnotationTable : public QAbstractTableModel {
 
   /// What the lines are of; null for none.
   void set_toolpath(std::shared_ptr<const Toolpath> toolpath);
+  /// Tells what an annotation says of the run; without it texts stand as they were written.
+  void set_teller(std::function<QString(const Annotation&)> teller);
+  /// What they say of the run is another.
+  void refresh_texts();
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
@@ -30,6 +36,7 @@ class AnnotationTable : public QAbstractTableModel {
   AnnotationList& list_;
   int rows_ = 0;
   std::shared_ptr<const Toolpath> toolpath_;
+  std::function<QString(const Annotation&)> teller_;
 };
 
 }  // namespace feedscope::ui

@@ -13,6 +13,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/annotations/annotation_overlay.h"
 #include "ui/annotations/annotation_text.h"
 #include "ui/fields/focus_outline.h"
 #include "ui/fields/whole_number_box.h"
@@ -149,6 +150,11 @@ void AnnotationsView::make_layout() {
 
 void AnnotationsView::set_toolpath(std::shared_ptr<const Toolpath> toolpath) {
   model_->set_toolpath(std::move(toolpath));
+}
+
+void AnnotationsView::set_picture(const AnnotationOverlay& picture) {
+  model_->set_teller([&picture](const Annotation& annotation) { return picture.text_of(annotation); });
+  connect(&picture, &AnnotationOverlay::run_changed, model_, &AnnotationTable::refresh_texts);
 }
 
 void AnnotationsView::edit(int id) {

@@ -17,6 +17,7 @@ class QToolButton;
 
 namespace feedscope::ui {
 
+class AnnotationOverlay;
 class WholeNumberBox;
 
 /// The annotations of the program: put one at the cursor, change its text, colour and size, remove it.
@@ -33,6 +34,8 @@ class AnnotationsView : public Panel {
   /// block at the cursor.
   void set_stretch(std::function<Stretch()> stretch) { stretch_ = std::move(stretch); }
   void set_toolpath(std::shared_ptr<const Toolpath> toolpath);
+  /// The list tells of each annotation what it says in this picture, which outlives this.
+  void set_picture(const AnnotationOverlay& picture);
   /// Selects it and puts the keyboard into its text.
   void edit(int id);
 

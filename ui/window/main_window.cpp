@@ -291,6 +291,7 @@ void MainWindow::connect_panels() {
   connect(contour_, &ContourView::close_up_wanted, &scene(), &SceneView::zoom_to_times);
   scene().set_place_actions(annotations_->panel_actions());
   connect(&scene().annotations(), &AnnotationOverlay::edit_wanted, annotations_, &AnnotationsView::edit);
+  annotations_->set_picture(scene().annotations());
   annotations_->set_stretch([this] { return chosen_times(); });
   connect(identification_, &IdentificationView::trace_wanted, traces_, &TraceView::ask_for_file);
   connect(identification_, &IdentificationView::program_wanted, this, &MainWindow::open);

@@ -32,6 +32,20 @@ TEST_F(AnnotationTableTest, FollowsTheList) {
   EXPECT_EQ(table.rowCount(), 1);
 }
 
+TEST_F(AnnotationTableTest, TellsValuesAndKeepsWhatWasWrittenAsTip) {
+  Annotation callout;
+  callout.text = "feed {feed}\nhere";
+  list.add(callout);
+  EXPECT_EQ(cell(0, AnnotationTable::text), "feed {feed} · here");
+  QString feed = QStringLiteral("900 mm/min");
+  table.set_teller([&feed](const Annotation& told) { return QString(told.text).replace("{feed}", feed); });
+  EXPECT_EQ(cell(0, AnnotationTable::text), "feed 900 mm/min · here");
+  feed = QStringLiteral("450 mm/min");  // another run
+  table.refresh_texts();
+  EXPECT_EQ(cell(0, AnnotationTable::text), "feed 450 mm/min · here");
+  EXPECT_EQ(table.data(table.index(0, AnnotationTable::text), Qt::ToolTipRole).toString(), callout.text);
+}
+
 TEST_F(AnnotationTableTest, TellsTheLineOfThePlace) {
   Toolpath toolpath;
   toolpath.segments.resize(2);
