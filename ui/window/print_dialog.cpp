@@ -9,6 +9,7 @@
 #include <QPrintPreviewWidget>
 #include <QPushButton>
 #include <QScreen>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -16,6 +17,7 @@
 #include "ui/language/failure_text.h"
 #include "ui/report/paged_pdf.h"
 #include "ui/session/session_file.h"
+#include "ui/shared/panel_action.h"
 #include "ui/shared/paths.h"
 #include "ui/units/unit_system.h"
 #include "ui/window/handout_command.h"
@@ -63,6 +65,7 @@ PrintDialog::PrintDialog(PrintSubject subject, const QString& executable, QWidge
   printer_.setFullPage(true);
   printer_.setPageSize(QPageSize(QPageSize::A4));
   list_items();
+  make_zooms();
   make_layout();
   connect(preview_, &QPrintPreviewWidget::paintRequested, this,
           [this](QPrinter* printer) { pages_.print(*printer); });
@@ -103,6 +106,18 @@ void PrintDialog::list_items() {
   choice_->setCurrentIndex(items_.isEmpty() ? -1 : static_cast<int>(proposed));
 }
 
+void PrintDialog::make_zooms() {
+  zooms_ = {make_action(this, tr("Page"), tr("Show the page as a whole"), QKeySequence(tr("Ctrl+0")),
+                        [this] { preview_->fitInView(); }),
+            make_action(this, tr("Width"), tr("Show the page as wide as there is room"), {},
+                        [this] { preview_->fitToWidth(); }),
+            make_action(this, QStringLiteral("+"), tr("Show the page larger"), QKeySequence::ZoomIn,
+                        [this] { preview_->zoomIn(); }),
+            make_action(this, QStringLiteral("−"), tr("Show the page smaller"), QKeySequence::ZoomOut,
+                        [this] { preview_->zoomOut(); })};
+  addActions(zooms_);
+}
+
 void PrintDialog::make_layout() {
   auto* what = new QLabel(tr("&What"), this);
   what->setBuddy(choice_);
@@ -116,6 +131,13 @@ void PrintDialog::make_layout() {
   auto* above = new QHBoxLayout;
   above->addWidget(what);
   above->addWidget(choice_, 1);
+  for (QAction* zoom : zooms_) {
+    auto* button = new QToolButton(this);
+    button->setDefaultAction(zoom);
+    button->setAccessibleName(zoom->toolTip());
+    button->setFocusPolicy(Qt::TabFocus);
+    above->addWidget(button);
+  }
   auto* below = new QHBoxLayout;
   below->addWidget(state_, 1);
   below->addWidget(print_);

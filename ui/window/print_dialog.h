@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QDialog>
+#include <QList>
 #include <QPrinter>
 #include <QTemporaryDir>
 
@@ -8,6 +9,7 @@
 #include "ui/report/recorded_pages.h"
 #include "ui/window/print_subject.h"
 
+class QAction;
 class QComboBox;
 class QPrintPreviewWidget;
 class QPushButton;
@@ -28,6 +30,9 @@ class PrintDialog : public QDialog {
 
   /// What can be printed.
   QComboBox& choice() { return *choice_; }
+  QPrintPreviewWidget& preview() { return *preview_; }
+  /// How large the preview shows its pages: fit the page, fit its width, larger, smaller.
+  const QList<QAction*>& zoom_actions() const { return zooms_; }
   /// What the preview shows; no pages while they are made.
   const RecordedPages& pages() const { return pages_; }
   bool busy() const { return making_.busy(); }
@@ -49,6 +54,7 @@ class PrintDialog : public QDialog {
   };
 
   void list_items();
+  void make_zooms();
   void make_layout();
   void make_pages();
   void read_pages();
@@ -62,6 +68,7 @@ class PrintDialog : public QDialog {
   QPrinter printer_;
   QComboBox* choice_;
   QPrintPreviewWidget* preview_;
+  QList<QAction*> zooms_;
   StateLine* state_;
   QPushButton* print_;
   CommandProcess making_;

@@ -6,6 +6,7 @@
 #include <QFile>
 #include <QImage>
 #include <QPainter>
+#include <QPrintPreviewWidget>
 #include <QPrinter>
 #include <QSignalSpy>
 #include <QTableWidget>
@@ -85,6 +86,22 @@ TEST_F(PrintDialogTest, TheTableWithTheFocusComesFirst) {
   EXPECT_EQ(dialog.choice().currentText(), "Table: Lesson");
   EXPECT_EQ(dialog.pages().count(), 1);
   EXPECT_THAT(table_page("Runs", *table.model()).toStdString(), testing::HasSubstr("&lt;b&gt;"));
+}
+
+TEST_F(PrintDialogTest, PagesAreShownAsLargeAsOneLikes) {
+  PrintDialog dialog(subject, FEEDSCOPE_EXECUTABLE);
+  ASSERT_TRUE(rests(dialog));
+  const QPrintPreviewWidget& preview = dialog.preview();
+  EXPECT_EQ(preview.zoomMode(), QPrintPreviewWidget::FitInView);
+  const double whole = preview.zoomFactor();
+  dialog.zoom_actions()[2]->trigger();
+  EXPECT_GT(preview.zoomFactor(), whole);
+  dialog.zoom_actions()[3]->trigger();
+  EXPECT_NEAR(preview.zoomFactor(), whole, 1e-9);
+  dialog.zoom_actions()[1]->trigger();
+  EXPECT_EQ(preview.zoomMode(), QPrintPreviewWidget::FitToWidth);
+  dialog.zoom_actions()[0]->trigger();
+  EXPECT_EQ(preview.zoomMode(), QPrintPreviewWidget::FitInView);
 }
 
 TEST_F(PrintDialogTest, SaysThatThereIsNothing) {
