@@ -8,6 +8,7 @@
 
 #include "app/print.h"
 #include "core/base/units.h"
+#include "core/identification/recordings.h"
 
 namespace feedscope {
 namespace {
@@ -120,7 +121,10 @@ std::string identification_text(const std::vector<Identification>& models,
     table.add({"model", "residual (noise = 1)", "feed error", "explains the traces"});
     for (const Identification& found : models) {
       table.add({found.setup.model->info().id, fmt::format("{:.2f}", found.residual),
-                 fmt::format("{:.2f} %", 100 * found.feed_error), found.explains ? "yes" : "no"});
+                 fmt::format("{:.2f} %", 100 * found.feed_error),
+                 explains_roughly(found, models.front()) ? "roughly"
+                 : found.explains                        ? "yes"
+                                                         : "no"});
     }
     for (const UnfittedModel& one : unfitted) {
       table.add({one.id, "-", "-", "not fitted"});

@@ -318,6 +318,11 @@ void sort_by_explanation(std::vector<Identification>& models) {
   std::ranges::stable_sort(models, {}, &Identification::residual);
 }
 
+bool explains_roughly(const Identification& found, const Identification& best) {
+  constexpr double much_better = 2;
+  return found.explains && found.residual > much_better * best.residual;
+}
+
 Machine identified_machine(const Identification& found, const std::filesystem::path& file) {
   Setup setup = found.setup;
   for (const IdentifiedParameter& one : found.parameters) {

@@ -74,6 +74,9 @@ std::string usual_machine_of(const std::string& model);
 
 /// The model that explains the recordings best first.
 void sort_by_explanation(std::vector<Identification>& models);
+/// Whether a model comes near the recordings that `best` explains much better: it leaves more than twice as
+/// much over.
+bool explains_roughly(const Identification& found, const Identification& best);
 
 /// What was found as a machine, with the source of every number, named after the file that it goes to; "-"
 /// for none. Of a model that does not explain the recordings it keeps the values that were begun with.

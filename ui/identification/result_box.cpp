@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/identification/recordings.h"
 #include "ui/fields/focus_outline.h"
 #include "ui/identification/identification_texts.h"
 #include "ui/identification/residual_chart.h"
@@ -145,7 +146,9 @@ void ResultBox::show_models() {
     auto* row = new QTreeWidgetItem(
         models_, {core_text(found.setup.model->info().title), locale.toString(found.residual, 'f', 2),
                   tr("%1 %").arg(locale.toString(100 * found.feed_error, 'f', 2)),
-                  found.explains ? tr("yes") : tr("no")});
+                  explains_roughly(found, outcome_->models.front()) ? tr("roughly")
+                  : found.explains                                  ? tr("yes")
+                                                                    : tr("no")});
     row->setToolTip(0, row->text(0));
     for (int column = 1; column < row->columnCount(); ++column) {
       row->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 
+#include "core/identification/recordings.h"
 #include "ui/identification/identification_texts.h"
 #include "ui/identification/residual_plot.h"
 #include "ui/language/composed_text.h"
@@ -59,7 +60,9 @@ QString models_table(const IdentificationOutcome& outcome) {
         found.agreements, {}, [](const Agreement& agreement) { return std::abs(agreement.time_error()); });
     table.add({html_text(core_text(found.setup.model->info().title)), fixed(found.residual, 2),
                percent(found.feed_error, 2), IdentificationTexts::time_error(*worst),
-               found.explains ? ReportWords::tr("yes") : ReportWords::tr("no")});
+               explains_roughly(found, outcome.models.front()) ? ReportWords::tr("roughly")
+               : found.explains                                ? ReportWords::tr("yes")
+                                                               : ReportWords::tr("no")});
   }
   QString reasons;
   for (const UnfittedModel& unfitted : outcome.unfitted) {
@@ -193,7 +196,7 @@ QString identification_charts_block(const ReportInput& input, ReportPictures& pi
   const double height = plot_height + (models > 1 ? legend_height * static_cast<double>(models) : 0);
   const QSizeF size(report_width, height * static_cast<double>(curves->size()));
   const auto paint = [curves, height](QPainter& painter, double) {
-    const ThemeColours& colours = theme_colours(QPalette(Qt::white));
+    const ThemeColours colours = theme_colours(QPalette(Qt::white));
     for (std::size_t i = 0; i < curves->size(); ++i) {
       const QRectF area(0, static_cast<double>(i) * height, report_width, height);
       ResidualPlot((*curves)[i], area, paper_font(10), colours).draw(painter);

@@ -317,6 +317,21 @@ TEST(Recordings, TheModelThatExplainsBestComesFirst) {
   EXPECT_EQ(models[2].residual, 3);
 }
 
+TEST(Recordings, AModelThatLeavesMuchMoreOverThanTheBestExplainsThemRoughly) {
+  Identification best;
+  best.explains = true;
+  best.residual = 1.1;
+  Identification near = best;
+  near.residual = 2;
+  Identification far = best;
+  far.residual = 28;
+  EXPECT_FALSE(explains_roughly(best, best));
+  EXPECT_FALSE(explains_roughly(near, best));
+  EXPECT_TRUE(explains_roughly(far, best));
+  far.explains = false;
+  EXPECT_FALSE(explains_roughly(far, best)) << "it does not at all";
+}
+
 TEST(Recordings, AMachineIsNamedAfterItsFile) {
   Identification found;
   found.setup = mill({});
