@@ -87,7 +87,7 @@ class RunTable {
 std::string times_table(std::span<const ComparedRun> runs) {
   RunTable table;
   const auto figures = source_figures_of(runs, [](const ComparedRun& run) { return &run.summary; });
-  Cells head{"cycle time", "h:mm:ss", "against cam", "mean feed", "peak feed", "contour error"};
+  Cells head{"cycle time", "h:mm:ss", "x programmed", "mean feed", "peak feed", "contour error"};
   Cells head_units{"[s]", "", "", "[mm/min]", "[mm/min]", "[mm]"};
   for (const SourceFigure* figure : figures) {
     head.push_back(figure_title(*figure));
@@ -105,7 +105,7 @@ std::string times_table(std::span<const ComparedRun> runs) {
     const Summary& summary = run.summary;
     Cells cells{fmt::format("{:.3f}", summary.cycle_time),
                 clock_text(summary.cycle_time),
-                fmt::format("x {:.3f}", run.against_cam()),
+                fmt::format("{:.3f}", run.against_cam()),
                 fmt::format("{:.1f}", units::to_mm_min(summary.mean_feed)),
                 fmt::format("{:.1f}", units::to_mm_min(summary.peak_feed)),
                 fmt::format("{:.4f}", summary.cutting_contour_error)};

@@ -31,7 +31,7 @@ TEST_F(CompareCommand, SumsUpForPeople) {
   EXPECT_EQ(result.code, 0);
   EXPECT_EQ(result.err, "");
   for (const std::string text :
-       {"corner.nc, path 40.000 mm", "Spinner MVC 850 (spinner-mvc850)", "against cam", "x 1.000",
+       {"corner.nc, path 40.000 mm", "Spinner MVC 850 (spinner-mvc850)", "x programmed", " 1.000",
         "msaddek        0.01", "msaddek        0.05", "Largest values", "Time by limiting cause",
         "cam               -   100 % programmed feed"}) {
     EXPECT_THAT(result.out, HasSubstr(text));
