@@ -245,11 +245,10 @@ std::uint32_t LinuxCncRun::add_arc(double from, double to) {
     arc.x /= arc.radius;
   }
   arc.y = course.normal.cross(arc.x);
-  Segment run = toolpath_.segments[segment.block];
+  Segment run = toolpath_.segments[segment.block];  // a blend lies between two rapids or two feed motions
   run.kind = SegmentKind::arc;
   run.index = static_cast<std::int32_t>(executed_->path.arcs.size());
   run.length = arc.length();
-  run.rapid = false;
   run.end = arc.at(run.length).position;
   executed_->path.arcs.push_back(arc);
   executed_->add(run, segment.block);

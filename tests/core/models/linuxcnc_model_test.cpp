@@ -134,6 +134,22 @@ TEST(LinuxCncModel, TakesAsLongAsTheControlWhereBlocksWithAndWithoutRotaryAxesMe
               3.924, 1e-9);
 }
 
+/// A quarter of the way is their arc, in the air: it is no cutting.
+TEST(LinuxCncModel, RoundsCornersBetweenRapidsAsRapids) {
+  const Trajectory motion = run("G21 G90 G64\nG0 X50\nY50\nG1 X60 F3000\nM2\n");
+  double rapid = 0;
+  double cut = 0;
+  std::size_t arcs = 0;
+  for (std::uint32_t element = 0; element < motion.path().size(); ++element) {
+    (motion.is_rapid(element) ? rapid : cut) += motion.path().length(element);
+    arcs += motion.path().kind(element) == ElementKind::arc ? 1 : 0;
+  }
+  EXPECT_EQ(arcs, 1u);
+  const double shorter = 2 - pi / 2;  // of the radius: the arc in place of the corner
+  EXPECT_NEAR(rapid, 100 - 25 * shorter, 1e-6) << "the arc takes half of each block";
+  EXPECT_NEAR(cut, 10, 1e-6);
+}
+
 TEST(LinuxCncModel, RoundsNothingUnderAnExactStop) {
   EXPECT_EQ(run("G21 G90 G61\nG1 X20 F3000\nY20\nM2\n").blend_count(), 0U);
 }
