@@ -157,8 +157,8 @@ Command add_simulate_command(CLI::App& app) {
   command
       ->add_option(
           "--contour", options->contour,
-          "Write the places farthest from the programmed path as CSV, and add them and a histogram of "
-          "the contour error to --json; - for standard output")
+          "Write the places of feed motions farthest from the programmed path as CSV, and add them and a "
+          "histogram of the contour error to --json; - for standard output")
       ->type_name("FILE");
   add_number_option(
       *command, "--contour-places", whole_numbers(1, 1'000'000),

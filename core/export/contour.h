@@ -7,7 +7,8 @@
 
 namespace feedscope {
 
-/// The worst places as CSV, the largest error first: rank,line,block,time_s,path_mm,error_mm,side_mm,
+/// The worst places of feed motions as CSV, the largest error first:
+/// rank,line,block,time_s,path_mm,error_mm,side_mm,
 /// tolerance_mm,at,length_mm,turn_deg,radius_mm,inside,x_mm,y_mm,z_mm,programmed_x_mm,programmed_y_mm,
 /// programmed_z_mm,feed_mm_min,programmed_feed_mm_min,cause.
 /// `side_mm` as ContourErrors; `at`: line, arc or corner; `inside`: 1 on the inner side of arc or corner, 0

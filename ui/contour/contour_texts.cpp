@@ -82,19 +82,22 @@ QString spot_text(const ContourSpot& spot) {
 }
 
 QString verdict_text(const ContourReport& report) {
+  QStringList sentences;
   if (report.worst.empty()) {
-    return Contour::tr("The programmed path is followed exactly: no contour error.");
+    sentences.append(Contour::tr("The programmed path is followed exactly: no contour error."));
+  } else {
+    const ContourFinding& worst = report.worst.front();
+    sentences.append(
+        Contour::tr("Largest contour error %1, in line %2 at %3.")
+            .arg(error_amount_text(report.largest), line_text(worst), clock_text(worst.place.time)));
+    sentences.append(report.tolerance ? tolerance_sentence(report)
+                                      : Contour::tr("No contour tolerance applies."));
   }
-  const ContourFinding& worst = report.worst.front();
-  QString where = Contour::tr("Largest contour error %1, in line %2 at %3.")
-                      .arg(error_amount_text(report.largest), line_text(worst), clock_text(worst.place.time));
-  constexpr double rounding = 1e-6;
-  if (report.cutting < report.largest * (1 - rounding)) {
-    where += QStringLiteral(" ") + Contour::tr("That is in a rapid; in feed motions it is %1 at most.")
-                                       .arg(error_amount_text(report.cutting));
+  if (report.rapids) {
+    sentences.append(Contour::tr("Rapids, which do not count here, leave the programmed path by up to %1.")
+                         .arg(error_amount_text(*report.rapids)));
   }
-  return report.tolerance ? where + QStringLiteral(" ") + tolerance_sentence(report)
-                          : where + QStringLiteral(" ") + Contour::tr("No contour tolerance applies.");
+  return sentences.join(QLatin1Char(' '));
 }
 
 QString share_text(const ContourReport& report, bool sides) {

@@ -131,6 +131,22 @@ class Analysis {
     return !request_.cutting_only || !is_rapid(path, block) || !is_rapid(path, block + 1);
   }
 
+  bool counts_length(std::uint32_t element) const {
+    return !request_.cutting_only || !trajectory_.is_rapid(element);
+  }
+  /// Of the executed path [mm].
+  double length_that_counts() const {
+    const BlendedPath& path = trajectory_.path();
+    if (!request_.cutting_only) {
+      return path.s(last_) - path.s(first_);
+    }
+    double length = 0;
+    for (std::uint32_t element = first_; element < last_; ++element) {
+      length += counts_length(element) ? path.length(element) : 0;
+    }
+    return length;
+  }
+
   void count_lengths(ContourErrors& errors) {
     HistogramCounter histogram(request_.bins, errors.largest);
     SpreadCounter spread(errors.largest);
@@ -140,6 +156,9 @@ class Analysis {
       const double length = (to.point.position - from.point.position).norm();
       const double side_from = side_of(trajectory_, from);
       const double side_to = side_of(trajectory_, to);
+      if (!counts_length(from.place.element)) {
+        return;
+      }
       counted += length;
       histogram.add(sides ? side_from : from.error, sides ? side_to : to.error, length);
       spread.add(from.error, to.error, side_from, side_to, length);
@@ -149,8 +168,7 @@ class Analysis {
     }
     ContourSearch again(trajectory_, search_.deviation());
     again.for_spans(first_, last_, progress_, [&](const ContourSpan& span) { count(span.from, span.to); });
-    const double whole = trajectory_.path().s(last_) - trajectory_.path().s(first_);
-    const double exact = std::max(whole - counted, 0.0);
+    const double exact = std::max(length_that_counts() - counted, 0.0);
     histogram.add(0, 0, exact);
     spread.add(0, 0, 0, 0, exact);
     errors.histogram = histogram.result();

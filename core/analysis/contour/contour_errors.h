@@ -50,7 +50,7 @@ struct ContourRequest {
   std::uint32_t first_element = 0;
   std::uint32_t last_element = UINT32_MAX;
   bool spread = false;        ///< whether ContourErrors::spread is wanted
-  bool cutting_only = false;  ///< rapids, and corners between them, do not count
+  bool cutting_only = false;  ///< rapids, and corners between them, do not count; nor does their length
 };
 
 /// Contour error of a run: how far the executed path is from the programmed one.

@@ -110,13 +110,14 @@ ContourSpot contour_spot(const Toolpath& programmed, const ContourPlace& place) 
 ContourReport contour_report(const Run& run, std::size_t places, Progress* progress) {
   const Trajectory& trajectory = *run.trajectory;
   const Toolpath& programmed = programmed_path(trajectory);
-  const ContourErrors errors =
-      contour_errors(trajectory, {.places = places, .bins = ContourBins::none, .spread = true}, progress);
-  ContourReport report{errors.largest,
-                       cutting_contour_error(trajectory, errors, {}, progress),
-                       {},
-                       errors.spread,
-                       std::nullopt};
+  const ContourErrors errors = contour_errors(
+      trajectory, {.places = places, .bins = ContourBins::none, .spread = true, .cutting_only = true},
+      progress);
+  ContourReport report{errors.largest, std::nullopt, {}, errors.spread, std::nullopt};
+  constexpr double found = 2 * ContourSearch::precision;  // searches of other numbers of places
+  if (run.summary.max_contour_error > errors.largest + found) {
+    report.rapids = run.summary.max_contour_error;
+  }
   std::optional<PathRules> rules;
   const auto tolerance = tolerance_in_force(run.input.feed_controls, run.setup);
   if (tolerance && tolerance->max > 0) {

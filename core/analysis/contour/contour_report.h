@@ -35,10 +35,11 @@ struct ContourFinding {
   std::optional<double> tolerance;  ///< contour tolerance that rules there [mm]
 };
 
-/// Contour error of a run for people: how much, how often, where, and against which tolerance.
+/// Contour error of the feed motions of a run for people: how much, how often, where, and against which
+/// tolerance.
 struct ContourReport {
   double largest = 0;                 ///< [mm]
-  double cutting = 0;                 ///< the largest of feed motions alone [mm]
+  std::optional<double> rapids;       ///< the largest of the rapids, where it is above `largest` [mm]
   std::vector<ContourFinding> worst;  ///< the largest first; within 10 nm in the order of the program
   ContourSpread spread;
   /// The deviation lies in XY, that of the worst place too, so that left and right of the path say it.

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "core/analysis/contour/contour_histogram.h"
+#include "core/analysis/contour/contour_report.h"
 #include "core/analysis/contour/contour_search.h"
 #include "core/analysis/path_deviation.h"
 #include "core/analysis/run.h"
@@ -253,6 +254,23 @@ TEST(ContourErrors, OfFeedMotionsAloneLeaveOutRapids) {
   EXPECT_NEAR(cutting_contour_error(*run.trajectory, all), cutting.largest, found);
   EXPECT_NEAR(run.summary.cutting_contour_error, cutting.largest, found);
   EXPECT_NEAR(run.summary.max_contour_error, all.largest, found);
+}
+
+TEST(ContourErrors, OfFeedMotionsAloneCountTheLengthOfTheirPath) {
+  const feedscope::Run run = simulate_run(
+      load_program(std::make_shared<const SourceText>("test.ngc",
+                                                      "G21 G90 G64\nG0 X50 Z5\nG0 Y50\nG0 X0\nG64 P0.02\nG1 "
+                                                      "Z0 F3000\nX40\nY90\nG64\nG0 Z5\nG0 X0\nM2\n")),
+      make_setup({"", "linuxcnc", {}, {}}));
+  const ContourReport report = contour_report(run, 100);
+  ASSERT_FALSE(report.worst.empty());
+  for (const ContourFinding& finding : report.worst) {
+    EXPECT_LE(finding.place.error, 0.02 + 1e-6) << "line " << finding.place.line;
+  }
+  EXPECT_DOUBLE_EQ(report.rapids.value(), run.summary.max_contour_error);
+  const std::vector<double>& lengths = report.spread.amount;
+  constexpr double cut = 5 + 40 + 40;  // by the program [mm]
+  EXPECT_NEAR(std::accumulate(lengths.begin(), lengths.end(), 0.0), cut, 1);
 }
 
 TEST(ContourErrors, BinsHaveRoundEdges) {

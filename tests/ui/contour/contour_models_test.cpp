@@ -87,9 +87,10 @@ TEST_F(ContourModels, SayHowLargeWhereAndAgainstWhat) {
   exceeded.tolerance.reset();
   EXPECT_THAT(verdict_text(exceeded).toStdString(), HasSubstr("No contour tolerance applies."));
   EXPECT_THAT(kept, testing::Not(HasSubstr("rapid")));
-  exceeded.cutting = report->largest / 2;
+  exceeded.rapids = report->largest * 2;
   EXPECT_THAT(verdict_text(exceeded).toStdString(),
-              HasSubstr("in a rapid; in feed motions it is " + error_text(exceeded.cutting).toStdString()));
+              HasSubstr("Rapids, which do not count here, leave the programmed path by up to " +
+                        error_text(*exceeded.rapids).toStdString()));
   EXPECT_THAT(share_text(*report, true).toStdString(), testing::Not(HasSubstr("along Z")));
   exceeded.worst[0].place.side = 0;
   EXPECT_THAT(share_text(exceeded, true).toStdString(), HasSubstr("along Z"));
