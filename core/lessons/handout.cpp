@@ -201,6 +201,18 @@ std::string answer_html(const Lesson& lesson, std::size_t index, const HandoutCo
          claims_table(lesson, index, contents) + "</div>\n";
 }
 
+/// Where a lesson is from, and its numbers.
+std::string sources_html(const Lesson& lesson) {
+  std::string html = fmt::format("<h2>{}</h2>\n<ul>\n", lesson_word("Sources", lesson.language));
+  for (const std::string& source : lesson.sources) {
+    html += fmt::format("<li>{}</li>\n", escaped(source));
+  }
+  return html + fmt::format("</ul>\n<p class=\"footer\">{}</p>\n",
+                            lesson_word("Every number of the simulation on these pages was simulated by "
+                                        "Feedscope when they were made.",
+                                        lesson.language));
+}
+
 }  // namespace
 
 const std::vector<std::string>& handout_readers() {
@@ -252,19 +264,16 @@ std::string handout_html(const Lesson& lesson, const HandoutContents& contents) 
   for (std::size_t i = 0; i < lesson.questions.size(); ++i) {
     html += of_teacher ? answer_html(lesson, i, contents, true) : learners_question(lesson, i, contents);
   }
+  const std::string sources = sources_html(lesson);
   if (contents.reader == HandoutReader::everybody) {
-    html += fmt::format("<h1 class=\"answers\">{}</h1>\n", word("Answers"));
+    html += sources + fmt::format("<h1 class=\"answers\">{}</h1>\n", word("Answers"));
     for (std::size_t i = 0; i < lesson.questions.size(); ++i) {
       html += answer_html(lesson, i, contents, false);
     }
+  } else {
+    html += sources;
   }
-  html += fmt::format("<h2>{}</h2>\n<ul>\n", word("Sources"));
-  for (const std::string& source : lesson.sources) {
-    html += fmt::format("<li>{}</li>\n", escaped(source));
-  }
-  return html + fmt::format("</ul>\n<p class=\"footer\">{}</p>\n</body>\n</html>\n",
-                            word("Every number of the simulation on these pages was simulated by Feedscope "
-                                 "when they were made."));
+  return html + "</body>\n</html>\n";
 }
 
 }  // namespace feedscope
