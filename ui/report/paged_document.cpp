@@ -7,8 +7,10 @@
 #include <exception>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "ui/report/template_pictures.h"
+#include "ui/report/whole_units.h"
 #include "ui/theme/fonts.h"
 
 namespace feedscope::ui {
@@ -98,7 +100,8 @@ PagedDocument::PagedDocument(QString html, const ReportPictures& pictures, doubl
   QTextOption option;
   option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
   document_.setDefaultTextOption(option);
-  document_.setHtml(html.replace(QStringLiteral("<wbr>"), QStringLiteral("&#8203;")));
+  document_.setHtml(
+      with_whole_units(std::move(html)).replace(QStringLiteral("<wbr>"), QStringLiteral("&#8203;")));
   document_.setTextWidth(report_width);
   parts_ = page_parts(document_, page_contents_height);
 }

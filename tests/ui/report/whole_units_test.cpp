@@ -1,0 +1,35 @@
+#include "ui/report/whole_units.h"
+
+#include <gtest/gtest.h>
+
+#include <QFont>
+#include <QTextLayout>
+
+namespace feedscope::ui {
+namespace {
+
+TEST(WholeUnits, AreNotBrokenAtTheirSlash) {
+  const QString text =
+      with_whole_units(QStringLiteral("circles at 6 m/min, 9 m/min, 12 m/min and 10 m/s³ at 500 mm/min"));
+  for (int width = 40; width < 400; width += 7) {
+    QTextLayout layout(text, QFont());
+    layout.beginLayout();
+    for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
+      line.setLineWidth(width);
+      const QString words = text.mid(line.textStart(), line.textLength()).trimmed();
+      if (line.naturalTextWidth() < width && line.textStart() + line.textLength() < text.size()) {
+        EXPECT_FALSE(words.endsWith('/') || words.endsWith(QChar(0x2060))) << words.toStdString();
+      }
+    }
+    layout.endLayout();
+  }
+}
+
+TEST(WholeUnits, LeaveOtherSlashesAlone) {
+  for (const char* text : {"programs/part 5 m/other.nc", "<p>7/min</p>", "5 </p>", "v² / R", "3 m/machine"}) {
+    EXPECT_EQ(with_whole_units(QString::fromUtf8(text)), QString::fromUtf8(text));
+  }
+}
+
+}  // namespace
+}  // namespace feedscope::ui
