@@ -177,8 +177,8 @@
         <translation>90&#xa0;% de la trajectoire à moins de %1, 99&#xa0;% à moins de %2.</translation>
     </message>
     <message>
-        <source>That is in a rapid; in feed motions it is %1 at most.</source>
-        <translation>C’est dans un rapide&#xa0;; en avance, elle est au plus de %1.</translation>
+        <source>Rapids, which do not count here, leave the programmed path by up to %1.</source>
+        <translation>Les rapides, qui ne comptent pas ici, s’écartent de la trajectoire programmée jusqu’à %1.</translation>
     </message>
 </context>
 <context>
@@ -1712,6 +1712,10 @@
     <message>
         <source>Contour errors are those of feed motions; in rapids %1 leaves the programmed path by up to %2.</source>
         <translation>Les erreurs de contour sont celles des déplacements en avance&#xa0;; dans les rapides, %1 s’écarte de la trajectoire programmée jusqu’à %2.</translation>
+    </message>
+    <message>
+        <source>roughly</source>
+        <translation>à peu près</translation>
     </message>
 </context>
 <context>
@@ -12304,6 +12308,34 @@ Utiliser la machine qu’elle décrit pour la simulation courante ?</translation
         <source>%1 has been sent to %2</source>
         <translation>%1 : envoyé à %2</translation>
     </message>
+    <message>
+        <source>Page</source>
+        <translation>Page</translation>
+    </message>
+    <message>
+        <source>Show the page as a whole</source>
+        <translation>Afficher la page entière</translation>
+    </message>
+    <message>
+        <source>Ctrl+0</source>
+        <translation>Ctrl+0</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Largeur</translation>
+    </message>
+    <message>
+        <source>Show the page as wide as there is room</source>
+        <translation>Afficher la page sur toute la largeur</translation>
+    </message>
+    <message>
+        <source>Show the page larger</source>
+        <translation>Afficher la page plus grande</translation>
+    </message>
+    <message>
+        <source>Show the page smaller</source>
+        <translation>Afficher la page plus petite</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ProgramMargin</name>
@@ -12908,6 +12940,10 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>Tick other models in step 2.</source>
         <translation>Cocher d’autres modèles à l’étape 2.</translation>
+    </message>
+    <message>
+        <source>roughly</source>
+        <translation>à peu près</translation>
     </message>
 </context>
 <context>
