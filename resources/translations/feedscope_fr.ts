@@ -2155,6 +2155,13 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
 </context>
 <context>
+    <name>TraceMessages</name>
+    <message>
+        <source> (Trace import options)</source>
+        <translation> (options d’import de la trace)</translation>
+    </message>
+</context>
+<context>
     <name>TraceTables</name>
     <message>
         <source>Click to go there</source>

@@ -21,6 +21,7 @@
 #include "ui/shared/paths.h"
 #include "ui/trace/trace_import_fields.h"
 #include "ui/trace/trace_presets.h"
+#include "ui/workbench/trace_messages.h"
 
 namespace feedscope::ui {
 
@@ -61,7 +62,8 @@ TraceImportDialog::TraceImportDialog(const std::filesystem::path& file, const st
   asked->setWordWrap(true);
   asked->setText(reason.isEmpty()
                      ? tr("What are the columns of %1?").arg(to_qstring(file.filename()))
-                     : tr("%1: %2. What are its columns?").arg(to_qstring(file.filename()), reason));
+                     : tr("%1: %2. What are its columns?")
+                           .arg(to_qstring(file.filename()), without_columns_option(reason, QString())));
   presets_->setAccessibleName(tr("Preset"));
   keep_->setToolTip(tr("Keep what is chosen under a name, for other traces of this kind"));
   forget_->setToolTip(tr("Remove this preset from the list"));

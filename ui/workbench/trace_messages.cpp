@@ -1,5 +1,7 @@
 #include "ui/workbench/trace_messages.h"
 
+#include <QCoreApplication>
+#include <QRegularExpression>
 #include <algorithm>
 
 #include "ui/language/composed_text.h"
@@ -13,9 +15,19 @@ std::vector<Diagnostic> messages_on(const Trace& trace, const TraceOnProgram& fo
   return messages;
 }
 
+QString without_columns_option(QString text, const QString& instead) {
+  // "..., as --columns x=2:in, where ...", ": --columns linuxcnc, or ...,rate=1000", in both languages.
+  static const QRegularExpression option(
+      QStringLiteral(
+          "(?:,? (?:as|comme)|\\s?:) --columns \\S+?(?:, (?:or|ou) \\S+)?(?=\\s?[,.:;]?(?:\\s|$))"),
+      QRegularExpression::UseUnicodePropertiesOption);
+  return text.replace(option, instead);
+}
+
 QString message_text(const Diagnostic& message) {
   const auto sentence = [](const std::string& text) {
-    QString said = composed_text(text);
+    QString said = without_columns_option(
+        composed_text(text), QCoreApplication::translate("TraceMessages", " (Trace import options)"));
     if (!said.isEmpty()) {
       said[0] = said[0].toUpper();
       said += '.';
