@@ -43,7 +43,7 @@ std::string traces_text(const Identification& found, const std::vector<std::stri
     const Agreement& agreement = found.agreements[i];
     table.add(
         {traces[i], time_text(agreement.measured_time), time_text(agreement.simulated_time),
-         fmt::format("{:+.2f} %", 100 * agreement.time_error()),
+         signed_text(100 * agreement.time_error(), 2) + " %",
          found.sections[i].empty() ? fmt::format("{:.1f}", units::to_mm_min(agreement.feed_rms)) : "-"});
   }
   return table.text("lrrrr");
@@ -86,7 +86,7 @@ std::string sections_text(const Identification& found) {
     for (const SectionAgreement& one : worst) {
       table.add({one.section, fmt::format("{:.4f}", one.measured_time),
                  fmt::format("{:.4f}", one.simulated_time),
-                 fmt::format("{:+.4f}", one.simulated_time - one.measured_time)});
+                 signed_text(one.simulated_time - one.measured_time, 4)});
     }
     text += table.text("lrrr");
   }

@@ -285,6 +285,12 @@ std::string time_text(double seconds) {
   return seconds < 60 ? text : fmt::format("{} ({})", text, clock_text(seconds));
 }
 
+std::string signed_text(double value, int decimals) {
+  const std::string text = fmt::format("{:+.{}f}", value, decimals);
+  const bool is_zero = std::isfinite(value) && text.find_first_of("123456789") == std::string::npos;
+  return is_zero ? text.substr(1) : text;
+}
+
 std::string without_pauses_text(double pauses) {
   return pauses > 0 ? fmt::format(", without pauses of {}", time_text(pauses)) : "";
 }

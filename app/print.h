@@ -35,6 +35,9 @@ std::string wrapped(const std::string& text, std::size_t indent);
 /// "1.249 s", from a minute on with hours: "3725.4 s (1:02:05)".
 std::string time_text(double seconds);
 
+/// A difference with its sign, and none where it is rounded to 0: "+1.50", "-0.25", "0.00".
+std::string signed_text(double value, int decimals);
+
 /// Behind a mean feed: ", without pauses of 4.000 s"; empty where there are none.
 std::string without_pauses_text(double pauses);
 

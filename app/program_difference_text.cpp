@@ -15,7 +15,7 @@ constexpr std::size_t most_rows = 20;
 
 /// "-12.345 s": less time in the new program.
 std::string change(double old, double now) {
-  return fmt::format("{:+.3f} s", now - old);
+  return signed_text(now - old, 3) + " s";
 }
 
 std::string millimetres(double length) {
@@ -76,7 +76,7 @@ std::string program_difference_text(const Run& old, const Run& now, const Progra
   const double before = old.summary.cycle_time;
   const double after = now.summary.cycle_time;
   const std::string share =
-      before > 0 ? fmt::format(" ({:+.1f} %)", 100 * (after / before - 1)) : std::string();
+      before > 0 ? fmt::format(" ({} %)", signed_text(100 * (after / before - 1), 1)) : std::string();
   text += wrapped(fmt::format("{} instead of {}: {}{}. {:.1f} % of the new path is in the old program too. "
                               "Max. contour error {:.4f} mm instead of {:.4f} mm.",
                               time_text(after), time_text(before), change(before, after), share,

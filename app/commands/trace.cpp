@@ -67,13 +67,13 @@ std::string agreement_text(const TraceOnProgram& found, const Agreement& agreeme
   TextTable table;
   table.add({"", "trace", "simulated", "difference"});
   table.add({agreement.whole ? "cycle time" : "time of the part compared", time_text(agreement.measured_time),
-             time_text(agreement.simulated_time), fmt::format("{:+.2f} %", 100 * agreement.time_error())});
+             time_text(agreement.simulated_time), signed_text(100 * agreement.time_error(), 2) + " %"});
   table.add({"largest distance from the path", fmt::format("{:.4f} mm", agreement.distance),
              fmt::format("{:.4f} mm", agreement.simulated_distance), ""});
   for (const OperationAgreement& operation : agreement.operations) {
     table.add({fmt::format("line {}: {}", operation.line, operation.title),
                time_text(operation.measured_time), time_text(operation.simulated_time),
-               fmt::format("{:+.3f} s", operation.simulated_time - operation.measured_time)});
+               signed_text(operation.simulated_time - operation.measured_time, 3) + " s"});
   }
   text += table.text("lrrr");
   text += fmt::format("difference of the feeds over the path (rms): {:.1f} mm/min\n",
@@ -85,7 +85,7 @@ std::string agreement_text(const TraceOnProgram& found, const Agreement& agreeme
       places.add({fmt::format("{}", place.line), fmt::format("{:.3f}", place.s),
                   fmt::format("{:.0f}", units::to_mm_min(place.measured_feed)),
                   fmt::format("{:.0f}", units::to_mm_min(place.simulated_feed)),
-                  fmt::format("{:+.2f}", units::to_ms(place.lost))});
+                  signed_text(units::to_ms(place.lost), 2)});
     }
     text += places.text("rrrrr");
   }

@@ -255,6 +255,8 @@ TEST_F(CompareCommand, SaysWhereTwoVersionsOfAProgramDiffer) {
   const Result text = run("compare old.nc new.nc");
   EXPECT_EQ(text.code, 0) << text.err;
   EXPECT_THAT(text.out, HasSubstr("new.nc instead of old.nc"));
+  const Result same = run("compare old.nc old.nc");
+  EXPECT_THAT(same.out, AllOf(HasSubstr(" 0.000 s"), Not(HasSubstr("+0.000")), Not(HasSubstr("-0.000"))));
   EXPECT_THAT(text.out, HasSubstr("2-3"));
   const Result json = run("compare old.nc new.nc --model cam --json -");
   const auto written = nlohmann::json::parse(json.out);
