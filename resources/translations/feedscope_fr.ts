@@ -11211,6 +11211,10 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <source>▴ programmed up to %1</source>
         <translation>▴ programmée jusqu’à %1</translation>
     </message>
+    <message>
+        <source>▴ peaks up to %1</source>
+        <translation>▴ pointes jusqu’à %1</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::LessonDesk</name>

@@ -7,7 +7,6 @@
 #include <QValueAxis>
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <iterator>
 #include <numeric>
 
@@ -190,9 +189,10 @@ CurveReach KinematicChart::reach_of(const std::vector<Extent>& columns, bool may
 }
 
 void KinematicChart::set_cutting_feed(const std::optional<CuttingFeed>& feed) {
-  cutting_feed_ =
-      feed ? std::optional(CuttingFeed{spec_.convert(feed->achieved), spec_.convert(feed->programmed)})
-           : std::nullopt;
+  cutting_feed_ = feed;
+  if (feed) {
+    *cutting_feed_ = {spec_.convert(feed->achieved), spec_.convert(feed->programmed), feed->without_peaks};
+  }
 }
 
 /// Brings the axes in line with what is shown.
@@ -212,9 +212,8 @@ void KinematicChart::fit() {
   }
   values_ = fit_values(curves, limits);
   double fastest = 0;
-  for (const CurveReach& curve : curves) {
-    fastest =
-        curve.may_be_cut || curve.values.empty() ? fastest : std::max(fastest, double{curve.values.max});
+  for (const CurveReach& curve : curves) {  // the largest of nothing is below all
+    fastest = curve.may_be_cut ? fastest : std::max(fastest, double{curve.values.max});
   }
   fastest_rapid_.reset();
   const auto slower = cutting_feed_ ? without_rapids(values_, fastest, *cutting_feed_) : std::nullopt;
@@ -425,12 +424,14 @@ std::vector<QPolygonF> KinematicChart::mean_lines() const {
 
 QStringList KinematicChart::notes() const {
   QStringList notes;
+  const auto up_to = [&](const QString& text, double value) {
+    notes.append(text.arg(QLocale().toString(value, 'f', spec_.decimals)));
+  };
   if (fastest_rapid_) {
-    notes.append(tr("▴ rapids up to %1").arg(QLocale().toString(*fastest_rapid_, 'f', spec_.decimals)));
+    up_to(cutting_feed_->without_peaks ? tr("▴ peaks up to %1") : tr("▴ rapids up to %1"), *fastest_rapid_);
   }
   if (programmed_beyond_) {
-    notes.append(
-        tr("▴ programmed up to %1").arg(QLocale().toString(*programmed_beyond_, 'f', spec_.decimals)));
+    up_to(tr("▴ programmed up to %1"), *programmed_beyond_);
   }
   if (shows_usual()) {
     notes.append(tr("bands: 5 to 95 % of the time, pale: extremes"));

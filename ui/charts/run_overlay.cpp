@@ -53,6 +53,15 @@ std::optional<CuttingFeed> cutting_feed(const Envelope* run, std::span<const Ban
   for (const RunOverlay& overlay : beside) {
     feed.achieved = std::max(feed.achieved, double{overlay.envelope->cutting()[QuantityId::feed].max});
   }
+  std::vector<double> columns;  // of the run alone: those beside it cut the same program
+  for (const Band& band : shown) {
+    const double fastest = band[QuantityId::feed].max;
+    columns.push_back(fastest > feed.achieved ? 0 : fastest);  // 0: in a rapid
+  }
+  if (const double lasts = largest_that_lasts(columns); is_far_beyond(feed.achieved, lasts)) {
+    feed.achieved = lasts;
+    feed.without_peaks = true;
+  }
   return feed;
 }
 

@@ -42,10 +42,22 @@ Interval fit_values(std::span<const CurveReach> curves, std::span<const double> 
   return {fit.lower < 0 ? fit.lower - room : 0, fit.upper > 0 ? fit.upper + room : 0};
 }
 
+double largest_that_lasts(std::span<const double> columns) {
+  constexpr std::size_t few = 4;
+  double largest = 0;
+  for (std::size_t i = 0; i + few <= columns.size(); ++i) {
+    largest = std::max(largest, std::ranges::min(columns.subspan(i, few)));
+  }
+  return largest;
+}
+
+bool is_far_beyond(double fastest, double slower) {
+  return slower > 0 && fastest >= 3 * slower;
+}
+
 std::optional<Interval> without_rapids(const Interval& values, double fastest, const CuttingFeed& cutting) {
-  constexpr double far_beyond = 3;
   constexpr double min_room = 1.25;
-  if (!(cutting.achieved > 0) || fastest < far_beyond * cutting.achieved) {
+  if (!is_far_beyond(fastest, cutting.achieved)) {
     return std::nullopt;
   }
   const double programmed = std::min((1 + headroom) * cutting.programmed, in_sight * cutting.achieved);

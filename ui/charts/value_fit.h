@@ -28,9 +28,17 @@ Interval fit_values(std::span<const CurveReach> curves, std::span<const double> 
 
 /// What is cut at, in the chart's unit.
 struct CuttingFeed {
-  double achieved = 0;    ///< the largest
-  double programmed = 0;  ///< the largest
+  double achieved = 0;         ///< the largest, or where `without_peaks` the largest that lasts
+  double programmed = 0;       ///< the largest
+  bool without_peaks = false;  ///< what is cut faster is thin in the chart, and far above all else
 };
+
+/// The largest value that columns of a chart have side by side, a few of them: thin peaks do not count. 0 for
+/// fewer columns.
+double largest_that_lasts(std::span<const double> columns);
+
+/// Whether what is `fastest` leaves something slower no room in a chart.
+bool is_far_beyond(double fastest, double slower);
 
 /// `values` made narrower where rapids would leave a feed chart no room for the cutting: where `fastest`, the
 /// largest feed of all, is three times that of the cutting. None where it is not.

@@ -237,12 +237,16 @@ TEST(ContourErrors, HistogramsOfDenseBlocksCountThePathLength) {
 }
 
 /// Corners between rapids are cut by millimetres, those of the part by hundredths.
-TEST(ContourErrors, OfFeedMotionsAloneLeaveOutRapids) {
-  const feedscope::Run run = simulate_run(
+feedscope::Run run_with_rapids() {
+  return simulate_run(
       load_program(std::make_shared<const SourceText>("test.ngc",
                                                       "G21 G90 G64\nG0 X50 Z5\nG0 Y50\nG0 X0\nG64 P0.02\nG1 "
                                                       "Z0 F3000\nX40\nY90\nG64\nG0 Z5\nG0 X0\nM2\n")),
       make_setup({"", "linuxcnc", {}, {}}));
+}
+
+TEST(ContourErrors, OfFeedMotionsAloneLeaveOutRapids) {
+  const feedscope::Run run = run_with_rapids();
   const ContourErrors all = contour_errors(*run.trajectory);
   ContourRequest request;
   request.cutting_only = true;
@@ -257,11 +261,7 @@ TEST(ContourErrors, OfFeedMotionsAloneLeaveOutRapids) {
 }
 
 TEST(ContourErrors, OfFeedMotionsAloneCountTheLengthOfTheirPath) {
-  const feedscope::Run run = simulate_run(
-      load_program(std::make_shared<const SourceText>("test.ngc",
-                                                      "G21 G90 G64\nG0 X50 Z5\nG0 Y50\nG0 X0\nG64 P0.02\nG1 "
-                                                      "Z0 F3000\nX40\nY90\nG64\nG0 Z5\nG0 X0\nM2\n")),
-      make_setup({"", "linuxcnc", {}, {}}));
+  const feedscope::Run run = run_with_rapids();
   const ContourReport report = contour_report(run, 100);
   ASSERT_FALSE(report.worst.empty());
   for (const ContourFinding& finding : report.worst) {

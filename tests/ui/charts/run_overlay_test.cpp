@@ -18,6 +18,30 @@ std::string staircase(int steps) {
   return text;
 }
 
+TEST(CuttingFeed, OfThinPeaksIsThatOfTheRest) {
+  const auto run = test::simulate_text("G21 G90 G94 F3000\nG1 X100\n", "cam");
+  const Envelope envelope(run.trajectory);
+  const double fastest = envelope.cutting()[QuantityId::feed].max;  // [mm/s]
+  std::vector<Band> columns(30);
+  for (Band& band : columns) {
+    band[QuantityId::feed].add(5);
+    band[QuantityId::programmed_feed].add(5);
+  }
+  columns[7][QuantityId::feed].add(static_cast<float>(fastest));
+  for (std::size_t rapid = 12; rapid < 20; ++rapid) {
+    columns[rapid][QuantityId::feed].add(static_cast<float>(4 * fastest));
+  }
+  const CuttingFeed peaks = cutting_feed(&envelope, columns, {}).value();
+  EXPECT_TRUE(peaks.without_peaks);
+  EXPECT_NEAR(peaks.achieved, 5, 1e-6);
+  for (std::size_t operation = 8; operation < 11; ++operation) {
+    columns[operation][QuantityId::feed].add(static_cast<float>(fastest));
+  }
+  const CuttingFeed whole = cutting_feed(&envelope, columns, {}).value();
+  EXPECT_FALSE(whole.without_peaks);
+  EXPECT_EQ(whole.achieved, fastest);
+}
+
 TEST(SamePlace, IsTheSameWhereThePathIsTheSame) {
   const auto run = test::simulate_text(staircase(20));
   const BlendedPath& path = run.trajectory->path();

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <vector>
 
 namespace feedscope::ui {
 namespace {
@@ -47,6 +48,18 @@ TEST(ValueFit, RapidsFarBeyondTheCuttingLeaveItItsRoom) {
   EXPECT_FALSE(without_rapids(whole, 20000, {8000, 8000})) << "near enough";
   EXPECT_FALSE(without_rapids(whole, 20000, {0, 0}));
   EXPECT_EQ(without_rapids({0, 21000}, 20000, {300, 300})->lower, 0);
+}
+
+TEST(ValueFit, ThinPeaksDoNotLast) {
+  std::vector<double> columns(50, 300);
+  columns[20] = columns[21] = columns[22] = 4000;
+  EXPECT_EQ(largest_that_lasts(columns), 300);
+  columns[23] = 3500;
+  EXPECT_EQ(largest_that_lasts(columns), 3500) << "that is an operation of its own";
+  EXPECT_EQ(largest_that_lasts(std::vector<double>{300, 300}), 0);
+  EXPECT_TRUE(is_far_beyond(3500, 300));
+  EXPECT_FALSE(is_far_beyond(3500, 2000));
+  EXPECT_FALSE(is_far_beyond(3500, 0)) << "of columns without anything";
 }
 
 TEST(ValueFit, OfNothingHasAWidth) {
