@@ -154,9 +154,6 @@ TEST_F(RenderCommand, SpeaksFrenchWhereItIsAskedTo) {
 }
 
 TEST_F(RenderCommand, PdfFilesHoldTextsOfEveryLetter) {
-  if (std::system("pdftotext -v >/dev/null 2>&1") != 0) {
-    GTEST_SKIP() << "pdftotext (poppler-utils) reads the picture, and it is not installed";
-  }
   const auto text_of = [&](const std::string& options) {
     EXPECT_EQ(run("corner.nc " + options + " --language fr --out t.pdf").code, 0) << options;
     EXPECT_EQ(std::system(("cd '" + folder_.string() + "' && pdftotext t.pdf t.txt").c_str()), 0);
@@ -228,9 +225,6 @@ TEST_F(RenderCommand, NamesWhatItDoesNotKnow) {
 
 /// The command at the foot of a sheet, run as it is printed, makes the sheet again.
 TEST_F(RenderCommand, TheCommandOnASheetMakesTheSheet) {
-  if (std::system("pdftotext -v >/dev/null 2>&1") != 0) {
-    GTEST_SKIP() << "pdftotext (poppler-utils) reads the sheet, and it is not installed";
-  }
   const auto bytes = [&](const std::string& name) {
     std::ostringstream text;
     text << std::ifstream(folder_ / name, std::ios::binary).rdbuf();
