@@ -11,9 +11,15 @@ namespace feedscope {
 namespace {
 
 constexpr double min_depth = 0.1;        // of the programmed feed
+constexpr double depth_of_peak = 0.3;    // of the feed beside a dip, where that is less
 constexpr double as_programmed = 0.999;  // of the programmed feed; what is faster is not slow
 constexpr double min_loss = 1e-6;        // [s]
 constexpr double spans_per_filter_time = 4;
+
+/// How deep a dip is beside a feed of that share of the programmed one.
+double depth_beside(double share) {
+  return std::min(min_depth, depth_of_peak * share);
+}
 
 /// Achieved feed at one instant.
 struct Level {
@@ -87,6 +93,7 @@ class Account {
     return place;
   }
   bool is_empty() const { return causes_.empty(); }
+  std::span<const std::pair<Cause, double>> losses() const { return causes_; }
   /// All of it, by the cause that matters most.
   SlowPlace stretch() const {
     SlowPlace stretch = place_;
@@ -130,13 +137,14 @@ class Account {
 /// Cuts the course of the feed at its peaks as it comes in.
 ///
 ///   share   __             __      a peak is one, and the places are cut there, once the feed has fallen
-///             \    /\_    /        by min_depth below it; until then what follows the peak so far is kept
+///             \    /\_    /        by depth_beside() below it; until then what follows the peak so far is
+///             kept
 ///              \__/   \__/         apart in after_peak_
 ///            place 1|place 2
 /// They are cut where a rapid begins or ends, too, however slow the run is there.
 class PlaceFinder {
  public:
-  explicit PlaceFinder(std::size_t most) : most_(std::max<std::size_t>(most, 1)) {}
+  explicit PlaceFinder(const VisitStretch& visit) : visit_(visit) {}
 
   /// What follows belongs to no place that is open: a rapid begins or ends.
   void cut() {
@@ -150,7 +158,7 @@ class PlaceFinder {
     const double share = level.share();
     if (!rising_) {
       lowest_ = std::min(lowest_, share);
-      if (share > lowest_ + min_depth) {
+      if (share > lowest_ + depth_beside(share)) {
         rising_ = true;
         peak_ = share;
       }
@@ -158,7 +166,7 @@ class PlaceFinder {
       peak_ = share;
       open_.append(after_peak_);
       after_peak_.clear();
-    } else if (share < peak_ - min_depth) {
+    } else if (share < peak_ - depth_beside(peak_)) {
       close();
       std::swap(open_, after_peak_);
       after_peak_.clear();
@@ -173,14 +181,10 @@ class PlaceFinder {
     account().add_loss(from, to, loss, cause);
   }
 
-  SlowPlaces finish() {
+  /// Returns the loss of all [s].
+  double finish() {
     end_place();
-    for (std::vector<SlowPlace>* places : {&found_.places, &found_.others}) {
-      keep_worst(*places);
-      std::ranges::sort(*places, {}, &SlowPlace::from);
-      places->shrink_to_fit();
-    }
-    return std::move(found_);
+    return loss_;
   }
 
  private:
@@ -192,34 +196,17 @@ class PlaceFinder {
   }
 
   void close() {
-    found_.loss += open_.loss();
+    loss_ += open_.loss();
     if (open_.counts()) {
-      ++found_.count;
-      add(found_.places, open_.place());
+      visit_(open_.place(), true, open_.losses());
     } else if (!open_.is_empty() && open_.loss() != 0) {
-      add(found_.others, open_.stretch());
+      visit_(open_.stretch(), false, open_.losses());
     }
     open_.clear();
   }
 
-  void add(std::vector<SlowPlace>& places, const SlowPlace& place) const {
-    places.push_back(place);
-    if (places.size() >= 2 * most_) {
-      keep_worst(places);
-    }
-  }
-
-  void keep_worst(std::vector<SlowPlace>& places) const {
-    if (places.size() > most_) {
-      const auto end = places.begin() + static_cast<std::ptrdiff_t>(most_);
-      std::ranges::nth_element(places, end, std::ranges::greater(),
-                               [](const SlowPlace& place) { return std::abs(place.loss); });
-      places.erase(end, places.end());
-    }
-  }
-
-  std::size_t most_;
-  SlowPlaces found_;
+  const VisitStretch& visit_;
+  double loss_ = 0;
   Account open_;
   Account after_peak_;
   bool rising_ = false;  ///< the feed has risen far enough from lowest_; looking for a peak
@@ -256,7 +243,8 @@ class PartLevels {
     const std::uint32_t line = trajectory_.line_of(part.element);
     const auto add = [&](double tau) {
       const LawPoint at = advance({part.q, part.v, part.a, part.j}, tau);
-      levels_.push_back({part.time + tau, start + at.q, at.v, programmed, line});
+      const double time = std::min(part.time + tau, trajectory_.duration());  // of rounding
+      levels_.push_back({time, start + at.q, at.v, programmed, line});
     };
     add(0);
     const double extreme = part.j != 0 ? -part.a / part.j : -1;
@@ -274,10 +262,43 @@ Cause cause_of(const Trajectory& trajectory, const Part& part) {
   return part.cause.kind == CauseKind::ramp_down ? trajectory.slower_place(part.piece) : part.cause;
 }
 
+/// Keeps those of a run that matter most.
+class SlowestPlaces {
+ public:
+  explicit SlowestPlaces(std::size_t most) : most_(std::max<std::size_t>(most, 1)) {}
+
+  void add(const SlowPlace& place) {
+    places_.push_back(place);
+    if (places_.size() >= 2 * most_) {
+      keep_worst();
+    }
+  }
+  /// In order of time.
+  std::vector<SlowPlace> finish() {
+    keep_worst();
+    std::ranges::sort(places_, {}, &SlowPlace::from);
+    places_.shrink_to_fit();
+    return std::move(places_);
+  }
+
+ private:
+  void keep_worst() {
+    if (places_.size() > most_) {
+      const auto end = places_.begin() + static_cast<std::ptrdiff_t>(most_);
+      std::ranges::nth_element(places_, end, std::ranges::greater(),
+                               [](const SlowPlace& place) { return std::abs(place.loss); });
+      places_.erase(end, places_.end());
+    }
+  }
+
+  std::size_t most_;
+  std::vector<SlowPlace> places_;
+};
+
 }  // namespace
 
-SlowPlaces find_slow_places(const Trajectory& trajectory, std::size_t most, Progress* progress) {
-  PlaceFinder finder(most);
+double for_slow_stretches(const Trajectory& trajectory, const VisitStretch& visit, Progress* progress) {
+  PlaceFinder finder(visit);
   PartLevels part_levels(trajectory);
   ProgressSteps steps(progress, trajectory.pieces().size());
   bool in_rapid = false;
@@ -299,6 +320,22 @@ SlowPlaces find_slow_places(const Trajectory& trajectory, std::size_t most, Prog
     }
   }
   return finder.finish();
+}
+
+SlowPlaces find_slow_places(const Trajectory& trajectory, std::size_t most, Progress* progress) {
+  SlowPlaces found;
+  SlowestPlaces places(most);
+  SlowestPlaces others(most);
+  found.loss = for_slow_stretches(
+      trajectory,
+      [&](const SlowPlace& stretch, bool is_place, std::span<const std::pair<Cause, double>> /*losses*/) {
+        found.count += is_place ? 1 : 0;
+        (is_place ? places : others).add(stretch);
+      },
+      progress);
+  found.places = places.finish();
+  found.others = others.finish();
+  return found;
 }
 
 }  // namespace feedscope

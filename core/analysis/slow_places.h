@@ -2,6 +2,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -34,9 +37,19 @@ struct SlowPlaces {
   double loss = 0;  ///< of all [s]: cycle time less dwells less the path at its programmed feeds
 };
 
-/// Cuts a run at the highest feeds between its dips, as shares of the programmed feed; a dip is one if it is
-/// at least a tenth of the programmed feed deep on both sides. Start and end of a run are dips. Where a rapid
-/// begins or ends a place ends, too.
+/// A place, or the stretch between two (as SlowPlaces::others), and what each cause loses there [s].
+using VisitStretch = std::function<void(const SlowPlace& stretch, bool is_place,
+                                        std::span<const std::pair<Cause, double>> losses)>;
+
+/// Cuts a run at the highest feeds between its dips, as shares of the programmed feed, and visits all
+/// stretches in order of time. A dip is one if it is at least a tenth of the programmed feed deep on both
+/// sides, or three tenths of the feed beside it where that is less: a feed that the machine never comes near
+/// would have no dip. Start and end of a run are dips. Where a rapid begins or ends a place ends, too.
+/// Returns the sum of all losses [s]. Linear in the pieces. Throws Cancelled.
+double for_slow_stretches(const Trajectory& trajectory, const VisitStretch& visit,
+                          Progress* progress = nullptr);
+
+/// The places of for_slow_stretches(), and the stretches between them.
 ///
 /// Linear in the pieces; of more than `most` places, and of more others, those that matter most are kept.
 /// Blends and filtered motion are looked at in a few instants of each piece. Throws Cancelled.

@@ -17,7 +17,6 @@
 namespace feedscope {
 namespace {
 
-constexpr std::size_t most_places = 1'000'000;
 const double least_turn = units::from_deg(1);  // of a corner [rad]
 constexpr double most_of_it = 0.8;             // of a group's loss: one axis makes it
 constexpr double at_border = 1e-3;             // of an element's length
@@ -168,36 +167,36 @@ double instant_of(const SlowPlace& place) {
   return std::min(place.slowest, std::max(place.from, place.to - margin));
 }
 
-/// A group while places come in.
+/// What one kind of cause loses where the path has one shape, while stretches come in.
 struct GroupSums {
   SlowGroup group;
   ExactSum loss;
   std::vector<float> measures;
   std::map<int, double> by_axis;
 
-  void add(const SlowPlace& place, const Shape& shape) {
+  void add_place(const SlowPlace& place, const Shape& shape) {
     if (group.count == 0) {
       group.shape = shape.shape;
       group.kind = place.cause.kind;
       group.first_line = place.first_line;
     }
     ++group.count;
-    loss.add(place.loss);
     group.first_line = std::min(group.first_line, place.first_line);
     group.last_line = std::max(group.last_line, place.last_line);
     measures.push_back(static_cast<float>(shape.measure));
-    by_axis[place.cause.axis] += place.loss;
     group.worst.push_back(place);
     if (group.worst.size() >= 4 * SlowGroups::worst_places) {
       keep_worst();
     }
   }
 
-  /// A stretch of the same cause that is not listed as a place: its loss, or gain, counts.
-  void add_other(const SlowPlace& stretch) {
-    loss.add(stretch.loss);
-    by_axis[stretch.cause.axis] += stretch.loss;
+  /// Or a gain, below 0.
+  void add_loss(const Cause& cause, double lost) {
+    loss.add(lost);
+    by_axis[cause.axis] += lost;
   }
+
+  bool is_group() const { return group.count > 0 && loss.value() > 0; }
 
   SlowGroup finish() {
     keep_worst();
@@ -265,32 +264,26 @@ std::string lost_to(const SlowGroup& group) {
 }
 
 SlowGroups find_slow_groups(const Trajectory& trajectory, Progress* progress) {
-  const SlowPlaces slow = find_slow_places(trajectory, most_places, progress);
   SlowGroups found;
-  found.loss = slow.loss;
   const ShapeFinder shapes_of(trajectory);
   std::map<std::pair<PlaceShape, CauseKind>, GroupSums> groups;
-  ProgressSteps steps(progress, slow.places.size());
-  for (std::size_t i = 0; i < slow.places.size(); ++i) {
-    steps.at(i);
-    const SlowPlace& place = slow.places[i];
-    const Shape shape = shapes_of.at(instant_of(place));
-    groups[{shape.shape, place.cause.kind}].add(place, shape);
-  }
+  found.loss = for_slow_stretches(
+      trajectory,
+      [&](const SlowPlace& stretch, bool is_place, std::span<const std::pair<Cause, double>> losses) {
+        const Shape shape = shapes_of.at(instant_of(stretch));
+        if (is_place) {
+          groups[{shape.shape, stretch.cause.kind}].add_place(stretch, shape);
+        }
+        for (const auto& [cause, loss] : losses) {
+          groups[{shape.shape, cause.kind}].add_loss(cause, loss);
+        }
+      },
+      progress);
   Gains gains;
-  for (const SlowPlace& stretch : slow.others) {
-    const PlaceShape shape = shapes_of.at(instant_of(stretch)).shape;
-    const auto like = groups.find({shape, stretch.cause.kind});
-    if (like != groups.end()) {
-      like->second.add_other(stretch);
-    } else if (stretch.loss < 0) {
-      gains.add(shape, stretch.cause.kind, stretch.loss);
-    }
-  }
   for (auto& [key, sums] : groups) {
-    if (sums.loss.value() > 0) {
+    if (sums.is_group()) {
       found.groups.push_back(sums.finish());
-    } else {
+    } else if (sums.loss.value() < 0) {
       gains.add(key.first, key.second, sums.loss.value());
     }
   }

@@ -92,6 +92,16 @@ TEST(SlowPlaces, ARippleOfLessThanATenthDoesNotCut) {
   EXPECT_EQ(found.places[0].line, 6U);
 }
 
+/// At a programmed feed that the machine never comes near, what counts is how deep a dip is in the feed
+/// beside it.
+TEST(SlowPlaces, AreCutAtDipsOfAFeedFarBelowTheProgrammedOneToo) {
+  const SlowPlaces found =
+      find_slow_places(steady_run({{4, 1}, {1, 1}, {4, 1}, {3.5, 1}, {4, 1}, {1, 1}, {4, 1}}));
+  ASSERT_EQ(found.places.size(), 2U);
+  EXPECT_EQ(found.places[0].line, 2U);
+  EXPECT_EQ(found.places[1].line, 6U);
+}
+
 /// A cut at half its feed and a rapid at half of its speed behind it: no peak lies between them.
 TEST(SlowPlaces, ARapidIsAPlaceOfItsOwn) {
   Toolpath toolpath;

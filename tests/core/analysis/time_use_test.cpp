@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <numeric>
 
 #include "core/analysis/time_use/slow_groups.h"
@@ -195,6 +196,25 @@ TEST(SlowGroups, WithEveryModelLossesAddUpToAll) {
       EXPECT_LE(group.median, group.largest);
     }
     EXPECT_NEAR(loss, use.lost() + use.saved_by_path, 1e-6 * use.cycle_time);
+  }
+}
+
+/// Two tables, one number: what a kind of cause loses by shapes is no more than what it loses in all.
+TEST(SlowGroups, NoKindOfCauseLosesMoreThanInTheTableOfCauses) {
+  for (const ControlModel* model : all_models()) {
+    SCOPED_TRACE(model->info().id);
+    const SimulatedRun run = run_of(mixed, model->info().id);
+    std::map<CauseKind, double> by_shapes;
+    for (const SlowGroup& group : find_slow_groups(*run.trajectory).groups) {
+      by_shapes[group.kind] += group.loss;
+    }
+    std::map<CauseKind, double> all;
+    for (const CauseCost& cost : time_use(run).causes) {
+      all[cost.cause.kind] += cost.lost;
+    }
+    for (const auto& [kind, loss] : by_shapes) {
+      EXPECT_LE(loss, all[kind] + 1e-6 * run.summary.cycle_time) << cause_title(Cause{kind});
+    }
   }
 }
 
