@@ -364,7 +364,7 @@ QString WhyText::limit_sentence(const Reason& reason, const State& state) {
     case CauseKind::path_acceleration:
       return tr("The tool accelerates as much as the control allows along the path.");
     case CauseKind::exact_stop:
-      return tr("The tool must stop.");
+      return stop_sentence(reason.stop);
     case CauseKind::dwell:
       return tr("The program waits.");
     case CauseKind::tool_change:
@@ -384,6 +384,20 @@ QString WhyText::limit_sentence(const Reason& reason, const State& state) {
     default:
       return blend_sentence(reason);
   }
+}
+
+QString WhyText::stop_sentence(StopReason reason) {
+  switch (reason) {
+    case StopReason::end:
+      return tr("The tool must stop: the program begins or ends here.");
+    case StopReason::rapid:
+      return tr("The tool must stop: a rapid begins or ends here.");
+    case StopReason::tolerance:
+      return tr("The tool must stop: an exact stop or a contour tolerance of 0 is in force.");
+    case StopReason::unknown:
+      break;
+  }
+  return tr("The tool must stop.");
 }
 
 QString WhyText::sentence(const Explanation& why) {

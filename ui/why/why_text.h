@@ -34,6 +34,7 @@ class WhyText {
 
  private:
   static QString limit_sentence(const Reason& reason, const State& state);
+  static QString stop_sentence(StopReason reason);
   static QString tolerance_sentence(const Reason& reason);
   static bool is_of_joints(const Reason& reason);
   static QString joint_sentence(const Reason& reason);

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "core/analysis/explanation/stop_reason.h"
 #include "core/analysis/run.h"
 #include "core/limits/formula.h"
 
@@ -18,6 +19,7 @@ struct Reason {
   /// Of the tool to the first of two rotary axes, where they turn along the block that limits: the axis turns
   /// by 1/sin of it [rad].
   std::optional<double> tilt = {};
+  StopReason stop = StopReason::unknown;  ///< of an exact stop
 
   /// The formula gives what the run has, to 1e-5 of it.
   bool sets_it() const;

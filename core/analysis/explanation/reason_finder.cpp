@@ -54,7 +54,9 @@ Reason ReasonFinder::made(Cause cause, Formula formula, double reached, std::uin
 
 Reason ReasonFinder::find(const State& state, Cause cause) const {
   if (cause.kind == CauseKind::exact_stop || is_pause(cause.kind)) {
-    return made(cause, {}, 0, state.element);
+    Reason stands = made(cause, {}, 0, state.element);
+    stands.stop = is_pause(cause.kind) ? StopReason::unknown : stop_reason(run_, settings_, state);
+    return stands;
   }
   if (is_of_turn(run_, state, cause)) {
     Reason turn = turns_.find(state, cause);

@@ -121,6 +121,26 @@ TEST(Explanation, FullStopAheadIsAnExactStopWithItsBrakingLength) {
   EXPECT_TRUE(why.reason.sets_it());
 }
 
+TEST(Explanation, AStopSaysWhatItIsFor) {
+  const auto reasons = [](const std::string& program, const std::string& tolerance) {
+    const SimulatedRun run = run_of(text(program), "essid", "spinner-mvc850",
+                                    {"contour_tolerance_mm=" + tolerance, "program_tolerance=off"});
+    std::vector<StopReason> found;
+    for (double time = 0; time < run.trajectory->duration(); time += 2e-3) {
+      const Explanation why = explain(run, run.trajectory->state(time));
+      if (why.ahead && why.ahead->reason.cause.kind == CauseKind::exact_stop &&
+          (found.empty() || found.back() != why.ahead->reason.stop)) {
+        found.push_back(why.ahead->reason.stop);
+      }
+    }
+    return found;
+  };
+  using enum StopReason;
+  EXPECT_EQ(reasons("G1 G90 F3000 X50\nG0 Y50\nG1 X0\nM30\n", "0.05"), (std::vector{rapid, end}));
+  EXPECT_EQ(reasons("G1 G90 F3000 X50\nY50\nM30\n", "0"), (std::vector{tolerance, end}));
+  EXPECT_EQ(reasons("G1 G90 F3000 X50\nY50\nM30\n", "0.05"), (std::vector{end}));
+}
+
 TEST(Explanation, LookAheadThatIsTooShortNamesItsHorizon) {
   std::string program = "G1 G90 F9600\n";
   for (int i = 1; i <= 400; ++i) {
