@@ -49,7 +49,8 @@ std::vector<std::string> header(const std::vector<std::size_t>& causes) {
                                "blends",
                                "tolerance_min_mm",
                                "tolerance_max_mm",
-                               "tolerance_set_by"};
+                               "tolerance_set_by",
+                               "max_contour_error_cutting_mm"};
   for (const AxisInfo& info : known_axes) {
     const char axis = static_cast<char>(std::tolower(info.name));
     for (const char* column : axis_columns) {
@@ -78,7 +79,8 @@ std::vector<std::string> row_of(const ComparedRun& run, const std::vector<std::s
                                fmt::format("{}", run.blends),
                                tolerance ? csv_number(tolerance->min) : "",
                                tolerance ? csv_number(tolerance->max) : "",
-                               std::string(tolerance ? to_string(tolerance->set_by) : "")};
+                               std::string(tolerance ? to_string(tolerance->set_by) : ""),
+                               csv_number(rounded_error(summary.cutting_contour_error))};
   for (const AxisInfo& axis : known_axes) {
     const AxisPeaks* const found = summary.axes.find(axis.name);
     if (found == nullptr) {

@@ -43,9 +43,9 @@ std::string program_difference_json(const Run& old, const Run& now, const Progra
 /// Several runs as CSV, one row each: machine,model,tolerance_mm (in force; empty where the model follows
 /// none or the program has several), cycle_time_s,programmed_time_s,against_cam,mean_feed_mm_min,
 /// peak_feed_mm_min,max_contour_error_mm,blends,tolerance_min_mm,tolerance_max_mm,tolerance_set_by,
-/// for every axis its peaks (vx_mm_min,ax_m_s2,jx_m_s3) and their share of the limits (vx_share,...), and
-/// time_CAUSE_s for every cause that any run has.
-/// `names`: of the runs, as a last column `run`; empty: no such column.
+/// max_contour_error_cutting_mm (of feed motions, which bounds are about), for every axis its peaks
+/// (vx_mm_min,ax_m_s2,jx_m_s3) and their share of the limits (vx_share,...), and time_CAUSE_s for every cause
+/// that any run has. `names`: of the runs, as a last column `run`; empty: no such column.
 std::string comparison_csv(std::span<const ComparedRun> runs, std::span<const std::string> names = {});
 
 /// What comparison_json writes, and what was swept.

@@ -35,6 +35,7 @@ std::vector<ComparedRun> samples() {
   runs[1].setup.settings.set("contour_tolerance_mm", 0.1);
   runs[1].tolerance = ToleranceInForce{0.05, 0.05, ToleranceInForce::Setter::program};
   runs[1].summary.max_contour_error = 0.04;
+  runs[1].summary.cutting_contour_error = 0.03;
   runs[1].blends = 7;
   return runs;
 }
@@ -45,13 +46,14 @@ TEST(ComparisonCsv, HoldsARowEachRunInUnitsOfItsColumns) {
       "vy_mm_min,ay_m_s2,jy_m_s3,vy_share,ay_share,jy_share,"
       "vz_mm_min,az_m_s2,jz_m_s3,vz_share,az_share,jz_share";
   const std::string peaks = "3000,2,5,0.5,2,0.25,0,0,0,0,0,0,0,0,0,0,0,0";
-  EXPECT_EQ(
-      comparison_csv(samples()),
-      "machine,model,tolerance_mm,cycle_time_s,programmed_time_s,against_cam,mean_feed_mm_min,"
-      "peak_feed_mm_min,max_contour_error_mm,blends,tolerance_min_mm,tolerance_max_mm,tolerance_set_by," +
-          axes + ",time_programmed_feed_s,time_axis_jerk_y_s\n" +
-          "\"mine, \"\"new\"\"\",cam,,3,2,1.5,30,60,0,0,,,," + peaks + ",3,0\n" +
-          "\"mine, \"\"new\"\"\",essid,0.05,3,2,1.5,30,60,0.04,7,0.05,0.05,program," + peaks + ",0,3\n");
+  EXPECT_EQ(comparison_csv(samples()),
+            "machine,model,tolerance_mm,cycle_time_s,programmed_time_s,against_cam,mean_feed_mm_min,"
+            "peak_feed_mm_min,max_contour_error_mm,blends,tolerance_min_mm,tolerance_max_mm,tolerance_set_by,"
+            "max_contour_error_cutting_mm," +
+                axes + ",time_programmed_feed_s,time_axis_jerk_y_s\n" +
+                "\"mine, \"\"new\"\"\",cam,,3,2,1.5,30,60,0,0,,,,0," + peaks + ",3,0\n" +
+                "\"mine, \"\"new\"\"\",essid,0.05,3,2,1.5,30,60,0.04,7,0.05,0.05,program,0.03," + peaks +
+                ",0,3\n");
 }
 
 TEST(ComparisonJson, HoldsEveryRunWithTheKeysOfASimulation) {
