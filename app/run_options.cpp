@@ -294,8 +294,10 @@ void add_set_option(CLI::App& command, std::vector<std::string>& assignments) {
       ->allow_extra_args(false);
 }
 
-void note_replaced_tolerance(const Toolpath& toolpath) {
-  if (const PathControl* own = find_own_tolerance(toolpath.path_controls)) {
+void note_replaced_tolerance(const Toolpath& toolpath, const std::vector<Setup>& setups) {
+  const bool used =
+      std::ranges::any_of(setups, [](const Setup& setup) { return contour_tolerance(setup).has_value(); });
+  if (const PathControl* own = find_own_tolerance(toolpath.path_controls); used && own != nullptr) {
     fmt::print(stderr, "feedscope: note: --tolerance replaces the program's own path control ({})\n",
                describe(*own));
   }

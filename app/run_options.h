@@ -82,8 +82,9 @@ void add_set_option(CLI::App& command, std::vector<std::string>& assignments);
 
 /// Tells on standard error which work offsets and cutter radii that were asked for the program does not use.
 void note_unused_reading(const Program& program, const ReadOptions& asked);
-/// Tells on standard error when a tolerance was asked for that replaces the program's own.
-void note_replaced_tolerance(const Toolpath& toolpath);
+/// Tells on standard error when a tolerance was asked for that replaces the program's own in a run of
+/// `setups`.
+void note_replaced_tolerance(const Toolpath& toolpath, const std::vector<Setup>& setups);
 /// Tells what run_notes() say of the setups on standard error, each once.
 void note_runs(const LoadedProgram& program, const std::vector<Setup>& setups);
 /// Tells on standard error when a tolerance was asked for that the model does not read.

@@ -96,12 +96,16 @@ std::string options_text(const SeveralRunsOptions& options) {
   return text;
 }
 
-void note_shown_runs(const ui::ReportInput& input) {
+std::vector<Setup> setups_of(const ui::ReportInput& input) {
   std::vector<Setup> setups;
   for (const ui::ReportRun& run : input.runs) {
     setups.push_back(run.shown->run.setup);
   }
-  note_runs(input.program(), setups);
+  return setups;
+}
+
+void note_shown_runs(const ui::ReportInput& input) {
+  note_runs(input.program(), setups_of(input));
 }
 
 ui::ReportInput simulate_runs(const ReadOptions& reading, const std::vector<AskedRun>& runs,

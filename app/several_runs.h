@@ -36,6 +36,8 @@ std::string options_text(const SeveralRunsOptions& options);
 
 /// Tells on standard error what note_runs() says of them.
 void note_shown_runs(const ui::ReportInput& input);
+/// Of its runs.
+std::vector<Setup> setups_of(const ui::ReportInput& input);
 
 /// Reads the program and simulates the runs, as many at a time as there are processors. Throws Cancelled.
 ui::ReportInput simulate_runs(const ReadOptions& reading, const std::vector<AskedRun>& runs,

@@ -302,7 +302,7 @@ int compare(const CompareOptions& options) {
   const bool replaces_tolerance =
       std::ranges::any_of(request.sweeps, [](const Sweep& sweep) { return sweep.key == "tolerance"; });
   if (!request.tolerances.empty() || replaces_tolerance) {
-    note_replaced_tolerance(*program.toolpath);
+    note_replaced_tolerance(*program.toolpath, setups);
   }
   note_unused_reading(*program.program, asked.reading);
   note_runs(program, setups);

@@ -48,7 +48,7 @@ int explain(const ExplainOptions& options) {
     files.commit();
   }
   if (!options.run.tolerance.empty()) {
-    note_replaced_tolerance(*run.input.toolpath);
+    note_replaced_tolerance(*run.input.toolpath, {run.setup});
   }
   note_unused_reading(*run.input.program, asked.reading);
   note_runs(run.input, {run.setup});

@@ -317,7 +317,7 @@ int render(const RenderOptions& options) {
     out->commit();
   }
   if (!options.runs.tolerances.empty()) {
-    note_replaced_tolerance(*input.program().toolpath);
+    note_replaced_tolerance(*input.program().toolpath, setups_of(input));
   }
   note_shown_runs(input);
   const Program& program = *input.program().program;

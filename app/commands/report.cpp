@@ -199,7 +199,7 @@ int report(const ReportOptions& options) {
   }
   files.commit();
   if (!options.runs.tolerances.empty()) {
-    note_replaced_tolerance(*input.program().toolpath);
+    note_replaced_tolerance(*input.program().toolpath, setups_of(input));
   }
   note_shown_runs(input);
   const Program& program = *input.program().program;

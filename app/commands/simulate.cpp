@@ -119,7 +119,7 @@ int simulate(const SimulateOptions& options) {
     results.write(program, run, step, watch);
   }
   if (!options.run.tolerance.empty()) {
-    note_replaced_tolerance(*run.input.toolpath);
+    note_replaced_tolerance(*run.input.toolpath, {run.setup});
   }
   note_unused_reading(*run.input.program, asked.reading);
   note_runs(run.input, {run.setup});
