@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QSignalBlocker>
@@ -67,6 +68,7 @@ AnnotationsView::AnnotationsView(AnnotationList& annotations, Cursor& cursor, QW
   text_->setToolTip(tr("Names in braces are replaced by the values at the place:") + list_of_fields());
   text_->setMaximumHeight(text_->fontMetrics().lineSpacing() * text_lines + 12);
   text_->installEventFilter(this);
+  table_->installEventFilter(this);
   colour_->setToolTip(tr("Colour of the annotation"));
   colour_->setIconSize({swatch_pixels, swatch_pixels});
   size_->setRange(min_size, largest_size);
@@ -245,6 +247,11 @@ void AnnotationsView::change(const QString& name, const std::function<void(Annot
 bool AnnotationsView::eventFilter(QObject* watched, QEvent* event) {
   if (watched == text_ && event->type() == QEvent::FocusOut) {
     annotations_.end_step();
+  }
+  if (watched == table_ && event->type() == QEvent::KeyPress &&
+      static_cast<QKeyEvent*>(event)->key() == Qt::Key_Delete) {
+    annotations_.remove(annotations_.selected());
+    return true;
   }
   return QWidget::eventFilter(watched, event);
 }

@@ -124,6 +124,12 @@ TEST_F(AnnotationOverlayTest, DeleteRemovesTheSelectedOne) {
   EXPECT_TRUE(list.items().empty());
 }
 
+TEST_F(AnnotationOverlayTest, DeleteInTheListRemovesTheOneChosenThere) {
+  action(AnnotationKind::text).trigger();  // the keyboard goes to its text
+  QTest::keyClick(window.part<AnnotationsView>().table(), Qt::Key_Delete);
+  EXPECT_TRUE(list.items().empty());
+}
+
 TEST_F(AnnotationOverlayTest, LabelsStayInThePicture) {
   action(AnnotationKind::text).trigger();
   Annotation far = only();
