@@ -113,7 +113,10 @@ ContourReport contour_report(const Run& run, std::size_t places, Progress* progr
   const ContourErrors errors = contour_errors(
       trajectory, {.places = places, .bins = ContourBins::none, .spread = true, .cutting_only = true},
       progress);
-  ContourReport report{errors.largest, std::nullopt, {}, errors.spread, std::nullopt};
+  ContourReport report;
+  report.largest = errors.largest;
+  report.spread = errors.spread;
+  report.own_tolerances = run.setup.model->guarantees(run.setup.settings).own_tolerances;
   constexpr double found = 2 * ContourSearch::precision;  // searches of other numbers of places
   if (run.summary.max_contour_error > errors.largest + found) {
     report.rapids = run.summary.max_contour_error;

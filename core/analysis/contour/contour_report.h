@@ -47,6 +47,7 @@ struct ContourReport {
   /// Least and largest contour tolerance of the feed motions; none where the model reads none or follows
   /// the path exactly [mm].
   std::optional<std::array<double, 2>> tolerance;
+  bool own_tolerances = false;  ///< as Guarantees: the control rounds corners within a tolerance of its own
 };
 
 /// `places`: how many of the worst, at least 1. Throws Cancelled.

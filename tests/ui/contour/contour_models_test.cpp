@@ -86,6 +86,8 @@ TEST_F(ContourModels, SayHowLargeWhereAndAgainstWhat) {
   EXPECT_THAT(verdict_text(exceeded).toStdString(), HasSubstr("is exceeded by"));
   exceeded.tolerance.reset();
   EXPECT_THAT(verdict_text(exceeded).toStdString(), HasSubstr("No contour tolerance applies."));
+  exceeded.own_tolerances = true;
+  EXPECT_THAT(verdict_text(exceeded).toStdString(), HasSubstr("within P of G64"));
   EXPECT_THAT(kept, testing::Not(HasSubstr("rapid")));
   exceeded.rapids = report->largest * 2;
   EXPECT_THAT(verdict_text(exceeded).toStdString(),
