@@ -49,7 +49,8 @@ QString range_text(const SettingSpec& spec) {
   if (!spec.choices.empty()) {
     return SetupTable::tr("choice");
   }
-  if (std::isinf(spec.maximum)) {
+  constexpr double beyond = 1e9;  // a bound that no value comes near says nothing
+  if (spec.maximum >= beyond) {
     return QStringLiteral("%1 %2").arg(spec.minimum_allowed ? "≥" : ">", text_of(spec.minimum));
   }
   if (spec.minimum == -spec.maximum && spec.minimum_allowed) {
