@@ -67,7 +67,7 @@ QString one_run_sentence(const ReportRun& run) {
   const QString sentence =
       ReportWords::tr(
           "<b>%1</b> on %2 takes <b>%3</b>, %4 times the programmed time of %5, at a mean feed of "
-          "%6; the path stays within <b>%7</b> of the programmed path.")
+          "%6; in feed motions the path stays within <b>%7</b> of the programmed one.")
           .arg(html_text(run.name), html_text(run.shown->run.setup.machine.name),
                clock_text(summary.cycle_time), significant(against_programmed(summary), 3),
                clock_text(summary.programmed_time),
