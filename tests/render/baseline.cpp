@@ -31,7 +31,7 @@ Bounds bounds_here(PictureOf what) {
     bounds.largest = 60;
   }
   if (other_qt && what == PictureOf::window) {
-    bounds = {2.5, 70};
+    bounds = {2.5, 75};
   }
   return bounds;
 }
