@@ -180,6 +180,10 @@
         <source>Rapids, which do not count here, leave the programmed path by up to %1.</source>
         <translation>Les rapides, qui ne comptent pas ici, s’écartent de la trajectoire programmée jusqu’à %1.</translation>
     </message>
+    <message>
+        <source>The control rounds each corner within P of G64 in the program, else within the blend tolerance of the settings.</source>
+        <translation>La commande arrondit chaque angle dans P de G64 du programme, sinon dans la tolérance de raccord des réglages.</translation>
+    </message>
 </context>
 <context>
     <name>ContourPlot</name>
@@ -1084,8 +1088,8 @@
         <translation>Endroit %1&#xa0;: lignes %2, perte %3 s.</translation>
     </message>
     <message>
-        <source>&lt;b&gt;%1&lt;/b&gt; on %2 takes &lt;b&gt;%3&lt;/b&gt;, %4 times the programmed time of %5, at a mean feed of %6; the path stays within &lt;b&gt;%7&lt;/b&gt; of the programmed path.</source>
-        <translation>&lt;b&gt;%1&lt;/b&gt; sur %2&#xa0;: &lt;b&gt;%3&lt;/b&gt;, soit %4 fois le temps programmé de %5, à une avance moyenne de %6&#xa0;; la trajectoire reste à moins de &lt;b&gt;%7&lt;/b&gt; de la trajectoire programmée.</translation>
+        <source>&lt;b&gt;%1&lt;/b&gt; on %2 takes &lt;b&gt;%3&lt;/b&gt;, %4 times the programmed time of %5, at a mean feed of %6; in feed motions the path stays within &lt;b&gt;%7&lt;/b&gt; of the programmed one.</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt; sur %2&#xa0;: &lt;b&gt;%3&lt;/b&gt;, soit %4 fois le temps programmé de %5, à une avance moyenne de %6&#xa0;; en avance, la trajectoire reste à moins de &lt;b&gt;%7&lt;/b&gt; de celle du programme.</translation>
     </message>
     <message>
         <source>Not in the cycle time: %1.</source>
@@ -2612,6 +2616,18 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>Rotary axes turn along this block or beside it and axis %1 makes up for that, so that every change of the speed takes jerk: %2 of its maximum, %3, is for that.</source>
         <translation>Des axes rotatifs tournent le long de ce bloc ou à côté et l’axe %1 compense, si bien que tout changement de vitesse demande du jerk : %2 de son maximum, %3, y est consacré.</translation>
+    </message>
+    <message>
+        <source>The tool must stop: the program begins or ends here.</source>
+        <translation>L’outil doit s’arrêter&#xa0;: le programme commence ou finit ici.</translation>
+    </message>
+    <message>
+        <source>The tool must stop: a rapid begins or ends here.</source>
+        <translation>L’outil doit s’arrêter&#xa0;: un rapide commence ou finit ici.</translation>
+    </message>
+    <message>
+        <source>The tool must stop: an exact stop or a contour tolerance of 0 is in force.</source>
+        <translation>L’outil doit s’arrêter&#xa0;: un arrêt exact ou une tolérance de contour de 0 est en vigueur.</translation>
     </message>
 </context>
 <context>
