@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
@@ -167,6 +168,39 @@ double instant_of(const SlowPlace& place) {
   return std::min(place.slowest, std::max(place.from, place.to - margin));
 }
 
+/// What a place loses to each kind of cause that takes a hundredth of it or more: the place with that loss,
+/// and of the kind the cause that takes most.
+std::vector<SlowPlace> parts_by_kind(const SlowPlace& place,
+                                     std::span<const std::pair<Cause, double>> losses) {
+  constexpr double least_share = 0.01;
+  struct Kind {
+    SlowPlace part;
+    double most = 0;  ///< of one cause [s]
+  };
+  std::vector<Kind> kinds;
+  for (const auto& [cause, loss] : losses) {
+    auto kind = std::ranges::find(kinds, cause.kind, [](const Kind& known) { return known.part.cause.kind; });
+    if (kind == kinds.end()) {
+      kinds.push_back({place, loss});
+      kind = std::prev(kinds.end());
+      kind->part.cause = cause;
+      kind->part.loss = 0;
+    }
+    kind->part.loss += loss;
+    if (loss > kind->most) {
+      kind->most = loss;
+      kind->part.cause = cause;
+    }
+  }
+  std::vector<SlowPlace> parts;
+  for (const Kind& kind : kinds) {
+    if (kind.part.loss >= least_share * place.loss) {
+      parts.push_back(kind.part);
+    }
+  }
+  return parts;
+}
+
 /// What one kind of cause loses where the path has one shape, while stretches come in.
 struct GroupSums {
   SlowGroup group;
@@ -271,11 +305,11 @@ SlowGroups find_slow_groups(const Trajectory& trajectory, Progress* progress) {
       trajectory,
       [&](const SlowPlace& stretch, bool is_place, std::span<const std::pair<Cause, double>> losses) {
         const Shape shape = shapes_of.at(instant_of(stretch));
-        if (is_place) {
-          groups[{shape.shape, stretch.cause.kind}].add_place(stretch, shape);
-        }
         for (const auto& [cause, loss] : losses) {
           groups[{shape.shape, cause.kind}].add_loss(cause, loss);
+        }
+        for (const SlowPlace& part : is_place ? parts_by_kind(stretch, losses) : std::vector<SlowPlace>()) {
+          groups[{shape.shape, part.cause.kind}].add_place(part, shape);
         }
       },
       progress);

@@ -30,20 +30,22 @@ struct PlaceShapeInfo {
 };
 const PlaceShapeInfo& info_of(PlaceShape shape);
 
-/// Slow places of one shape that lose most of their time to one kind of cause, and what that kind loses where
-/// the path has this shape. What is gained by the same cause elsewhere is taken from the loss.
+/// Slow places of one shape that lose a hundredth of their time or more to one kind of cause, and what that
+/// kind loses where the path has this shape. What is gained by the same cause elsewhere is taken from the
+/// loss.
 struct SlowGroup {
   PlaceShape shape = PlaceShape::line;
   CauseKind kind = CauseKind::programmed_feed;
   Cause cause;  ///< of this kind, with the axis that nearly all is lost to; without where it is several
-  std::size_t count = 0;         ///< of places that lose most to this kind
+  std::size_t count = 0;         ///< of these places
   double loss = 0;               ///< to this kind, at these places and at others of the shape; above 0 [s]
   std::uint32_t first_line = 0;  ///< least source line of all
   std::uint32_t last_line = 0;   ///< largest
   double smallest = 0;  ///< turn of the corners [rad], radius of the arcs [mm], length of the blocks [mm]
   double median = 0;
   double largest = 0;
-  std::vector<SlowPlace> worst;  ///< those that lose most first, at most worst_places
+  std::vector<SlowPlace>
+      worst;  ///< those that lose most to this kind first, with that loss; at most worst_places
 };
 
 /// What the places of a group lose their time to, for people: cause_title(), but for the programmed feed
