@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "core/analysis/refused_lines.h"
+#include "core/analysis/ruled_instant.h"
 #include "core/base/error.h"
 #include "ui/fields/focus_outline.h"
 #include "ui/language/failure_text.h"
@@ -355,7 +356,7 @@ void TimeView::choose(const QTreeWidgetItem* item) {
     return;
   }
   if (row->place) {
-    emit place_chosen(row->place->slowest, row->place->from, row->place->to);
+    emit place_chosen(ruled_instant(*shown_->run.trajectory, *row->place), row->place->from, row->place->to);
   } else if (row->time) {
     emit time_chosen(*row->time);
   }

@@ -9,6 +9,7 @@
 #include <QTreeWidget>
 #include <optional>
 
+#include "core/analysis/explanation/explanation.h"
 #include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
 #include "ui/workbench/workbench.h"
@@ -95,13 +96,19 @@ TEST_F(TimeViewTest, WhereNothingMovesThereIsNothingToTry) {
   }
 }
 
+/// To where its cause rules: *Why here?* then speaks of what the row says.
 TEST_F(TimeViewTest, AClickGoesToTheWorstPlaceOfAGroup) {
   set_run(run);
   ASSERT_TRUE(finishes());
   QSignalSpy chosen(&view, &TimeView::place_chosen);
   click(section("Places that lose most")->child(0));
   ASSERT_EQ(chosen.size(), 1);
-  EXPECT_EQ(chosen[0][0].toDouble(), view.report()->slow.groups.front().worst.front().slowest);
+  const SlowPlace& worst = view.report()->slow.groups.front().worst.front();
+  EXPECT_EQ(chosen[0][1].toDouble(), worst.from);
+  EXPECT_EQ(chosen[0][2].toDouble(), worst.to);
+  const State there = run.trajectory->state(chosen[0][0].toDouble());
+  const Explanation why = explain(run, there);
+  EXPECT_EQ((why.ahead ? why.ahead->reason.cause : why.reason.cause).kind, worst.cause.kind);
 }
 
 TEST_F(TimeViewTest, AChangeBecomesARunThatTakesWhatWasSaid) {
