@@ -220,8 +220,8 @@ void LessonView::lay_out() {
   layout->addWidget(pages_, 1);
 }
 
-/// The text has what the question leaves, a third at least and no more than it needs; until the user moves
-/// the border. Hints and answers do not move it.
+/// The text has what the question leaves, with the values that were tried, a third at least and no more than
+/// it needs; until the user moves the border. Hints and answers do not move it.
 void LessonView::share_height() {
   if (shared_by_user_ || !isVisible() || shows_list()) {
     return;
@@ -451,6 +451,7 @@ void LessonView::show_work() {
   tried_->setVisible(!work.tries.empty());
   if (open) {
     tries_->show_work(lesson->questions[desk_.question()], desk_.watched(), work);
+    sharing_.start();  // a value that was tried takes room
   }
   if (own_answer_->toPlainText() != work.answer) {
     const QSignalBlocker quiet(own_answer_);

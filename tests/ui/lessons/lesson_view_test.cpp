@@ -73,7 +73,7 @@ TEST_F(LessonViewTest, TheListTakesThePanelUntilALessonIsChosen) {
   EXPECT_FALSE(view.shows_list());
   const std::string text = view.text().toPlainText().toStdString();
   EXPECT_THAT(text, HasSubstr("Why a small circle is slow"));
-  EXPECT_THAT(text, HasSubstr("here 10 m/s³ times 0.6"));
+  EXPECT_THAT(text, HasSubstr("here 10 m/s³ times a share r of 0.6"));
   EXPECT_THAT(text, Not(HasSubstr("**")));
   EXPECT_THAT(question(), HasSubstr("Which feed does each of them reach?"));
   view.panel_actions()[5]->trigger();
