@@ -284,6 +284,7 @@ QWidget* LessonView::make_lower() {
   tried->setContentsMargins(0, 0, 0, 0);
   tried->setSpacing(2);
   tried->addWidget(tries_);
+  tries_->installEventFilter(this);
   tried->addLayout(copies);
   auto* help = new FlowLayout;
   help->setSpacing(4);
@@ -321,6 +322,13 @@ bool LessonView::shows_list() const {
 void LessonView::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   desk_.list();
+}
+
+bool LessonView::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == tries_ && event->type() == QEvent::Resize) {
+    sharing_.start();  // a value that was tried takes room
+  }
+  return Panel::eventFilter(watched, event);
 }
 
 void LessonView::resizeEvent(QResizeEvent* event) {
@@ -451,7 +459,6 @@ void LessonView::show_work() {
   tried_->setVisible(!work.tries.empty());
   if (open) {
     tries_->show_work(lesson->questions[desk_.question()], desk_.watched(), work);
-    sharing_.start();  // a value that was tried takes room
   }
   if (own_answer_->toPlainText() != work.answer) {
     const QSignalBlocker quiet(own_answer_);
