@@ -19,7 +19,6 @@
 #include "ui/theme/type_size.h"
 
 namespace feedscope::ui {
-
 namespace {
 
 constexpr int least_height = 50;
@@ -385,9 +384,10 @@ void KinematicChart::draw_extents(QPainter& painter, const std::vector<Extent>& 
 void KinematicChart::set_usual(const std::vector<MotionBand>& ranges, std::size_t columns) {
   columns_a_stretch_ = columns;
   for (std::size_t k = 0; k < columns_.size(); ++k) {
-    usual_[k].clear();
-    for (std::size_t i = 0; spec_.source == QuantitySource::motion && i < ranges.size(); ++i) {
-      usual_[k].push_back(ranges[i][spec_.curves[k].quantity]);
+    const QuantityId id = spec_.curves[k].quantity;  // the machine's own axes have no usual range
+    usual_[k].assign(spec_.source == QuantitySource::motion ? ranges.size() : 0, {});
+    for (std::size_t i = 0; i < usual_[k].size() && info_of(id).source == spec_.source; ++i) {
+      usual_[k][i] = ranges[i][id];
     }
   }
   picture_ = {};
