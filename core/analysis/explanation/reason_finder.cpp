@@ -46,7 +46,7 @@ bool Reason::sets_it() const {
 }
 
 ReasonFinder::ReasonFinder(const Run& run)
-    : run_(*run.trajectory), limits_(run), turns_(run, limits_), settings_(run.setup.settings) {}
+    : run_(*run.trajectory), limits_(run), turns_(run, limits_), simulated_(run) {}
 
 Reason ReasonFinder::made(Cause cause, Formula formula, double reached, std::uint32_t element) const {
   return made_reason(run_, limits_, cause, std::move(formula), reached, element);
@@ -55,7 +55,7 @@ Reason ReasonFinder::made(Cause cause, Formula formula, double reached, std::uin
 Reason ReasonFinder::find(const State& state, Cause cause) const {
   if (cause.kind == CauseKind::exact_stop || is_pause(cause.kind)) {
     Reason stands = made(cause, {}, 0, state.element);
-    stands.stop = is_pause(cause.kind) ? StopReason::unknown : stop_reason(run_, settings_, state);
+    stands.stop = is_pause(cause.kind) ? StopReason::unknown : stop_reason(simulated_, state);
     return stands;
   }
   if (is_of_turn(run_, state, cause)) {
@@ -74,7 +74,7 @@ Reason ReasonFinder::without_turns(const State& state, Cause cause) const {
   const bool on_ramp_up = cause.kind == CauseKind::axis_acceleration || cause.kind == CauseKind::axis_jerk ||
                           cause.kind == CauseKind::path_acceleration;
   if (run_.path().kind(state.element) == ElementKind::filtered) {
-    return filtered_reason(run_, settings_, limits_, state, cause);
+    return filtered_reason(run_, simulated_.setup.settings, limits_, state, cause);
   }
   const bool of_arc =
       cause.kind == CauseKind::contour_tolerance || cause.kind == CauseKind::radial_acceleration;

@@ -39,7 +39,7 @@ class ReasonFinder {
   const Trajectory& run_;
   ElementLimits limits_;
   TurnReasons turns_;
-  const Settings& settings_;
+  const Run& simulated_;
 };
 
 }  // namespace feedscope

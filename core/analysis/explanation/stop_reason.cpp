@@ -5,8 +5,9 @@
 
 namespace feedscope {
 
-StopReason stop_reason(const Trajectory& run, const Settings& settings, const State& state) {
-  const BlendedPath& path = run.path();
+StopReason stop_reason(const Run& run, const State& state) {
+  const Settings& settings = run.setup.settings;
+  const BlendedPath& path = run.trajectory->path();
   if (path.empty() || path.programmed() == nullptr) {
     return StopReason::unknown;
   }
@@ -24,7 +25,8 @@ StopReason stop_reason(const Trajectory& run, const Settings& settings, const St
     return StopReason::unknown;
   }
   if (a.rapid || b.rapid) {
-    return StopReason::rapid;
+    const bool always = run.setup.model->guarantees(settings).stops_at_rapids;
+    return always ? StopReason::rapid : StopReason::unknown;
   }
   const bool has_tolerance = settings.has(contour_tolerance_key);
   return has_tolerance && PathRules(toolpath, settings).corner_tolerance(before) == 0 ? StopReason::tolerance

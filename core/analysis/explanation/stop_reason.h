@@ -1,7 +1,6 @@
 #pragma once
 
-#include "core/machine/settings.h"
-#include "core/trajectory/trajectory.h"
+#include "core/analysis/run.h"
 
 namespace feedscope {
 
@@ -9,11 +8,11 @@ namespace feedscope {
 enum class StopReason : std::uint8_t {
   unknown,
   end,        ///< the program begins or ends there
-  rapid,      ///< a rapid begins or ends there
+  rapid,      ///< a rapid begins or ends there, and the model stops before and after every one
   tolerance,  ///< an exact stop is in force, or a contour tolerance of 0
 };
 
 /// At the border of blocks that lies nearest to `state`.
-StopReason stop_reason(const Trajectory& run, const Settings& settings, const State& state);
+StopReason stop_reason(const Run& run, const State& state);
 
 }  // namespace feedscope

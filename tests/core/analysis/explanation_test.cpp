@@ -141,6 +141,16 @@ TEST(Explanation, AStopSaysWhatItIsFor) {
   EXPECT_EQ(reasons("G1 G90 F3000 X50\nY50\nM30\n", "0.05"), (std::vector{end}));
 }
 
+/// LinuxCNC stops at a reversal, whether or not rapids are beside it.
+TEST(Explanation, ARapidIsNoReasonToStopForAModelThatRunsThroughThem) {
+  const SimulatedRun run =
+      run_of(text("G21 G90 G64\nG0 X50\nG0 X0\nG1 X10 F3000\nM2\n"), "linuxcnc", "linuxcnc-mill");
+  for (double time = 0; time < run.trajectory->duration(); time += 2e-3) {
+    const Explanation why = explain(run, run.trajectory->state(time));
+    EXPECT_NE((why.ahead ? why.ahead->reason : why.reason).stop, StopReason::rapid) << time;
+  }
+}
+
 TEST(Explanation, LookAheadThatIsTooShortNamesItsHorizon) {
   std::string program = "G1 G90 F9600\n";
   for (int i = 1; i <= 400; ++i) {
