@@ -136,10 +136,9 @@ class Account {
 
 /// Cuts the course of the feed at its peaks as it comes in.
 ///
-///   share   __             __      a peak is one, and the places are cut there, once the feed has fallen
-///             \    /\_    /        by depth_beside() below it; until then what follows the peak so far is
-///             kept
-///              \__/   \__/         apart in after_peak_
+///   share   __             __      a peak is one, and the places are cut there, once the feed has
+///             \    /\_    /        fallen by depth_beside() below it; until then what follows the
+///              \__/   \__/         peak so far is kept apart in after_peak_
 ///            place 1|place 2
 /// They are cut where a rapid begins or ends, too, however slow the run is there.
 class PlaceFinder {

@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "core/base/exact_sum.h"
@@ -168,38 +168,42 @@ double instant_of(const SlowPlace& place) {
   return std::min(place.slowest, std::max(place.from, place.to - margin));
 }
 
-/// What a place loses to each kind of cause that takes a hundredth of it or more: the place with that loss,
-/// and of the kind the cause that takes most.
-std::vector<SlowPlace> parts_by_kind(const SlowPlace& place,
-                                     std::span<const std::pair<Cause, double>> losses) {
-  constexpr double least_share = 0.01;
-  struct Kind {
-    SlowPlace part;
-    double most = 0;  ///< of one cause [s]
-  };
-  std::vector<Kind> kinds;
-  for (const auto& [cause, loss] : losses) {
-    auto kind = std::ranges::find(kinds, cause.kind, [](const Kind& known) { return known.part.cause.kind; });
-    if (kind == kinds.end()) {
-      kinds.push_back({place, loss});
-      kind = std::prev(kinds.end());
-      kind->part.cause = cause;
-      kind->part.loss = 0;
+/// What a place loses to each kind of cause that takes a hundredth of it or more.
+class PartsByKind {
+ public:
+  /// The place with that loss, and of the kind the cause that takes most; until the next call.
+  std::span<const SlowPlace> of(const SlowPlace& place, std::span<const std::pair<Cause, double>> losses) {
+    constexpr double least_share = 0.01;
+    parts_.clear();
+    most_.clear();
+    for (const auto& [cause, loss] : losses) {
+      add(place, cause, loss);
     }
-    kind->part.loss += loss;
-    if (loss > kind->most) {
-      kind->most = loss;
-      kind->part.cause = cause;
+    std::erase_if(parts_, [&](const SlowPlace& part) { return part.loss < least_share * place.loss; });
+    return parts_;
+  }
+
+ private:
+  void add(const SlowPlace& place, Cause cause, double loss) {
+    const auto known =
+        std::ranges::find(parts_, cause.kind, [](const SlowPlace& part) { return part.cause.kind; });
+    const auto kind = static_cast<std::size_t>(known - parts_.begin());
+    if (known == parts_.end()) {
+      parts_.push_back(place);
+      parts_.back().loss = 0;
+      parts_.back().cause = cause;
+      most_.push_back(loss);
+    }
+    parts_[kind].loss += loss;
+    if (loss > most_[kind]) {
+      most_[kind] = loss;
+      parts_[kind].cause = cause;
     }
   }
-  std::vector<SlowPlace> parts;
-  for (const Kind& kind : kinds) {
-    if (kind.part.loss >= least_share * place.loss) {
-      parts.push_back(kind.part);
-    }
-  }
-  return parts;
-}
+
+  std::vector<SlowPlace> parts_;
+  std::vector<double> most_;  ///< that one cause of the kind loses [s]
+};
 
 /// What one kind of cause loses where the path has one shape, while stretches come in.
 struct GroupSums {
@@ -300,6 +304,7 @@ std::string lost_to(const SlowGroup& group) {
 SlowGroups find_slow_groups(const Trajectory& trajectory, Progress* progress) {
   SlowGroups found;
   const ShapeFinder shapes_of(trajectory);
+  PartsByKind parts;
   std::map<std::pair<PlaceShape, CauseKind>, GroupSums> groups;
   found.loss = for_slow_stretches(
       trajectory,
@@ -308,8 +313,10 @@ SlowGroups find_slow_groups(const Trajectory& trajectory, Progress* progress) {
         for (const auto& [cause, loss] : losses) {
           groups[{shape.shape, cause.kind}].add_loss(cause, loss);
         }
-        for (const SlowPlace& part : is_place ? parts_by_kind(stretch, losses) : std::vector<SlowPlace>()) {
-          groups[{shape.shape, part.cause.kind}].add_place(part, shape);
+        if (is_place) {
+          for (const SlowPlace& part : parts.of(stretch, losses)) {
+            groups[{shape.shape, part.cause.kind}].add_place(part, shape);
+          }
         }
       },
       progress);
