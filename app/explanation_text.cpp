@@ -67,7 +67,7 @@ std::string conclusion(const Run& run, const TimeReport& report) {
   text += mean_feed_text(use);
   if (!report.slow.groups.empty() && report.slow.groups.front().loss > worth_a_row * use.cycle_time) {
     const SlowGroup& most = report.slow.groups.front();
-    text += fmt::format("Most is lost in {}, mostly to {}: {}. ", info_of(most.shape).title, lost_to(most),
+    text += fmt::format("Most is lost in {} to {}: {}. ", info_of(most.shape).title, lost_to(most),
                         seconds_text(most.loss));
   }
   if (!report.changes.best.empty()) {

@@ -39,7 +39,8 @@ class AnnotationOverlay : public QWidget {
   bool take(const QEvent& event);
   /// Where they are drawn now, in device pixels.
   std::vector<PlacedAnnotation> placed() const;
-  /// What it says of the run, on one or more lines; as it was written where there is no run.
+  /// The text of an annotation with the values of the run, on one or more lines; without a run, the text as
+  /// written.
   QString text_of(const Annotation& annotation) const;
 
  signals:
