@@ -48,7 +48,7 @@ std::vector<SettingSpec> make_common_settings() {
   own.explanation = QT_TRANSLATE_NOOP(
       "core",
       "on: where the program asks for a tolerance (CTOL, CYCLE832, G64 P, cycle 32) or a blend distance "
-      "(ADIS), it is used; off: the contour tolerance is used everywhere. Exact stops are always used.");
+      "(ADIS), it is used; off: that of the settings is used everywhere. Exact stops are always used.");
   own.choices = {QT_TRANSLATE_NOOP("core", "on"), QT_TRANSLATE_NOOP("core", "off")};
   SettingSpec period =
       number_spec("interpolation_period_s", QT_TRANSLATE_NOOP("core", "Interpolation period"), "s", 0.002,

@@ -91,11 +91,12 @@ QString verdict_text(const ContourReport& report) {
         Contour::tr("Largest contour error %1, in line %2 at %3.")
             .arg(error_amount_text(report.largest), line_text(worst), clock_text(worst.place.time)));
     sentences.append(
-        report.tolerance ? tolerance_sentence(report)
-        : report.own_tolerances
+        report.tolerance         ? tolerance_sentence(report)
+        : !report.own_tolerances ? Contour::tr("No contour tolerance applies.")
+        : report.program_tolerances
             ? Contour::tr("The control rounds each corner within P of G64 in the program, else within "
                           "the blend tolerance of the settings.")
-            : Contour::tr("No contour tolerance applies."));
+            : Contour::tr("The control rounds each corner within the blend tolerance of the settings."));
   }
   if (report.rapids) {
     sentences.append(Contour::tr("Rapids, which do not count here, leave the programmed path by up to %1.")

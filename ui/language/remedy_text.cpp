@@ -83,8 +83,7 @@ QString remedy_text(const Remedy& remedy, const Setup& setup) {
     // A tolerance replaces that of the program too, which goes without saying.
     const bool said = rest.front().first == program_tolerance_key && remedy.changes.size() > 1;
     if (!said) {
-      parts += one(rest.front(), rest.front().first == contour_tolerance_key ? remedy.before : std::nullopt,
-                   setup);
+      parts += one(rest.front(), is_tolerance(rest.front().first) ? remedy.before : std::nullopt, setup);
     }
     rest = rest.subspan(1);
   }

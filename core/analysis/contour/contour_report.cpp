@@ -9,6 +9,7 @@
 #include "core/analysis/contour/contour_search.h"
 #include "core/analysis/tolerance_in_force.h"
 #include "core/blend/path_rules.h"
+#include "core/machine/contour_tolerance.h"
 #include "core/program/text/block_number.h"
 
 namespace feedscope {
@@ -117,6 +118,7 @@ ContourReport contour_report(const Run& run, std::size_t places, Progress* progr
   report.largest = errors.largest;
   report.spread = errors.spread;
   report.own_tolerances = run.setup.model->guarantees(run.setup.settings).own_tolerances;
+  report.program_tolerances = follows_program_tolerance(run.setup.settings);
   constexpr double found = 2 * ContourSearch::precision;  // searches of other numbers of places
   if (run.summary.max_contour_error > errors.largest + found) {
     report.rapids = run.summary.max_contour_error;

@@ -48,6 +48,7 @@ struct ContourReport {
   /// the path exactly [mm].
   std::optional<std::array<double, 2>> tolerance;
   bool own_tolerances = false;  ///< as Guarantees: the control rounds corners within a tolerance of its own
+  bool program_tolerances = true;  ///< those of the program go before it
 };
 
 /// `places`: how many of the worst, at least 1. Throws Cancelled.

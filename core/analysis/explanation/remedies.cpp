@@ -28,11 +28,48 @@ double rounded(double value) {
   return decimals >= 0 ? std::round(value * power) / power : std::round(value / power) * power;
 }
 
+/// The largest blend tolerance in force.
+struct BlendTolerance {
+  double value = 0;  ///< [mm]; 0: blends go as far as the blocks allow
+  bool by_program = false;
+};
+
+/// None where the model has no such setting.
+std::optional<BlendTolerance> blend_tolerance(std::span<const PathControl> feed_controls,
+                                              const Setup& setup) {
+  if (!setup.settings.has(blend_tolerance_key)) {
+    return std::nullopt;
+  }
+  const PathControl machine;
+  const std::span<const PathControl> controls =
+      feed_controls.empty() ? std::span<const PathControl>(&machine, 1) : feed_controls;
+  std::optional<BlendTolerance> largest;
+  for (const PathControl& control : controls) {
+    if (control.mode == PathMode::exact_stop) {
+      continue;
+    }
+    const bool by_program = control.mode == PathMode::continuous && follows_program_tolerance(setup.settings);
+    const BlendTolerance one{
+        by_program ? control.contour_tolerance.value_or(0) : setup.settings.number(blend_tolerance_key),
+        by_program};
+    if (one.value == 0) {
+      return one;
+    }
+    if (!largest || one.value > largest->value) {
+      largest = one;
+    }
+  }
+  return largest;
+}
+
 /// Collects changes that have an effect, each once.
 class Candidates {
  public:
-  Candidates(const Setup& setup, const std::optional<ToleranceInForce>& tolerance)
-      : setup_(setup), specs_(settings_of(*setup.model)), tolerance_(tolerance) {}
+  Candidates(const Setup& setup, std::span<const PathControl> feed_controls)
+      : setup_(setup),
+        specs_(settings_of(*setup.model)),
+        tolerance_(tolerance_in_force(feed_controls, setup)),
+        blend_tolerance_(feedscope::blend_tolerance(feed_controls, setup)) {}
 
   /// Adds nothing for an axis that the machine does not have, or a limit that the axis does not have.
   void axis(int axis, const std::string& limit, double factor = more) {
@@ -72,17 +109,21 @@ class Candidates {
       const double step = spec->whole ? std::round(*number) : *number;
       *number = nearest_within(*spec, step);
     }
-    if (value == setup_.settings.value(key)) {
-      return;
-    }
     Remedy remedy{{{key, std::move(value)}}};
-    if (key == contour_tolerance_key) {
-      remedy.before = tolerance();
-    }
     for (auto& other : besides) {
       if (has(other.first)) {
         remedy.changes.push_back(std::move(other));
       }
+    }
+    if (std::ranges::all_of(remedy.changes, [&](const auto& change) {
+          return change.second == setup_.settings.value(change.first);
+        })) {
+      return;
+    }
+    if (key == contour_tolerance_key) {
+      remedy.before = tolerance();
+    } else if (key == blend_tolerance_key) {
+      remedy.before = blend_tolerance_->value;
     }
     add(std::move(remedy));
   }
@@ -91,6 +132,7 @@ class Candidates {
   std::optional<double> tolerance() const {
     return tolerance_ ? std::optional(tolerance_->max) : std::nullopt;
   }
+  const std::optional<BlendTolerance>& blend_tolerance() const { return blend_tolerance_; }
   bool has(const std::string& key) const { return setup_.settings.has(key); }
   std::string text(const std::string& key) const { return setup_.settings.text(key); }
   /// Smooth curves take the place of dense blocks where its compressor is on; else it gains nothing.
@@ -114,6 +156,7 @@ class Candidates {
   const Setup& setup_;
   std::vector<SettingSpec> specs_;
   std::optional<ToleranceInForce> tolerance_;
+  std::optional<BlendTolerance> blend_tolerance_;
   std::vector<Remedy> found_;
 };
 
@@ -122,7 +165,13 @@ void larger_tolerance(Candidates& candidates) {
     auto [tolerance, program] = settings_for_tolerance(2 * *now);
     candidates.set(tolerance.first, std::move(tolerance.second), {std::move(program)});
   }
-  candidates.setting("blend_tolerance_mm", 2);
+  if (const std::optional<BlendTolerance>& now = candidates.blend_tolerance(); now && now->value > 0) {
+    std::vector<std::pair<std::string, SettingValue>> besides;
+    if (now->by_program) {
+      besides.emplace_back(program_tolerance_key, std::string("off"));
+    }
+    candidates.set(blend_tolerance_key, 2 * now->value, std::move(besides));
+  }
 }
 
 /// Smooth curves through dense short blocks, unless the program asks for them wherever it feeds.
@@ -292,7 +341,7 @@ std::vector<Remedy> remedies(const Setup& setup, const Explanation& why,
 
 std::vector<Remedy> remedies(const Setup& setup, std::span<const Cause> causes,
                              std::span<const PathControl> feed_controls) {
-  Candidates candidates(setup, tolerance_in_force(feed_controls, setup));
+  Candidates candidates(setup, feed_controls);
   for (const Cause cause : causes) {
     add_for(candidates, cause, setup);
   }

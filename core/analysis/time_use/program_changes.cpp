@@ -141,7 +141,7 @@ std::string kind_of(const Remedy& remedy) {
     return "machine";
   }
   const std::string& key = remedy.changes.front().first;
-  if (key == contour_tolerance_key || key == "blend_tolerance_mm") {
+  if (is_tolerance(key)) {
     return "tolerance";
   }
   if (key == feed_override_key) {

@@ -60,8 +60,11 @@ LinuxCncCanon::Mode LinuxCncCanon::mode_of(std::size_t block) const {
     case PathMode::exact_stop:
       return {control.exact_path ? LinuxCncEnd::exact : LinuxCncEnd::stop, 0, 0};
     case PathMode::continuous: {
-      const double tolerance = control.contour_tolerance.value_or(0);
-      const double naive = control.compaction_tolerance.value_or(tolerance);
+      const double tolerance =
+          settings_.follows_program ? control.contour_tolerance.value_or(0) : settings_.blend_tolerance;
+      const double naive = !settings_.follows_program && settings_.own_naive_tolerance
+                               ? settings_.naive_tolerance
+                               : control.compaction_tolerance.value_or(tolerance);
       return {LinuxCncEnd::parabolic, tolerance, naive};
     }
     case PathMode::machine:

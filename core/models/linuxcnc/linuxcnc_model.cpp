@@ -5,6 +5,7 @@
 #include "core/base/translatable.h"
 #include "core/base/units.h"
 #include "core/limits/axis_share.h"
+#include "core/machine/contour_tolerance.h"
 #include "core/models/linuxcnc/linuxcnc_run.h"
 #include "core/models/shared_settings.h"
 
@@ -35,7 +36,7 @@ std::vector<SettingSpec> own_settings() {
                                "G61 stops where blocks do not join tangentially, G61.1 at the end of every "
                                "block.")),
       number_setting(
-          "blend_tolerance_mm", QT_TRANSLATE_NOOP("core", "Blend tolerance"), "mm", 0, 100, 0,
+          blend_tolerance_key, QT_TRANSLATE_NOOP("core", "Blend tolerance"), "mm", 0, 100, 0,
           QT_TRANSLATE_NOOP("core",
                             "P of G64 where the program gives none: how far blends may leave the corner. "
                             "0: as far as a quarter of the blocks, as fast as possible.")),
@@ -82,8 +83,9 @@ LinuxCncSettings::LinuxCncSettings(const Machine& machine, const Settings& setti
       max_override(settings.number("max_feed_override")),
       master(settings.text("planner") == "master"),
       path_mode(path_mode_of(settings.text("blend_mode"))),
-      blend_tolerance(settings.number("blend_tolerance_mm")),
-      naive_tolerance(blend_tolerance) {
+      blend_tolerance(settings.number(blend_tolerance_key)),
+      naive_tolerance(blend_tolerance),
+      follows_program(follows_program_tolerance(settings)) {
   for (const RotaryAxis& axis : machine.kinematics.rotary) {
     turn_velocity[rotary_names.find(axis.name)] = axis.velocity;
     turn_acceleration[rotary_names.find(axis.name)] = axis.acceleration;
@@ -93,6 +95,7 @@ LinuxCncSettings::LinuxCncSettings(const Machine& machine, const Settings& setti
   }
   if (settings.has("naive_tolerance_mm")) {
     naive_tolerance = settings.number("naive_tolerance_mm");
+    own_naive_tolerance = true;
   }
 }
 
@@ -109,7 +112,7 @@ const ModelInfo& LinuxCncModel::info() const {
           "blocks along a line become one; under G61 corners are exact stops. Half of the acceleration is "
           "kept back for blends."),
       own_settings(),
-      {},
+      {program_tolerance_key},
       {QT_TRANSLATE_NOOP(
            "core",
            "No jerk is limited, and where blocks meet within a small kink the velocity of an axis jumps."),

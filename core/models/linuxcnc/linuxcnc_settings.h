@@ -25,8 +25,10 @@ struct LinuxCncSettings {
   double max_override = 1;  ///< MAX_FEED_OVERRIDE
   bool master = false;      ///< planner of master, else of 2.9
   LinuxCncPathMode path_mode = LinuxCncPathMode::blend;
-  double blend_tolerance = 0;  ///< P of that G64; 0: as fast as possible [mm]
-  double naive_tolerance = 0;  ///< Q of it; 0: blocks are not joined [mm]
+  double blend_tolerance = 0;        ///< P of that G64; 0: as fast as possible [mm]
+  double naive_tolerance = 0;        ///< Q of it; 0: blocks are not joined [mm]
+  bool own_naive_tolerance = false;  ///< it is given, not that of blending
+  bool follows_program = true;       ///< P and Q of the program hold before these
 
   LinuxCncSettings() = default;
   /// `settings` as complete_settings() gives them for the model: without a largest velocity there is none

@@ -85,6 +85,29 @@ TEST(Remedies, ALargerToleranceIsTwiceTheOneInForce) {
   EXPECT_TRUE(has(list, {{{"contour_tolerance_mm", 0.04}, {"program_tolerance", std::string("off")}}, 0.02}));
 }
 
+/// P of G64 as well as the setting of a program without one; without a P there is nothing larger.
+TEST(Remedies, ALargerBlendToleranceIsTwiceTheOneInForce) {
+  SetupRequest request;
+  request.model = "linuxcnc";
+  request.assignments = {"blend_tolerance_mm=0.2"};
+  const auto setup = make_setup(request);
+  const auto found = [&](const PathControl& control) {
+    return remedies(setup, caused_by({CauseKind::contour_tolerance}), std::span(&control, 1));
+  };
+  PathControl g64;
+  g64.mode = PathMode::continuous;
+  g64.contour_tolerance = 0.1;
+  const std::pair<std::string, SettingValue> off("program_tolerance", std::string("off"));
+  EXPECT_TRUE(has(found(g64), {{{"blend_tolerance_mm", 0.2}, off}, 0.1}))
+      << "though it is that of the setting";
+  EXPECT_TRUE(has(found(PathControl()), {{{"blend_tolerance_mm", 0.4}}, 0.2}));
+  g64.contour_tolerance.reset();
+  const auto as_far_as_blocks_allow = found(g64);
+  EXPECT_TRUE(std::ranges::none_of(as_far_as_blocks_allow, [](const Remedy& remedy) {
+    return remedy.changes.front().first == "blend_tolerance_mm";
+  }));
+}
+
 TEST(Remedies, ASlowerPlaceAheadNamesWhatIsToBeChanged) {
   Explanation why = caused_by({CauseKind::ramp_down});
   why.ahead.emplace();

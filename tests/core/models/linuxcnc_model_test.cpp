@@ -36,12 +36,17 @@ Machine machine() {
 }
 
 /// `text` on machine(), with path control `mode` where the text says nothing.
-Trajectory run(const std::string& text, const std::string& mode = "G64") {
+Trajectory run(const std::string& text, const std::string& mode = "G64",
+               const std::vector<std::string>& assignments = {}) {
   const LoadedProgram loaded = load_program(std::make_shared<const SourceText>(SourceText("test.ngc", text)));
   const ControlModel& linuxcnc = find_model("linuxcnc");
   Settings settings = complete_settings(linuxcnc, machine());
   settings.set("blend_mode", mode);
-  return linuxcnc.simulate(loaded.toolpath, machine(), settings);
+  Machine of_run = machine();
+  for (const std::string& assignment : assignments) {
+    apply_setting(assignment, linuxcnc, of_run, settings);
+  }
+  return linuxcnc.simulate(loaded.toolpath, of_run, settings);
 }
 
 std::string blends_csv(const Trajectory& motion) {
@@ -106,6 +111,26 @@ TEST(LinuxCncModel, TakesItsModeFromTheSettingsWhereTheProgramHasNone) {
         << mode;
   }
   EXPECT_GT(run("G21 G90\n" + moves, "G61.1").duration(), run("G21 G90\n" + moves, "G61").duration() + 0.04);
+}
+
+/// P and Q of G64 in the program go before those of the settings unless program_tolerance is off; a Q that
+/// the settings do not have stays that of the program.
+TEST(LinuxCncModel, TakesTolerancesOfTheSettingsWhereThoseOfTheProgramAreOff) {
+  const auto text = [](const std::string& g64) {
+    return "G21 G90\n" + g64 + "\nG1 X20 F3000\nX40 Y0.01\nX60\nY20\nX80 Y20\nM2\n";
+  };
+  const auto with = [&](const std::string& g64, const std::vector<std::string>& settings) {
+    return run(text(g64), "G64", settings).duration();
+  };
+  const std::string wide = "blend_tolerance_mm=0.4";
+  const std::string off = "program_tolerance=off";
+  const double fine = with("G64 P0.02", {});
+  EXPECT_LT(with("G64 P0.4", {}), fine - 0.01);
+  EXPECT_EQ(with("G64 P0.02", {wide}), fine);
+  EXPECT_EQ(with("G64 P0.02", {wide, off}), with("G64 P0.4", {}));
+  EXPECT_EQ(with("G64 P0.02 Q0", {wide, off}), with("G64 P0.4 Q0", {}));
+  EXPECT_EQ(with("G64 P0.02 Q0", {wide, "naive_tolerance_mm=0.05", off}), with("G64 P0.4 Q0.05", {}));
+  EXPECT_EQ(with("G61", {wide, off}), with("G61", {})) << "exact stops stay";
 }
 
 /// Where rotary axes turn beside a joint, neither of its blocks has half of its acceleration for the other's
