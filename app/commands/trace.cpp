@@ -71,7 +71,8 @@ std::string agreement_text(const TraceOnProgram& found, const Agreement& agreeme
   table.add({"largest distance from the path", fmt::format("{:.4f} mm", agreement.distance),
              fmt::format("{:.4f} mm", agreement.simulated_distance), ""});
   for (const OperationAgreement& operation : agreement.operations) {
-    table.add({fmt::format("line {}: {}", operation.line, operation.title),
+    const std::string line = title_of_line(operation.line);
+    table.add({operation.title == line ? line : line + ": " + operation.title,
                time_text(operation.measured_time), time_text(operation.simulated_time),
                signed_text(operation.simulated_time - operation.measured_time, 3) + " s"});
   }

@@ -184,6 +184,10 @@
         <source>The control rounds each corner within P of G64 in the program, else within the blend tolerance of the settings.</source>
         <translation>La commande arrondit chaque angle dans P de G64 du programme, sinon dans la tolérance de raccord des réglages.</translation>
     </message>
+    <message>
+        <source>The control rounds each corner within the blend tolerance of the settings.</source>
+        <translation>La commande arrondit chaque angle dans la tolérance de raccord des réglages.</translation>
+    </message>
 </context>
 <context>
     <name>ContourPlot</name>
@@ -619,6 +623,25 @@
     <message>
         <source>“%1” has more than one decimal separator or uses thousands separators; type %2.</source>
         <translation>«&#xa0;%1&#xa0;» a plus d’un séparateur décimal ou des séparateurs de milliers&#xa0;; saisissez %2.</translation>
+    </message>
+</context>
+<context>
+    <name>OperationTitles</name>
+    <message>
+        <source>Before the first tool</source>
+        <translation>Avant le premier outil</translation>
+    </message>
+    <message>
+        <source>Tool %1</source>
+        <translation>Outil %1</translation>
+    </message>
+    <message>
+        <source>Before the first comment</source>
+        <translation>Avant le premier commentaire</translation>
+    </message>
+    <message>
+        <source>Line %1</source>
+        <translation>Ligne %1</translation>
     </message>
 </context>
 <context>
@@ -2079,14 +2102,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>%1°</translation>
     </message>
     <message>
-        <source>Before the first tool</source>
-        <translation>Avant le premier outil</translation>
-    </message>
-    <message>
-        <source>Tool %1</source>
-        <translation>Outil %1</translation>
-    </message>
-    <message>
         <source>%1%2 s</source>
         <translation>%1%2&#xa0;s</translation>
     </message>
@@ -2863,10 +2878,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>Tolerance of the program</source>
         <translation>Tolérance du programme</translation>
-    </message>
-    <message>
-        <source>on: where the program asks for a tolerance (CTOL, CYCLE832, G64 P, cycle 32) or a blend distance (ADIS), it is used; off: the contour tolerance is used everywhere. Exact stops are always used.</source>
-        <translation>oui&#xa0;: là où le programme demande une tolérance (CTOL, CYCLE832, G64 P, cycle 32) ou une distance de raccord (ADIS), c’est elle qui vaut&#xa0;; non&#xa0;: la tolérance de contour vaut partout. Les arrêts précis sont toujours respectés.</translation>
     </message>
     <message>
         <source>Interpolation period</source>
@@ -9180,6 +9191,14 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <source>All feeds of the program in percent of what it says, as the dial of the control sets them; rapids stay. Without it 100 %.</source>
         <translation>Toutes les avances du programme en pour cent de ce qu’il dit, comme les règle le potentiomètre de la commande ; les rapides restent. Sans elle, 100 %.</translation>
     </message>
+    <message>
+        <source>on: where the program asks for a tolerance (CTOL, CYCLE832, G64 P, cycle 32) or a blend distance (ADIS), it is used; off: that of the settings is used everywhere. Exact stops are always used.</source>
+        <translation>oui&#xa0;: là où le programme demande une tolérance (CTOL, CYCLE832, G64 P, cycle 32) ou une distance de raccord (ADIS), c’est elle qui vaut&#xa0;; non&#xa0;: celle des réglages vaut partout. Les arrêts précis sont toujours respectés.</translation>
+    </message>
+    <message>
+        <source>Line %1 asks for a feed of %2 mm/min; all axes of this machine together reach %3 mm/min: what is lost against the programmed feed tells little there.</source>
+        <translation>La ligne %1 demande une avance de %2 mm/min&#xa0;; tous les axes de cette machine ensemble atteignent %3 mm/min&#xa0;: ce qui est perdu par rapport à l’avance programmée n’y dit pas grand-chose.</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ActionTable</name>
@@ -13038,6 +13057,14 @@ Ensemble&#xa0;: %4</translation>
         <source>Nothing in %1 moves an axis. Check that it is an NC program; it was read as %2, and File › Program import options selects another language. The panel Messages lists what was found in it.</source>
         <translation>Rien dans %1 ne déplace un axe. Vérifiez qu’il s’agit d’un programme CN ; il a été lu comme %2, et Fichier › Options de lecture permet de choisir un autre langage. Le panneau Messages dit ce qu’on y a trouvé.</translation>
     </message>
+    <message>
+        <source>Read again</source>
+        <translation>Relire</translation>
+    </message>
+    <message>
+        <source>Read the program again and simulate it (F9)</source>
+        <translation>Relire le programme et le simuler (F9)</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::RunTable</name>
@@ -15402,6 +15429,10 @@ Ensemble&#xa0;: %4</translation>
         <source>On %1</source>
         <comment>a machine</comment>
         <translation>Sur %1</translation>
+    </message>
+    <message>
+        <source>Line %1 asks for a feed of %2; all axes of this machine together reach %3: what is lost against the programmed feed tells little there.</source>
+        <translation>La ligne %1 demande une avance de %2&#xa0;; tous les axes de cette machine ensemble atteignent %3&#xa0;: ce qui est perdu par rapport à l’avance programmée n’y dit pas grand-chose.</translation>
     </message>
 </context>
 </TS>

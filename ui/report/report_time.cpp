@@ -7,6 +7,7 @@
 #include "core/analysis/refused_lines.h"
 #include "core/analysis/time_use/time_report.h"
 #include "core/base/units.h"
+#include "ui/language/operation_title.h"
 #include "ui/language/remedy_text.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"
@@ -74,9 +75,10 @@ QString operations_table(const TimeUse& use) {
                   ReportWords::tr("Loses most to")});
   for (const std::size_t row : longest_operations(use)) {
     const OperationTime& operation = use.operations[row];
-    table.add({html_text(TimeTexts::operation(operation, use.split)), QString::number(operation.line),
-               seconds(operation.all.time), percent(operation.all.time, use.cycle_time),
-               seconds(operation.all.lost()), seconds(operation.rapid),
+    table.add({html_text(operation_title(operation.title, operation.line, use.split)),
+               QString::number(operation.line), seconds(operation.all.time),
+               percent(operation.all.time, use.cycle_time), seconds(operation.all.lost()),
+               seconds(operation.rapid),
                operation.loses() ? html_text(TimeTexts::cause(operation.worst.cause)) : QStringLiteral("–")});
   }
   QString html = table.html();

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "ui/language/core_texts.h"
+#include "ui/language/operation_title.h"
 #include "ui/language/remedy_text.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"
@@ -119,8 +120,8 @@ class TimeRows {
   TimeSection operations() const {
     TimeSection section{{tr("Operations"), tr("Time"), tr("Lost")}, {}};
     for (const OperationTime& operation : use_.operations) {
-      TimeRow row =
-          time_row(TimeTexts::operation(operation, use_.split), operation.all.time, operation.all.lost());
+      TimeRow row = time_row(operation_title(operation.title, operation.line, use_.split), operation.all.time,
+                             operation.all.lost());
       row.time = operation.start;
       row.tip = tr("From line %1; %2 of it rapids. It loses most to: %3.")
                     .arg(QString::number(operation.line), clock_text(operation.rapid),

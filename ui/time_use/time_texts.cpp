@@ -108,15 +108,6 @@ QString TimeTexts::in_common(const SlowGroup& group) {
   return measured.isEmpty() ? count : tr("%1, %2").arg(count, measured);
 }
 
-QString TimeTexts::operation(const OperationTime& operation, OperationSplit split) {
-  const QString title = QString::fromStdString(operation.title);
-  if (split != OperationSplit::tool) {
-    return title;
-  }
-  return operation.title == before_first_tool ? tr("Before the first tool")
-                                              : tr("Tool %1").arg(title.section(QLatin1Char(' '), 1));
-}
-
 QString TimeTexts::change(double seconds) {
   if (std::abs(seconds) < nothing) {
     return QStringLiteral("0");

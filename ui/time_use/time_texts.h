@@ -26,8 +26,6 @@ class TimeTexts {
   static QString measure(const SlowGroup& group);
   /// "3200 places, turn 4.9° to 90°, median 5°".
   static QString in_common(const SlowGroup& group);
-  /// "Tool 3", the heading as it is, or what runs before the first tool.
-  static QString operation(const OperationTime& operation, OperationSplit split);
   /// "−12.3 s", "+0.004 s"; "0" for nothing that digits show.
   static QString change(double seconds);
   /// "12.3 s": what a change spares.

@@ -8,6 +8,7 @@
 
 #include "core/base/units.h"
 #include "ui/language/core_texts.h"
+#include "ui/language/operation_title.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/signed_number.h"
 #include "ui/language/texts.h"
@@ -113,9 +114,12 @@ void fill_figures(QStandardItemModel& table, const ShownTrace& shown) {
            clock_text(agreement.measured_time), clock_text(agreement.simulated_time),
            TraceTables::tr("%1 %").arg(signed_number(100 * agreement.time_error(), 2))});
   for (const OperationAgreement& operation : agreement.operations) {
+    const QString title = operation_title(operation.title, operation.line, agreement.split);
     add_row(
         table,
-        {TraceTables::tr("Line %1: %2").arg(operation.line).arg(QString::fromStdString(operation.title)),
+        {operation.title == title_of_line(operation.line)
+             ? title
+             : TraceTables::tr("Line %1: %2").arg(operation.line).arg(title),
          clock_text(operation.measured_time), clock_text(operation.simulated_time),
          TraceTables::tr("%1 s").arg(signed_number(operation.simulated_time - operation.measured_time, 3))});
   }

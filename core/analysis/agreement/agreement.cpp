@@ -40,26 +40,27 @@ double ends_of(const Trajectory& trajectory, const TimeLaw& simulated, const Com
   return std::max(0.0, simulated.at(part.from) - first) + std::max(0.0, last - simulated.at(part.to));
 }
 
-std::vector<OperationAgreement> operations_of(const Run& run, const ProgrammedCourse& course,
-                                              const TimeLaw& measured, const TimeLaw& simulated,
-                                              const Compared& part) {
-  std::vector<Operation> operations = split_operations(run.input, OperationSplit::tool);
-  if (operations.size() < 2) {
-    operations = split_operations(run.input, OperationSplit::comment);
+/// Into `found`.
+void add_operations(const Run& run, const ProgrammedCourse& course, const TimeLaw& measured,
+                    const TimeLaw& simulated, const Compared& part, Agreement& found) {
+  std::vector<Operation> operations;
+  for (const OperationSplit split : {OperationSplit::tool, OperationSplit::comment}) {
+    if (operations.size() < 2) {
+      operations = split_operations(run.input, split);
+      found.split = split;
+    }
   }
-  std::vector<OperationAgreement> times;
   if (operations.size() < 2) {
-    return times;
+    return;
   }
   for (const Operation& operation : operations) {
     const double from = std::clamp(course.start_of(operation.first), part.from, part.to);
     const double to = std::clamp(course.start_of(operation.last), part.from, part.to);
     if (to > from) {
-      times.push_back({operation.title, operation.line, measured.at(to) - measured.at(from),
-                       simulated.at(to) - simulated.at(from)});
+      found.operations.push_back({operation.title, operation.line, measured.at(to) - measured.at(from),
+                                  simulated.at(to) - simulated.at(from)});
     }
   }
-  return times;
 }
 
 Vec3 place_at(const ProgrammedCourse& course, double s) {
@@ -261,7 +262,7 @@ Agreement agreement_of(const TraceOnProgram& trace, const ProgrammedCourse& cour
   }
   agreement.feed_rms = length > 0 ? std::sqrt(squares / length) : 0;
   agreement.worst = worst_of(agreement.cells, course, *run.input.toolpath);
-  agreement.operations = operations_of(run, course, trace.law, simulated, part);
+  add_operations(run, course, trace.law, simulated, part, agreement);
   constexpr double clear_of_noise = 20;
   agreement.corners = corners_of(*run.input.toolpath, course, trace.law, simulated, part.from, part.to,
                                  std::max(begun_motion, clear_of_noise * trace.noise));

@@ -9,6 +9,7 @@
 #include "core/analysis/agreement/time_law.h"
 #include "core/analysis/agreement/trace_on_program.h"
 #include "core/analysis/run.h"
+#include "core/analysis/study/operations.h"
 
 namespace feedscope {
 
@@ -51,10 +52,11 @@ struct Agreement {
   double simulated_distance = 0;     ///< the same of the simulated run [mm]
   std::vector<AgreementCell> cells;  ///< without stretches that the trace has lost
   std::vector<WorstPlace> worst;     ///< at most ten, the largest difference of time first
-  std::vector<OperationAgreement> operations;  ///< empty: the program has one alone
-  std::vector<CornerAgreement> corners;        ///< those that both pass, in order of the program
-  TimeLaw simulated;                           ///< of the run, on the programmed path as the trace's
-  double margin = 0;                           ///< from where it stands: a motion has begun there [mm]
+  std::vector<OperationAgreement> operations;   ///< empty: the program has one alone
+  OperationSplit split = OperationSplit::tool;  ///< of the operations; by comment where there is one tool
+  std::vector<CornerAgreement> corners;         ///< those that both pass, in order of the program
+  TimeLaw simulated;                            ///< of the run, on the programmed path as the trace's
+  double margin = 0;                            ///< from where it stands: a motion has begun there [mm]
 
   /// Root mean square of CornerAgreement::error(); 0 without corners.
   double corner_rms() const;

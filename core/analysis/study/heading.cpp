@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <string>
 
 namespace feedscope {
 namespace {
@@ -74,6 +75,15 @@ std::string undecorated(std::string_view text) {
   return title;
 }
 
+/// A comment of LinuxCNC that it shows, as "(MSG, change the tool)", holds what stands behind the comma.
+std::string_view without_command(std::string_view comment) {
+  const std::size_t comma = comment.find(',');
+  std::string word(trimmed(comment.substr(0, comma)));
+  std::ranges::transform(word, word.begin(), [](unsigned char c) { return std::tolower(c); });
+  const bool shows = comma != std::string_view::npos && (word == "msg" || word == "debug" || word == "print");
+  return shows ? comment.substr(comma + 1) : comment;
+}
+
 /// What a comment line holds; none for a line with anything else.
 std::optional<std::string_view> comment_of(std::string_view text) {
   if (text.starts_with(';')) {
@@ -84,7 +94,7 @@ std::optional<std::string_view> comment_of(std::string_view text) {
     return text.starts_with('-') ? text.substr(1) : text;
   }
   if (text.starts_with('(') && text.find(')') == text.size() - 1) {
-    return text.substr(1, text.size() - 2);
+    return without_command(text.substr(1, text.size() - 2));
   }
   constexpr std::string_view message = "MSG(\"";
   if (text.size() > message.size() + 1 && text.starts_with(message) && text.ends_with("\")")) {

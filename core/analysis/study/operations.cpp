@@ -113,7 +113,7 @@ const Heading* title_between(const std::vector<Heading>& headings, std::uint32_t
 std::vector<Operation> by_comment(const LoadedProgram& program) {
   const Toolpath& path = *program.toolpath;
   const std::vector<Heading> headings = headings_of(*program.program->source);
-  std::vector<Operation> operations{{"start", 0, 0, 0}};
+  std::vector<Operation> operations{{before_first_tool, 0, 0, 0}};
   std::uint32_t before = 0;
   for (std::uint32_t i = 0; i < path.segments.size(); ++i) {
     const std::uint32_t line = path.segments[i].line;
@@ -124,9 +124,8 @@ std::vector<Operation> by_comment(const LoadedProgram& program) {
     const Heading* title = title_between(headings, goes_back ? 0 : before, line);
     const bool goes_on = goes_back && title != nullptr && title->line == operations.back().line;
     if (title != nullptr && !goes_on) {
-      operations.push_back(
-          {title->title.empty() || title->closes ? fmt::format("line {}", title->line) : title->title,
-           title->line, i, 0});
+      operations.push_back({title->title.empty() || title->closes ? title_of_line(title->line) : title->title,
+                            title->line, i, 0});
     }
     before = line;
   }
@@ -139,6 +138,10 @@ std::size_t largest_of(const std::vector<double>& times) {
 }
 
 }  // namespace
+
+std::string title_of_line(std::uint32_t line) {
+  return fmt::format("line {}", line);
+}
 
 OperationSplit operation_split(const std::string& name) {
   if (name == "tool") {

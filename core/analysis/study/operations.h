@@ -15,8 +15,11 @@ enum class OperationSplit : std::uint8_t {
   comment,  ///< a line that holds a comment alone
 };
 
-/// Title of what runs before the first tool, split by tool.
+/// Title of what runs before the first tool, or before the first comment.
 inline constexpr const char* before_first_tool = "start";
+
+/// Title of an operation whose comment holds no words: "line 12".
+std::string title_of_line(std::uint32_t line);
 
 /// Segments of a toolpath that are one operation, [first, last).
 struct Operation {

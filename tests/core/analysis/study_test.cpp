@@ -229,6 +229,9 @@ TEST(Operations, KnowTheHeadingsOfTheDialects) {
   EXPECT_EQ(operation_heading("12 * - Taschen"), "Taschen");
   EXPECT_EQ(operation_heading("N5 MSG(\"ROUGH\")"), "ROUGH");
   EXPECT_EQ(operation_heading("  /N7 (a b) "), "a b");
+  EXPECT_EQ(operation_heading("(MSG,change the tool, then go on)"), "change the tool, then go on");
+  EXPECT_EQ(operation_heading("(debug, x is #1)"), "x is #1");
+  EXPECT_EQ(operation_heading("(pocket, message)"), "pocket, message");
   EXPECT_EQ(operation_heading("(======)"), "");
   EXPECT_EQ(operation_heading("(--- Operation   1)"), "Operation 1");
   EXPECT_EQ(operation_heading("(*** side -X ***)"), "side -X");
