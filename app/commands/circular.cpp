@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <string>
+#include <utility>
 
 #include "app/asked_program.h"
 #include "app/circular_text.h"
@@ -103,10 +105,10 @@ void check_form(const CircularOptions& options) {
   }
 }
 
-double number(const std::string& text, const char* option, const char* unit, double least, double most) {
+double number(const std::string& text, std::string option, std::string unit, double least, double most) {
   SettingSpec spec;
-  spec.key = option;
-  spec.unit = unit;
+  spec.key = std::move(option);
+  spec.unit = std::move(unit);
   spec.minimum = least;
   spec.maximum = most;
   return std::get<double>(parse_setting(spec, text));
