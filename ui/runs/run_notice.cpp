@@ -17,8 +17,6 @@ RunNotice::RunNotice(Workbench& workbench, QWidget* parent)
   text_->setForegroundRole(QPalette::ToolTipText);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   text_->setTextFormat(Qt::PlainText);
-  again_->setText(tr("Simulate again"));
-  again_->setToolTip(tr("Simulate the current run (F9)"));
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(8, 3, 8, 3);
   layout->addWidget(text_, 1);
@@ -39,6 +37,10 @@ void RunNotice::follow() {
   const RunStatus status = workbench_.runs().status(workbench_.runs().current());
   const QString why = reason();
   text_->setText(why);
+  const bool nothing_read = workbench_.program() == nullptr;
+  again_->setText(nothing_read ? tr("Read again") : tr("Simulate again"));
+  again_->setToolTip(nothing_read ? tr("Read the program again and simulate it (F9)")
+                                  : tr("Simulate the current run (F9)"));
   again_->setVisible(status == RunStatus::cancelled || status == RunStatus::failed);
   setVisible(!why.isEmpty());
 }

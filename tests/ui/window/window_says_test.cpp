@@ -72,6 +72,7 @@ TEST_F(WindowSaysTest, WhereNothingIsShownTheViewSaysWhy) {
   open(std::string(500, '\x01'));
   EXPECT_THAT(window.part<RunNotice>().text().toStdString(), testing::HasSubstr("is not a text file"));
   EXPECT_FALSE(window.part<RunNotice>().again()->isHidden());
+  EXPECT_EQ(window.part<RunNotice>().again()->text().toStdString(), "Read again");
   open(test::small_program);
   EXPECT_EQ(window.part<RunNotice>().text(), "");
 }
