@@ -13,6 +13,7 @@
 #include "core/analysis/refused_lines.h"
 #include "core/analysis/run_notes.h"
 #include "core/analysis/setup_options.h"
+#include "core/analysis/unreachable_feed.h"
 #include "core/base/clock_text.h"
 #include "core/base/units.h"
 #include "core/machine/contour_tolerance.h"
@@ -256,8 +257,8 @@ std::string change_text(const Remedy& remedy, const Setup& setup) {
   const auto now = [&](const std::string& key) -> SettingValue {
     const bool of_axis = key.size() > 2 && key[1] == '.';
     return of_axis ? SettingValue(axis_limit(setup.machine, key[0], key.substr(2)))
-           : key == contour_tolerance_key && remedy.before ? SettingValue(*remedy.before)
-                                                           : value_in_force(setup, key);
+           : is_tolerance(key) && remedy.before ? SettingValue(*remedy.before)
+                                                : value_in_force(setup, key);
   };
   const auto text = [](const SettingValue& value) {
     return std::holds_alternative<double>(value) ? fmt::format("{:.5g}", std::get<double>(value))
@@ -367,6 +368,9 @@ std::string explanation_text(const Run& run, const TimeReport& report, const Pro
   }
   if (const char* const note = limits_note(run.setup)) {
     out += wrapped(note, 0) + "\n";
+  }
+  if (const auto feed = unreachable_feed(run.input.largest_feed, *run.input.toolpath, run.setup.machine)) {
+    out += wrapped(describe(*feed), 0) + "\n";
   }
   out += "\nWhat it consists of\n" + kinds_text(use);
   out += "\nWhat limits it, with braking for it\n" + causes_text(use);

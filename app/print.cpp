@@ -12,8 +12,10 @@
 #include "core/analysis/refused_lines.h"
 #include "core/analysis/run_notes.h"
 #include "core/analysis/tolerance_in_force.h"
+#include "core/analysis/unreachable_feed.h"
 #include "core/base/clock_text.h"
 #include "core/base/units.h"
+#include "core/machine/contour_tolerance.h"
 #include "core/models/guarantees.h"
 
 namespace feedscope {
@@ -355,6 +357,9 @@ std::string figure_notes_text(const Run& run) {
   for (const char* const note : figure_notes(*run.input.toolpath, run.setup)) {
     text += "  " + wrapped(note, 2) + "\n";
   }
+  if (const auto feed = unreachable_feed(run.input.largest_feed, *run.input.toolpath, run.setup.machine)) {
+    text += "  " + wrapped(describe(*feed), 2) + "\n";
+  }
   return text;
 }
 
@@ -381,9 +386,11 @@ std::string summary_text(const Run& run) {
   figures.add({"programmed time", time_text(s.programmed_time)});
   const auto tolerance = tolerance_in_force(run.input.feed_controls, run.setup);
   const bool own = run.setup.model->guarantees(run.setup.settings).own_tolerances;
-  figures.add({"tolerance", tolerance ? describe(tolerance)
-                            : own     ? "P of G64 in the program, else blend_tolerance_mm"
-                                      : "none: not used by the model"});
+  const bool of_program = follows_program_tolerance(run.setup.settings);
+  figures.add({"tolerance", tolerance           ? describe(tolerance)
+                            : own && of_program ? "P of G64 in the program, else blend_tolerance_mm"
+                            : own               ? "blend_tolerance_mm in place of P of G64"
+                                                : "none: not used by the model"});
   figures.add({"path length", fmt::format("{:.3f} mm", run.trajectory->path_length())});
   figures.add({"mean feed", fmt::format("{:.1f} mm/min{}", units::to_mm_min(s.mean_feed),
                                         without_pauses_text(pauses_of(s)))});

@@ -94,6 +94,7 @@ LoadedProgram load_program(std::shared_ptr<const SourceText> source, Progress* p
   loaded.refused = program.cut_off && !options.simulate_cut_off;
   loaded.feed_controls = controls_of_feed_motions(*loaded.toolpath);
   loaded.chord_error = chord_error_of(*loaded.toolpath);
+  loaded.largest_feed = largest_feed_of(*loaded.toolpath);
   if (loaded.chord_error) {
     program.diagnostics.insert(program.diagnostics.begin(),
                                chord_error_message(*loaded.chord_error, loaded.feed_controls));

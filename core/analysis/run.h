@@ -9,6 +9,7 @@
 #include "core/analysis/chord_error.h"
 #include "core/analysis/run_sources.h"
 #include "core/analysis/summary.h"
+#include "core/analysis/unreachable_feed.h"
 #include "core/models/control_model.h"
 
 namespace feedscope {
@@ -20,7 +21,8 @@ struct LoadedProgram {
   /// Those of the feed motions, each once, in the order of their first use.
   std::vector<PathControl> feed_controls;
   std::optional<ChordError> chord_error;  ///< of its short lines, if it has enough
-  double read_time = 0;                   ///< wall clock, text to toolpath [s]
+  std::optional<LargestFeed> largest_feed;
+  double read_time = 0;  ///< wall clock, text to toolpath [s]
   /// Of a run: lines that its control refuses, as notes; they are not part of its toolpath.
   std::vector<Diagnostic> lines_not_run;
   bool refused = false;  ///< cut off at a limit, and ReadOptions do not ask to simulate it

@@ -10,6 +10,7 @@
 #include "core/analysis/ignored_path_control.h"
 #include "core/analysis/refused_lines.h"
 #include "core/analysis/unadvised_tolerance.h"
+#include "core/analysis/unreachable_feed.h"
 #include "core/base/translatable.h"
 #include "core/toolpath/rotary_resolver.h"
 
@@ -197,6 +198,9 @@ std::vector<std::string> run_notes(const LoadedProgram& program, const Setup& se
   if (const auto unadvised =
           unadvised_tolerance(program.chord_error, tolerance_in_force(program.feed_controls, setup))) {
     notes.push_back(describe(*unadvised));
+  }
+  if (const auto feed = unreachable_feed(program.largest_feed, *path, setup.machine)) {
+    notes.push_back(describe(*feed));
   }
   const std::vector<std::string> of_drives = drive_notes(setup.machine);
   notes.insert(notes.end(), of_drives.begin(), of_drives.end());

@@ -48,8 +48,8 @@ std::string machine_fault_note(const std::vector<Diagnostic>& faults);
 
 /// What is to be known of a run before its figures are trusted, one sentence each: a control that does not
 /// read the program's dialect, a machine that gives work offsets which the program was not read with,
-/// ignored_path_control(), refused_note(), jump_note(), a tolerance that Heidenhain advises against, then
-/// drive_notes().
+/// ignored_path_control(), refused_note(), jump_note(), a tolerance that Heidenhain advises against,
+/// unreachable_feed(), then drive_notes().
 std::vector<std::string> run_notes(const LoadedProgram& program, const Setup& setup);
 
 }  // namespace feedscope

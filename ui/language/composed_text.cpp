@@ -42,6 +42,10 @@ constexpr std::array sentences{
     QT_TRANSLATE_NOOP("core",
                       "The drive of axis %1 is poorly damped: it overshoots a step by %2 %; a smaller "
                       "%3 or %4 damps it better."),
+    QT_TRANSLATE_NOOP(
+        "core",
+        "Line %1 asks for a feed of %2 mm/min; all axes of this machine together reach %3 mm/min: "
+        "what is lost against the programmed feed tells little there."),
     QT_TRANSLATE_NOOP("core", "No drive is given for %1: followed exactly."),
     QT_TRANSLATE_NOOP("core", "1 line of the program is refused by the control and not run (line %1)."),
     QT_TRANSLATE_NOOP("core", "%1 lines of the program are refused by the control and not run (lines %2)."),

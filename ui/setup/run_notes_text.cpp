@@ -11,6 +11,7 @@
 #include "ui/language/composed_text.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
+#include "ui/language/unreachable_feed_text.h"
 #include "ui/workbench/reading_faults.h"
 
 namespace feedscope::ui {
@@ -71,6 +72,9 @@ QStringList run_note_texts(const Run& run) {
   if (const auto unadvised = unadvised_tolerance(run.input.chord_error,
                                                  tolerance_in_force(run.input.feed_controls, run.setup))) {
     sentences.append(tolerance_text(*unadvised));
+  }
+  if (const auto feed = unreachable_feed(run.input.largest_feed, *run.input.toolpath, run.setup.machine)) {
+    sentences.append(unreachable_feed_text(*feed));
   }
   for (const PoorDamping& drive : poorly_damped(run.setup.machine)) {
     sentences.append(

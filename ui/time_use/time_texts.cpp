@@ -9,6 +9,7 @@
 #include "ui/language/shown_numbers.h"
 #include "ui/language/significant.h"
 #include "ui/language/texts.h"
+#include "ui/language/unreachable_feed_text.h"
 
 namespace feedscope::ui {
 
@@ -51,6 +52,9 @@ QString TimeTexts::conclusion(const TimeReport& report, const Run& run) {
   if (run.setup.settings.has(feed_override_key)) {
     text += QLatin1Char(' ') + tr("Programmed means with the feed override of %1 %.")
                                    .arg(significant_number(run.setup.settings.number(feed_override_key), 4));
+  }
+  if (const auto feed = unreachable_feed(run.input.largest_feed, *run.input.toolpath, run.setup.machine)) {
+    text += QLatin1Char(' ') + unreachable_feed_text(*feed);
   }
   if (use.mean_feed > 0) {
     const QString feed = amount_text(use.mean_feed, Dimension::feed);

@@ -11,6 +11,7 @@
 #include "core/analysis/not_counted.h"
 #include "core/analysis/run.h"
 #include "core/analysis/unadvised_tolerance.h"
+#include "core/analysis/unreachable_feed.h"
 #include "core/program/path_control.h"
 #include "core/program/program_unit.h"
 #include "core/trace/read_trace.h"
@@ -119,6 +120,10 @@ TEST_F(ComposedText, SaysInFrenchWhatModelsGuarantee) {
       expect_french(remark);
     }
   }
+}
+
+TEST_F(ComposedText, SaysInFrenchThatAFeedIsBeyondTheMachine) {
+  expect_french(describe(UnreachableFeed{{100, 7}, 50}));
 }
 
 TEST_F(ComposedText, SaysInFrenchWhatIsNotInTheCycleTime) {

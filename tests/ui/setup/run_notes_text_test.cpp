@@ -33,5 +33,20 @@ TEST(RunNoteTexts, SayWhatTheToleranceIsOfTheChordErrorWhereItIsUnadvised) {
               testing::Not(testing::HasSubstr("chord error")));
 }
 
+TEST(RunNoteTexts, NameAFeedThatTheMachineReachesInNoDirection) {
+  const test::LocaleInForce locale(QLocale::c());
+  const auto notes = [](const std::string& feed) {
+    const LoadedProgram program = load_program(
+        std::make_shared<const SourceText>("line.nc", "G21 G90\nG1 X10 F1000\nX20 F" + feed + "\nM30\n"));
+    SetupRequest request;
+    request.machine = "huron-kx10";
+    return run_note_texts(simulate_run(program, make_setup(request))).join('\n').toStdString();
+  };
+  EXPECT_THAT(notes("9991300"),
+              testing::ContainsRegex("Line 3 asks for a feed of 9,?991,?300.* mm/min; all axes of "
+                                     "this machine together reach 1[0-9],?[0-9]{3}.* mm/min"));
+  EXPECT_THAT(notes("10000"), testing::Not(testing::HasSubstr("asks for a feed")));
+}
+
 }  // namespace
 }  // namespace feedscope::ui

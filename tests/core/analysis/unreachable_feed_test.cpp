@@ -1,0 +1,57 @@
+#include "core/analysis/unreachable_feed.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "core/analysis/run.h"
+#include "core/analysis/run_notes.h"
+#include "core/base/units.h"
+
+namespace feedscope {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+LoadedProgram line_at(const std::string& feed) {
+  return load_program(std::make_shared<const SourceText>(
+      "line.nc", "G21 G90 G94\nG0 X5\nG1 X10 F1000\nX20 F" + feed + "\nX30\n"));
+}
+
+/// An axis each of 10, 20 and 20 m/min: 30 m/min along their diagonal.
+SetupRequest on_three_axes() {
+  SetupRequest request;
+  request.assignments = {"X.velocity=10", "Y.velocity=20", "Z.velocity=20"};
+  return request;
+}
+
+TEST(UnreachableFeed, IsOneAboveAllAxesTogether) {
+  const auto setup = make_setup(on_three_axes());
+  const auto found = [&](const std::string& feed) {
+    const LoadedProgram program = line_at(feed);
+    return unreachable_feed(program.largest_feed, *program.toolpath, setup.machine);
+  };
+  EXPECT_FALSE(found("29999"));
+  const auto beyond = found("30001");
+  ASSERT_TRUE(beyond);
+  EXPECT_EQ(beyond->programmed.line, 4U);
+  EXPECT_NEAR(units::to_mm_min(beyond->programmed.feed), 30001, 1e-6);
+  EXPECT_NEAR(units::to_mm_min(beyond->reachable), 30000, 1e-6);
+}
+
+TEST(UnreachableFeed, IsNamedAmongTheNotesOfARun) {
+  const std::string said =
+      "Line 4 asks for a feed of 9991300 mm/min; all axes of this machine together reach 30000 mm/min";
+  EXPECT_THAT(run_notes(line_at("9991300"), make_setup(on_three_axes())), Contains(HasSubstr(said)));
+  EXPECT_THAT(run_notes(line_at("20000"), make_setup(on_three_axes())),
+              testing::Not(Contains(HasSubstr("asks for a feed"))));
+}
+
+TEST(UnreachableFeed, IsNoneOfRapidsAlone) {
+  const LoadedProgram rapids = load_program(std::make_shared<const SourceText>("rapid.nc", "G0 X100\n"));
+  EXPECT_FALSE(rapids.largest_feed);
+}
+
+}  // namespace
+}  // namespace feedscope

@@ -1,0 +1,18 @@
+#include "ui/language/unreachable_feed_text.h"
+
+#include <QCoreApplication>
+
+#include "ui/language/shown_numbers.h"
+
+namespace feedscope::ui {
+
+QString unreachable_feed_text(const UnreachableFeed& feed) {
+  return QCoreApplication::translate("texts",
+                                     "Line %1 asks for a feed of %2; all axes of this machine together reach "
+                                     "%3: what is lost against "
+                                     "the programmed feed tells little there.")
+      .arg(QString::number(feed.programmed.line), significant_text(feed.programmed.feed, Dimension::feed, 8),
+           significant_text(feed.reachable, Dimension::feed, 4));
+}
+
+}  // namespace feedscope::ui

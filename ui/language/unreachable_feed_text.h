@@ -1,0 +1,12 @@
+#pragma once
+
+#include <QString>
+
+#include "core/analysis/unreachable_feed.h"
+
+namespace feedscope::ui {
+
+/// As one sentence in the language and units of the user.
+QString unreachable_feed_text(const UnreachableFeed& feed);
+
+}  // namespace feedscope::ui
