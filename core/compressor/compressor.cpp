@@ -12,47 +12,48 @@ namespace feedscope {
 
 const std::vector<SettingSpec>& compressor_settings() {
   static const std::vector<SettingSpec> specs = [] {
-    SettingSpec compressor;
-    compressor.key = "compressor";
-    compressor.title = QT_TRANSLATE_NOOP("core", "Compressor");
-    compressor.explanation = QT_TRANSLATE_NOOP(
-        "core",
-        "Lays a smooth curve through dense short blocks within the contour tolerance, in place of a blend in "
-        "every corner. program: where the program asks for it (COMPON, COMPCURV, COMPCAD, COMPSURF, "
-        "CYCLE832, "
-        "cycle 32, G05.1 Q1); off: never; on: everywhere. Our own curve: no maker publishes theirs.");
-    compressor.choices = {QT_TRANSLATE_NOOP("core", "program"), QT_TRANSLATE_NOOP("core", "off"),
-                          QT_TRANSLATE_NOOP("core", "on")};
-    SettingSpec block;
-    block.key = "compressor_block_mm";
-    block.title = QT_TRANSLATE_NOOP("core", "Longest compressed block");
-    block.unit = "mm";
-    block.explanation = QT_TRANSLATE_NOOP(
-        "core", "Longer lines stay lines; 20 is the value of a Sinumerik (MD20170) when it is new.");
-    block.minimum = 0;
-    block.minimum_allowed = false;
-    block.maximum = 1000;
-    block.fallback = 20;
-    SettingSpec angle;
-    angle.key = "compressor_angle_deg";
-    angle.title = QT_TRANSLATE_NOOP("core", "Sharpest smoothed corner");
-    angle.unit = "deg";
-    angle.explanation = QT_TRANSLATE_NOOP(
-        "core",
-        "Corners that turn by more stay corners; 36 is the value of a Sinumerik (SD42470) when it is new.");
-    angle.minimum = 0;
-    angle.maximum = 89;
-    angle.fallback = 36;
-    SettingSpec smoothing;
-    smoothing.key = "compressor_smoothing";
-    smoothing.title = QT_TRANSLATE_NOOP("core", "Compressor smoothing");
-    smoothing.explanation = QT_TRANSLATE_NOOP(
-        "core",
-        "How much waves of the points are damped, in spans of the curve; 0: only by the length of its spans. "
-        "Assumed: no maker gives a number.");
-    smoothing.minimum = 0;
-    smoothing.maximum = 2;
-    smoothing.fallback = 0;
+    SettingSpec compressor{
+        .key = "compressor",
+        .title = QT_TRANSLATE_NOOP("core", "Compressor"),
+        .explanation = QT_TRANSLATE_NOOP(
+            "core",
+            "Lays a smooth curve through dense short blocks within the contour tolerance, in place of a "
+            "blend in "
+            "every corner. program: where the program asks for it (COMPON, COMPCURV, COMPCAD, COMPSURF, "
+            "CYCLE832, "
+            "cycle 32, G05.1 Q1); off: never; on: everywhere. Our own curve: no maker publishes theirs."),
+        .choices = {QT_TRANSLATE_NOOP("core", "program"), QT_TRANSLATE_NOOP("core", "off"),
+                    QT_TRANSLATE_NOOP("core", "on")},
+    };
+    SettingSpec block{
+        .key = "compressor_block_mm",
+        .title = QT_TRANSLATE_NOOP("core", "Longest compressed block"),
+        .unit = "mm",
+        .explanation = QT_TRANSLATE_NOOP(
+            "core", "Longer lines stay lines; 20 is the value of a Sinumerik (MD20170) when it is new."),
+        .maximum = 1000,
+        .minimum_allowed = false,
+        .fallback = 20,
+    };
+    SettingSpec angle{
+        .key = "compressor_angle_deg",
+        .title = QT_TRANSLATE_NOOP("core", "Sharpest smoothed corner"),
+        .unit = "deg",
+        .explanation = QT_TRANSLATE_NOOP("core",
+                                         "Corners that turn by more stay corners; 36 is the value of a "
+                                         "Sinumerik (SD42470) when it is new."),
+        .maximum = 89,
+        .fallback = 36,
+    };
+    SettingSpec smoothing{
+        .key = "compressor_smoothing",
+        .title = QT_TRANSLATE_NOOP("core", "Compressor smoothing"),
+        .explanation = QT_TRANSLATE_NOOP("core",
+                                         "How much waves of the points are damped, in spans of the curve; 0: "
+                                         "only by the length of its spans. "
+                                         "Assumed: no maker gives a number."),
+        .maximum = 2,
+    };
     return std::vector<SettingSpec>{compressor, block, angle, smoothing};
   }();
   return specs;

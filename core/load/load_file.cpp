@@ -37,12 +37,13 @@ double number_of(const ConfigNode& table, const char* key, const std::string& wh
   if (!node.is_number()) {
     node.fail(fmt::format("{} in {} must be a number", key, where));
   }
-  SettingSpec spec;
-  spec.key = key;
-  spec.minimum = bounds.least;
-  spec.maximum = bounds.most;
-  spec.minimum_allowed = bounds.least_allowed;
-  spec.whole = whole;
+  SettingSpec spec{
+      .key = key,
+      .minimum = bounds.least,
+      .maximum = bounds.most,
+      .minimum_allowed = bounds.least_allowed,
+      .whole = whole,
+  };
   check_setting(spec, node.number(), node.place());
   return node.number();
 }

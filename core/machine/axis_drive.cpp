@@ -36,15 +36,15 @@ constexpr std::array<DriveField, 8> drive_fields{{
 
 SettingSpec drive_spec(std::string key, std::string title, std::string unit, double minimum, double maximum,
                        std::string explanation) {
-  SettingSpec spec;
-  spec.key = std::move(key);
-  spec.title = std::move(title);
-  spec.unit = std::move(unit);
-  spec.minimum = minimum;
-  spec.maximum = maximum;
-  spec.explanation = std::move(explanation);
-  spec.optional = true;
-  return spec;
+  return {
+      .key = std::move(key),
+      .title = std::move(title),
+      .unit = std::move(unit),
+      .explanation = std::move(explanation),
+      .minimum = minimum,
+      .maximum = maximum,
+      .optional = true,
+  };
 }
 
 }  // namespace

@@ -98,9 +98,7 @@ void read_kinematics(const ConfigNode& root, Machine& machine) {
     kinematics.rotary.push_back(axis);
   }
   if (table.find(tool_length_key) != nullptr) {
-    SettingSpec spec;
-    spec.key = tool_length_key;
-    spec.maximum = farthest_point;
+    SettingSpec spec{.key = tool_length_key, .maximum = farthest_point};
     kinematics.tool_length = std::get<double>(
         read_sourced_value(table, spec, "[kinematics]", machine.provenance["kinematics.tool_length"]));
   }

@@ -30,15 +30,15 @@ constexpr std::array<LimitField, 4> limit_fields{{
 }};
 
 SettingSpec limit_spec(std::string key, std::string title, std::string unit, std::string explanation) {
-  SettingSpec spec;
-  spec.key = std::move(key);
-  spec.title = std::move(title);
-  spec.unit = std::move(unit);
-  spec.explanation = std::move(explanation);
-  // Far beyond any machine; further out the units of the models overflow.
-  spec.minimum = 1e-6;
-  spec.maximum = 1e9;
-  return spec;
+  // Bounds far beyond any machine; further out the units of the models overflow.
+  return {
+      .key = std::move(key),
+      .title = std::move(title),
+      .unit = std::move(unit),
+      .explanation = std::move(explanation),
+      .minimum = 1e-6,
+      .maximum = 1e9,
+  };
 }
 
 /// "X, Y and Z".

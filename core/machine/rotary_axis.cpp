@@ -32,14 +32,14 @@ constexpr std::array<std::optional<double> RotaryAxis::*, 2> rotary_travel{&Rota
                                                                            &RotaryAxis::maximum};
 
 SettingSpec rotary_limit_spec(std::string key, std::string title, std::string unit, std::string explanation) {
-  SettingSpec spec;
-  spec.key = std::move(key);
-  spec.title = std::move(title);
-  spec.unit = std::move(unit);
-  spec.explanation = std::move(explanation);
-  spec.minimum = 1e-6;
-  spec.maximum = 1e9;
-  return spec;
+  return {
+      .key = std::move(key),
+      .title = std::move(title),
+      .unit = std::move(unit),
+      .explanation = std::move(explanation),
+      .minimum = 1e-6,
+      .maximum = 1e9,
+  };
 }
 
 SettingSpec travel_spec(std::string key, std::string title, std::string explanation) {

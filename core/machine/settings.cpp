@@ -42,14 +42,15 @@ std::vector<SettingSpec> make_common_settings() {
   tolerance.minimum_allowed = true;
   tolerance.least_above_zero = least_tolerance;
   tolerance.maximum = 10;
-  SettingSpec own;
-  own.key = "program_tolerance";
-  own.title = QT_TRANSLATE_NOOP("core", "Tolerance of the program");
-  own.explanation = QT_TRANSLATE_NOOP(
-      "core",
-      "on: where the program asks for a tolerance (CTOL, CYCLE832, G64 P, cycle 32) or a blend distance "
-      "(ADIS), it is used; off: that of the settings is used everywhere. Exact stops are always used.");
-  own.choices = {QT_TRANSLATE_NOOP("core", "on"), QT_TRANSLATE_NOOP("core", "off")};
+  SettingSpec own{
+      .key = "program_tolerance",
+      .title = QT_TRANSLATE_NOOP("core", "Tolerance of the program"),
+      .explanation = QT_TRANSLATE_NOOP(
+          "core",
+          "on: where the program asks for a tolerance (CTOL, CYCLE832, G64 P, cycle 32) or a blend distance "
+          "(ADIS), it is used; off: that of the settings is used everywhere. Exact stops are always used."),
+      .choices = {QT_TRANSLATE_NOOP("core", "on"), QT_TRANSLATE_NOOP("core", "off")},
+  };
   SettingSpec period =
       number_spec("interpolation_period_s", QT_TRANSLATE_NOOP("core", "Interpolation period"), "s", 0.002,
                   QT_TRANSLATE_NOOP("core",

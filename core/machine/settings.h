@@ -17,18 +17,18 @@ inline constexpr double usual_orientation_tolerance_deg = 0.05;
 /// One setting as files, command line and editor show it. The key carries the unit of the value
 /// ("interpolation_period_s"), so a Settings value is always in its key's unit; models convert.
 struct SettingSpec {
-  std::string key;
-  std::string title;        ///< short name for people, without unit
-  std::string unit;         ///< "" for plain numbers and choices
-  std::string explanation;  ///< one sentence
+  std::string key = {};
+  std::string title = {};        ///< short name for people, without unit
+  std::string unit = {};         ///< "" for plain numbers and choices
+  std::string explanation = {};  ///< one sentence
   double minimum = 0;
   double maximum = std::numeric_limits<double>::infinity();
-  bool minimum_allowed = true;       ///< false: the value must exceed `minimum`
-  double least_above_zero = 0;       ///< a value above 0 must be at least this
-  bool whole = false;                ///< whole numbers only
-  double fallback = 0;               ///< where neither machine nor call give a value
-  std::vector<std::string> choices;  ///< not empty: a text setting, first choice is the fallback
-  bool optional = false;             ///< may have no value, an empty text: then it is not known
+  bool minimum_allowed = true;            ///< false: the value must exceed `minimum`
+  double least_above_zero = 0;            ///< a value above 0 must be at least this
+  bool whole = false;                     ///< whole numbers only
+  double fallback = 0;                    ///< where neither machine nor call give a value
+  std::vector<std::string> choices = {};  ///< not empty: a text setting, first choice is the fallback
+  bool optional = false;                  ///< may have no value, an empty text: then it is not known
 };
 
 /// Settings that every model may read: contour_tolerance_mm, program_tolerance, interpolation_period_s,

@@ -45,11 +45,10 @@ Vec3 read_vector(const ConfigNode& entry, const std::array<const char*, 3>& keys
                  const std::string& name) {
   Vec3 vector;
   for (int axis = 0; axis < 3; ++axis) {
-    SettingSpec spec;
-    spec.key = keys[static_cast<std::size_t>(axis)];
-    spec.minimum = -most;
-    spec.maximum = most;
-    spec.minimum_allowed = true;
+    SettingSpec spec{.key = keys[static_cast<std::size_t>(axis)],
+                     .minimum = -most,
+                     .maximum = most,
+                     .minimum_allowed = true};
     const ConfigNode& given = entry.need(spec.key, name);
     if (!given.is_number()) {
       given.fail(fmt::format("{} of {} must be a number", spec.key, name));

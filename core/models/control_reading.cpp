@@ -7,14 +7,14 @@
 namespace feedscope {
 
 SettingSpec refuse_setting() {
-  SettingSpec spec;
-  spec.key = "refuse";
-  spec.title = QT_TRANSLATE_NOOP("core", "Refuse lines");
-  spec.explanation = QT_TRANSLATE_NOOP(
-      "core",
-      "on: lines that the control rejects are reported and not run; off: they are run as they are meant.");
-  spec.choices = {"on", "off"};
-  return spec;
+  return {
+      .key = "refuse",
+      .title = QT_TRANSLATE_NOOP("core", "Refuse lines"),
+      .explanation = QT_TRANSLATE_NOOP("core",
+                                       "on: lines that the control rejects are reported and not run; off: "
+                                       "they are run as they are meant."),
+      .choices = {"on", "off"},
+  };
 }
 
 ControlReading reading_of(Program read, const Toolpath& as_written) {

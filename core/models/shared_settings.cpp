@@ -4,31 +4,16 @@
 
 namespace feedscope {
 
-SettingSpec number_setting(const char* key, const char* title, const char* unit, double minimum,
-                           double maximum, double fallback, const char* explanation) {
-  SettingSpec spec;
-  spec.key = key;
-  spec.title = title;
-  spec.unit = unit;
-  spec.minimum = minimum;
-  spec.maximum = maximum;
-  spec.fallback = fallback;
-  spec.explanation = explanation;
-  return spec;
-}
-
 SettingSpec used_tolerance_setting() {
-  SettingSpec beta;
-  beta.key = "beta";
-  beta.title = QT_TRANSLATE_NOOP("core", "Tolerance share beta");
-  beta.explanation = QT_TRANSLATE_NOOP(
-      "core",
-      "Share of the contour tolerance that the control uses; 0 for the identified rule: 0.6 where an axis "
-      "reverses in the corner, else 0.8.");
-  beta.minimum = 0;
-  beta.maximum = 1;
-  beta.fallback = 0;
-  return beta;
+  return {
+      .key = "beta",
+      .title = QT_TRANSLATE_NOOP("core", "Tolerance share beta"),
+      .explanation = QT_TRANSLATE_NOOP("core",
+                                       "Share of the contour tolerance that the control uses; 0 for the "
+                                       "identified rule: 0.6 where an axis "
+                                       "reverses in the corner, else 0.8."),
+      .maximum = 1,
+  };
 }
 
 void promise_tolerance(Guarantees& promised, const Settings& settings, double factor) {

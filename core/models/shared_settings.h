@@ -5,10 +5,6 @@
 
 namespace feedscope {
 
-/// A number with its bounds, both allowed, and what holds where the machine gives none.
-SettingSpec number_setting(const char* key, const char* title, const char* unit, double minimum,
-                           double maximum, double fallback, const char* explanation);
-
 /// `beta` of CornerRule: the share of the contour tolerance that blends of a Sinumerik 840D use.
 SettingSpec used_tolerance_setting();
 

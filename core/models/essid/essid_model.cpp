@@ -23,24 +23,26 @@ EssidSettings::EssidSettings(const Settings& settings) {
 
 const ModelInfo& EssidModel::info() const {
   static const ModelInfo info = [] {
-    SettingSpec alpha;
-    alpha.key = "alpha";
-    alpha.title = QT_TRANSLATE_NOOP("core", "Tangent weight alpha");
-    alpha.explanation = QT_TRANSLATE_NOOP(
-        "core", "Weight of the end tangents of a blend; 2.5 was identified on a Sinumerik 840D.");
-    alpha.minimum = 0.5;
-    alpha.maximum = 3.5;
-    alpha.fallback = 2.5;
-    SettingSpec reading;
-    reading.key = "reading";
-    reading.title = QT_TRANSLATE_NOOP("core", "Interpretation of the paper");
-    reading.explanation =
-        QT_TRANSLATE_NOOP("core",
-                          "corrected: the acceleration continues after a blend; published: it drops to zero "
-                          "there, as in the figures of the paper; strict: constant du/dt on a blend, ramps "
-                          "where blends meet, every limit kept.");
-    reading.choices = {QT_TRANSLATE_NOOP("core", "corrected"), QT_TRANSLATE_NOOP("core", "published"),
-                       QT_TRANSLATE_NOOP("core", "strict")};
+    SettingSpec alpha{
+        .key = "alpha",
+        .title = QT_TRANSLATE_NOOP("core", "Tangent weight alpha"),
+        .explanation = QT_TRANSLATE_NOOP(
+            "core", "Weight of the end tangents of a blend; 2.5 was identified on a Sinumerik 840D."),
+        .minimum = 0.5,
+        .maximum = 3.5,
+        .fallback = 2.5,
+    };
+    SettingSpec reading{
+        .key = "reading",
+        .title = QT_TRANSLATE_NOOP("core", "Interpretation of the paper"),
+        .explanation = QT_TRANSLATE_NOOP(
+            "core",
+            "corrected: the acceleration continues after a blend; published: it drops to zero "
+            "there, as in the figures of the paper; strict: constant du/dt on a blend, ramps "
+            "where blends meet, every limit kept."),
+        .choices = {QT_TRANSLATE_NOOP("core", "corrected"), QT_TRANSLATE_NOOP("core", "published"),
+                    QT_TRANSLATE_NOOP("core", "strict")},
+    };
     return ModelInfo{
         "essid",
         QT_TRANSLATE_NOOP("core", "Local smoothing by cubic blends (Sinumerik 840D)"),

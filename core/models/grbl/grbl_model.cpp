@@ -12,32 +12,58 @@ namespace {
 
 std::vector<SettingSpec> own_settings() {
   std::vector<SettingSpec> specs{
-      number_setting(
-          "junction_deviation_mm", QT_TRANSLATE_NOOP("core", "Junction deviation"), "mm", 0, 10, 0.01,
-          QT_TRANSLATE_NOOP("core",
-                            "$11 of grbl: how far an arc in a corner might leave it; the speed that such an "
-                            "arc would allow is that of the corner, which itself is run as programmed.")),
-      number_setting("arc_tolerance_mm", QT_TRANSLATE_NOOP("core", "Arc tolerance"), "mm", 1e-4, 10, 0.002,
-                     QT_TRANSLATE_NOOP(
-                         "core", "$12 of grbl: how far the chords that arcs are cut into may leave them.")),
-      number_setting(
-          "buffer_blocks", QT_TRANSLATE_NOOP("core", "Planner buffer"), "", 2, 1000, 15,
-          QT_TRANSLATE_NOOP("core",
-                            "Blocks that are planned together, the running one included; the last of them "
-                            "always ends at rest.")),
-      number_setting(
-          "idle_delay_ms", QT_TRANSLATE_NOOP("core", "Idle delay"), "ms", 0, 254, 25,
-          QT_TRANSLATE_NOOP("core", "$1 of grbl: time for which the motors hold each time all motion ends.")),
+      {
+          .key = "junction_deviation_mm",
+          .title = QT_TRANSLATE_NOOP("core", "Junction deviation"),
+          .unit = "mm",
+          .explanation = QT_TRANSLATE_NOOP(
+              "core",
+              "$11 of grbl: how far an arc in a corner might leave it; the speed that such an "
+              "arc would allow is that of the corner, which itself is run as programmed."),
+          .maximum = 10,
+          .fallback = 0.01,
+      },
+      {
+          .key = "arc_tolerance_mm",
+          .title = QT_TRANSLATE_NOOP("core", "Arc tolerance"),
+          .unit = "mm",
+          .explanation = QT_TRANSLATE_NOOP(
+              "core", "$12 of grbl: how far the chords that arcs are cut into may leave them."),
+          .minimum = 1e-4,
+          .maximum = 10,
+          .fallback = 0.002,
+      },
+      {
+          .key = "buffer_blocks",
+          .title = QT_TRANSLATE_NOOP("core", "Planner buffer"),
+          .explanation = QT_TRANSLATE_NOOP(
+              "core",
+              "Blocks that are planned together, the running one included; the last of them "
+              "always ends at rest."),
+          .minimum = 2,
+          .maximum = 1000,
+          .whole = true,
+          .fallback = 15,
+      },
+      {
+          .key = "idle_delay_ms",
+          .title = QT_TRANSLATE_NOOP("core", "Idle delay"),
+          .unit = "ms",
+          .explanation = QT_TRANSLATE_NOOP(
+              "core", "$1 of grbl: time for which the motors hold each time all motion ends."),
+          .maximum = 254,
+          .fallback = 25,
+      },
   };
-  specs[2].whole = true;
-  SettingSpec timing;
-  timing.key = "step_timing";
-  timing.title = QT_TRANSLATE_NOOP("core", "Step timing");
-  timing.explanation = QT_TRANSLATE_NOOP("core",
-                                         "on: times as the step timer makes them, with whole steps and whole "
-                                         "timer counts, where steps per mm are "
-                                         "given; off: as planned.");
-  timing.choices = {"on", "off"};
+  SettingSpec timing{
+      .key = "step_timing",
+      .title = QT_TRANSLATE_NOOP("core", "Step timing"),
+      .explanation = QT_TRANSLATE_NOOP("core",
+                                       "on: times as the step timer makes them, with whole steps and whole "
+                                       "timer counts, where steps per mm are "
+                                       "given; off: as planned."),
+      .choices = {"on", "off"},
+  };
   specs.push_back(std::move(timing));
   specs.push_back(refuse_setting());
   return specs;

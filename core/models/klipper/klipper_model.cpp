@@ -11,55 +11,81 @@
 namespace feedscope {
 namespace {
 
-SettingSpec setting(const char* key, const char* title, const char* unit, double minimum, double maximum,
-                    const char* explanation) {
-  SettingSpec spec;
-  spec.key = key;
-  spec.title = title;
-  spec.unit = unit;
-  spec.minimum = minimum;
-  spec.maximum = maximum;
-  spec.explanation = explanation;
-  spec.optional = true;
-  return spec;
-}
-
 std::vector<SettingSpec> own_settings() {
   std::vector<SettingSpec> specs{
-      setting(
-          "max_velocity_m_min", QT_TRANSLATE_NOOP("core", "Maximum velocity"), "m/min", 1e-6, 1e9,
-          QT_TRANSLATE_NOOP("core",
-                            "max_velocity of Klipper: of the tool along the path. Without a value the least "
-                            "of the axes.")),
-      setting(
-          "max_acceleration_m_s2", QT_TRANSLATE_NOOP("core", "Maximum acceleration"), "m/s2", 1e-6, 1e9,
-          QT_TRANSLATE_NOOP("core",
-                            "max_accel of Klipper: of the tool along the path. Without a value the least of "
-                            "the axes.")),
-      setting("square_corner_velocity_mm_s", QT_TRANSLATE_NOOP("core", "Square corner velocity"), "mm/s", 0,
-              1e6,
+      {
+          .key = "max_velocity_m_min",
+          .title = QT_TRANSLATE_NOOP("core", "Maximum velocity"),
+          .unit = "m/min",
+          .explanation = QT_TRANSLATE_NOOP(
+              "core",
+              "max_velocity of Klipper: of the tool along the path. Without a value the least "
+              "of the axes."),
+          .minimum = 1e-6,
+          .maximum = 1e9,
+          .optional = true,
+      },
+      {
+          .key = "max_acceleration_m_s2",
+          .title = QT_TRANSLATE_NOOP("core", "Maximum acceleration"),
+          .unit = "m/s2",
+          .explanation = QT_TRANSLATE_NOOP(
+              "core",
+              "max_accel of Klipper: of the tool along the path. Without a value the least of "
+              "the axes."),
+          .minimum = 1e-6,
+          .maximum = 1e9,
+          .optional = true,
+      },
+      {
+          .key = "square_corner_velocity_mm_s",
+          .title = QT_TRANSLATE_NOOP("core", "Square corner velocity"),
+          .unit = "mm/s",
+          .explanation =
               QT_TRANSLATE_NOOP("core",
                                 "Speed at which the tool may pass a corner of 90 degrees; other corners "
-                                "accordingly.")),
-      setting(
-          "minimum_cruise_ratio", QT_TRANSLATE_NOOP("core", "Minimum cruise ratio"), "", 0, 0.999,
-          QT_TRANSLATE_NOOP("core",
-                            "Part of a way between two slow places that is left for constant speed, so that "
-                            "short zigzags do not accelerate all the time.")),
-      setting("arc_resolution_mm", QT_TRANSLATE_NOOP("core", "Arc resolution"), "mm", 1e-3, 1e6,
-              QT_TRANSLATE_NOOP("core", "Length of the chords that arcs are cut into.")),
-      setting("max_z_velocity_m_min", QT_TRANSLATE_NOOP("core", "Maximum velocity of Z"), "m/min", 1e-6, 1e9,
-              QT_TRANSLATE_NOOP("core", "Without a value that along the path.")),
-      setting("max_z_acceleration_m_s2", QT_TRANSLATE_NOOP("core", "Maximum acceleration of Z"), "m/s2", 1e-6,
-              1e9, QT_TRANSLATE_NOOP("core", "Without a value that along the path.")),
+                                "accordingly."),
+          .maximum = 1e6,
+          .fallback = 5,
+      },
+      {
+          .key = "minimum_cruise_ratio",
+          .title = QT_TRANSLATE_NOOP("core", "Minimum cruise ratio"),
+          .explanation = QT_TRANSLATE_NOOP(
+              "core",
+              "Part of a way between two slow places that is left for constant speed, so that "
+              "short zigzags do not accelerate all the time."),
+          .maximum = 0.999,
+          .fallback = 0.5,
+      },
+      {
+          .key = "arc_resolution_mm",
+          .title = QT_TRANSLATE_NOOP("core", "Arc resolution"),
+          .unit = "mm",
+          .explanation = QT_TRANSLATE_NOOP("core", "Length of the chords that arcs are cut into."),
+          .minimum = 1e-3,
+          .maximum = 1e6,
+          .fallback = 1,
+      },
+      {
+          .key = "max_z_velocity_m_min",
+          .title = QT_TRANSLATE_NOOP("core", "Maximum velocity of Z"),
+          .unit = "m/min",
+          .explanation = QT_TRANSLATE_NOOP("core", "Without a value that along the path."),
+          .minimum = 1e-6,
+          .maximum = 1e9,
+          .optional = true,
+      },
+      {
+          .key = "max_z_acceleration_m_s2",
+          .title = QT_TRANSLATE_NOOP("core", "Maximum acceleration of Z"),
+          .unit = "m/s2",
+          .explanation = QT_TRANSLATE_NOOP("core", "Without a value that along the path."),
+          .minimum = 1e-6,
+          .maximum = 1e9,
+          .optional = true,
+      },
   };
-  const auto give = [&](std::size_t i, double value) {
-    specs[i].optional = false;
-    specs[i].fallback = value;
-  };
-  give(2, 5);
-  give(3, 0.5);
-  give(4, 1);
   specs.push_back(refuse_setting());
   return specs;
 }

@@ -12,57 +12,85 @@
 namespace feedscope {
 namespace {
 
-SettingSpec choice(const char* key, const char* title, std::vector<std::string> choices,
-                   const char* explanation) {
-  SettingSpec spec;
-  spec.key = key;
-  spec.title = title;
-  spec.choices = std::move(choices);
-  spec.explanation = explanation;
-  return spec;
-}
-
 std::vector<SettingSpec> own_settings() {
   std::vector<SettingSpec> specs{
-      choice(
-          "planner", QT_TRANSLATE_NOOP("core", "Planner"), {"2.9", "master"},
-          QT_TRANSLATE_NOOP("core",
-                            "Version of LinuxCNC. 2.9 gives the last move of a program and one that stands "
-                            "alone half of the acceleration under G64; master gives them all of it, but "
-                            "limits arcs more.")),
-      choice("blend_mode", QT_TRANSLATE_NOOP("core", "Path control mode"), {"G64", "G61", "G61.1"},
-             QT_TRANSLATE_NOOP("core",
-                               "Where the program gives none: G64 blends corners within the blend tolerance, "
-                               "G61 stops where blocks do not join tangentially, G61.1 at the end of every "
-                               "block.")),
-      number_setting(
-          blend_tolerance_key, QT_TRANSLATE_NOOP("core", "Blend tolerance"), "mm", 0, 100, 0,
-          QT_TRANSLATE_NOOP("core",
-                            "P of G64 where the program gives none: how far blends may leave the corner. "
-                            "0: as far as a quarter of the blocks, as fast as possible.")),
-      number_setting(
-          "naive_tolerance_mm", QT_TRANSLATE_NOOP("core", "Naive CAM tolerance"), "mm", 0, 100, 0,
-          QT_TRANSLATE_NOOP("core",
-                            "Q of G64 where the program gives none: blocks whose ends lie within it of a "
-                            "line become one block. 0: none do. Without a value the blend tolerance.")),
-      number_setting(
-          "servo_period_s", QT_TRANSLATE_NOOP("core", "Servo period"), "s", 1e-5, 0.1, 1e-3,
-          QT_TRANSLATE_NOOP("core",
-                            "SERVO_PERIOD: time of one step of the planner, which takes one block at "
-                            "most from the program in each.")),
-      number_setting(
-          "max_linear_velocity_m_min", QT_TRANSLATE_NOOP("core", "Maximum linear velocity"), "m/min", 1e-6,
-          1e9, 0,
-          QT_TRANSLATE_NOOP("core",
-                            "MAX_LINEAR_VELOCITY: of the tool along the path. Without a value only the "
-                            "axes limit it.")),
-      number_setting(
-          "max_feed_override", QT_TRANSLATE_NOOP("core", "Maximum feed override"), "", 1, 10, 1,
-          QT_TRANSLATE_NOOP("core",
-                            "MAX_FEED_OVERRIDE: up to where the operator may raise the feed; blends are "
-                            "laid for that speed. The program runs at 100 %.")),
+      {
+          .key = "planner",
+          .title = QT_TRANSLATE_NOOP("core", "Planner"),
+          .explanation = QT_TRANSLATE_NOOP(
+              "core",
+              "Version of LinuxCNC. 2.9 gives the last move of a program and one that stands "
+              "alone half of the acceleration under G64; master gives them all of it, but "
+              "limits arcs more."),
+          .choices = {"2.9", "master"},
+      },
+      {
+          .key = "blend_mode",
+          .title = QT_TRANSLATE_NOOP("core", "Path control mode"),
+          .explanation = QT_TRANSLATE_NOOP(
+              "core",
+              "Where the program gives none: G64 blends corners within the blend tolerance, "
+              "G61 stops where blocks do not join tangentially, G61.1 at the end of every "
+              "block."),
+          .choices = {"G64", "G61", "G61.1"},
+      },
+      {
+          .key = blend_tolerance_key,
+          .title = QT_TRANSLATE_NOOP("core", "Blend tolerance"),
+          .unit = "mm",
+          .explanation =
+              QT_TRANSLATE_NOOP("core",
+                                "P of G64 where the program gives none: how far blends may leave the corner. "
+                                "0: as far as a quarter of the blocks, as fast as possible."),
+          .maximum = 100,
+      },
+      {
+          .key = "naive_tolerance_mm",
+          .title = QT_TRANSLATE_NOOP("core", "Naive CAM tolerance"),
+          .unit = "mm",
+          .explanation =
+              QT_TRANSLATE_NOOP("core",
+                                "Q of G64 where the program gives none: blocks whose ends lie within it of a "
+                                "line become one block. 0: none do. Without a value the blend tolerance."),
+          .maximum = 100,
+          .optional = true,
+      },
+      {
+          .key = "servo_period_s",
+          .title = QT_TRANSLATE_NOOP("core", "Servo period"),
+          .unit = "s",
+          .explanation =
+              QT_TRANSLATE_NOOP("core",
+                                "SERVO_PERIOD: time of one step of the planner, which takes one block at "
+                                "most from the program in each."),
+          .minimum = 1e-5,
+          .maximum = 0.1,
+          .fallback = 1e-3,
+      },
+      {
+          .key = "max_linear_velocity_m_min",
+          .title = QT_TRANSLATE_NOOP("core", "Maximum linear velocity"),
+          .unit = "m/min",
+          .explanation =
+              QT_TRANSLATE_NOOP("core",
+                                "MAX_LINEAR_VELOCITY: of the tool along the path. Without a value only the "
+                                "axes limit it."),
+          .minimum = 1e-6,
+          .maximum = 1e9,
+          .optional = true,
+      },
+      {
+          .key = "max_feed_override",
+          .title = QT_TRANSLATE_NOOP("core", "Maximum feed override"),
+          .explanation =
+              QT_TRANSLATE_NOOP("core",
+                                "MAX_FEED_OVERRIDE: up to where the operator may raise the feed; blends are "
+                                "laid for that speed. The program runs at 100 %."),
+          .minimum = 1,
+          .maximum = 10,
+          .fallback = 1,
+      },
   };
-  specs[3].optional = specs[5].optional = true;
   return specs;
 }
 

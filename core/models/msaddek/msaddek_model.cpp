@@ -18,23 +18,25 @@ MsaddekSettings::MsaddekSettings(const Settings& settings)
 
 const ModelInfo& MsaddekModel::info() const {
   static const ModelInfo info = [] {
-    SettingSpec compaction;
-    compaction.key = "compaction_mm";
-    compaction.title = QT_TRANSLATE_NOOP("core", "Compaction length");
-    compaction.unit = "mm";
-    compaction.explanation =
-        QT_TRANSLATE_NOOP("core",
-                          "Blocks shorter than this are merged into segments of at most this length where "
-                          "the tolerance allows it; 0: no compaction. Where the compressor is at work it "
-                          "takes the place of this.");
-    compaction.maximum = 1000;
-    SettingSpec law;
-    law.key = "law";
-    law.title = QT_TRANSLATE_NOOP("core", "Look-ahead law");
-    law.explanation = QT_TRANSLATE_NOOP("core",
-                                        "dynamic: ramps planned over the blocks ahead; static: every block "
-                                        "at its own feed, as if feed changes took no time.");
-    law.choices = {QT_TRANSLATE_NOOP("core", "dynamic"), QT_TRANSLATE_NOOP("core", "static")};
+    SettingSpec compaction{
+        .key = "compaction_mm",
+        .title = QT_TRANSLATE_NOOP("core", "Compaction length"),
+        .unit = "mm",
+        .explanation = QT_TRANSLATE_NOOP(
+            "core",
+            "Blocks shorter than this are merged into segments of at most this length where "
+            "the tolerance allows it; 0: no compaction. Where the compressor is at work it "
+            "takes the place of this."),
+        .maximum = 1000,
+    };
+    SettingSpec law{
+        .key = "law",
+        .title = QT_TRANSLATE_NOOP("core", "Look-ahead law"),
+        .explanation = QT_TRANSLATE_NOOP("core",
+                                         "dynamic: ramps planned over the blocks ahead; static: every block "
+                                         "at its own feed, as if feed changes took no time."),
+        .choices = {QT_TRANSLATE_NOOP("core", "dynamic"), QT_TRANSLATE_NOOP("core", "static")},
+    };
     return ModelInfo{
         "msaddek",
         QT_TRANSLATE_NOOP("core", "Connecting arcs, static and dynamic look-ahead (Sinumerik 840D, TNC 430)"),

@@ -63,14 +63,15 @@ ModelInfo make_info() {
       "Model whose path is run, including corner blends; for ward the path that its filters produce.");
   path.choices = {usual_path};
   add_settings_of_paths(info, path);
-  SettingSpec jerk;
-  jerk.key = "jerk";
-  jerk.title = QT_TRANSLATE_NOOP("core", "Jerk limits");
-  jerk.explanation = QT_TRANSLATE_NOOP(
-      "core",
-      "off: the fastest within velocity and acceleration limits, which no control can beat; on: also within "
-      "the jerk of every axis, close to the fastest and slow to compute.");
-  jerk.choices = {QT_TRANSLATE_NOOP("core", "off"), QT_TRANSLATE_NOOP("core", "on")};
+  SettingSpec jerk{
+      .key = "jerk",
+      .title = QT_TRANSLATE_NOOP("core", "Jerk limits"),
+      .explanation = QT_TRANSLATE_NOOP("core",
+                                       "off: the fastest within velocity and acceleration limits, which no "
+                                       "control can beat; on: also within "
+                                       "the jerk of every axis, close to the fastest and slow to compute."),
+      .choices = {QT_TRANSLATE_NOOP("core", "off"), QT_TRANSLATE_NOOP("core", "on")},
+  };
   info.settings.insert(info.settings.begin(), {path, jerk});
   info.remarks = {
       QT_TRANSLATE_NOOP("core",

@@ -41,45 +41,50 @@ std::vector<SettingSpec> with_smoothed_points(std::vector<SettingSpec> own) {
 
 const ModelInfo& WardModel::info() const {
   static const ModelInfo info = [] {
-    SettingSpec filters;
-    filters.key = "filters";
-    filters.title = QT_TRANSLATE_NOOP("core", "Number of filters");
-    filters.explanation = QT_TRANSLATE_NOOP(
-        "core",
-        "Number of moving averages in series; 3 are closer to the control in the paper, 2 are simpler.");
-    filters.minimum = 2;
-    filters.maximum = 3;
-    filters.whole = true;
-    filters.fallback = 3;
-    SettingSpec jerk;
-    jerk.key = "filter_jerk_m_s3";
-    jerk.title = QT_TRANSLATE_NOOP("core", "Jerk of the filters");
-    jerk.unit = "m/s3";
-    jerk.explanation = QT_TRANSLATE_NOOP(
-        "core",
-        "Used only if the filter time is 0: jerk of a ramp to the highest programmed feed between two stops; "
-        "the filter time is the square root of this feed over the jerk. 0: the smallest axis jerk.");
-    jerk.least_above_zero = 1e-3;
-    jerk.maximum = 1e6;
-    SettingSpec time;
-    time.key = "filter_time_s";
-    time.title = QT_TRANSLATE_NOOP("core", "Filter time");
-    time.unit = "s";
-    time.explanation =
-        QT_TRANSLATE_NOOP("core",
-                          "Length of one moving average, the same for all feeds. 0: computed from the "
-                          "highest programmed feed between two stops and the jerk of the filters; a higher "
-                          "programmed feed can then slow the program down.");
-    time.least_above_zero = 1e-4;
-    time.maximum = 10;
-    SettingSpec enforce;
-    enforce.key = "enforce";
-    enforce.title = QT_TRANSLATE_NOOP("core", "Keep the tolerance where corners are close");
-    enforce.explanation =
-        QT_TRANSLATE_NOOP("core",
-                          "on: corners are slowed down until the actual contour error is within the "
-                          "tolerance; off: every corner is treated as if it were alone, as in the paper.");
-    enforce.choices = {QT_TRANSLATE_NOOP("core", "on"), QT_TRANSLATE_NOOP("core", "off")};
+    SettingSpec filters{
+        .key = "filters",
+        .title = QT_TRANSLATE_NOOP("core", "Number of filters"),
+        .explanation = QT_TRANSLATE_NOOP(
+            "core",
+            "Number of moving averages in series; 3 are closer to the control in the paper, 2 are simpler."),
+        .minimum = 2,
+        .maximum = 3,
+        .whole = true,
+        .fallback = 3,
+    };
+    SettingSpec jerk{
+        .key = "filter_jerk_m_s3",
+        .title = QT_TRANSLATE_NOOP("core", "Jerk of the filters"),
+        .unit = "m/s3",
+        .explanation = QT_TRANSLATE_NOOP(
+            "core",
+            "Used only if the filter time is 0: jerk of a ramp to the highest programmed feed between two "
+            "stops; "
+            "the filter time is the square root of this feed over the jerk. 0: the smallest axis jerk."),
+        .maximum = 1e6,
+        .least_above_zero = 1e-3,
+    };
+    SettingSpec time{
+        .key = "filter_time_s",
+        .title = QT_TRANSLATE_NOOP("core", "Filter time"),
+        .unit = "s",
+        .explanation = QT_TRANSLATE_NOOP(
+            "core",
+            "Length of one moving average, the same for all feeds. 0: computed from the "
+            "highest programmed feed between two stops and the jerk of the filters; a higher "
+            "programmed feed can then slow the program down."),
+        .maximum = 10,
+        .least_above_zero = 1e-4,
+    };
+    SettingSpec enforce{
+        .key = "enforce",
+        .title = QT_TRANSLATE_NOOP("core", "Keep the tolerance where corners are close"),
+        .explanation = QT_TRANSLATE_NOOP(
+            "core",
+            "on: corners are slowed down until the actual contour error is within the "
+            "tolerance; off: every corner is treated as if it were alone, as in the paper."),
+        .choices = {QT_TRANSLATE_NOOP("core", "on"), QT_TRANSLATE_NOOP("core", "off")},
+    };
     return ModelInfo{
         "ward",
         QT_TRANSLATE_NOOP("core", "Velocity pulses through FIR filters (Heidenhain TNC 640)"),
