@@ -7,6 +7,7 @@
 #include <set>
 
 #include "app/number_option.h"
+#include "app/print.h"
 #include "core/analysis/control_dialect.h"
 #include "core/analysis/ignored_path_control.h"
 #include "core/analysis/refused_lines.h"
@@ -331,38 +332,39 @@ void note_unused_reading(const Program& program, const ReadOptions& asked) {
 
 void note_runs(const LoadedProgram& program, const std::vector<Setup>& setups) {
   std::set<std::string> said;
+  const auto note = [&](std::string text) {
+    if (!text.empty() && said.insert(text).second) {
+      fmt::print(stderr, "feedscope: note: {}\n", text);
+    }
+  };
   for (const Setup& setup : setups) {
+    const auto of_model = [&](const std::string& text) {
+      return text.empty() ? "" : fmt::format("model '{}': {}", setup.model->info().id, text);
+    };
     if (const auto mismatch = control_mismatch(setup.machine, program.program->dialect)) {
-      if (const std::string note = describe(*mismatch); said.insert(note).second) {
-        fmt::print(stderr, "feedscope: note: {}\n", note);
-      }
+      note(describe(*mismatch));
     }
     if (const std::string offsets = unused_work_offsets(*program.program, setup.machine); !offsets.empty()) {
-      const std::string note =
-          fmt::format("the program was read with work offsets other than those of machine '{}' ({})",
-                      setup.machine.id, offsets);
-      if (said.insert(note).second) {
-        fmt::print(stderr, "feedscope: note: {}\n", note);
-      }
+      note(fmt::format("the program was read with work offsets other than those of machine '{}' ({})",
+                       setup.machine.id, offsets));
     }
-    for (const std::string& note : drive_notes(setup.machine)) {
-      if (said.insert(note).second) {
-        fmt::print(stderr, "feedscope: note: {}\n", note);
-      }
-    }
-    if (const std::string refused = refused_note(refused_lines(program, setup)); !refused.empty()) {
-      const std::string note = fmt::format("model '{}': {}", setup.model->info().id, refused);
-      if (said.insert(note).second) {
-        fmt::print(stderr, "feedscope: note: {}\n", note);
-      }
-    }
+    std::ranges::for_each(drive_notes(setup.machine), note);
+    note(of_model(refused_note(refused_lines(program, setup))));
     for (const std::string& sentence : ignored_path_control(program, setup)) {
-      std::string note = fmt::format("model '{}': {}", setup.model->info().id, sentence);
-      if (said.insert(note).second) {
-        fmt::print(stderr, "feedscope: note: {}\n", note);
-      }
+      note(of_model(sentence));
     }
   }
+}
+
+void tell_of_run(const Run& run, const RunOptions& asked, const ReadOptions& reading) {
+  if (!asked.tolerance.empty()) {
+    note_replaced_tolerance(*run.input.toolpath, {run.setup});
+  }
+  note_unused_reading(*run.input.program, reading);
+  note_runs(run.input, {run.setup});
+  print_diagnostics(*run.input.program);
+  print_diagnostics(run.input.lines_not_run, *run.input.program);
+  print_diagnostics(run.input.toolpath->machine_faults, *run.input.program);
 }
 
 void note_unused_tolerance(const RunOptions& options, const Setup& setup) {

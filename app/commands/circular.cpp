@@ -236,9 +236,7 @@ int circles_of_program(const CircularOptions& options) {
   write_outputs(
       options, setup, [&] { return program_circles_json(setup, *run.input.program, circles); },
       [&] { return program_circles_csv(circles); }, drawn(options, circles), {});
-  note_unused_reading(*run.input.program, asked.reading);
-  note_runs(run.input, {setup});
-  print_diagnostics(*run.input.program);
+  tell_of_run(run, options.run, asked.reading);
   if (!to_standard_output(options)) {
     fmt::print("{}", program_circles_text(run, circles));
   }

@@ -47,14 +47,7 @@ int explain(const ExplainOptions& options) {
     }
     files.commit();
   }
-  if (!options.run.tolerance.empty()) {
-    note_replaced_tolerance(*run.input.toolpath, {run.setup});
-  }
-  note_unused_reading(*run.input.program, asked.reading);
-  note_runs(run.input, {run.setup});
-  print_diagnostics(*run.input.program);
-  print_diagnostics(run.input.lines_not_run, *run.input.program);
-  print_diagnostics(run.input.toolpath->machine_faults, *run.input.program);
+  tell_of_run(run, options.run, asked.reading);
   if (options.json != "-") {
     fmt::print("{}", explanation_text(run, report, ProgramOptions::of(asked.file, asked.reading),
                                       asked.is_session() ? nullptr : &options.run));

@@ -118,14 +118,7 @@ int simulate(const SimulateOptions& options) {
     run = simulate_run(program, setup, watch.stage("simulating"));
     results.write(program, run, step, watch);
   }
-  if (!options.run.tolerance.empty()) {
-    note_replaced_tolerance(*run.input.toolpath, {run.setup});
-  }
-  note_unused_reading(*run.input.program, asked.reading);
-  note_runs(run.input, {run.setup});
-  print_diagnostics(*run.input.program);
-  print_diagnostics(run.input.lines_not_run, *run.input.program);
-  print_diagnostics(run.input.toolpath->machine_faults, *run.input.program);
+  tell_of_run(run, options.run, asked.reading);
   if (!results.to_standard_output()) {
     fmt::print("{}", summary_text(run));
   }

@@ -148,8 +148,7 @@ int show_trace(const TraceOptions& options) {
   }
   print_diagnostics(trace.notes, options.trace);
   if (run) {
-    print_diagnostics(*run->input.program);
-    note_runs(run->input, {run->setup});
+    tell_of_run(*run, options.run, program->asked.reading);
     print_diagnostics(found->remarks, options.trace);
   }
   if (json != nullptr) {

@@ -129,7 +129,6 @@ void DriveRecord::add_stretch(const Trace& trace, std::size_t axis, std::size_t 
     step.set = set[i + 1];
     step.actual = trace.actual[axis][i + 1];
     step.derivative = cubic_derivatives(times.data(), &set[first], i - first);
-    speed_ = std::max(speed_, std::abs(set[i + 1] - set[i]) / time);
     steps_.push_back(step);
   }
   const auto stands = [&](std::size_t i) { return std::abs(set[i] - set[begin]) <= standing; };

@@ -26,7 +26,6 @@ class DriveRecord {
 
   std::size_t size() const { return measured_.size(); }  ///< samples that are compared
   double reach() const { return reach_; }                ///< of the set positions, highest less lowest [mm]
-  double speed() const { return speed_; }                ///< largest of the set position [mm/s]
   /// By how much the actual position lags at constant velocity: following error over velocity, by least
   /// squares [s].
   double lag_time() const;
@@ -69,7 +68,6 @@ class DriveRecord {
   std::vector<std::uint32_t> trace_of_;  ///< of the same
   std::size_t traces_ = 0;
   double reach_ = 0;
-  double speed_ = 0;
   double period_ = 0;
 };
 

@@ -11,6 +11,7 @@
 #include "core/base/translatable.h"
 #include "core/base/units.h"
 #include "core/identification/section_times.h"
+#include "core/program/dwell_lines.h"
 
 namespace feedscope {
 namespace {
@@ -103,19 +104,8 @@ class MotionWriter {
     line(fmt::format("G3 {} I{} J{}{}", place(at_), number(offset.x()), number(offset.y()), feed_word(feed)));
   }
   void wait() {
-    switch (dialect_) {
-      case Dialect::heidenhain:
-        line("CYCL DEF 9.0 DWELL TIME");
-        line(fmt::format("CYCL DEF 9.1 DWELL {}", pause));
-        break;
-      case Dialect::sinumerik:
-        line(fmt::format("G4 F{}", pause));
-        break;
-      case Dialect::fanuc:
-        line(fmt::format("G4 X{}", pause));
-        break;
-      default:
-        line(fmt::format("G4 P{}", pause));
+    for (const std::string& text : dwell_lines(dialect_, pause)) {
+      line(text);
     }
     feed_ = 0;
   }

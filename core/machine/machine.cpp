@@ -12,6 +12,7 @@
 #include "core/base/translatable.h"
 #include "core/base/units.h"
 #include "core/machine/key_unit.h"
+#include "core/machine/limit_spec.h"
 
 namespace feedscope {
 namespace {
@@ -28,18 +29,6 @@ constexpr std::array<LimitField, 4> limit_fields{{
     {&AxisLimits::jerk, {units::from_m, units::to_m}},
     {&AxisLimits::blend_jerk, {units::from_m, units::to_m}},
 }};
-
-SettingSpec limit_spec(std::string key, std::string title, std::string unit, std::string explanation) {
-  // Bounds far beyond any machine; further out the units of the models overflow.
-  return {
-      .key = std::move(key),
-      .title = std::move(title),
-      .unit = std::move(unit),
-      .explanation = std::move(explanation),
-      .minimum = 1e-6,
-      .maximum = 1e9,
-  };
-}
 
 /// "X, Y and Z".
 std::string list_of(std::string_view axes) {

@@ -11,6 +11,7 @@
 #include "core/base/translatable.h"
 #include "core/base/units.h"
 #include "core/machine/key_unit.h"
+#include "core/machine/limit_spec.h"
 
 namespace feedscope {
 namespace {
@@ -31,20 +32,9 @@ constexpr std::array<double RotaryAxis::*, rotary_limit_count> rotary_limits{
 constexpr std::array<std::optional<double> RotaryAxis::*, 2> rotary_travel{&RotaryAxis::minimum,
                                                                            &RotaryAxis::maximum};
 
-SettingSpec rotary_limit_spec(std::string key, std::string title, std::string unit, std::string explanation) {
-  return {
-      .key = std::move(key),
-      .title = std::move(title),
-      .unit = std::move(unit),
-      .explanation = std::move(explanation),
-      .minimum = 1e-6,
-      .maximum = 1e9,
-  };
-}
-
 SettingSpec travel_spec(std::string key, std::string title, std::string explanation) {
   constexpr double farthest = 1e6;
-  SettingSpec spec = rotary_limit_spec(std::move(key), std::move(title), "deg", std::move(explanation));
+  SettingSpec spec = limit_spec(std::move(key), std::move(title), "deg", std::move(explanation));
   spec.minimum = -farthest;
   spec.maximum = farthest;
   spec.optional = true;
@@ -120,11 +110,11 @@ KinematicChain chain_of(const MachineKinematics& kinematics) {
 
 const std::vector<SettingSpec>& rotary_axis_specs() {
   static const std::vector<SettingSpec> specs{
-      rotary_limit_spec("velocity", QT_TRANSLATE_NOOP("core", "Velocity"), "rev/min",
-                        QT_TRANSLATE_NOOP("core", "Maximum velocity of this rotary axis.")),
-      rotary_limit_spec("acceleration", QT_TRANSLATE_NOOP("core", "Acceleration"), "rev/s2",
-                        QT_TRANSLATE_NOOP("core", "Maximum acceleration of this rotary axis.")),
-      rotary_limit_spec(
+      limit_spec("velocity", QT_TRANSLATE_NOOP("core", "Velocity"), "rev/min",
+                 QT_TRANSLATE_NOOP("core", "Maximum velocity of this rotary axis.")),
+      limit_spec("acceleration", QT_TRANSLATE_NOOP("core", "Acceleration"), "rev/s2",
+                 QT_TRANSLATE_NOOP("core", "Maximum acceleration of this rotary axis.")),
+      limit_spec(
           "jerk", QT_TRANSLATE_NOOP("core", "Jerk"), "rev/s3",
           QT_TRANSLATE_NOOP("core", "Maximum rate of change of the acceleration of this rotary axis.")),
       travel_spec(

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/units.h"
+#include "core/program/dwell_lines.h"
 
 namespace feedscope {
 namespace {
@@ -94,22 +95,8 @@ class BlockWriter {
                      center_word(plane_.second_center, offset.y()), take_feed()));
   }
   void wait() {
-    switch (dialect_) {
-      case Dialect::heidenhain:
-        line("CYCL DEF 9.0 DWELL TIME");
-        line(fmt::format("CYCL DEF 9.1 DWELL {}", pause));
-        break;
-      case Dialect::heidenhain_iso:
-        line(fmt::format("G04 F{}", pause));
-        break;
-      case Dialect::sinumerik:
-        line(fmt::format("G4 F{}", pause));
-        break;
-      case Dialect::fanuc:
-        line(fmt::format("G4 X{}", pause));
-        break;
-      default:
-        line(fmt::format("G4 P{}", pause));
+    for (const std::string& text : dwell_lines(dialect_, pause)) {
+      line(text);
     }
   }
 

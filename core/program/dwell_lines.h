@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/program/dialect.h"
+
+namespace feedscope {
+
+/// The lines of a program that let the axes wait for `time` [s].
+std::vector<std::string> dwell_lines(Dialect dialect, double time);
+
+}  // namespace feedscope
