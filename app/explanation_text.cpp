@@ -61,9 +61,8 @@ std::string conclusion(const Run& run, const TimeReport& report) {
                         percent(std::abs(use.lost()), use.cycle_time), use.cycle_time / use.programmed_time);
   }
   text += ". ";
-  if (run.setup.settings.has(feed_override_key)) {
-    text += fmt::format("Programmed means with the feed override of {:.4g} %. ",
-                        run.setup.settings.number(feed_override_key));
+  if (const auto percent = feed_override(run.setup)) {
+    text += fmt::format("Programmed means with the feed override of {:.4g} %. ", *percent);
   }
   text += mean_feed_text(use);
   if (!report.slow.groups.empty() && report.slow.groups.front().loss > worth_a_row * use.cycle_time) {

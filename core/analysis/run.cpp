@@ -155,6 +155,15 @@ std::optional<double> contour_tolerance(const Setup& setup) {
              : std::nullopt;
 }
 
+std::optional<double> feed_override(const Setup& setup) {
+  constexpr double as_programmed = 100;  // [%]
+  if (!setup.settings.has(feed_override_key)) {
+    return std::nullopt;
+  }
+  const double percent = setup.settings.number(feed_override_key);
+  return percent == as_programmed ? std::nullopt : std::optional(percent);
+}
+
 Run simulate_motion(const LoadedProgram& input, Setup setup, Progress* progress) {
   if (input.refused) {
     throw_refused(*input.program);

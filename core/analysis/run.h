@@ -88,6 +88,8 @@ void set_tolerance(Setup& setup, double tolerance);
 /// The contour tolerance [mm] that is set, of a setup whose model reads one; where the program has its own
 /// another one holds: tolerance_in_force().
 std::optional<double> contour_tolerance(const Setup& setup);
+/// Feed override [%] that changes the feeds of the program; none where they run as programmed.
+std::optional<double> feed_override(const Setup& setup);
 
 /// Simulates and summarises. Throws what ControlModel::simulate throws, and InputError for a program that is
 /// refused or does not have what Setup::load speaks of.

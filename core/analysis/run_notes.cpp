@@ -135,7 +135,7 @@ const char* missing_axes_note(const Toolpath& path, const Machine& machine) {
 }
 
 const char* feed_override_note(const Setup& setup) {
-  return setup.settings.has(feed_override_key)
+  return feed_override(setup)
              ? QT_TRANSLATE_NOOP("core",
                                  "A feed override is set: feeds and times called programmed are those of the "
                                  "program with the override.")

@@ -43,6 +43,8 @@ TEST_F(ExplainCommand, SaysThatTheProgrammedTimeHasAFeedOverride) {
   std::ranges::replace(out, '\n', ' ');
   EXPECT_THAT(out, HasSubstr(words));
   EXPECT_THAT(run("explain stairs.nc").out, testing::Not(HasSubstr("feed override of")));
+  EXPECT_THAT(run("explain stairs.nc --set feed_override_percent=100").out,
+              testing::Not(HasSubstr("feed override of")));
 }
 
 TEST_F(ExplainCommand, SaysWhatItsShareIsOf) {

@@ -49,9 +49,9 @@ QString TimeTexts::conclusion(const TimeReport& report, const Run& run) {
   QString text = tr("<b>%1</b> for %2 programmed: <b>%3</b> (%4 of the cycle time).")
                      .arg(clock_text(use.cycle_time), clock_text(use.programmed_time), change(use.lost()),
                           percent(use.lost(), use.cycle_time));
-  if (run.setup.settings.has(feed_override_key)) {
-    text += QLatin1Char(' ') + tr("Programmed means with the feed override of %1 %.")
-                                   .arg(significant_number(run.setup.settings.number(feed_override_key), 4));
+  if (const auto percent = feed_override(run.setup)) {
+    text += QLatin1Char(' ') +
+            tr("Programmed means with the feed override of %1 %.").arg(significant_number(*percent, 4));
   }
   if (const auto feed = unreachable_feed(run.input.largest_feed, *run.input.toolpath, run.setup.machine)) {
     text += QLatin1Char(' ') + unreachable_feed_text(*feed);
