@@ -7,7 +7,6 @@
 #include <set>
 
 #include "app/number_option.h"
-#include "app/print.h"
 #include "core/analysis/control_dialect.h"
 #include "core/analysis/ignored_path_control.h"
 #include "core/analysis/refused_lines.h"
@@ -354,17 +353,6 @@ void note_runs(const LoadedProgram& program, const std::vector<Setup>& setups) {
       note(of_model(sentence));
     }
   }
-}
-
-void tell_of_run(const Run& run, const RunOptions& asked, const ReadOptions& reading) {
-  if (!asked.tolerance.empty()) {
-    note_replaced_tolerance(*run.input.toolpath, {run.setup});
-  }
-  note_unused_reading(*run.input.program, reading);
-  note_runs(run.input, {run.setup});
-  print_diagnostics(*run.input.program);
-  print_diagnostics(run.input.lines_not_run, *run.input.program);
-  print_diagnostics(run.input.toolpath->machine_faults, *run.input.program);
 }
 
 void note_unused_tolerance(const RunOptions& options, const Setup& setup) {

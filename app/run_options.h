@@ -87,10 +87,6 @@ void note_unused_reading(const Program& program, const ReadOptions& asked);
 void note_replaced_tolerance(const Toolpath& toolpath, const std::vector<Setup>& setups);
 /// Tells what run_notes() say of the setups on standard error, each once.
 void note_runs(const LoadedProgram& program, const std::vector<Setup>& setups);
-/// Tells on standard error what is to be known of one run: whether `asked` replaces the program's tolerances,
-/// what of `reading` is not used, note_runs(), and the messages on the program, on lines that the control
-/// refuses and on what the machine cannot do.
-void tell_of_run(const Run& run, const RunOptions& asked, const ReadOptions& reading);
 /// Tells on standard error when a tolerance was asked for that the model does not read.
 void note_unused_tolerance(const RunOptions& options, const Setup& setup);
 

@@ -15,6 +15,7 @@
 #include "app/output_file.h"
 #include "app/print.h"
 #include "app/run_options.h"
+#include "app/run_remarks.h"
 #include "app/watch.h"
 #include "core/analysis/circularity/program_circles.h"
 #include "core/analysis/circularity/test_program.h"

@@ -10,6 +10,7 @@
 #include "app/output_file.h"
 #include "app/print.h"
 #include "app/run_options.h"
+#include "app/run_remarks.h"
 #include "app/trace_columns_option.h"
 #include "app/watch.h"
 #include "core/analysis/agreement/held_stretches.h"
