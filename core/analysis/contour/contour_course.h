@@ -26,7 +26,6 @@ class ContourCourse {
   /// plain corners. Elements in order: cost in the order of their pieces and blocks.
   void nodes(std::uint32_t element, std::vector<double>& ends);
   /// The same of one corner blend, plain or not.
-  void curve_nodes(std::uint32_t element, std::vector<double>& ends) const;
   void corner_nodes(std::uint32_t element, std::vector<double>& ends) const;
   struct Point {
     Vec3 position = Vec3::Zero();  ///< [mm]
@@ -47,6 +46,7 @@ class ContourCourse {
   double time(const CoursePlace& at);         ///< [s]
 
  private:
+  void curve_nodes(std::uint32_t element, std::vector<double>& ends) const;
   void filtered_nodes(std::uint32_t element, std::vector<double>& ends);
   void divide_filtered(const FilteredMotion& motion, double from, double to, std::vector<double>& ends);
   void compacted_nodes(std::uint32_t element, std::vector<double>& ends) const;

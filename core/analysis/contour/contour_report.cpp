@@ -8,6 +8,7 @@
 
 #include "core/analysis/contour/contour_search.h"
 #include "core/analysis/tolerance_in_force.h"
+#include "core/blend/junction.h"
 #include "core/blend/path_rules.h"
 #include "core/machine/contour_tolerance.h"
 #include "core/program/text/block_number.h"
@@ -20,17 +21,16 @@ struct Junction {
   double distance = 0;  ///< of the place's programmed point along the block [mm]
   Vec3 in = Vec3::Zero();
   Vec3 out = Vec3::Zero();
-};
+  std::size_t neighbour = 0;
 
-double turn_of(const Junction& junction) {
-  return std::atan2(junction.in.cross(junction.out).norm(), junction.in.dot(junction.out));
-}
+  double turn() const { return turn_angle(in, out); }
+};
 
 /// The nearest programmed point of an evenly cut corner of `turn` is error tan(turn / 2) before its end.
 bool is_of_corner(const Junction& junction, double error) {
   constexpr double min_turn = 1e-3;  // [rad]
   constexpr double uneven = 2;
-  const double turn = turn_of(junction);
+  const double turn = junction.turn();
   return turn > min_turn && junction.distance <= uneven * error * std::tan(std::min(turn / 2, 1.5));
 }
 
@@ -57,15 +57,12 @@ bool moves(const Toolpath& path, std::size_t segment) {
 }
 
 /// The tolerance of a place: in a corner the smaller one of both blocks.
-double tolerance_at(const PathRules& rules, const Toolpath& path, const ContourPlace& place,
-                    const ContourSpot& spot) {
+double tolerance_at(const PathRules& rules, const ContourPlace& place, const ContourSpot& spot) {
   const double own = rules.tolerance(place.segment);
   if (spot.kind != ContourSpot::Kind::corner) {
     return own;
   }
-  const bool at_end = 2 * distance_along(path, place.segment, place.programmed) > spot.length;
-  const std::size_t other = at_end ? place.segment + 1 : place.segment - 1;
-  return std::min(own, rules.tolerance(other));
+  return std::min(own, rules.tolerance(spot.neighbour));
 }
 
 /// Places that are as bad stand in the order of the program.
@@ -88,15 +85,16 @@ ContourSpot contour_spot(const Toolpath& programmed, const ContourPlace& place) 
   Junction junction{.distance = std::numeric_limits<double>::infinity()};
   if (moves(programmed, place.segment + 1)) {
     junction = {block.length - along, programmed.tangent_at_end(place.segment),
-                programmed.tangent_at_start(place.segment + 1)};
+                programmed.tangent_at_start(place.segment + 1), place.segment + 1};
   }
   if (place.segment > 0 && moves(programmed, place.segment - 1) && along < junction.distance) {
     junction = {along, programmed.tangent_at_end(place.segment - 1),
-                programmed.tangent_at_start(place.segment)};
+                programmed.tangent_at_start(place.segment), place.segment - 1};
   }
   if (std::isfinite(junction.distance) && is_of_corner(junction, place.error)) {
     spot.kind = ContourSpot::Kind::corner;
-    spot.turn = turn_of(junction);
+    spot.turn = junction.turn();
+    spot.neighbour = junction.neighbour;
     spot.inside = offset.dot(junction.out - junction.in) > 0;
   } else if (block.kind == SegmentKind::arc) {
     const Arc& arc = programmed.arc_of(block);
@@ -139,7 +137,7 @@ ContourReport contour_report(const Run& run, std::size_t places, Progress* progr
                            state.cause,
                            std::nullopt};
     if (rules) {
-      finding.tolerance = tolerance_at(*rules, programmed, place, finding.spot);
+      finding.tolerance = tolerance_at(*rules, place, finding.spot);
     }
     report.worst.push_back(std::move(finding));
   }

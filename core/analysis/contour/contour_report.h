@@ -15,10 +15,11 @@ struct ContourSpot {
   enum class Kind : std::uint8_t { line, arc, corner };
 
   Kind kind = Kind::line;
-  double length = 0;    ///< of the block [mm]
-  double radius = 0;    ///< of an arc [mm]
-  double turn = 0;      ///< of a corner: change of direction [rad]
-  bool inside = false;  ///< the executed path lies on the inner side of the corner or arc
+  double length = 0;          ///< of the block [mm]
+  double radius = 0;          ///< of an arc [mm]
+  double turn = 0;            ///< of a corner: change of direction [rad]
+  std::size_t neighbour = 0;  ///< of a corner: the block that meets that of the place in it
+  bool inside = false;        ///< the executed path lies on the inner side of the corner or arc
 };
 
 /// The corner that lies no farther from the place than one cut there would, or the block.

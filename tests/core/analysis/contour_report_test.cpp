@@ -43,6 +43,25 @@ TEST(ContourReport, NamesCornersByTheirTurnAndSide) {
   EXPECT_EQ(report.tolerance, (std::array{0.05, 0.05}));
 }
 
+/// The corner behind a block so short that the nearest point of it lies in its first half.
+TEST(ContourReport, TakesTheToleranceOfTheNeighbourThatTheCornerIsOf) {
+  const ContourReport report =
+      contour_report(run_of("G17 G21 G90 G94\nG1 X0.5 F6000\nG1 X-3.2950 Y3.2555 F3000\nG1 X16.7050\nM30\n",
+                            "ward", 0.3, {"enforce=off"}),
+                     10);
+  ASSERT_FALSE(report.worst.empty());
+  bool short_block = false;
+  for (const ContourFinding& found : report.worst) {
+    EXPECT_EQ(found.tolerance, 0.3);
+    if (found.spot.kind == Kind::corner) {
+      const std::size_t own = found.place.segment;
+      EXPECT_TRUE(found.spot.neighbour == own + 1 || found.spot.neighbour + 1 == own);
+      short_block = short_block || found.place.segment == 0;
+    }
+  }
+  EXPECT_TRUE(short_block);
+}
+
 TEST(ContourReport, ListsPlacesThatAreAsBadInTheOrderOfTheProgram) {
   std::string zigzag = "G21 G90 G94 F3000\n";
   for (int i = 1; i <= 12; ++i) {
