@@ -1,7 +1,6 @@
 #include "core/models/linuxcnc/linuxcnc_blend.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -289,7 +288,6 @@ std::optional<LinuxCncBlend> find_linuxcnc_blend(const LinuxCncSegment& p, const
   }
   course.length = course.radius * course.angle + course.lead;
   arc.block = t.block;
-  arc.first = blend.consumes_first ? p.first : t.block;
   arc.is_blend = true;
   arc.joint = {p.block, joint, pi - 2 * theta0};
   arc.length = arc.nominal_length = course.length;

@@ -140,12 +140,12 @@ void LinuxCncCanon::line(std::size_t i) {
   const auto block = static_cast<std::uint32_t>(i);
   if (segment.rapid || segment.feed == 0) {
     flush();
-    send_line(toolpath_.start_of(i), segment.end, 0, true, block, block);
+    send_line(toolpath_.start_of(i), segment.end, 0, true, block);
     return;
   }
   if (toolpath_.segment_turn(i) != nullptr) {  // its naive cam joins no blocks in which rotary axes turn
     flush();
-    send_line(toolpath_.start_of(i), segment.end, segment.feed, false, block, block);
+    send_line(toolpath_.start_of(i), segment.end, segment.feed, false, block);
     return;
   }
   if (chain_.empty()) {
@@ -182,19 +182,18 @@ void LinuxCncCanon::flush() {
   if (chain_.empty()) {
     return;
   }
-  send_line(chain_start_, chain_.back().place, chain_feed_, false, chain_.front().block, chain_.back().block);
+  send_line(chain_start_, chain_.back().place, chain_feed_, false, chain_.back().block);
   chain_start_ = chain_.back().place;
   chain_.clear();
 }
 
-void LinuxCncCanon::send_line(const Vec3& from, const Vec3& to, double feed, bool rapid, std::uint32_t first,
+void LinuxCncCanon::send_line(const Vec3& from, const Vec3& to, double feed, bool rapid,
                               std::uint32_t block) {
   LinuxCncMessage& message = sent_.emplace_back();
   message.block = block;
   LinuxCncSegment& move = message.move;
   move.course = LinuxCncCourse::line(from, to);
   move.block = block;
-  move.first = first;
   move.rapid = rapid;
   AxisBound velocity = along(to - from, move.course.length, settings_.velocity);
   AxisBound acceleration = along(to - from, move.course.length, settings_.acceleration);
@@ -287,17 +286,19 @@ void LinuxCncCanon::arc(std::size_t i) {
   message.block = block;
   LinuxCncSegment& move = message.move;
   move.course = course;
-  move.block = move.first = block;
+  move.block = block;
   AxisBound largest{length / std::max(time(settings_.velocity), turn / in_plane), -1};
   AxisBound along_arc{length / std::max(time(settings_.acceleration), turn / acceleration), -1};
   lower_by_turn(block, move, largest, along_arc);
   move.largest = largest.value;
   move.acceleration = along_arc.value;
+  move.acceleration_axis = along_arc.axis;
   move.requested = std::min(segment.feed > 0 ? segment.feed : move.largest, move.largest);
   const bool turns_fast = in_plane < speed && turn / in_plane >= time(settings_.velocity);
-  move.speed_cause = segment.feed > 0 && segment.feed <= move.largest
-                         ? Cause{CauseKind::programmed_feed}
-                         : Cause{turns_fast ? CauseKind::radial_acceleration : CauseKind::axis_velocity};
+  const bool by_rotary = largest.axis >= 0;
+  move.speed_cause = segment.feed > 0 && segment.feed <= move.largest ? Cause{CauseKind::programmed_feed}
+                     : turns_fast && !by_rotary                       ? Cause{CauseKind::radial_acceleration}
+                                                : Cause{CauseKind::axis_velocity, largest.axis};
   move.tolerance = mode_.tolerance;
   move.end = mode_.end;
   move.waits_for_spindle = spindle_starts_;

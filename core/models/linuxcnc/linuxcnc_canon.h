@@ -58,8 +58,7 @@ class LinuxCncCanon {
   void flush();
   void lower_by_turn(std::uint32_t block, LinuxCncSegment& move, AxisBound& velocity,
                      AxisBound& acceleration) const;
-  void send_line(const Vec3& from, const Vec3& to, double feed, bool rapid, std::uint32_t first,
-                 std::uint32_t block);
+  void send_line(const Vec3& from, const Vec3& to, double feed, bool rapid, std::uint32_t block);
   void send(LinuxCncMessage::Kind kind, std::uint32_t block, double time = 0);
 
   const Toolpath& toolpath_;

@@ -7,7 +7,6 @@
 #include "core/limits/axis_share.h"
 #include "core/machine/contour_tolerance.h"
 #include "core/models/linuxcnc/linuxcnc_run.h"
-#include "core/models/shared_settings.h"
 
 namespace feedscope {
 namespace {

@@ -292,8 +292,8 @@ bool LinuxCncPlanner::check_end(LinuxCncSegment& t, const LinuxCncSegment* n) co
   return false;
 }
 
-/// The rest of a segment, then the beginning of the next one. True: the segment leaves.
-bool LinuxCncPlanner::run_split(LinuxCncSegment& t, LinuxCncSegment* n, LinuxCncSegment* after) {
+/// The rest of a segment, which then leaves, and the beginning of the next one.
+void LinuxCncPlanner::run_split(LinuxCncSegment& t, LinuxCncSegment* n, LinuxCncSegment* after) {
   const double time = t.split_time;
   if (time > 0) {
     steps_.push_back({&t, t.progress, t.length, t.speed, t.split_speed, time, false, {}, {}});
@@ -311,7 +311,7 @@ bool LinuxCncPlanner::run_split(LinuxCncSegment& t, LinuxCncSegment* n, LinuxCnc
     update(*n, after, left, !tangential && time > 0);
     check_end(*n, after);
   }
-  return true;
+  first_leaves_ = true;
 }
 
 const std::vector<LinuxCncStep>& LinuxCncPlanner::run_period() {
@@ -329,15 +329,14 @@ const std::vector<LinuxCncStep>& LinuxCncPlanner::run_period() {
   LinuxCncSegment* after = queue_.size() > 2 ? &queue_[2] : nullptr;
   activate(t);
   if (t.splitting) {
-    first_leaves_ = run_split(t, n, after);
+    run_split(t, n, after);
     return steps_;
   }
   t.in_overlap = t.overlaps;
   update(t, n, settings_.period, false);
   if (n != nullptr && t.end == LinuxCncEnd::parabolic) {
     const LinuxCncOverlap overlap = find_linuxcnc_overlap(t, *n, settings_, false);
-    t.blend_speed = overlap.first;
-    t.overlaps = t.overlaps || (t.brakes_finally && t.speed < t.blend_speed);
+    t.overlaps = t.overlaps || (t.brakes_finally && t.speed < overlap.first);
     if (t.overlaps) {
       t.in_overlap = n->in_overlap = true;
       update(*n, nullptr, settings_.period, true);

@@ -48,7 +48,7 @@ class LinuxCncPlanner {
   void activate(LinuxCncSegment& t);
   void update(LinuxCncSegment& t, const LinuxCncSegment* n, double time, bool overlaps);
   bool check_end(LinuxCncSegment& t, const LinuxCncSegment* n) const;
-  bool run_split(LinuxCncSegment& t, LinuxCncSegment* n, LinuxCncSegment* after);
+  void run_split(LinuxCncSegment& t, LinuxCncSegment* n, LinuxCncSegment* after);
   bool only_in_overlap() const { return settings_.master; }
 
   LinuxCncSettings settings_;

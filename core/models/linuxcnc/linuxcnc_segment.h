@@ -54,7 +54,6 @@ struct LinuxCncJoint {
 struct LinuxCncSegment {
   LinuxCncCourse course;
   std::uint32_t block = 0;  ///< of the programmed path
-  std::uint32_t first = 0;  ///< the first block of those that were joined
   bool rapid = false;
   bool is_blend = false;
   LinuxCncJoint joint;                       ///< of a blend: the one that it rounds
@@ -89,11 +88,10 @@ struct LinuxCncSegment {
   bool brakes_finally = false;
   bool overlaps = false;    ///< with the next one
   bool in_overlap = false;  ///< of itself with another one
-  double blend_speed = 0;   ///< below which the next one starts [mm/s]
 
   double rest() const { return length - progress; }
-  /// a_all: what joints leave of the acceleration. `running`: of the planner of master, which then halves it
-  /// in overlaps only.
+  /// a_all: what joints leave of the acceleration. `only_in_overlap`: the planner of master halves it in
+  /// overlaps alone.
   double reduced_acceleration(bool only_in_overlap = false) const;
   /// a_t: of that the part along the path.
   double along_acceleration(bool only_in_overlap = false) const;

@@ -1,5 +1,7 @@
 #include "core/models/linuxcnc/linuxcnc_words.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <string>
 #include <string_view>
@@ -42,10 +44,63 @@ void for_each_word(std::string_view text, const Take& take) {
   }
 }
 
-/// An O word: of a loop, a branch, a subprogram or a call.
-bool is_flow(std::string_view line) {
+/// Whether the lines behind a line are run next.
+enum class Flow {
+  straight,
+  begins,  ///< a loop or a subprogram, or any O word
+  leads_elsewhere,
+};
+
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+Flow flow_of_word(std::string_view word) {
+  constexpr std::array begin{"WHILE", "FOR", "LOOP", "REPEAT", "LBL", "DO"};
+  constexpr std::array lead{"END", "GOTO", "IF", "ELSE", "UNTIL", "CALL", "RET", "FN", "CASE"};
+  const auto starts = [&](const char* known) { return word.starts_with(known); };
+  return std::ranges::any_of(begin, starts)  ? Flow::begins
+         : std::ranges::any_of(lead, starts) ? Flow::leads_elsewhere
+                                             : Flow::straight;
+}
+
+/// By an O word, or by the words of other dialects; M97, M98 and M99.
+Flow flow_of(std::string_view line) {
   const std::size_t first = line.find_first_not_of(" \t");
-  return first != std::string_view::npos && (line[first] == 'o' || line[first] == 'O');
+  if (first != std::string_view::npos && (line[first] == 'o' || line[first] == 'O')) {
+    return Flow::begins;
+  }
+  bool in_comment = false;
+  for (std::size_t i = 0; i + 1 < line.size() && line[i] != ';'; ++i) {
+    if (line[i] == '#' && line[i + 1] == '<') {  // a parameter with a name
+      i = std::min(line.find('>', i), line.size());
+      continue;
+    }
+    in_comment = (in_comment || line[i] == '(') && line[i] != ')';
+    if (in_comment || !is_letter(line[i])) {
+      continue;
+    }
+    if (!is_letter(line[i + 1])) {
+      const bool calls = (line[i] == 'M' || line[i] == 'm') && i + 2 < line.size() && line[i + 1] == '9' &&
+                         line[i + 2] >= '7' && line[i + 2] <= '9';
+      if (calls) {
+        return Flow::leads_elsewhere;
+      }
+      continue;
+    }
+    std::string word;
+    for (; i < line.size() && is_letter(line[i]); ++i) {
+      word += static_cast<char>(line[i] & ~0x20);  // as a capital
+    }
+    --i;
+    if (word == "TOOL" || word == "CYCL") {  // their CALL comes back at once
+      return Flow::straight;
+    }
+    if (const Flow flow = flow_of_word(word); flow != Flow::straight) {
+      return flow;
+    }
+  }
+  return Flow::straight;
 }
 
 /// A comment that the operator is shown.
@@ -86,31 +141,60 @@ LinuxCncWaits::Found waits_of(std::string_view line) {
 
 }  // namespace
 
+void LinuxCncWaits::take(std::uint32_t first, std::uint32_t last, Found& all) const {
+  for (std::uint32_t number = first; number <= last; ++number) {
+    const Found found = waits_of(toolpath_.source->line(number));
+    all.count += found.count;
+    all.spindle_starts = all.spindle_starts || found.spindle_starts;
+  }
+}
+
+/// What is left of the loop or subprogram behind line_, and what stands above `line` in it.
+void LinuxCncWaits::go_back_to(std::uint32_t line, Found& all) {
+  const SourceText& source = *toolpath_.source;
+  if (line_ + 1 < without_from_) {
+    std::uint32_t leads = line_ + 1;
+    while (leads <= source.line_count() && flow_of(source.line(leads)) == Flow::straight) {
+      ++leads;
+    }
+    if (leads <= source.line_count()) {
+      take(line_ + 1, leads - 1, all);
+    } else {
+      without_from_ = line_ + 1;
+    }
+  }
+  std::uint32_t from = line;
+  while (from > without_to_ + 1 && flow_of(source.line(from - 1)) == Flow::straight) {
+    --from;
+  }
+  const bool found = from > without_to_ + 1;
+  without_to_ = found ? without_to_ : std::max(without_to_, line - 1);
+  take(found && flow_of(source.line(from - 1)) == Flow::begins ? from : line, line, all);
+}
+
 LinuxCncWaits::Found LinuxCncWaits::before(std::size_t i) {
   Found all;
   const std::uint32_t line = toolpath_.segments[i].line;
   if (!toolpath_.source || line == line_) {
     return all;
   }
-  const SourceText& source = *toolpath_.source;
-  const auto take = [&](std::uint32_t number) {
-    const Found found = waits_of(source.line(number));
-    all.count += found.count;
-    all.spindle_starts = all.spindle_starts || found.spindle_starts;
-  };
-  const std::uint32_t last = line > line_ ? line : source.line_count();
-  std::uint32_t number = line_ + 1;
-  for (; number <= last && !is_flow(source.line(number)); ++number) {
-    take(number);
+  if (line < line_) {
+    go_back_to(line, all);
+    line_ = line;
+    return all;
   }
-  if (number <= last) {  // it went on elsewhere
+  const SourceText& source = *toolpath_.source;
+  std::uint32_t leads = line_ + 1;
+  while (leads <= line && flow_of(source.line(leads)) == Flow::straight) {
+    ++leads;
+  }
+  take(line_ + 1, leads - 1, all);
+  if (leads <= line) {  // it went on elsewhere
     std::uint32_t from = line;
-    while (from > 1 && !is_flow(source.line(from - 1))) {
+    while (from > 1 && flow_of(source.line(from - 1)) == Flow::straight) {
       --from;
     }
-    for (; from <= line; ++from) {
-      take(from);
-    }
+    take(from, line, all);
   }
   line_ = line;
   return all;

@@ -113,6 +113,35 @@ TEST(LinuxCncModel, TakesItsModeFromTheSettingsWhereTheProgramHasNone) {
   EXPECT_GT(run("G21 G90\n" + moves, "G61.1").duration(), run("G21 G90\n" + moves, "G61").duration() + 0.04);
 }
 
+/// Words behind a loop of another dialect are run once, those in it at every turn, as if it were unrolled.
+TEST(LinuxCncModel, WaitsForWordsOfALoopAsOftenAsTheyAreRun) {
+  const std::string turn = "G1 X10\nM8\nX0\nM9\n";
+  std::string unrolled = "G21 G90\nM3 S1000\nF3000\n";
+  std::string loop = unrolled + "#1=0\nWHILE [#1 LT 20] DO1\n" + turn + "#1=#1+1\nEND1\n";
+  for (int i = 0; i < 20; ++i) {
+    unrolled += turn;
+  }
+  const std::string end = "M5\nM9\nG0 Z10\nM30\n";
+  EXPECT_NEAR(run(loop + end).duration(), run(unrolled + end).duration(), 1e-9);
+}
+
+/// The limit that sets the speed and the acceleration of an arc is named where a rotary axis sets it.
+TEST(LinuxCncModel, NamesTheRotaryAxisThatSlowsAnArcDown) {
+  SetupRequest request;
+  request.machine = "five-axis-table-ac";
+  request.model = "linuxcnc";
+  const auto setup = make_setup(request);
+  const LoadedProgram program = load_program(
+      std::make_shared<const SourceText>("t.ngc", "G21 G90 G17\nG1 X1 F9000\nG2 X11 Y0 I5 J0 C720\nM2\n"),
+      nullptr, reading_on({}, setup.machine));
+  const Summary summary = simulate_run(program, setup).summary;
+  const auto of = [&](CauseKind kind) {
+    return summary.time_by_cause[cause_index({kind, static_cast<std::int8_t>(*cause_axes.find('C'))})];
+  };
+  EXPECT_GT(of(CauseKind::axis_velocity), 0.5 * summary.cycle_time);
+  EXPECT_GT(of(CauseKind::axis_acceleration), 0);
+}
+
 /// P and Q of G64 in the program go before those of the settings unless program_tolerance is off; a Q that
 /// the settings do not have stays that of the program.
 TEST(LinuxCncModel, TakesTolerancesOfTheSettingsWhereThoseOfTheProgramAreOff) {
