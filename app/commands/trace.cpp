@@ -13,6 +13,7 @@
 #include "app/run_remarks.h"
 #include "app/trace_columns_option.h"
 #include "app/watch.h"
+#include "core/analysis/agreement/feed_share.h"
 #include "core/analysis/agreement/held_stretches.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
@@ -145,6 +146,7 @@ int show_trace(const TraceOptions& options) {
                               watch.stage("matching"));
       agreement = agreement_of(*found, course, *run, watch.stage("comparing"));
       add_held_remarks(*found, course, agreement->simulated);
+      add_feed_remark(*found, *agreement, course, *run->input.toolpath);
     }
   }
   print_diagnostics(trace.notes, options.trace);
@@ -159,7 +161,7 @@ int show_trace(const TraceOptions& options) {
   if (options.json != "-") {
     fmt::print("{}{}", trace_text(trace), run ? agreement_text(*found, *agreement, *run) : "");
   }
-  return run && has_errors(run->input.program->diagnostics) ? exit_code::program_errors : exit_code::done;
+  return run ? exit_code_of(*run) : exit_code::done;
 }
 
 }  // namespace

@@ -12,11 +12,11 @@
 #include "core/base/translatable.h"
 #include "core/base/units.h"
 #include "core/identification/drive_record.h"
+#include "core/identification/fit_parameter.h"
 
 namespace feedscope {
 namespace {
 
-constexpr std::size_t parameter_count = 3;
 constexpr std::size_t most_samples = 400'000;
 constexpr std::size_t first_samples = 30'000;  // for the first look
 constexpr double least_reach = 0.5;            // [mm] that the axis must move
@@ -337,7 +337,7 @@ DriveFit fit_drive(const std::vector<const Trace*>& traces, char axis, const Axi
                    Progress* progress) {
   DriveFit fit;
   fit.axis = axis;
-  for (std::size_t p = 0; p < parameter_count; ++p) {
+  for (std::size_t p = 0; p < drive_parameter_count; ++p) {
     fit.parameters[p].parameter = drive_parameter(axis, p);
     const SettingValue value = drive_value(start, p);
     const double* number = std::get_if<double>(&value);
@@ -370,7 +370,7 @@ DriveFit fit_drive(const std::vector<const Trace*>& traces, char axis, const Axi
     return fit;
   }
   const Place deviation = deviations_at(record, found, fit.following_error);
-  for (std::size_t p = 0; p < parameter_count; ++p) {
+  for (std::size_t p = 0; p < drive_parameter_count; ++p) {
     const auto i = static_cast<Eigen::Index>(p);
     IdentifiedParameter& one = fit.parameters[p];
     const bool is_share = p == 1;
@@ -398,7 +398,7 @@ DriveFit fit_drive(const std::vector<const Trace*>& traces, char axis, const Axi
   }
   const Place in_use =
       simplest(record, found, std::ranges::any_of(fit.parameters, &IdentifiedParameter::told));
-  for (std::size_t p = 0; p < parameter_count; ++p) {
+  for (std::size_t p = 0; p < drive_parameter_count; ++p) {
     IdentifiedParameter& one = fit.parameters[p];
     one.value = one.told ? one.value : value_at(in_use, p);
   }
@@ -424,7 +424,7 @@ AxisDrive found_drive(const DriveFit& fit, const AxisDrive& start) {
   if (!fit.explains) {
     return drive;
   }
-  for (std::size_t p = 0; p < parameter_count; ++p) {
+  for (std::size_t p = 0; p < drive_parameter_count; ++p) {
     const double value = fit.parameters[p].value;
     set_drive_value(drive, p, value > 0 || p == 0 ? SettingValue(value) : SettingValue(std::string()));
   }

@@ -20,6 +20,7 @@ struct SectionAgreement {
 struct FitResult {
   Agreement agreement;     ///< of section times only the times
   bool time_known = true;  ///< false where samples are missing without a gap in the times
+  double resolution = 0;   ///< of these times [s]
   double feed_error = 0;   ///< root mean square, as a share of the mean feed, less what jittering times make
   std::vector<SectionAgreement> sections;  ///< of section times
 };

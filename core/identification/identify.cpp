@@ -369,8 +369,10 @@ void lay_beside(const FitCases& cases, Identification& found) {
     Run run = simulate_run(one->program(), found.setup);
     FitResult result = one->result(run);
     found.feed_error = std::max(found.feed_error, result.feed_error);
-    found.explains = found.explains && result.feed_error <= most_feed_error &&
-                     (!result.time_known || std::abs(result.agreement.time_error()) <= most_time_error);
+    const double off = std::abs(result.agreement.simulated_time - result.agreement.measured_time);
+    const double most = std::max(most_time_error * result.agreement.measured_time, result.resolution);
+    found.explains =
+        found.explains && result.feed_error <= most_feed_error && (!result.time_known || off <= most);
     found.runs.push_back(std::move(run));
     found.agreements.push_back(std::move(result.agreement));
     found.sections.push_back(std::move(result.sections));
@@ -447,6 +449,7 @@ Identification identify(const FitCases& cases, const Setup& start,
   Identification found;
   found.parameters = judge_parameters(search, begun, without);
   take_back(search, found.parameters);
+  add_reached_velocities(found.parameters, cases);
   found.setup = search.setup();
   found.residual = residual_of(search);
   lay_beside(cases, found);

@@ -10,6 +10,7 @@
 
 #include "core/base/roots.h"
 #include "core/base/translatable.h"
+#include "core/base/units.h"
 
 namespace feedscope {
 namespace {
@@ -51,8 +52,8 @@ double rise(const Eigen::VectorXd& there, double cost_here, Eigen::Index stretch
          std::max(cost_here, 1.0);
 }
 
-/// Variances of the logarithms by what is left over, and by leaving out a twelfth after the other; of
-/// parameters without slope infinite.
+/// Standard deviations of the logarithms by what is left over, and by leaving out a twelfth after the other;
+/// of parameters without slope infinite.
 std::vector<double> deviations(const ParameterSearch& search, const Eigen::MatrixXd& derivatives,
                                const Eigen::VectorXd& residuals) {
   std::vector<Eigen::Index> used;
@@ -67,10 +68,7 @@ std::vector<double> deviations(const ParameterSearch& search, const Eigen::Matri
     return found;
   }
   const auto count = static_cast<Eigen::Index>(used.size());
-  Eigen::VectorXd weights(residuals.size());
-  for (Eigen::Index i = 0; i < residuals.size(); ++i) {
-    weights[i] = 1 / std::sqrt(1 + residuals[i] * residuals[i] / 9);
-  }
+  const Eigen::VectorXd weights = residuals.unaryExpr(&weight_of);
   Eigen::MatrixXd slopes(derivatives.rows(), count);
   for (Eigen::Index k = 0; k < count; ++k) {
     slopes.col(k) = derivatives.col(used[static_cast<std::size_t>(k)]);
@@ -284,6 +282,24 @@ std::vector<IdentifiedParameter> judge_parameters(ParameterSearch& search, const
     judged.push_back(std::move(one));
   }
   return judged;
+}
+
+void add_reached_velocities(std::vector<IdentifiedParameter>& parameters, const FitCases& cases) {
+  for (IdentifiedParameter& one : parameters) {
+    if (one.told || one.reason != without_influence || !one.parameter.key.ends_with(".velocity")) {
+      continue;
+    }
+    double reached = 0;
+    for (const auto& fit : cases) {
+      const AxisVector<AxisReach> reach = fit->reach();
+      const AxisReach* axis = reach.find(one.parameter.key.front());
+      reached = axis == nullptr ? reached : std::max(reached, units::to_m_min(axis->velocity));
+    }
+    if (reached > 0 && reached <= one.value) {
+      one.reason = only_bound;
+      one.at_least = reached;
+    }
+  }
 }
 
 }  // namespace feedscope

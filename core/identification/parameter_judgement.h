@@ -13,6 +13,10 @@ namespace feedscope {
 std::vector<IdentifiedParameter> judge_parameters(ParameterSearch& search, const std::vector<double>& start,
                                                   const std::vector<double>& without);
 
+/// Of velocities of axes without influence that no trace asks for more: they are at least what the axes
+/// reach.
+void add_reached_velocities(std::vector<IdentifiedParameter>& parameters, const FitCases& cases);
+
 /// Which parameters change the residuals by more than noise where they are half as large again or as small.
 std::vector<bool> influences(ParameterSearch& search);
 

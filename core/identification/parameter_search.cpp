@@ -17,16 +17,14 @@
 namespace feedscope {
 namespace {
 
-constexpr double robust_from = 3;    // residuals beyond count by their absolute value
 constexpr double difference = 0.01;  // of a logarithm, for derivatives
 
-/// Weight of a residual in a least-squares step that lowers cost().
+}  // namespace
+
 double weight_of(double residual) {
   const double share = residual / robust_from;
   return 1 / std::sqrt(1 + share * share);
 }
-
-}  // namespace
 
 ParameterSearch::ParameterSearch(const FitCases& cases, Setup start, std::vector<FitParameter> parameters,
                                  Progress* progress)
@@ -140,18 +138,26 @@ Eigen::VectorXd ParameterSearch::reach_of_places(double cost) const {
 }
 
 Eigen::MatrixXd ParameterSearch::jacobian(const Eigen::VectorXd& at) {
+  return jacobian(at, std::vector<bool>(size(), true));
+}
+
+Eigen::MatrixXd ParameterSearch::jacobian(const Eigen::VectorXd& at, const std::vector<bool>& of) {
+  std::vector<Eigen::Index> columns;
   std::vector<Eigen::VectorXd> places;
-  for (Eigen::Index p = 0; p < at.size(); ++p) {
+  for (std::size_t p = 0; p < size(); ++p) {
+    if (!of[p]) {
+      continue;
+    }
+    columns.push_back(static_cast<Eigen::Index>(p));
     for (const double sign : {1.0, -1.0}) {
       places.push_back(at);
-      places.back()[p] += sign * difference;
+      places.back()[columns.back()] += sign * difference;
     }
   }
   const std::vector<Eigen::VectorXd> all = evaluate_all(places);
-  Eigen::MatrixXd derivatives(static_cast<Eigen::Index>(count_), at.size());
-  for (Eigen::Index p = 0; p < at.size(); ++p) {
-    const auto i = static_cast<std::size_t>(2 * p);
-    derivatives.col(p) = (all[i] - all[i + 1]) / (2 * difference);
+  Eigen::MatrixXd derivatives = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(count_), at.size());
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    derivatives.col(columns[i]) = (all[2 * i] - all[2 * i + 1]) / (2 * difference);
   }
   return derivatives;
 }
@@ -279,12 +285,7 @@ void ParameterSearch::refine(const std::vector<bool>& free, int most) {
   constexpr double settled = 1e-4;
   for (int step = 0; step < most; ++step) {
     const Eigen::VectorXd residuals = evaluate(at_);
-    Eigen::MatrixXd derivatives = jacobian(at_);
-    for (Eigen::Index p = 0; p < at_.size(); ++p) {
-      if (!free[static_cast<std::size_t>(p)]) {
-        derivatives.col(p).setZero();
-      }
-    }
+    const Eigen::MatrixXd derivatives = jacobian(at_, free);
     const Eigen::VectorXd weights = residuals.unaryExpr(&weight_of);
     Eigen::MatrixXd square = derivatives.transpose() * weights.asDiagonal() * derivatives;
     square.diagonal().array() += 1e-6 * square.diagonal().maxCoeff() + 1e-12;

@@ -8,6 +8,11 @@
 
 namespace feedscope {
 
+/// Residuals beyond it count by their absolute value in ParameterSearch::cost().
+inline constexpr double robust_from = 3;
+/// Of a residual in a least-squares step that lowers ParameterSearch::cost().
+double weight_of(double residual);
+
 /// Residuals of all cases as a function of the logarithms of some parameters.
 class ParameterSearch {
  public:
@@ -31,6 +36,8 @@ class ParameterSearch {
   static double cost(const Eigen::VectorXd& residuals);
   /// Derivatives of the residuals by the logarithms, by central differences.
   Eigen::MatrixXd jacobian(const Eigen::VectorXd& at);
+  /// By these alone, which are all that is simulated; the others are 0.
+  Eigen::MatrixXd jacobian(const Eigen::VectorXd& at, const std::vector<bool>& of);
 
   /// Looks for a better value of each parameter alone among those of a factor of up to `reach` either way, a
   /// factor of `ratio` apart.

@@ -84,8 +84,9 @@ std::vector<double> SectionCase::residuals(const Setup& setup) const {
 }
 
 std::size_t SectionCase::stretch_of(std::size_t residual) const {
-  const std::size_t in_a_round = (times_.size() + rounds - 1) / rounds;
-  return std::min(times_.size() - 1, (residual % rounds) * in_a_round + residual / rounds);
+  // The first rounds have one more where the sections do not divide evenly.
+  const std::size_t round = residual % rounds;
+  return round * (times_.size() / rounds) + std::min(round, times_.size() % rounds) + residual / rounds;
 }
 
 FitResult SectionCase::result(const Run& run) const {

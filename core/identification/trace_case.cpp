@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/analysis/agreement/feed_share.h"
+#include "core/analysis/run_stages.h"
 #include "core/base/error.h"
 
 namespace feedscope {
@@ -27,11 +29,11 @@ constexpr double hopeless = 1e4;         // residual where there is nothing to c
 TraceCase::TraceCase(std::shared_ptr<const Trace> trace, const LoadedProgram& program, const Setup& start,
                      Progress* progress)
     : trace_(std::move(trace)), program_(program) {
-  const Trajectory run = start.model->simulate(program.toolpath, start.machine, start.settings, progress);
+  const Run run = simulate_motion(program, start, progress);
   const auto as_read = start.model->read(program.toolpath, start.settings).path;
   course_ = std::make_shared<const ProgrammedCourse>(
       *as_read, SeenAxes{trace_->has(0), trace_->has(1), trace_->has(2)});
-  found_ = find_on_program(*trace_, *course_, freedom / 2 + deviation_of(run, *course_, coarsest_step),
+  found_ = find_on_program(*trace_, *course_, freedom / 2 + deviation_of(*run.trajectory, *course_, coarsest_step),
                            program.program->source.get(), progress);
   if (found_.law.empty() || !found_.belongs()) {
     throw InputError(fmt::format(
@@ -41,7 +43,12 @@ TraceCase::TraceCase(std::shared_ptr<const Trace> trace, const LoadedProgram& pr
         trace_->name, 100 * found_.fit.trace_share, found_.tolerance, 100 * found_.fit.path_share));
   }
   step_ = std::clamp(trace_->period / 4, finest_step, coarsest_step);
-  leave_out_holds(law_of(run));
+  leave_out_holds(law_of(*run.trajectory));
+  try {
+    add_feed_remark(found_, agreement_of(found_, *course_, run), *course_, *run.input.toolpath);
+  } catch (const InputError&) {
+    // The machine to begin with does not come along the path: the search tells more.
+  }
   const double duration = found_.law.times().back() - found_.law.times().front();
   borders_ = cell_borders(found_.law, std::max(samples_a_stretch * trace_->period, duration / most_stretches),
                           std::max(least_length, 20 * found_.noise));
@@ -149,6 +156,8 @@ FitResult TraceCase::result(const Run& run) const {
     result.agreement.measured_time -= law.at(one.to_s) - law.at(one.from_s);
     result.agreement.measured_time += simulated.at(one.to_s) - simulated.at(one.from_s);
   }
+  result.agreement.held_time = 0;
+  result.resolution = 2 * trace_->period;  // a motion begins and ends between two samples
   result.time_known = std::ranges::none_of(found_.lost, &LostStretch::jumps);
   const double length = found_.law.last_s() - found_.law.first_s();
   const double mean_feed = length / std::max(result.agreement.measured_time, 1e-9);

@@ -2338,6 +2338,10 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <source>The simulation is as fast as the control</source>
         <translation>La simulation est aussi rapide que la commande</translation>
     </message>
+    <message>
+        <source>%1 Without the %2 for which the trace stands still, the times differ by %3 %.</source>
+        <translation>%1 Sans les %2 pendant lesquelles la trace reste immobile, les temps diffèrent de %3 %.</translation>
+    </message>
 </context>
 <context>
     <name>VersionTexts</name>
@@ -9198,6 +9202,14 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>Line %1 asks for a feed of %2 mm/min; all axes of this machine together reach %3 mm/min: what is lost against the programmed feed tells little there.</source>
         <translation>La ligne %1 demande une avance de %2 mm/min&#xa0;; tous les axes de cette machine ensemble atteignent %3 mm/min&#xa0;: ce qui est perdu par rapport à l’avance programmée n’y dit pas grand-chose.</translation>
+    </message>
+    <message>
+        <source>where the simulation runs at the programmed feed, the trace runs at %1 % of it</source>
+        <translation>là où la simulation suit l’avance programmée, la trace va à %1 % de celle-ci</translation>
+    </message>
+    <message>
+        <source>a feed override, or times of another rate: set the feed override of the simulation to it, or give the right rate; else limits that are found from the trace are those of the override</source>
+        <translation>une correction d’avance, ou des temps d’une autre cadence&#xa0;: réglez la correction d’avance de la simulation sur cette valeur, ou donnez la bonne cadence&#xa0;; sinon les limites trouvées d’après la trace sont celles de la correction</translation>
     </message>
 </context>
 <context>

@@ -106,6 +106,12 @@ constexpr std::array sentences{
     QT_TRANSLATE_NOOP("core",
                       "the trace stands still for %1 s from %2 s on at line %3, where the program does not"),
     QT_TRANSLATE_NOOP("core",
+                      "where the simulation runs at the programmed feed, the trace runs at %1 % of it"),
+    QT_TRANSLATE_NOOP(
+        "core",
+        "a feed override, or times of another rate: set the feed override of the simulation to it, or "
+        "give the right rate; else limits that are found from the trace are those of the override"),
+    QT_TRANSLATE_NOOP("core",
                       "a feed hold, or a stop that the simulation does not know; half a second before it and "
                       "behind it is not "
                       "compared, and its time not counted"),

@@ -11,8 +11,8 @@ QString unreachable_feed_text(const UnreachableFeed& feed) {
                                      "Line %1 asks for a feed of %2; all axes of this machine together reach "
                                      "%3: what is lost against "
                                      "the programmed feed tells little there.")
-      .arg(QString::number(feed.programmed.line), significant_text(feed.programmed.feed, Dimension::feed, 8),
-           significant_text(feed.reachable, Dimension::feed, 4));
+      .arg(QString::number(feed.programmed.line), amount_text(feed.programmed.feed, Dimension::feed, 0),
+           amount_text(feed.reachable, Dimension::feed, 0));
 }
 
 }  // namespace feedscope::ui

@@ -191,9 +191,16 @@ QString verdict_of(const ShownTrace& shown) {
         .arg(plain(100 * shown.found.share, 1), time, clock_text(agreement.simulated_time),
              clock_text(agreement.measured_time));
   }
-  return TraceTables::tr("%1 (%2 and %3); their feeds differ by %4 (rms over the path).")
-      .arg(time, clock_text(agreement.simulated_time), clock_text(agreement.measured_time),
-           amount_text(agreement.feed_rms, Dimension::feed));
+  const QString verdict =
+      TraceTables::tr("%1 (%2 and %3); their feeds differ by %4 (rms over the path).")
+          .arg(time, clock_text(agreement.simulated_time), clock_text(agreement.measured_time),
+               amount_text(agreement.feed_rms, Dimension::feed));
+  return agreement.held_time > 0
+             ? TraceTables::tr(
+                   "%1 Without the %2 for which the trace stands still, the times differ by %3 %.")
+                   .arg(verdict, clock_text(agreement.held_time),
+                        signed_number(100 * agreement.time_error_without_holds(), 2))
+             : verdict;
 }
 
 QStringList remarks_of(const ShownTrace& shown) {

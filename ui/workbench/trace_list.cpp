@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "core/analysis/agreement/feed_share.h"
 #include "core/analysis/agreement/held_stretches.h"
 #include "core/base/error.h"
 #include "core/trace/read_trace.h"
@@ -35,6 +36,7 @@ std::shared_ptr<const ShownTrace> lay_beside(std::shared_ptr<const Trace> trace,
                                  simulated.input.program->source.get(), progress);
   shown->agreement = agreement_of(shown->found, course, simulated, progress);
   add_held_remarks(shown->found, course, shown->agreement.simulated);
+  add_feed_remark(shown->found, shown->agreement, course, *simulated.input.toolpath);
   shown->motion = TraceMotion(shown->found.record, seen, shown->found.noise, trace->period,
                               RecordedErrors(*trace, shown->found.pose), progress);
   shown->alignment = TraceAlignment(shown->found, shown->agreement);

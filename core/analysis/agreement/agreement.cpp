@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/analysis/agreement/held_stretches.h"
 #include "core/analysis/study/operations.h"
 #include "core/base/error.h"
 #include "core/trajectory/state_walk.h"
@@ -104,6 +105,22 @@ std::vector<WorstPlace> worst_of(const std::vector<AgreementCell>& cells, const 
   return worst;
 }
 
+/// Whether the trace comes to both ends of what its axes show of the path: a program that was recorded to
+/// within a millimetre of its end still slows down there.
+bool reaches_ends(const TraceOnProgram& trace, const ProgrammedCourse& course, double margin) {
+  constexpr double nearly = 10;  // margins
+  std::size_t first = 0;
+  std::size_t last = course.size() - 1;
+  while (first < last && course.seen_length(first + 1) == course.seen_length(0)) {
+    ++first;
+  }
+  while (last > first && course.seen_length(last - 1) == course.seen_length(course.size() - 1)) {
+    --last;
+  }
+  return trace.law.first_s() <= course.s(first) + nearly * margin &&
+         trace.law.last_s() >= course.s(last) - nearly * margin;
+}
+
 }  // namespace
 
 double Agreement::corner_rms() const {
@@ -176,22 +193,6 @@ std::vector<double> cell_borders(const TimeLaw& law, double least_time, double l
   return borders;
 }
 
-/// Whether the trace comes to both ends of what its axes show of the path: a program that was recorded to
-/// within a millimetre of its end still slows down there.
-bool reaches_ends(const TraceOnProgram& trace, const ProgrammedCourse& course, double margin) {
-  constexpr double nearly = 10;  // margins
-  std::size_t first = 0;
-  std::size_t last = course.size() - 1;
-  while (first < last && course.seen_length(first + 1) == course.seen_length(0)) {
-    ++first;
-  }
-  while (last > first && course.seen_length(last - 1) == course.seen_length(course.size() - 1)) {
-    --last;
-  }
-  return trace.law.first_s() <= course.s(first) + nearly * margin &&
-         trace.law.last_s() >= course.s(last) - nearly * margin;
-}
-
 Agreement agreement_of(const TraceOnProgram& trace, const ProgrammedCourse& course, const Run& run,
                        Progress* progress) {
   constexpr double samples_a_cell = 5;
@@ -240,6 +241,15 @@ Agreement agreement_of(const TraceOnProgram& trace, const ProgrammedCourse& cour
   agreement.distance = trace.largest_distance;
   agreement.simulated_distance =
       simulated.distance(std::min(part.from, part.to), std::max(part.from, part.to));
+  const std::vector<HeldStretch> held = held_stretches(trace.law, simulated, trace.noise);
+  for (const HeldStretch& one : held) {
+    agreement.held_time += one.to_s > part.from && one.from_s < part.to ? one.held : 0;
+  }
+  const auto is_unknown = [&](double from_s, double to_s) {
+    return trace.loses(from_s, to_s) || std::ranges::any_of(held, [&](const HeldStretch& one) {
+             return one.from_s < to_s && one.to_s > from_s;
+           });
+  };
   std::vector<double> borders =
       cell_borders(trace.law, std::max(samples_a_cell * period, agreement.measured_time / cells_a_trace),
                    std::max(begun_motion, 20 * trace.noise));
@@ -247,7 +257,7 @@ Agreement agreement_of(const TraceOnProgram& trace, const ProgrammedCourse& cour
   double squares = 0;
   double length = 0;
   for (std::size_t i = 1; i < borders.size(); ++i) {
-    if (trace.loses(borders[i - 1], borders[i])) {
+    if (is_unknown(borders[i - 1], borders[i])) {
       continue;
     }
     const AgreementCell cell{borders[i - 1], borders[i] - borders[i - 1],
@@ -266,6 +276,9 @@ Agreement agreement_of(const TraceOnProgram& trace, const ProgrammedCourse& cour
   constexpr double clear_of_noise = 20;
   agreement.corners = corners_of(*run.input.toolpath, course, trace.law, simulated, part.from, part.to,
                                  std::max(begun_motion, clear_of_noise * trace.noise));
+  std::erase_if(agreement.corners, [&](const CornerAgreement& corner) {
+    return is_unknown(corner.s - corner.reach, corner.s + corner.reach);
+  });
   agreement.simulated = simulated;
   agreement.margin = margin;
   return agreement;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,22 +43,28 @@ struct OperationAgreement {
 
 /// How well a run says what a trace shows, over the part of the program that the trace covers.
 struct Agreement {
-  double measured_time = 0;          ///< from the first to the last motion [s]
-  double simulated_time = 0;         ///< of the same part [s]
-  bool whole = false;                ///< the trace covers the program: the times are cycle times
-  double feed_rms = 0;               ///< root mean square of the difference of the feeds over the path [mm/s]
-  double distance = 0;               ///< largest of the trace from the programmed path [mm]
-  double simulated_distance = 0;     ///< the same of the simulated run [mm]
-  std::vector<AgreementCell> cells;  ///< without stretches that the trace has lost
+  double measured_time = 0;       ///< from the first to the last motion [s]
+  double simulated_time = 0;      ///< of the same part [s]
+  bool whole = false;             ///< the trace covers the program: the times are cycle times
+  double held_time = 0;           ///< in `measured_time`: that the trace stands still longer than the run [s]
+  double feed_rms = 0;            ///< root mean square of the difference of the feeds over the path [mm/s]
+  double distance = 0;            ///< largest of the trace from the programmed path [mm]
+  double simulated_distance = 0;  ///< the same of the simulated run [mm]
+  std::vector<AgreementCell> cells;  ///< without stretches that the trace has lost, or in which it is held
   std::vector<WorstPlace> worst;     ///< at most ten, the largest difference of time first
   std::vector<OperationAgreement> operations;   ///< empty: the program has one alone
   OperationSplit split = OperationSplit::tool;  ///< of the operations; by comment where there is one tool
-  std::vector<CornerAgreement> corners;         ///< those that both pass, in order of the program
-  TimeLaw simulated;                            ///< of the run, on the programmed path as the trace's
-  double margin = 0;                            ///< from where it stands: a motion has begun there [mm]
+  std::vector<CornerAgreement> corners;  ///< as the cells, those that both pass, in order of the program
+  TimeLaw simulated;                     ///< of the run, on the programmed path as the trace's
+  double margin = 0;                     ///< from where it stands: a motion has begun there [mm]
 
   /// Root mean square of CornerAgreement::error(); 0 without corners.
   double corner_rms() const;
+  /// As time_error(), without what the trace is held.
+  double time_error_without_holds() const {
+    const double moving = measured_time - held_time;
+    return moving > 0 ? simulated_time / moving - 1 : 0;
+  }
   double time_error() const { return measured_time > 0 ? simulated_time / measured_time - 1 : 0; }
 };
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/blend/junction.h"
+
 namespace feedscope {
 namespace {
 
@@ -30,10 +32,14 @@ std::vector<CornerAgreement> corners_of(const Toolpath& toolpath, const Programm
     if (reach < least_reach || s - reach < from || s + reach > to) {
       continue;
     }
-    const Vec3 in = course.visible(toolpath.tangent_at_end(i - 1));
-    const Vec3 out = course.visible(toolpath.tangent_at_start(i));
-    const double turn = std::atan2(in.cross(out).norm(), in.dot(out));
-    if (turn < least_turn || in.norm() < 0.5 || out.norm() < 0.5) {
+    const Vec3 in = toolpath.tangent_at_end(i - 1);
+    const Vec3 out = toolpath.tangent_at_start(i);
+    const Vec3 seen_in = course.visible(in);
+    const Vec3 seen_out = course.visible(out);
+    const double turn = turn_angle(in, out);
+    constexpr double seen_well = 0.5;
+    if (turn < least_turn || std::atan2(seen_in.cross(seen_out).norm(), seen_in.dot(seen_out)) < least_turn ||
+        seen_in.norm() < seen_well || seen_out.norm() < seen_well) {
       continue;
     }
     const CornerAgreement corner{before.line,

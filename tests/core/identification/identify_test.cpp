@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <random>
+#include <set>
 
 #include "core/analysis/line_times.h"
 #include "core/base/error.h"
@@ -237,6 +238,25 @@ class SectionTimes : public testing::Test {
   LoadedProgram program_;
   std::size_t sections_ = 0;
 };
+
+/// So that leaving out a twelfth after the other leaves out every section once, wherever it is.
+TEST(SectionCase, MakesEachSectionAStretchOfItsOwn) {
+  for (std::size_t count = 1; count <= 40; ++count) {
+    std::vector<SectionTime> times;
+    for (std::size_t i = 0; i < count; ++i) {
+      times.push_back({"1-1", 1, 1e-3, 1});
+    }
+    const LoadedProgram program =
+        load_program(std::make_shared<const SourceText>("line.nc", "G21 G90 G1 X10 F1000\n"));
+    const SectionCase sections(times, "times.csv", program);
+    std::set<std::size_t> stretches;
+    for (std::size_t i = 0; i < count; ++i) {
+      EXPECT_LT(sections.stretch_of(i), count);
+      stretches.insert(sections.stretch_of(i));
+    }
+    EXPECT_EQ(stretches.size(), count);
+  }
+}
 
 TEST_F(SectionTimes, TellTheLimitsOfAMachineWithoutATrace) {
   const auto truth =

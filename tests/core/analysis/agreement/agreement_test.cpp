@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "core/analysis/agreement/feed_share.h"
 #include "core/analysis/agreement/trace_alignment.h"
 #include "core/base/error.h"
 #include "tests/core/analysis/agreement/recorded_runs.h"
@@ -209,6 +210,43 @@ TEST(Agreement, TimesAtPlacesAndDistancesThereAreThoseOfTheRecord) {
   EXPECT_NEAR(law.farthest(0, 1.5).distance, 0.3, 1e-6);
   EXPECT_DOUBLE_EQ(law.farthest(1.5, 4).s, 2);
   EXPECT_NEAR(law.distance_at(3), 0.2, 1e-6);
+}
+
+/// What is held in a corner is neither the feed of the corner nor of a stretch; the whole time has it.
+TEST(Agreement, LeavesAFeedHoldOutOfFeedsAndCorners) {
+  const auto run = run_of("G21 G90 G17\nF3000\nG1 X60\nY40\nX0\nY0\nX60 Y20\nM30\n");
+  Trace trace = trace_of(run, 1e-3);
+  const auto at = trace.size() / 2;
+  constexpr double hold = 3;
+  const auto count = static_cast<std::size_t>(hold / trace.period);
+  for (auto& axis : trace.place) {
+    axis.insert(axis.begin() + static_cast<std::ptrdiff_t>(at), count, axis[at]);
+  }
+  trace.time.clear();
+  for (std::size_t i = 0; i < trace.place[0].size(); ++i) {
+    trace.time.push_back(static_cast<double>(i) * trace.period);
+  }
+  const Agreement agreement = compare(trace, run).agreement;
+  EXPECT_NEAR(agreement.measured_time - agreement.simulated_time, hold, 0.01);
+  EXPECT_NEAR(agreement.held_time, hold, 0.05);
+  EXPECT_NEAR(agreement.time_error_without_holds(), 0, 0.01);
+  EXPECT_LT(agreement.feed_rms, 0.5);
+  EXPECT_LT(agreement.corner_rms(), 0.01);
+}
+
+TEST(FeedShare, IsThatOfAnOverrideAndNoneOfTheProgramAsItIs) {
+  const std::string text = "G21 G90 G17\nF3000\nG1 X60\nY60\nX0\nY0\nX60 Y60\nM30\n";
+  const auto run = run_of(text);
+  const auto share = [&](const Trace& trace) {
+    const ProgrammedCourse course(*run.input.toolpath, {true, true, true});
+    const TraceOnProgram found = find_on_program(trace, course, deviation_of(*run.trajectory, course, 1e-3));
+    return feed_share(agreement_of(found, course, run), course, *run.input.toolpath);
+  };
+  EXPECT_FALSE(share(trace_of(run, 1e-3)));
+  const auto half = share(trace_of(run_of(text, {"feed_override_percent=50"}), 1e-3));
+  ASSERT_TRUE(half);
+  EXPECT_NEAR(*half, 0.5, 0.002);
+  EXPECT_FALSE(share(trace_of(run_of(text, {"X.velocity=1.5"}), 1e-3))) << "one slow axis is no override";
 }
 
 TEST(Agreement, LearnsFromOneAxis) {
