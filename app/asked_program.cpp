@@ -25,7 +25,7 @@ AskedProgram asked_program(const ProgramOptions& options, [[maybe_unused]] std::
     return asked;
   }
 #else
-  if (options.file.ends_with(".feedscope")) {
+  if (names_session(options.file)) {
     throw InputError(
         fmt::format("'{}' is a session, which this build without the window cannot read; give the NC program",
                     options.file));

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/run_options.h"
@@ -21,6 +22,11 @@ struct AskedProgram {
   /// As it is read.
   Dialect dialect() const { return reading.dialect.value_or(recognise(*source)); }
 };
+
+/// By the end of its name.
+inline bool names_session(std::string_view file) {
+  return file.ends_with(".feedscope");
+}
 
 /// Opens `options.file`; `more`: the options of the command that a session has of its own, besides those that
 /// say how a program is read. Says on standard error what of a session is not known, and whether its program

@@ -149,9 +149,13 @@ std::string zsh_action(const OptionRow& option) {
 
 std::string zsh_arguments(const CommandRow& command, const std::string& indent) {
   std::string text;
+  const auto positionals = std::ranges::count_if(command.options, &OptionRow::positional);
+  std::ptrdiff_t place = 0;
   for (const OptionRow& option : command.options) {
     if (option.positional) {
-      text += fmt::format(" \\\n{}'*:{}:{}'", indent, zsh_text(option.name), zsh_action(option));
+      // The last one takes all that follows.
+      const std::string which = ++place < positionals ? std::to_string(place) : "*";
+      text += fmt::format(" \\\n{}'{}:{}:{}'", indent, which, zsh_text(option.name), zsh_action(option));
     } else if (option.value.empty()) {
       text += fmt::format(" \\\n{}'{}[{}]'", indent, option.name, zsh_text(option.text));
     } else {

@@ -247,7 +247,7 @@ SettingValue value_in_force(const Setup& setup, const std::string& key) {
   return number ? SettingValue(number_in_force(setup.settings, *spec)) : setup.settings.value(key);
 }
 
-/// "contour tolerance 0.2 mm (0.1 mm now)".
+/// "contour_tolerance_mm 0.2 (now 0.1)".
 std::string change_text(const Remedy& remedy, const Setup& setup) {
   std::vector<std::string> parts;
   if (!remedy.machine.empty()) {

@@ -355,10 +355,13 @@ void note_runs(const LoadedProgram& program, const std::vector<Setup>& setups) {
   }
 }
 
-void note_unused_tolerance(const RunOptions& options, const Setup& setup) {
-  if (!options.tolerance.empty() && !contour_tolerance(setup)) {
-    fmt::print(stderr, "feedscope: note: model '{}' does not use a contour tolerance\n",
-               setup.model->info().id);
+void note_unused_tolerances(const std::vector<std::string>& tolerances, const std::vector<Setup>& setups) {
+  std::set<std::string> said;
+  for (const Setup& setup : setups) {
+    const std::string& model = setup.model->info().id;
+    if (!tolerances.empty() && !contour_tolerance(setup) && said.insert(model).second) {
+      fmt::print(stderr, "feedscope: note: model '{}' does not use a contour tolerance\n", model);
+    }
   }
 }
 

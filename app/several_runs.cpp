@@ -4,8 +4,12 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
 
+#include "app/exit_codes.h"
 #include "app/option_text.h"
+#include "app/print.h"
+#include "app/run_remarks.h"
 #include "core/analysis/compare.h"
 #include "core/analysis/control_dialect.h"
 #include "core/base/parallel.h"
@@ -104,8 +108,25 @@ std::vector<Setup> setups_of(const ui::ReportInput& input) {
   return setups;
 }
 
-void note_shown_runs(const ui::ReportInput& input) {
-  note_runs(input.program(), setups_of(input));
+int tell_of_shown_runs(const ui::ReportInput& input, const std::vector<std::string>& tolerances) {
+  const std::vector<Setup> setups = setups_of(input);
+  const Program& program = *input.program().program;
+  if (!tolerances.empty()) {
+    note_unused_tolerances(tolerances, setups);
+    note_replaced_tolerance(*input.program().toolpath, setups);
+  }
+  note_runs(input.program(), setups);
+  print_diagnostics(program);
+  int code = exit_code::done;
+  std::set<std::string> machines;
+  for (const ui::ReportRun& shown : input.runs) {
+    const Run& run = shown.shown->run;
+    if (machines.insert(run.setup.machine.id).second) {
+      print_diagnostics(run.input.toolpath->machine_faults, program);
+    }
+    code = std::max(code, exit_code_of(run));
+  }
+  return code;
 }
 
 ui::ReportInput simulate_runs(const ReadOptions& reading, const std::vector<AskedRun>& runs,

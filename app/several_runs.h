@@ -34,8 +34,9 @@ std::vector<AskedRun> asked_runs(const SeveralRunsOptions& options, Dialect dial
 /// The options of all of them as they were given, quoted for a shell; the program in front.
 std::string options_text(const SeveralRunsOptions& options);
 
-/// Tells on standard error what note_runs() says of them.
-void note_shown_runs(const ui::ReportInput& input);
+/// Tells on standard error what is to be known of the runs, with the tolerances that were asked for, and
+/// prints the messages on the program and on what machines cannot do. Returns the exit code.
+int tell_of_shown_runs(const ui::ReportInput& input, const std::vector<std::string>& tolerances);
 /// Of its runs.
 std::vector<Setup> setups_of(const ui::ReportInput& input);
 

@@ -13,7 +13,6 @@
 #include "app/exit_codes.h"
 #include "app/number_option.h"
 #include "app/output_file.h"
-#include "app/print.h"
 #include "app/run_options.h"
 #include "app/run_remarks.h"
 #include "app/watch.h"
@@ -221,7 +220,6 @@ int circles_of_program(const CircularOptions& options) {
   const AskedProgram asked = asked_program(options.run, given_of_run(options.run));
   const Setup setup =
       asked.is_session() ? asked.setups[asked.current] : make_setup(options.run.request(asked.dialect()));
-  note_unused_tolerance(options.run, setup);
   for (const std::string& input : {options.run.file, asked.file}) {
     check_outputs(input, {options.json, options.csv, options.out});
   }
@@ -241,7 +239,7 @@ int circles_of_program(const CircularOptions& options) {
   if (!to_standard_output(options)) {
     fmt::print("{}", program_circles_text(run, circles));
   }
-  return has_errors(run.input.program->diagnostics) ? exit_code::program_errors : exit_code::done;
+  return exit_code_of(run);
 }
 
 int circular(const CircularOptions& options) {
@@ -305,7 +303,10 @@ Command add_circular_command(CLI::App& app) {
       ->description(fmt::format("{}; of the one that --program writes [fanuc]",
                                 command->get_option("--dialect")->get_description()));
   state_number_rule(*command);
-  return {command, [options] { return circular(*options); }};
+  return {command, [options] {
+            move_tolerance(options->run);
+            return circular(*options);
+          }};
 }
 
 }  // namespace feedscope

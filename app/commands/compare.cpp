@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -17,6 +16,7 @@
 #include "app/print.h"
 #include "app/program_difference_text.h"
 #include "app/run_options.h"
+#include "app/run_remarks.h"
 #include "app/study_text.h"
 #include "app/watch.h"
 #include "core/analysis/control_dialect.h"
@@ -226,6 +226,13 @@ int compare_two(const CompareOptions& options) {
   SetupRequest request{one(options.machines, "--machine"), one(options.models, "--model"),
                        tolerance.empty() ? std::nullopt : std::optional(parse_tolerance(tolerance)),
                        options.set};
+  for (const std::string& file : {options.file, options.other}) {
+    if (names_session(file)) {
+      throw InputError(fmt::format(
+          "'{}' is a session; two programs are compared on one setup: give the NC programs themselves",
+          file));
+    }
+  }
   const ReadOptions reading = options.reading();
   const auto old_source = std::make_shared<const SourceText>(SourceText::from_file(options.file));
   const auto new_source = std::make_shared<const SourceText>(SourceText::from_file(options.other));
@@ -253,18 +260,17 @@ int compare_two(const CompareOptions& options) {
     *json << program_difference_json(old, now, difference);
   }
   files.commit();
+  if (!tolerance.empty()) {
+    note_unused_tolerances({tolerance}, {now.setup});
+  }
   note_runs(now.input, {now.setup});
   for (const Run* run : {&old, &now}) {
-    print_diagnostics(*run->input.program);
-    print_diagnostics(run->input.toolpath->machine_faults, *run->input.program);
+    print_messages(*run);
   }
   if (options.json != "-") {
     fmt::print("{}", program_difference_text(old, now, difference));
   }
-  const bool faulty = std::ranges::any_of(std::array{&old, &now}, [](const Run* run) {
-    return has_errors(run->input.program->diagnostics) || is_out_of_reach(*run);
-  });
-  return faulty ? exit_code::program_errors : exit_code::done;
+  return std::max(exit_code_of(old), exit_code_of(now));
 }
 
 int compare(const CompareOptions& options) {

@@ -5,10 +5,8 @@
 
 #include "app/asked_program.h"
 #include "app/commands/command.h"
-#include "app/exit_codes.h"
 #include "app/explanation_text.h"
 #include "app/output_file.h"
-#include "app/print.h"
 #include "app/run_options.h"
 #include "app/run_remarks.h"
 #include "app/watch.h"
@@ -29,7 +27,6 @@ int explain(const ExplainOptions& options) {
   const Setup setup = asked_setup(options.run, options.number, asked);
   const OperationSplit split =
       options.operations.empty() ? OperationSplit::none : operation_split(options.operations);
-  note_unused_tolerance(options.run, setup);
   for (const std::string& input : {options.run.file, asked.file}) {
     check_outputs(input, {options.json});
   }
@@ -53,7 +50,7 @@ int explain(const ExplainOptions& options) {
     fmt::print("{}", explanation_text(run, report, ProgramOptions::of(asked.file, asked.reading),
                                       asked.is_session() ? nullptr : &options.run));
   }
-  return has_errors(run.input.program->diagnostics) ? exit_code::program_errors : exit_code::done;
+  return exit_code_of(run);
 }
 
 }  // namespace

@@ -13,13 +13,11 @@
 #include "app/commands/film.h"
 #include "app/commands/language_option.h"
 #include "app/display_units.h"
-#include "app/exit_codes.h"
 #include "app/number_option.h"
 #include "app/option_text.h"
 #include "app/output_file.h"
 #include "app/output_format.h"
 #include "app/picture_size.h"
-#include "app/print.h"
 #include "app/session_runs.h"
 #include "app/trace_files.h"
 #include "core/base/error.h"
@@ -255,15 +253,6 @@ QString command_of(const RenderOptions& options) {
   return QString::fromStdString(text);
 }
 
-void note_unused_tolerances(const RenderOptions& options, const std::vector<AskedRun>& runs) {
-  for (const AskedRun& run : runs) {
-    if (!options.runs.tolerances.empty() && !contour_tolerance(run.setup)) {
-      fmt::print(stderr, "feedscope: note: model '{}' does not use a contour tolerance\n",
-                 run.setup.model->info().id);
-    }
-  }
-}
-
 int render(const RenderOptions& options) {
   check_film_use(options);
   std::optional<ui::Session> session = asked_session(options.runs);
@@ -277,7 +266,6 @@ int render(const RenderOptions& options) {
   const std::vector<AskedRun> runs =
       session ? std::vector<AskedRun>() : asked_runs(options.runs, dialect_of(options.runs, *source));
   check_runs(options, runs);
-  note_unused_tolerances(options, runs);
   check_outputs(options.runs.file, {options.out, options.film.out});
   check_outputs(options.runs.load, {options.out, options.film.out}, "the load file");
   for (const std::string& trace : options.traces.files) {
@@ -316,13 +304,7 @@ int render(const RenderOptions& options) {
     out->stream() << picture_file(input, options, session, request);
     out->commit();
   }
-  if (!options.runs.tolerances.empty()) {
-    note_replaced_tolerance(*input.program().toolpath, setups_of(input));
-  }
-  note_shown_runs(input);
-  const Program& program = *input.program().program;
-  print_diagnostics(program);
-  return has_errors(program.diagnostics) ? exit_code::program_errors : exit_code::done;
+  return tell_of_shown_runs(input, options.runs.tolerances);
 }
 
 void add_size_options(CLI::App& command, RenderOptions& options) {

@@ -11,13 +11,11 @@
 #include "app/commands/command.h"
 #include "app/commands/language_option.h"
 #include "app/display_units.h"
-#include "app/exit_codes.h"
 #include "app/number_option.h"
 #include "app/option_text.h"
 #include "app/output_file.h"
 #include "app/output_format.h"
 #include "app/picture_size.h"
-#include "app/print.h"
 #include "app/session_runs.h"
 #include "app/trace_files.h"
 #include "core/base/error.h"
@@ -198,13 +196,7 @@ int report(const ReportOptions& options) {
     }
   }
   files.commit();
-  if (!options.runs.tolerances.empty()) {
-    note_replaced_tolerance(*input.program().toolpath, setups_of(input));
-  }
-  note_shown_runs(input);
-  const Program& program = *input.program().program;
-  print_diagnostics(program);
-  return has_errors(program.diagnostics) ? exit_code::program_errors : exit_code::done;
+  return tell_of_shown_runs(input, options.runs.tolerances);
 }
 
 }  // namespace

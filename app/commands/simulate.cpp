@@ -6,7 +6,6 @@
 
 #include "app/asked_program.h"
 #include "app/commands/command.h"
-#include "app/exit_codes.h"
 #include "app/number_option.h"
 #include "app/output_file.h"
 #include "app/print.h"
@@ -104,7 +103,6 @@ int simulate(const SimulateOptions& options) {
   const AskedProgram asked = asked_program(options.run, given_of_run(options.run));
   Setup setup = asked_setup(options.run, options.number, asked);
   setup.load = asked_load(options.load, std::move(setup.load));
-  note_unused_tolerance(options.run, setup);
   const double step = parse_step(options.step).value_or(default_step(setup));
   for (const std::string& input : {options.run.file, asked.file}) {
     check_outputs(input, {options.csv, options.json, options.blends, options.contour});
@@ -123,9 +121,7 @@ int simulate(const SimulateOptions& options) {
   if (!results.to_standard_output()) {
     fmt::print("{}", summary_text(run));
   }
-  return has_errors(run.input.program->diagnostics) || has_errors(run.input.toolpath->machine_faults)
-             ? exit_code::program_errors
-             : exit_code::done;
+  return exit_code_of(run);
 }
 
 }  // namespace

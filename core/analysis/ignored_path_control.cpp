@@ -34,7 +34,9 @@ constexpr auto rules = std::to_array<Rule>({
     {QT_TRANSLATE_NOOP("core",
                        "Compaction requested by the program is not simulated: short blocks are not joined."),
      [](const Asked& a) {
-       const bool smooths = a.promised.smooths && a.control.compressor == Switch::on;
+       const bool everywhere =
+           a.setup.settings.has("compressor") && a.setup.settings.text("compressor") == "on";
+       const bool smooths = a.promised.smooths && (everywhere || a.control.compressor == Switch::on);
        return a.control.compaction == Switch::on && !smooths && !a.promised.follows_compaction;
      }},
     {QT_TRANSLATE_NOOP("core",

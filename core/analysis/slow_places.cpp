@@ -39,7 +39,7 @@ class Account {
     if (level.share() < least_) {
       least_ = level.share();
       place_.slowest = level.time;
-      place_.feed = level.speed;
+      place_.feed = std::max(0.0, level.speed);  // a stop ends within rounding of 0
       place_.programmed_feed = level.programmed;
       place_.line = level.line;
     }

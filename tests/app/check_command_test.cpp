@@ -67,6 +67,17 @@ TEST_F(CheckCommand, TellsWhatAMachineCannotDo) {
   const auto is_travel = [](const json& message) { return message["code"] == "rotary-travel"; };
   EXPECT_EQ(std::ranges::count_if(report["diagnostics"], is_travel), 1);
   EXPECT_EQ(run("check tilted.nc --dialect fanuc --machine no-such").code, 2);
+  std::vector<std::string> commands{"simulate tilted.nc", "explain tilted.nc", "circular tilted.nc",
+                                    "compare tilted.nc"};
+#ifdef FEEDSCOPE_WITH_UI
+  commands.emplace_back("render tilted.nc --view charts --out charts.png");
+  commands.emplace_back("report tilted.nc --out report.html");
+#endif
+  for (const std::string& command : commands) {
+    const Result result = run(command + " --dialect fanuc --machine five-axis-table-ac");
+    EXPECT_EQ(result.code, 1) << command;
+    EXPECT_THAT(result.err + result.out, HasSubstr("axis A goes to 60 degrees")) << command;
+  }
 }
 
 TEST_F(CheckCommand, AsksForTheOffsetThatHasNoValue) {

@@ -38,6 +38,12 @@ TEST_F(CompareCommand, SumsUpForPeople) {
   }
 }
 
+TEST_F(CompareCommand, RefusesASessionBesideAnotherProgram) {
+  write("a.feedscope", "{}");
+  expect_wrong_use("compare a.feedscope corner.nc", "'a.feedscope' is a session");
+  expect_wrong_use("compare corner.nc a.feedscope", "'a.feedscope' is a session");
+}
+
 TEST_F(CompareCommand, FitsInto120ColumnsWithEveryModelAndTwoTolerances) {
   std::istringstream text(run("compare corner.nc --tolerance 0.0025 --tolerance 0.125 --machine huron-kx10 "
                               "--machine mikron-ucp710")

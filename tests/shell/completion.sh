@@ -36,6 +36,8 @@ expect 'feedscope simulate --dialect si' sinumerik
 expect 'feedscope report --language ' en fr
 
 command -v zsh >/dev/null && zsh -n zsh
+awk '/_arguments/ { rest = 0 } /^ *.[*][:]/ { if (++rest > 1) exit 1 }' zsh ||
+  { echo 'zsh: a command has two arguments that take all the rest'; exit 1; }
 if command -v fish >/dev/null; then
   offered=$(HOME=$work fish --no-config -c 'source fish; complete -C "feedscope simulate --machine he"; complete -C "feedscope sim"')
   grep -q hermle-c800u <<<"$offered" || { echo "fish offers: $offered"; exit 1; }

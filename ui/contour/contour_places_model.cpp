@@ -4,7 +4,6 @@
 #include <QLocale>
 #include <utility>
 
-#include "core/base/units.h"
 #include "ui/contour/contour_texts.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"

@@ -1,7 +1,6 @@
 #include "core/analysis/explanation/reason_finder.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/analysis/explanation/filtered_reason.h"

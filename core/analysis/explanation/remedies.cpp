@@ -72,30 +72,29 @@ class Candidates {
         blend_tolerance_(feedscope::blend_tolerance(feed_controls, setup)) {}
 
   /// Adds nothing for an axis that the machine does not have, or a limit that the axis does not have.
-  void axis(int axis, const std::string& limit, double factor = more) {
+  void axis(int axis, const std::string& limit) {
     const char name = cause_axes[static_cast<std::size_t>(axis)].name;
     const bool is_there = axis_names(setup_.machine).find(name) != std::string::npos;
     const std::vector<SettingSpec>& specs = axis_specs_of(name);
     if (is_there && std::ranges::find(specs, limit, &SettingSpec::key) != specs.end()) {
-      add(axis_changes(name, limit, factor));
+      add(axis_changes(name, limit));
     }
   }
 
   void all_axes(const std::string& limit) {
     Remedy remedy;
     for (const AxisInfo& axis : setup_.machine.axes.axes()) {
-      const Remedy one = axis_changes(axis.name, limit, more);
+      const Remedy one = axis_changes(axis.name, limit);
       remedy.changes.insert(remedy.changes.end(), one.changes.begin(), one.changes.end());
     }
     add(std::move(remedy));
   }
 
-  /// A number of the settings times `factor`, within its bounds; `besides` is set with it.
-  void setting(const std::string& key, double factor,
-               std::vector<std::pair<std::string, SettingValue>> besides = {}) {
+  /// A number of the settings times `factor`, within its bounds.
+  void setting(const std::string& key, double factor) {
     const auto spec = std::ranges::find(specs_, key, &SettingSpec::key);
     if (spec != specs_.end()) {
-      set(key, rounded(number_in_force(setup_.settings, *spec) * factor), std::move(besides));
+      set(key, rounded(number_in_force(setup_.settings, *spec) * factor));
     }
   }
 
@@ -140,10 +139,10 @@ class Candidates {
   std::vector<Remedy> take() { return std::move(found_); }
 
  private:
-  Remedy axis_changes(char name, const std::string& limit, double factor) const {
+  Remedy axis_changes(char name, const std::string& limit) const {
     const SettingSpec& spec = *std::ranges::find(axis_specs_of(name), limit, &SettingSpec::key);
     const double value = axis_limit(setup_.machine, name, limit);
-    const double changed = nearest_within(spec, rounded(value * factor));
+    const double changed = nearest_within(spec, rounded(value * more));
     return changed == value ? Remedy() : Remedy{{{fmt::format("{}.{}", name, limit), changed}}};
   }
 
@@ -201,7 +200,7 @@ void faster_filters(Candidates& candidates, const Setup& setup) {
     const double own = axis_limit(setup.machine, setup.machine.axes.name(axis), "jerk");
     jerk = jerk > 0 ? std::min(jerk, own) : own;
   }
-  candidates.set("filter_jerk_m_s3", jerk * more);
+  candidates.set("filter_jerk_m_s3", rounded(jerk * more));
 }
 
 void add_for_blend(Candidates& candidates, Cause cause) {

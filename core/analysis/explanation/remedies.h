@@ -12,7 +12,8 @@ namespace feedscope {
 struct Remedy {
   /// Keys and values as for --set, in the unit of the key: "X.jerk", "contour_tolerance_mm".
   std::vector<std::pair<std::string, SettingValue>> changes;
-  /// What holds now of the first change, where that is not the setup's value: a tolerance of the program.
+  /// What holds now of the tolerance that is changed, where that may not be the setup's value: that of the
+  /// program.
   std::optional<double> before = std::nullopt;
   /// Id of another machine of the library, "" for the same one: with its limits and settings, but with model,
   /// contour tolerance, times of pauses and positions of the setup that is changed.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <limits>
 #include <optional>
 #include <set>
@@ -21,7 +20,7 @@ namespace {
 constexpr std::size_t most_causes = 5;
 constexpr double worth_a_change = 0.01;  // of the cycle time that a cause loses
 
-/// Those that lose most, and the programmed feed where it limits most of the time.
+/// Those that lose most; the override that remedies() adds serves the programmed feed.
 std::vector<Cause> causes_to_change(const TimeUse& use) {
   std::vector<Cause> causes;
   for (const CauseCost& cost : use.causes) {

@@ -5,13 +5,22 @@
 namespace feedscope {
 
 TimeReport time_report(const Run& run, OperationSplit split, Progress* progress) {
+  Progress unwatched;
+  Progress& whole = progress != nullptr ? *progress : unwatched;
   TimeReport report;
-  report.use = time_use(run, split, progress);
-  report.slow = find_slow_groups(*run.trajectory, progress);
-  if (is_refused(run)) {
-    return report;
+  {
+    constexpr double quick = 0.02;  // beside simulating the changes
+    Progress part(whole, quick);
+    report.use = time_use(run, split, &part);
+    part.report(0);
+    report.slow = find_slow_groups(*run.trajectory, &part);
+    part.report(1);
   }
-  report.changes = try_changes(run, changes_worth_trying(run, report.use), progress);
+  if (!is_refused(run)) {
+    Progress part(whole, 1 - whole.fraction());
+    report.changes = try_changes(run, changes_worth_trying(run, report.use), &part);
+  }
+  whole.report(1);
   return report;
 }
 

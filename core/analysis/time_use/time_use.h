@@ -15,7 +15,7 @@ enum class TimeKind : std::uint8_t { cutting, rapid, dwell, tool_change, spindle
 inline constexpr std::size_t time_kind_count = static_cast<std::size_t>(TimeKind::indexing) + 1;
 /// Stable key for files: "cutting", "rapid", "dwell", "tool_change", "spindle_start", "indexing".
 std::string_view time_kind_key(TimeKind kind);
-/// For people: "cutting (programmed feed)", "rapids" ...
+/// For people: "feed motions", "rapids" ...
 std::string_view time_kind_title(TimeKind kind);
 
 /// A part of the cycle time, and what the same part of the program takes at its programmed feed.
@@ -64,7 +64,7 @@ struct TimeUse {
   std::vector<CauseCost> causes;
   OperationSplit split = OperationSplit::none;
   std::vector<OperationTime>
-      operations;  ///< in the order of their first start; empty where there is one only
+      operations;  ///< in the order of their first start; not split as asked, empty where there is one only
 
   double lost() const { return cycle_time - programmed_time; }
   const TimeShare& of(TimeKind kind) const { return kinds[static_cast<std::size_t>(kind)]; }

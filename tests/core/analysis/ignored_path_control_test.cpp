@@ -42,6 +42,20 @@ TEST(Unfollowed, CompactionNeedsAModelThatJoinsBlocks) {
   EXPECT_THAT(ignored_of("COMPOF", "essid"), IsEmpty());
 }
 
+/// Q of G64 asks for no curves; the setting lays them all the same.
+TEST(Unfollowed, CompactionIsFollowedWhereTheCompressorIsOnEverywhere) {
+  const Toolpath path =
+      build_toolpath(read_text("G64 P0.01 Q0.01\nG1 X10 F1000\nX20 Y5\n", {.dialect = Dialect::iso}));
+  const auto ignored = [&](const std::string& compressor) {
+    SetupRequest request;
+    request.model = "essid";
+    request.assignments = {"compressor=" + compressor};
+    return ignored_path_control(path, make_setup(request));
+  };
+  EXPECT_THAT(ignored("program"), ElementsAre(HasSubstr("short blocks are not joined")));
+  EXPECT_THAT(ignored("on"), IsEmpty());
+}
+
 TEST(Unfollowed, AccelerationNeedsAModelWithRamps) {
   EXPECT_THAT(ignored_of("BRISK", "essid"), IsEmpty());
   EXPECT_THAT(ignored_of("BRISK", "ward"), ElementsAre(HasSubstr("BRISK")));
