@@ -70,6 +70,11 @@ std::string agreement_text(const TraceOnProgram& found, const Agreement& agreeme
   table.add({"", "trace", "simulated", "difference"});
   table.add({agreement.whole ? "cycle time" : "time of the part compared", time_text(agreement.measured_time),
              time_text(agreement.simulated_time), signed_text(100 * agreement.time_error(), 2) + " %"});
+  if (agreement.held_time > 0) {
+    table.add({"  without standing still", time_text(agreement.measured_time - agreement.held_time),
+               time_text(agreement.simulated_time),
+               signed_text(100 * agreement.time_error_without_holds(), 2) + " %"});
+  }
   table.add({"largest distance from the path", fmt::format("{:.4f} mm", agreement.distance),
              fmt::format("{:.4f} mm", agreement.simulated_distance), ""});
   for (const OperationAgreement& operation : agreement.operations) {

@@ -33,8 +33,9 @@ TraceCase::TraceCase(std::shared_ptr<const Trace> trace, const LoadedProgram& pr
   const auto as_read = start.model->read(program.toolpath, start.settings).path;
   course_ = std::make_shared<const ProgrammedCourse>(
       *as_read, SeenAxes{trace_->has(0), trace_->has(1), trace_->has(2)});
-  found_ = find_on_program(*trace_, *course_, freedom / 2 + deviation_of(*run.trajectory, *course_, coarsest_step),
-                           program.program->source.get(), progress);
+  found_ =
+      find_on_program(*trace_, *course_, freedom / 2 + deviation_of(*run.trajectory, *course_, coarsest_step),
+                      program.program->source.get(), progress);
   if (found_.law.empty() || !found_.belongs()) {
     throw InputError(fmt::format(
         "{}: the trace does not belong to its program: {:.1f} % of its way runs along the path within {:.3g} "

@@ -67,8 +67,7 @@ TEST_F(CheckCommand, TellsWhatAMachineCannotDo) {
   const auto is_travel = [](const json& message) { return message["code"] == "rotary-travel"; };
   EXPECT_EQ(std::ranges::count_if(report["diagnostics"], is_travel), 1);
   EXPECT_EQ(run("check tilted.nc --dialect fanuc --machine no-such").code, 2);
-  std::vector<std::string> commands{"simulate tilted.nc", "explain tilted.nc", "circular tilted.nc",
-                                    "compare tilted.nc"};
+  std::vector<std::string> commands{"simulate tilted.nc", "explain tilted.nc", "circular tilted.nc"};
 #ifdef FEEDSCOPE_WITH_UI
   commands.emplace_back("render tilted.nc --view charts --out charts.png");
   commands.emplace_back("report tilted.nc --out report.html");

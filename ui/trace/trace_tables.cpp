@@ -76,10 +76,15 @@ void begin_figures(QStandardItemModel& table) {
          TraceTables::tr("Simulated against recorded")});
 }
 
+/// With units below, so that the tables fit beside each other.
+QStringList over_two_lines(QStringList titles) {
+  return titles.replaceInStrings(QStringLiteral(" ["), QStringLiteral("\n["));
+}
+
 void begin_places(QStandardItemModel& table) {
   begin(table,
-        {TraceTables::tr("Line"), with_unit_of(TraceTables::tr("Trace"), Dimension::feed),
-         TraceTables::tr("Simulated"), TraceTables::tr("Lost [ms]")},
+        over_two_lines({TraceTables::tr("Line"), with_unit_of(TraceTables::tr("Trace"), Dimension::feed),
+                        TraceTables::tr("Simulated"), TraceTables::tr("Lost [ms]")}),
         {TraceTables::tr("Program line"), TraceTables::tr("Feed of the trace there"),
          TraceTables::tr("Feed of the current run there, in the same unit"),
          TraceTables::tr("Time that the control took more than the simulation; below 0: less")});
@@ -88,9 +93,9 @@ void begin_places(QStandardItemModel& table) {
 void begin_corners(QStandardItemModel& table) {
   begin(
       table,
-      {TraceTables::tr("Line"), TraceTables::tr("Turn [°]"),
-       with_unit_of(TraceTables::tr("Trace"), Dimension::feed), TraceTables::tr("Simulated"),
-       TraceTables::tr("Off [%]")},
+      over_two_lines({TraceTables::tr("Line"), TraceTables::tr("Turn [°]"),
+                      with_unit_of(TraceTables::tr("Trace"), Dimension::feed), TraceTables::tr("Simulated"),
+                      TraceTables::tr("Off [%]")}),
       {TraceTables::tr("Program line that ends at the corner"), TraceTables::tr("Change of direction"),
        TraceTables::tr("Mean feed of the trace from 0.5 mm before the corner to 0.5 mm behind it, less where "
                        "blocks are short"),

@@ -266,6 +266,7 @@ void TraceView::show_result() {
   figures_view_->header()->setSectionResizeMode(
       0,
       QHeaderView::Stretch);  // long titles of operations are wrapped
+  figures_view_->header()->setMinimumHeight(places_view_->header()->sizeHint().height());
   const int figures = wanted_width(*figures_view_) - figures_view_->header()->sectionSize(0) + least_name;
   const int places = wanted_width(*places_view_);
   const int corners = wanted_width(*corners_view_);

@@ -245,10 +245,9 @@ Agreement agreement_of(const TraceOnProgram& trace, const ProgrammedCourse& cour
   for (const HeldStretch& one : held) {
     agreement.held_time += one.to_s > part.from && one.from_s < part.to ? one.held : 0;
   }
-  const auto is_unknown = [&](double from_s, double to_s) {
-    return trace.loses(from_s, to_s) || std::ranges::any_of(held, [&](const HeldStretch& one) {
-             return one.from_s < to_s && one.to_s > from_s;
-           });
+  const auto is_held = [&](double from_s, double to_s) {
+    return std::ranges::any_of(
+        held, [&](const HeldStretch& one) { return one.from_s < to_s && one.to_s > from_s; });
   };
   std::vector<double> borders =
       cell_borders(trace.law, std::max(samples_a_cell * period, agreement.measured_time / cells_a_trace),
@@ -257,7 +256,7 @@ Agreement agreement_of(const TraceOnProgram& trace, const ProgrammedCourse& cour
   double squares = 0;
   double length = 0;
   for (std::size_t i = 1; i < borders.size(); ++i) {
-    if (is_unknown(borders[i - 1], borders[i])) {
+    if (trace.loses(borders[i - 1], borders[i]) || is_held(borders[i - 1], borders[i])) {
       continue;
     }
     const AgreementCell cell{borders[i - 1], borders[i] - borders[i - 1],
@@ -277,7 +276,7 @@ Agreement agreement_of(const TraceOnProgram& trace, const ProgrammedCourse& cour
   agreement.corners = corners_of(*run.input.toolpath, course, trace.law, simulated, part.from, part.to,
                                  std::max(begun_motion, clear_of_noise * trace.noise));
   std::erase_if(agreement.corners, [&](const CornerAgreement& corner) {
-    return is_unknown(corner.s - corner.reach, corner.s + corner.reach);
+    return is_held(corner.s - corner.reach, corner.s + corner.reach);
   });
   agreement.simulated = simulated;
   agreement.margin = margin;

@@ -54,9 +54,10 @@ struct Agreement {
   std::vector<WorstPlace> worst;     ///< at most ten, the largest difference of time first
   std::vector<OperationAgreement> operations;   ///< empty: the program has one alone
   OperationSplit split = OperationSplit::tool;  ///< of the operations; by comment where there is one tool
-  std::vector<CornerAgreement> corners;  ///< as the cells, those that both pass, in order of the program
-  TimeLaw simulated;                     ///< of the run, on the programmed path as the trace's
-  double margin = 0;                     ///< from where it stands: a motion has begun there [mm]
+  std::vector<CornerAgreement>
+      corners;        ///< those that both pass where the trace is not held, in order of the program
+  TimeLaw simulated;  ///< of the run, on the programmed path as the trace's
+  double margin = 0;  ///< from where it stands: a motion has begun there [mm]
 
   /// Root mean square of CornerAgreement::error(); 0 without corners.
   double corner_rms() const;

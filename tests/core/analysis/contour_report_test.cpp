@@ -45,10 +45,13 @@ TEST(ContourReport, NamesCornersByTheirTurnAndSide) {
 
 /// The corner behind a block so short that the nearest point of it lies in its first half.
 TEST(ContourReport, TakesTheToleranceOfTheNeighbourThatTheCornerIsOf) {
-  const ContourReport report =
-      contour_report(run_of("G17 G21 G90 G94\nG1 X0.5 F6000\nG1 X-3.2950 Y3.2555 F3000\nG1 X16.7050\nM30\n",
-                            "ward", 0.3, {"enforce=off"}),
-                     10);
+  SetupRequest request;
+  request.machine = "dmg-mori-evo40";
+  request.tolerance = 0.3;
+  request.assignments = {"enforce=off"};
+  const auto text = std::make_shared<const SourceText>(
+      "test.nc", "G17 G21 G90 G94\nG1 X0.5 F6000\nG1 X-3.2950 Y3.2555 F3000\nG1 X16.7050\nM30\n");
+  const ContourReport report = contour_report(simulate_run(load_program(text), make_setup(request)), 10);
   ASSERT_FALSE(report.worst.empty());
   bool short_block = false;
   for (const ContourFinding& found : report.worst) {
