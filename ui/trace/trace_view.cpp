@@ -270,7 +270,8 @@ void TraceView::show_result() {
   const int figures = wanted_width(*figures_view_) - figures_view_->header()->sectionSize(0) + least_name;
   const int places = wanted_width(*places_view_);
   const int corners = wanted_width(*corners_view_);
-  tables_->setSizes({std::max(tables_->width() - places - corners, figures), places, corners});
+  const int room = tables_->width() - 2 * tables_->handleWidth();
+  tables_->setSizes({std::max(room - places - corners, figures), places, corners});
 }
 
 void TraceView::show_progress() {
