@@ -85,7 +85,7 @@ void note_unused_reading(const Program& program, const ReadOptions& asked);
 /// Tells on standard error when a tolerance was asked for that replaces the program's own in a run of
 /// `setups`.
 void note_replaced_tolerance(const Toolpath& toolpath, const std::vector<Setup>& setups);
-/// Tells on standard error, each once, what hangs on the setups alone: a control that does not read the
+/// Tells on standard error, each once, what follows from the setups alone: a control that does not read the
 /// dialect, other work offsets, drives, lines that are refused and path control that is not followed.
 void note_runs(const LoadedProgram& program, const std::vector<Setup>& setups);
 /// Tells on standard error of each model that does not read the tolerances that were asked for.

@@ -13,7 +13,7 @@ namespace {
 constexpr double at_feed = 0.995;     // of the programmed feed, the run has it
 constexpr double least_length = 0.1;  // of all that is compared
 constexpr std::size_t least_cells = 5;
-constexpr double alike = 0.01;  // shares that differ by less are the same
+constexpr double alike = 0.01;  // shares that differ by less count as the same
 constexpr double most = 0.8;    // of the length at the programmed feed, with the same share
 constexpr double about_one = 0.02;
 

@@ -75,7 +75,8 @@ std::string undecorated(std::string_view text) {
   return title;
 }
 
-/// A comment of LinuxCNC that it shows, as "(MSG, change the tool)", holds what stands behind the comma.
+/// Of a comment that LinuxCNC displays, as "(MSG, change the tool)", the text behind the comma; else all of
+/// it.
 std::string_view without_command(std::string_view comment) {
   const std::size_t comma = comment.find(',');
   std::string word(trimmed(comment.substr(0, comma)));
