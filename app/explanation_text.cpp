@@ -368,7 +368,7 @@ std::string explanation_text(const Run& run, const TimeReport& report, const Pro
   if (const char* const note = limits_note(run.setup)) {
     out += wrapped(note, 0) + "\n";
   }
-  if (const auto feed = unreachable_feed(run.input.largest_feed, *run.input.toolpath, run.setup.machine)) {
+  if (const auto feed = feed_beyond_machine(run.input, *run.input.toolpath, run.setup)) {
     out += wrapped(describe(*feed), 0) + "\n";
   }
   out += "\nWhat it consists of\n" + kinds_text(use);

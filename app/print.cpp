@@ -357,7 +357,7 @@ std::string figure_notes_text(const Run& run) {
   for (const char* const note : figure_notes(*run.input.toolpath, run.setup)) {
     text += "  " + wrapped(note, 2) + "\n";
   }
-  if (const auto feed = unreachable_feed(run.input.largest_feed, *run.input.toolpath, run.setup.machine)) {
+  if (const auto feed = feed_beyond_machine(run.input, *run.input.toolpath, run.setup)) {
     text += "  " + wrapped(describe(*feed), 2) + "\n";
   }
   return text;

@@ -153,6 +153,16 @@ std::vector<const char*> figure_notes(const Toolpath& path, const Setup& setup) 
   return notes;
 }
 
+std::optional<UnreachableFeed> feed_beyond_machine(const LoadedProgram& program, const Toolpath& path,
+                                                   const Setup& setup) {
+  std::optional<LargestFeed> largest = program.largest_feed;
+  if (largest) {
+    constexpr double whole = 100;  // [%]
+    largest->feed *= feed_override(setup).value_or(whole) / whole;
+  }
+  return unreachable_feed(largest, path, setup.machine);
+}
+
 const Diagnostic& most_severe(const std::vector<Diagnostic>& faults) {
   return *std::ranges::max_element(faults, std::ranges::less(), &Diagnostic::severity);
 }
@@ -199,7 +209,7 @@ std::vector<std::string> run_notes(const LoadedProgram& program, const Setup& se
           unadvised_tolerance(program.chord_error, tolerance_in_force(program.feed_controls, setup))) {
     notes.push_back(describe(*unadvised));
   }
-  if (const auto feed = unreachable_feed(program.largest_feed, *path, setup.machine)) {
+  if (const auto feed = feed_beyond_machine(program, *path, setup)) {
     notes.push_back(describe(*feed));
   }
   const std::vector<std::string> of_drives = drive_notes(setup.machine);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,11 @@ const char* missing_axes_note(const Toolpath& path, const Machine& machine);
 /// Those of these notes that there are, in a fixed order; `path`: as the machine runs it.
 std::vector<const char*> figure_notes(const Toolpath& path, const Setup& setup);
 
+/// The largest feed of `program`, with the override of the setup, where the machine reaches it in no
+/// direction; `path`: as the machine runs it.
+std::optional<UnreachableFeed> feed_beyond_machine(const LoadedProgram& program, const Toolpath& path,
+                                                   const Setup& setup);
+
 /// The first of those that are most severe; `faults`: one at least.
 const Diagnostic& most_severe(const std::vector<Diagnostic>& faults);
 /// What of the program the machine cannot do, in one sentence; empty if nothing.
@@ -49,7 +55,7 @@ std::string machine_fault_note(const std::vector<Diagnostic>& faults);
 /// What is to be known of a run before its figures are trusted, one sentence each: a control that does not
 /// read the program's dialect, a machine that gives work offsets which the program was not read with,
 /// ignored_path_control(), refused_note(), jump_note(), a tolerance that Heidenhain advises against,
-/// unreachable_feed(), then drive_notes().
+/// feed_beyond_machine(), then drive_notes().
 std::vector<std::string> run_notes(const LoadedProgram& program, const Setup& setup);
 
 }  // namespace feedscope

@@ -73,7 +73,7 @@ QStringList run_note_texts(const Run& run) {
                                                  tolerance_in_force(run.input.feed_controls, run.setup))) {
     sentences.append(tolerance_text(*unadvised));
   }
-  if (const auto feed = unreachable_feed(run.input.largest_feed, *run.input.toolpath, run.setup.machine)) {
+  if (const auto feed = feed_beyond_machine(run.input, *run.input.toolpath, run.setup)) {
     sentences.append(unreachable_feed_text(*feed));
   }
   for (const PoorDamping& drive : poorly_damped(run.setup.machine)) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/analysis/refused_lines.h"
+#include "core/analysis/run_notes.h"
 #include "core/base/units.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
@@ -53,7 +54,7 @@ QString TimeTexts::conclusion(const TimeReport& report, const Run& run) {
     text += QLatin1Char(' ') +
             tr("Programmed means with the feed override of %1 %.").arg(significant_number(*percent, 4));
   }
-  if (const auto feed = unreachable_feed(run.input.largest_feed, *run.input.toolpath, run.setup.machine)) {
+  if (const auto feed = feed_beyond_machine(run.input, *run.input.toolpath, run.setup)) {
     text += QLatin1Char(' ') + unreachable_feed_text(*feed);
   }
   if (use.mean_feed > 0) {

@@ -48,6 +48,20 @@ TEST(UnreachableFeed, IsNamedAmongTheNotesOfARun) {
               testing::Not(Contains(HasSubstr("asks for a feed"))));
 }
 
+/// "Programmed" is with the override: half of 40 m/min is reached, twice 20 m/min is not.
+TEST(UnreachableFeed, IsWithTheOverrideOfTheSetup) {
+  const auto found = [](const std::string& feed, const std::string& percent) {
+    SetupRequest request = on_three_axes();
+    request.assignments.push_back("feed_override_percent=" + percent);
+    const LoadedProgram program = line_at(feed);
+    return feed_beyond_machine(program, *program.toolpath, make_setup(request));
+  };
+  EXPECT_FALSE(found("40000", "50"));
+  const auto twice = found("20000", "200");
+  ASSERT_TRUE(twice);
+  EXPECT_NEAR(units::to_mm_min(twice->programmed.feed), 40000, 1e-6);
+}
+
 TEST(UnreachableFeed, IsNoneOfRapidsAlone) {
   const LoadedProgram rapids = load_program(std::make_shared<const SourceText>("rapid.nc", "G0 X100\n"));
   EXPECT_FALSE(rapids.largest_feed);
