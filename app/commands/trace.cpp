@@ -166,6 +166,9 @@ int show_trace(const TraceOptions& options) {
   if (options.json != "-") {
     fmt::print("{}{}", trace_text(trace), run ? agreement_text(*found, *agreement, *run) : "");
   }
+  if (found && !found->belongs()) {
+    return exit_code::wrong_use;
+  }
   return run ? exit_code_of(*run) : exit_code::done;
 }
 

@@ -44,7 +44,7 @@ struct MotorPlace {
 };
 
 /// Hermite's cubic, which goes on beyond both.
-double between(const MotorPlace& from, const MotorPlace& to, double time) {
+double place_between(const MotorPlace& from, const MotorPlace& to, double time) {
   const double h = to.time - from.time;
   const double u = (time - from.time) / h;
   const double step = to.place - from.place;
@@ -55,7 +55,8 @@ double between(const MotorPlace& from, const MotorPlace& to, double time) {
 }  // namespace
 
 DriveRecord::DriveRecord(const std::vector<const Trace*>& traces, std::size_t axis, std::size_t most,
-                         Progress* progress) {
+                         BetweenSamples between, Progress* progress)
+    : between_(between) {
   std::size_t all = 0;
   for (const Trace* trace : traces) {
     all += trace->has_drive(axis) ? trace->size() : 0;
@@ -128,7 +129,9 @@ void DriveRecord::add_stretch(const Trace& trace, std::size_t axis, std::size_t 
     step.time = time;
     step.set = set[i + 1];
     step.actual = trace.actual[axis][i + 1];
-    step.derivative = cubic_derivatives(times.data(), &set[first], i - first);
+    step.derivative = between_ == BetweenSamples::line
+                          ? std::array{(set[i + 1] - set[i]) / time, 0.0, 0.0}
+                          : cubic_derivatives(times.data(), &set[first], i - first);
     steps_.push_back(step);
   }
   const auto stands = [&](std::size_t i) { return std::abs(set[i] - set[begin]) <= standing; };
@@ -231,7 +234,8 @@ Eigen::VectorXd DriveRecord::residuals(const AxisDrive& drive, double delay) con
       while (before + 2 < course.size() && course[before + 1].time <= wanted) {
         ++before;
       }
-      left[next++] = between(course[before], course[before + 1], wanted) - steps_[stretch.first + i].actual;
+      left[next++] =
+          place_between(course[before], course[before + 1], wanted) - steps_[stretch.first + i].actual;
     }
   }
   return without_means(std::move(left));

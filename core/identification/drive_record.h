@@ -12,8 +12,14 @@
 
 namespace feedscope {
 
+/// How the set position runs between two samples, which no record says.
+enum class BetweenSamples : std::uint8_t {
+  curve,  ///< the cubic through the four samples around them
+  line,   ///< at constant velocity, as a control commands it that interpolates once a sample
+};
+
 /// Set and actual positions of one axis, prepared so that the answers of many drives can be laid beside the
-/// actual ones. Between two samples the set position is the cubic through the four samples around them.
+/// actual ones.
 /// Stretches without samples part a trace, and their ends are not compared; of long traces parts are taken
 /// evenly. Traces can stand anywhere against each other: a constant distance of actual and set position, one
 /// a trace, counts as no error.
@@ -22,7 +28,7 @@ class DriveRecord {
   /// `axis`: 0 to 2; traces that lack it, or its actual position, are omitted. `most`: samples that are
   /// taken, about. Throws Cancelled.
   DriveRecord(const std::vector<const Trace*>& traces, std::size_t axis, std::size_t most,
-              Progress* progress = nullptr);
+              BetweenSamples between = BetweenSamples::curve, Progress* progress = nullptr);
 
   std::size_t size() const { return measured_.size(); }  ///< samples that are compared
   double reach() const { return reach_; }                ///< of the set positions, highest less lowest [mm]
@@ -34,6 +40,7 @@ class DriveRecord {
   /// both sides [s].
   Eigen::VectorXd residuals(const AxisDrive& drive, double delay = 0) const;
   double period() const { return period_; }  ///< longest of the traces [s]
+  BetweenSamples between() const { return between_; }
   /// The same for an axis that follows exactly.
   Eigen::VectorXd following_errors() const;
 
@@ -62,6 +69,7 @@ class DriveRecord {
   void leave_margins(Stretch& stretch) const;
   Eigen::VectorXd without_means(Eigen::VectorXd values) const;
 
+  BetweenSamples between_;
   std::vector<Step> steps_;
   std::vector<Stretch> stretches_;
   std::vector<double> measured_;         ///< of the steps that are compared [mm]

@@ -39,6 +39,31 @@ void add_zero(Identification& found, const FitParameter& tolerance, double befor
   found.parameters.push_back(std::move(one));
 }
 
+/// What was found with the feed override that traces show says so, and its machine does not keep it.
+void add_override(Identification& found, const Setup& start, double before) {
+  IdentifiedParameter one;
+  one.parameter = {feed_override_key, "%", 0, 0};
+  one.start = before;
+  one.value = found.setup.settings.number(feed_override_key);
+  one.reason = QT_TRANSLATE_NOOP("core",
+                                 "The traces run at this share of the programmed feed, and the other numbers "
+                                 "are found with it. It is no "
+                                 "part of the machine.");
+  found.parameters.push_back(std::move(one));
+  Settings kept;
+  for (const auto& [key, value] : found.setup.machine.settings.values()) {
+    if (key != feed_override_key || start.machine.settings.has(key)) {
+      kept.set(key, key == feed_override_key ? start.machine.settings.value(key) : value);
+    }
+  }
+  found.setup.machine.settings = std::move(kept);
+  found.setup.machine.provenance.erase(feed_override_key);
+  if (const auto source = start.machine.provenance.find(feed_override_key);
+      source != start.machine.provenance.end()) {
+    found.setup.machine.provenance.insert(*source);
+  }
+}
+
 constexpr std::string_view steps_key = "steps_per_mm";
 
 /// Whether the model counts steps of motors, and how many make a millimetre is an assumption.
@@ -176,7 +201,12 @@ std::vector<DriveFit> Recordings::fit_drives(const std::vector<FitParameter>& pa
           "and name it if need be, as --columns actual_{}=5:mm",
           parameter.key, axis, static_cast<char>(axis - 'X' + 'x')));
     }
-    drives.push_back(drive_of_axis(axis, drive_of(setup.machine, axis), progress));
+    DriveFit::Free free{};
+    for (std::size_t i = 0; i < drive_parameter_count; ++i) {
+      const std::string key = drive_parameter(axis, i).key;
+      free[i] = std::ranges::find(parameters, key, &FitParameter::key) != parameters.end();
+    }
+    drives.push_back(drive_of_axis(axis, drive_of(setup.machine, axis), free, progress));
   }
   distrust_delayed(drives);
   for (const DriveFit& drive : drives) {
@@ -189,13 +219,15 @@ std::vector<DriveFit> Recordings::fit_drives(const std::vector<FitParameter>& pa
 }
 
 /// Found once for all models.
-const DriveFit& Recordings::drive_of_axis(char axis, const AxisDrive& start, Progress* progress) {
-  const auto known = std::ranges::find_if(
-      drives_, [&](const FoundDrive& drive) { return drive.fit.axis == axis && drive.start == start; });
+const DriveFit& Recordings::drive_of_axis(char axis, const AxisDrive& start, const DriveFit::Free& free,
+                                          Progress* progress) {
+  const auto known = std::ranges::find_if(drives_, [&](const FoundDrive& drive) {
+    return drive.fit.axis == axis && drive.start == start && drive.free == free;
+  });
   if (known != drives_.end()) {
     return known->fit;
   }
-  drives_.push_back({start, fit_drive(traces(), axis, start, progress)});
+  drives_.push_back({start, free, fit_drive(traces(), axis, start, free, progress)});
   return drives_.back().fit;
 }
 
@@ -209,18 +241,34 @@ void Recordings::add_drive(Identification& found, const DriveFit& drive, const s
   }
   from += date.empty() ? "" : ", " + date;
   auto& sources = found.setup.machine.provenance;
-  for (const IdentifiedParameter& one : drive.parameters) {
+  for (std::size_t i = 0; i < drive_parameter_count; ++i) {
+    const IdentifiedParameter& one = drive.parameters[i];
+    if (!drive.free[i]) {
+      continue;
+    }
     if (one.told) {
       sources.insert_or_assign(one.parameter.key, identified_source(one, from));
     } else if (drive.explains && one.value > 0) {
       sources.insert_or_assign(one.parameter.key, untold_source(one, from));
     }
     found.parameters.push_back(one);
-    if (!one.told) {
+    if (!one.told && !drive.of_first_order) {
       found.parameters.back().told_by = fmt::format("SINGLE MOVES OF {}", drive.axis);
     }
   }
   found.drives.push_back(drive);
+}
+
+/// At which share of the programmed feed all of them run; none where one does not, or at another.
+std::optional<double> Recordings::feed_share() const {
+  constexpr double same = 0.01;
+  if (feed_shares_.empty() || !std::ranges::all_of(feed_shares_, &std::optional<double>::has_value)) {
+    return std::nullopt;
+  }
+  const double share = *feed_shares_.front();
+  const bool agree = std::ranges::all_of(
+      feed_shares_, [&](const std::optional<double>& one) { return std::abs(*one / share - 1) <= same; });
+  return agree ? std::optional(share) : std::nullopt;
 }
 
 Identification Recordings::fit(const Setup& start, const std::vector<FitParameter>& parameters,
@@ -249,6 +297,19 @@ Identification Recordings::fit(const Setup& start, const std::vector<FitParamete
       return other;
     }
   }
+  if (const std::optional<double> share = feed_share()) {
+    constexpr double whole = 100;
+    const double before = feed_override(start).value_or(whole);
+    Setup slowed = start;
+    slowed.settings.set(feed_override_key, before * *share);
+    Identification other = again(slowed, parameters);
+    constexpr double as_well = 1.2;  // a limit that stands for the override explains the traces, too
+    if (other.explains && (!found.explains || other.residual <= as_well * found.residual)) {
+      other.simulations = simulations;
+      add_override(other, start, before);
+      return other;
+    }
+  }
   if (found.explains && assumes_steps(start)) {
     std::string from;
     for (const Item& item : items_) {
@@ -265,6 +326,7 @@ Identification Recordings::fit_as_begun(const Setup& start, const std::vector<Fi
                                         const IdentifyOptions& options, const Stage& stage) {
   const auto begin = [&](const char* title) { return stage ? stage(title) : nullptr; };
   remarks_.assign(items_.size(), {});
+  feed_shares_.assign(items_.size(), {});
   FitCases cases;
   for (std::size_t i = 0; i < items_.size(); ++i) {
     const Item& item = items_[i];
@@ -276,6 +338,7 @@ Identification Recordings::fit_as_begun(const Setup& start, const std::vector<Fi
     }
     const auto found = std::make_shared<const TraceCase>(item.trace, item.program, start, begin("matching"));
     remarks_[i] = found->found().remarks;
+    feed_shares_[i] = found->feed_share();
     cases.push_back(found);
   }
   Setup begun = start;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,9 +30,10 @@ class Recordings {
 
   /// The `parameters` of `start` with which its model explains all of them best; those of drives by
   /// fit_drive(). If its model does not explain them, a tolerance that may be zero, for no limit, is tried
-  /// so. Throws InputError for a recording that is not of its program or holds too little of it, for section
-  /// times that no machine takes (SectionCase::check_times()), for a drive without set and actual positions,
-  /// and what identify() throws.
+  /// so. If all traces run at one share of the programmed feed, that is taken as the feed override. Throws
+  /// InputError for a recording that is not of its program or holds too little of it, for section times that
+  /// no machine takes (SectionCase::check_times()), for a drive without set and actual positions, and what
+  /// identify() throws.
   Identification fit(const Setup& start, const std::vector<FitParameter>& parameters,
                      const IdentifyOptions& options = {}, const Stage& stage = {});
   /// What is wrong with each of them on its program: known after fit(), of tables nothing.
@@ -48,20 +50,24 @@ class Recordings {
   std::vector<const Trace*> traces() const;
   std::vector<DriveFit> fit_drives(const std::vector<FitParameter>& parameters, Setup& setup,
                                    Progress* progress);
+  std::optional<double> feed_share() const;
   Identification fit_as_begun(const Setup& start, const std::vector<FitParameter>& parameters,
                               const IdentifyOptions& options, const Stage& stage);
-  const DriveFit& drive_of_axis(char axis, const AxisDrive& start, Progress* progress);
+  const DriveFit& drive_of_axis(char axis, const AxisDrive& start, const DriveFit::Free& free,
+                                Progress* progress);
   void add_drive(Identification& found, const DriveFit& drive, const std::string& date) const;
 
   /// A drive that was found: no model of the control changes it.
   struct FoundDrive {
     AxisDrive start;
+    DriveFit::Free free;
     DriveFit fit;
   };
 
   std::vector<Item> items_;
   std::deque<FoundDrive> drives_;
   std::vector<std::vector<Diagnostic>> remarks_;
+  std::vector<std::optional<double>> feed_shares_;  ///< of each; of tables none
 };
 
 /// Whether a file is a table of section times; false for one that cannot be read.

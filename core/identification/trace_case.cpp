@@ -46,7 +46,9 @@ TraceCase::TraceCase(std::shared_ptr<const Trace> trace, const LoadedProgram& pr
   step_ = std::clamp(trace_->period / 4, finest_step, coarsest_step);
   leave_out_holds(law_of(*run.trajectory));
   try {
-    add_feed_remark(found_, agreement_of(found_, *course_, run), *course_, *run.input.toolpath);
+    const Agreement agreement = agreement_of(found_, *course_, run);
+    feed_share_ = feedscope::feed_share(agreement, *course_, *run.input.toolpath);
+    add_feed_remark(found_, agreement, *course_, *run.input.toolpath);
   } catch (const InputError&) {
     // The machine to begin with does not come along the path: the search tells more.
   }

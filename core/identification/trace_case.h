@@ -33,6 +33,8 @@ class TraceCase : public FitCase {
 
   const ProgrammedCourse& course() const { return *course_; }
   const TraceOnProgram& found() const { return found_; }
+  /// At which share of the programmed feed it runs, feed_share(); none where that says nothing.
+  std::optional<double> feed_share() const { return feed_share_; }
 
  private:
   struct Span {
@@ -47,6 +49,7 @@ class TraceCase : public FitCase {
   LoadedProgram program_;
   std::shared_ptr<const ProgrammedCourse> course_;
   TraceOnProgram found_;
+  std::optional<double> feed_share_;
   std::vector<HeldStretch> held_;  ///< where the trace stands longer than the program has it stand
   double step_ = 1e-3;             ///< of sampling a run [s]
   std::vector<double> borders_;    ///< programmed path length [mm]

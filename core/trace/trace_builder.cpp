@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t most_samples = 200'000'000;
 constexpr std::size_t least_samples = 10;
-constexpr std::size_t most_listed = 20;
+constexpr std::size_t most_listed = 5;
 constexpr std::size_t shown_text = 60;
 constexpr double gap_share = 1.75;  // of the period: a sample is missing
 

@@ -9211,6 +9211,50 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <source>a feed override, or times of another rate: set the feed override of the simulation to it, or give the right rate; else limits that are found from the trace are those of the override</source>
         <translation>une correction d’avance, ou des temps d’une autre cadence&#xa0;: réglez la correction d’avance de la simulation sur cette valeur, ou donnez la bonne cadence&#xa0;; sinon les limites trouvées d’après la trace sont celles de la correction</translation>
     </message>
+    <message>
+        <source>It cannot be told apart from feed-forward and lag: a drive without both moves alike with the gain that is used. Where the control feeds nothing forward, look for the gain alone.</source>
+        <translation>On ne peut pas le distinguer de l’anticipation et du retard&#xa0;: un entraînement sans les deux bouge de même avec le gain utilisé. Si la commande n’anticipe rien, cherchez le gain seul.</translation>
+    </message>
+    <message>
+        <source>The traces run at this share of the programmed feed, and the other numbers are found with it. It is no part of the machine.</source>
+        <translation>Les traces vont à cette part de l’avance programmée, et les autres nombres sont trouvés avec elle. Elle ne fait pas partie de la machine.</translation>
+    </message>
+    <message>
+        <source>the trace does not fit this program: %1; %2</source>
+        <translation>la trace ne convient pas à ce programme&#xa0;: %1&#xa0;; %2</translation>
+    </message>
+    <message>
+        <source>the trace fits this program with its axes in another order: its %1 as X, its %2 as Y, its %3 as Z</source>
+        <translation>la trace convient à ce programme avec ses axes dans un autre ordre&#xa0;: son %1 comme X, son %2 comme Y, son %3 comme Z</translation>
+    </message>
+    <message>
+        <source>name the columns in this order, as --columns time=1,x=3,y=2,z=4</source>
+        <translation>nommez les colonnes dans cet ordre, comme --columns time=1,x=3,y=2,z=4</translation>
+    </message>
+    <message>
+        <source>the trace has the shape of this program, %1 times as large</source>
+        <translation>la trace a la forme de ce programme, %1 fois plus grande</translation>
+    </message>
+    <message>
+        <source>give its columns the unit that they are in, as --columns time=1,x=2:um</source>
+        <translation>donnez à ses colonnes l’unité dans laquelle elles sont, comme --columns time=1,x=2:um</translation>
+    </message>
+    <message>
+        <source>the trace fits this program with %1 in the other direction</source>
+        <translation>la trace convient à ce programme avec %1 dans l’autre sens</translation>
+    </message>
+    <message>
+        <source>give its column a minus sign, as --columns time=1,x=2:-mm</source>
+        <translation>donnez un signe moins à sa colonne, comme --columns time=1,x=2:-mm</translation>
+    </message>
+    <message>
+        <source>the trace runs along the path of this program from its end to its start</source>
+        <translation>la trace parcourt le trajet de ce programme de sa fin à son début</translation>
+    </message>
+    <message>
+        <source>simulate the program that was recorded, with its blocks in the order that the control ran them in</source>
+        <translation>simulez le programme qui a été enregistré, avec ses blocs dans l’ordre où la commande les a exécutés</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ActionTable</name>

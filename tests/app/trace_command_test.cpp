@@ -55,7 +55,9 @@ TEST_F(TraceCommand, WarnsEverywhereOfATraceOfAnotherProgram) {
   write("other.nc", "G21 G90\nG1 X7 Y3 F3000\nX2 Y9\nX11 Y12\nX0 Y0\nM30\n");
   const std::string warning = "trace.csv: warning: the trace does not belong to this program: ";
   const std::string machine = " --machine linuxcnc-mill ";
-  EXPECT_THAT(run("trace trace.csv other.nc" + machine).err, HasSubstr(warning));
+  const Result beside = run("trace trace.csv other.nc" + machine);
+  EXPECT_EQ(beside.code, 2);
+  EXPECT_THAT(beside.err, HasSubstr(warning));
   for (const std::string command : {"report other.nc --out r.html", "render other.nc --out r.svg"}) {
     const Result result = run(command + machine + "--trace trace.csv", no_display);
     EXPECT_EQ(result.code, 0) << result.err;

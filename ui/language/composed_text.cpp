@@ -70,6 +70,19 @@ constexpr std::array sentences{
     QT_TRANSLATE_NOOP("core",
                       "open the program that was recorded, or give the zero point it ran with; times and "
                       "feeds of the two tell nothing together"),
+    QT_TRANSLATE_NOOP("core", "the trace does not fit this program: %1; %2"),
+    QT_TRANSLATE_NOOP("core",
+                      "the trace fits this program with its axes in another order: its %1 as X, its %2 as Y, "
+                      "its %3 as Z"),
+    QT_TRANSLATE_NOOP("core", "name the columns in this order, as --columns time=1,x=3,y=2,z=4"),
+    QT_TRANSLATE_NOOP("core", "the trace has the shape of this program, %1 times as large"),
+    QT_TRANSLATE_NOOP("core", "give its columns the unit that they are in, as --columns time=1,x=2:um"),
+    QT_TRANSLATE_NOOP("core", "the trace fits this program with %1 in the other direction"),
+    QT_TRANSLATE_NOOP("core", "give its column a minus sign, as --columns time=1,x=2:-mm"),
+    QT_TRANSLATE_NOOP("core", "the trace runs along the path of this program from its end to its start"),
+    QT_TRANSLATE_NOOP("core",
+                      "simulate the program that was recorded, with its blocks in the order that the control "
+                      "ran them in"),
     QT_TRANSLATE_NOOP("core", "the trace does not move"),
     QT_TRANSLATE_NOOP("core", "record while the program runs, and check the columns of the positions"),
     QT_TRANSLATE_NOOP("core", "the trace is in inches; it is used as 25.4 times what it says"),

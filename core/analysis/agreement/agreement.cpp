@@ -199,6 +199,13 @@ Agreement agreement_of(const TraceOnProgram& trace, const ProgrammedCourse& cour
   constexpr double cells_a_trace = 5000;
   constexpr double finest_step = 5e-4;  // [s]
   if (trace.law.empty()) {
+    const auto likeness = std::ranges::find_if(trace.remarks, [](const Diagnostic& one) {
+      return one.code == "trace-columns" || one.code == "trace-backwards";
+    });
+    if (likeness != trace.remarks.end()) {
+      throw InputError(
+          fmt::format("the trace does not fit this program: {}; {}", likeness->message, likeness->hint));
+    }
     throw InputError(fmt::format(
         "the trace is nowhere within {:.3g} mm of the path of the program; it is of another program, "
         "or its zero point is another",

@@ -1,54 +1,18 @@
 #include "core/analysis/agreement/trace_pose.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include "core/analysis/agreement/path_shape.h"
+
 namespace feedscope {
 namespace {
 
-constexpr std::size_t shape_points = 500;
 constexpr double inch = 25.4;
 constexpr double another_shape = 0.1;  // of the size: so far apart in the mean
 constexpr double same_size = 0.03;     // share by which the extents of one shape may differ
-
-/// Points at equal steps of the way: a shape without its time.
-std::vector<Vec3> shape_of(const std::vector<Vec3>& places, double least_step) {
-  std::vector<Vec3> kept;
-  for (const Vec3& place : places) {
-    if (kept.empty() || (place - kept.back()).norm() >= least_step) {
-      kept.push_back(place);
-    }
-  }
-  std::vector<double> way{0};
-  for (std::size_t i = 1; i < kept.size(); ++i) {
-    way.push_back(way.back() + (kept[i] - kept[i - 1]).norm());
-  }
-  std::vector<Vec3> shape;
-  if (way.back() <= 0) {
-    return shape;
-  }
-  std::size_t i = 1;
-  for (std::size_t k = 0; k < shape_points; ++k) {
-    const double at = way.back() * static_cast<double>(k) / static_cast<double>(shape_points - 1);
-    while (i + 1 < way.size() && way[i] < at) {
-      ++i;
-    }
-    const double share = (at - way[i - 1]) / (way[i] - way[i - 1]);
-    shape.push_back(kept[i - 1] + std::clamp(share, 0.0, 1.0) * (kept[i] - kept[i - 1]));
-  }
-  return shape;
-}
-
-Bounds bounds_of(const std::vector<Vec3>& places) {
-  Bounds bounds;
-  for (const Vec3& place : places) {
-    bounds.add(place);
-  }
-  return bounds;
-}
 
 std::vector<Vec3> visible(const ProgrammedCourse& course, const std::vector<Vec3>& places) {
   std::vector<Vec3> seen;
@@ -57,14 +21,6 @@ std::vector<Vec3> visible(const ProgrammedCourse& course, const std::vector<Vec3
     seen.push_back(course.visible(place));
   }
   return seen;
-}
-
-double mean_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
-    sum += (a[i] - b[i]).norm();
-  }
-  return a.empty() ? 0 : sum / static_cast<double>(a.size());
 }
 
 }  // namespace

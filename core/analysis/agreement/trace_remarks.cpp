@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
+#include "core/analysis/agreement/trace_likeness.h"
 #include "core/analysis/agreement/trace_on_program.h"
 #include "core/base/units.h"
 
@@ -146,6 +148,9 @@ std::vector<Diagnostic> remarks_on(const TraceOnProgram& found, const Trace& tra
                   "of the two tell nothing together")
             : remark(Severity::warning, "trace-still", "the trace does not move",
                      "record while the program runs, and check the columns of the positions"));
+  }
+  if (!found.belongs()) {
+    std::ranges::move(likeness_remarks(course, record_of(trace)), std::back_inserter(remarks));
   }
   add_pose(remarks, found.pose);
   add_axes(remarks, found, trace, course);

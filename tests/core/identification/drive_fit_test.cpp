@@ -146,6 +146,106 @@ TEST(DriveFit, KeepsOtherValuesOfADrive) {
   EXPECT_EQ(found_drive(fit, start).backlash, 3e-3);
 }
 
+/// K/(s + K) is (Kv + f s)/(Tv s^2 + s + Kv) with Kv = (1 - f) K and Tv = f/K, whatever f is.
+TEST(DriveFit, TellsNothingOfAGainAloneButUsesIt) {
+  const Recorder recorder({});
+  for (const double step : {0.0, 1e-3}) {
+    Recording how;
+    how.step = step;
+    const Trace trace = recorder.record(drive_of(50, 0, 0), how);
+    const DriveFit fit = fit_drive({&trace}, 'X', {});
+    EXPECT_TRUE(fit.explains);
+    EXPECT_TRUE(fit.of_first_order);
+    EXPECT_EQ(fit.delay, 0);
+    EXPECT_FALSE(fit.parameters[0].told);
+    EXPECT_THAT(fit.parameters[0].reason, HasSubstr("look for the gain alone"));
+    const AxisDrive found = found_drive(fit, {});
+    EXPECT_NEAR(*found.gain, 50, 0.05);
+    EXPECT_EQ(found.feedforward.value_or(0), 0);
+    EXPECT_EQ(found.lag.value_or(0), 0);
+  }
+}
+
+TEST(DriveFit, TellsAGainWhoseFeedForwardAndLagAreHeld) {
+  const Recorder recorder({});
+  Recording how;
+  how.step = 1e-3;
+  const Trace trace = recorder.record(drive_of(50, 0, 0), how);
+  const DriveFit fit = fit_drive({&trace}, 'X', {}, {true, false, false});
+  EXPECT_TRUE(fit.explains);
+  EXPECT_TRUE(fit.parameters[0].told);
+  EXPECT_NEAR(fit.parameters[0].value, 50, fit.parameters[0].uncertainty);
+  EXPECT_LT(fit.parameters[0].uncertainty, 0.2);
+  EXPECT_FALSE(fit.parameters[1].told);
+  EXPECT_EQ(found_drive(fit, {}).feedforward.value_or(0), 0);
+}
+
+TEST(DriveFit, HoldsWhatTheMachineHas) {
+  const Recorder recorder({});
+  const Trace trace = recorder.record(drive_of(50, 0.9, 4e-3), {});
+  const DriveFit gain = fit_drive({&trace}, 'X', drive_of(20, 0.9, 4e-3), {true, false, false});
+  EXPECT_TRUE(gain.parameters[0].told);
+  EXPECT_NEAR(gain.parameters[0].value, 50, 0.1);
+  const DriveFit lag = fit_drive({&trace}, 'X', drive_of(50, 0.9, 0), {false, false, true});
+  EXPECT_TRUE(lag.parameters[2].told);
+  EXPECT_NEAR(lag.parameters[2].value, 4, 0.01);
+  EXPECT_EQ(*found_drive(lag, drive_of(50, 0.9, 0)).gain, 50);
+}
+
+TEST(DriveFit, LooksForAllWhereWhatIsHeldContradictsTheRecord) {
+  const Recorder recorder({});
+  Recording how;
+  how.step = 1e-3;
+  const Trace trace = recorder.record(drive_of(50, 0.6, 4e-3), how);
+  const DriveFit fit = fit_drive({&trace}, 'X', {}, {true, false, false});
+  EXPECT_TRUE(fit.explains);
+  EXPECT_EQ(fit.free, (DriveFit::Free{true, true, true}));
+  EXPECT_NEAR(fit.parameters[1].value, 0.6, 0.01);
+}
+
+/// Set positions that run at constant velocity from sample to sample, answered by small steps.
+Trace answered_in_lines(Trace trace, const AxisDrive& drive) {
+  constexpr int substeps = 200;
+  const double h = trace.period / substeps;
+  double y = trace.place[0].front();
+  double v = 0;
+  for (std::size_t i = 0; i + 1 < trace.size(); ++i) {
+    const double from = trace.place[0][i];
+    const double velocity = (trace.place[0][i + 1] - from) / trace.period;
+    trace.actual[0][i] = y;
+    const auto acceleration = [&](double time, double place, double speed) {
+      return (*drive.gain * (from + velocity * time - place) + *drive.feedforward * velocity - speed) /
+             *drive.lag;
+    };
+    for (int k = 0; k < substeps; ++k) {  // the midpoint rule
+      const double time = k * h;
+      const double a = acceleration(time, y, v);
+      const double middle = acceleration(time + h / 2, y + v * h / 2, v + a * h / 2);
+      y += h * (v + a * h / 2);
+      v += h * middle;
+    }
+  }
+  trace.actual[0].back() = y;
+  return trace;
+}
+
+TEST(DriveFit, CountsHowSetPositionsRunBetweenSamples) {
+  const Recorder recorder({});
+  for (const double period : {2e-3, 4e-3}) {
+    Recording how;
+    how.period = period;
+    const AxisDrive drive = drive_of(60, 0.5, 5e-3);
+    const Trace trace = answered_in_lines(recorder.record(drive, how), drive);
+    const DriveFit fit = fit_drive({&trace}, 'X', {});
+    EXPECT_TRUE(fit.explains);
+    const std::array truth{60.0, 0.5, 5.0};
+    for (std::size_t p = 0; p < truth.size(); ++p) {
+      EXPECT_TRUE(fit.parameters[p].told) << fit.parameters[p].parameter.key;
+      EXPECT_NEAR(fit.parameters[p].value, truth[p], fit.parameters[p].uncertainty);
+    }
+  }
+}
+
 TEST(DriveFit, CopesWithJitterAndGaps) {
   const Recorder recorder({});
   Trace trace = recorder.record(drive_of(60, 0.5, 3e-3), {});

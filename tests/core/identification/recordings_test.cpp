@@ -9,6 +9,7 @@
 #include "core/analysis/line_times.h"
 #include "core/base/error.h"
 #include "core/drives/drive_response.h"
+#include "core/machine/machine.h"
 #include "tests/support/folders.h"
 
 namespace feedscope {
@@ -112,7 +113,10 @@ TEST(Recordings, WithActualPositionsTellTheDrivesToo) {
   IdentifyOptions options;
   options.date = "2026-11-27";
   const Identification found = recordings.fit(
-      start, fit_parameters_of(start, {"X.acceleration", "Y.acceleration", "X.kv", "Y.kv"}), options);
+      start,
+      fit_parameters_of(start, {"X.acceleration", "Y.acceleration", "X.kv", "X.velocity_feedforward",
+                                "X.velocity_lag", "Y.kv", "Y.velocity_feedforward", "Y.velocity_lag"}),
+      options);
   ASSERT_EQ(found.drives.size(), 2U);
   ASSERT_EQ(found.parameters.size(), 8U);
   EXPECT_EQ(found.parameters[0].parameter.key, "X.acceleration");
@@ -124,7 +128,7 @@ TEST(Recordings, WithActualPositionsTellTheDrivesToo) {
   EXPECT_EQ(found.parameters[5].start, 30);
   EXPECT_NEAR(found.parameters[5].value, 55, 0.5);
   EXPECT_FALSE(found.parameters[6].told) << "there is none";
-  EXPECT_EQ(found.parameters[6].told_by, "SINGLE MOVES OF Y");
+  EXPECT_EQ(found.parameters[6].told_by, "") << "no trace tells a gain alone from others";
   const Machine& machine = found.setup.machine;
   EXPECT_NEAR(*machine.drives.find('Y')->gain, 55, 0.5);
   EXPECT_FALSE(machine.drives.find('Y')->feedforward);
@@ -142,6 +146,27 @@ TEST(Recordings, TellDrivesAloneWithoutAnySearch) {
   EXPECT_NEAR(found.parameters.front().value, 40, 0.4);
   EXPECT_TRUE(found.explains);
   EXPECT_EQ(found.agreements.size(), 1U);
+}
+
+/// Else a velocity of the machine stands for the override.
+TEST(Recordings, OfOneFeedOverrideAreExplainedWithIt) {
+  const LoadedProgram program = moves();
+  std::vector<std::string> settings = truth;
+  settings.emplace_back("feed_override_percent=30");
+  Recordings recordings;
+  recordings.add(trace_of(simulate_run(program, mill(settings))), program);
+  const auto start = mill({});
+  const Identification found = recordings.fit(
+      start, fit_parameters_of(start, {"X.acceleration", "Y.acceleration", "max_linear_velocity_m_min"}));
+  EXPECT_TRUE(found.explains);
+  for (const IdentifiedParameter& one : found.parameters) {
+    EXPECT_EQ(one.told, one.parameter.key.ends_with("acceleration")) << one.parameter.key;
+  }
+  EXPECT_NEAR(found.parameters[0].value, 1.3, 0.013);
+  EXPECT_EQ(found.parameters.back().parameter.key, "feed_override_percent");
+  EXPECT_NEAR(found.parameters.back().value, 30, 0.1);
+  EXPECT_THAT(write_machine(identified_machine(found, "mill.toml")), Not(HasSubstr("feed_override_percent")));
+  EXPECT_EQ(recordings.remarks()[0].front().code, "trace-override");
 }
 
 /// Drives are looked for once; a trace that is added later counts all the same, and so does another start.

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+#include "core/base/progress.h"
+#include "core/identification/drive_record.h"
+#include "core/identification/fit_parameter.h"
+#include "core/machine/axis_drive.h"
+
+namespace feedscope {
+
+/// Numbers of a drive while they are looked for: logarithm of the gain [1/s], feed-forward, lag [ms]. The
+/// feed-forward may leave 0 to 1 meanwhile.
+using DrivePlace = Eigen::Vector3d;
+
+AxisDrive drive_at(const DrivePlace& place);
+DrivePlace place_of(const AxisDrive& drive);
+
+/// Looks for the drive that explains a record best, while some of its numbers are held.
+class DriveSearch {
+ public:
+  using Free = std::array<bool, drive_parameter_count>;
+
+  /// `free`: which numbers are looked for; `held`: values of the others. The search throws Cancelled.
+  DriveSearch(const Free& free, const DrivePlace& held, Progress* progress)
+      : free_(free), held_(held), progress_(progress) {}
+
+  /// The same, while number `which` is held, too, at its value in `place`.
+  DriveSearch holding(std::size_t which, const DrivePlace& place) const;
+  /// The best of many drives, a few of them, of different shares of feed-forward, refined.
+  DrivePlace first_guess(const DriveRecord& record) const;
+  /// Where the sum of squares is least, from `start` on: `most` evaluations. `delay`: as of
+  /// DriveRecord::residuals().
+  DrivePlace refined(const DriveRecord& record, const DrivePlace& start, int most, double delay = 0) const;
+
+ private:
+  std::vector<DrivePlace> drives_that_lag(double lag_time) const;
+
+  Free free_;
+  DrivePlace held_;
+  Progress* progress_;
+};
+
+/// Sum of the squares of the residuals [mm2].
+double drive_cost(const DriveRecord& record, const DrivePlace& place, double delay = 0);
+
+}  // namespace feedscope
