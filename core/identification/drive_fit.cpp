@@ -19,11 +19,11 @@ constexpr std::size_t first_samples = 30'000;  // for the first look
 constexpr double least_reach = 0.5;            // [mm] that the axis must move
 constexpr double most_left = 1.0 / 3;          // of the following error
 constexpr double lasting = 12;                 // change of the sum of squares that is more than noise
-constexpr double lasting_delay = 100;          // the same of delays, of which many are tried
-constexpr int most_evaluations = 200;          // of a search
-constexpr double told_deviations = 2;          // standard deviations
-constexpr double coarsest_value = 0.2;         // a larger share of the value as uncertainty: not told
-constexpr double coarsest_share = 0.05;        // a larger uncertainty of the feed-forward: not told
+constexpr double clearly_better = 100;   // the same, for what has more freedom than noise alone asks for
+constexpr int most_evaluations = 200;    // of a search
+constexpr double told_deviations = 2;    // standard deviations
+constexpr double coarsest_value = 0.2;   // a larger share of the value as uncertainty: not told
+constexpr double coarsest_share = 0.05;  // a larger uncertainty of the feed-forward: not told
 /// Shares of gain and lag, of the feed-forward itself: less is never claimed.
 constexpr std::array least_error{2e-3, 2e-3, 1e-2};
 constexpr std::size_t left_out_parts = 12;  // of the record; each is omitted once
@@ -181,7 +181,7 @@ Delayed with_delays(const DriveRecord& record, const DriveSearch& search, const 
     at = try_one(samples, at);
   }
   const Fit best = *std::ranges::min_element(fits, {}, &Fit::cost);
-  const double allowed = as_well(record, best.place, lasting_delay, best.delay);
+  const double allowed = as_well(record, best.place, clearly_better, best.delay);
   Delayed delayed{best.delay, fits.front().cost > allowed, {}};
   for (const Fit& fit : fits) {
     if (fit.cost <= allowed) {
@@ -354,7 +354,7 @@ DriveFit fit_drive(const std::vector<const Trace*>& traces, char axis, const Axi
   if (!free[0] || !free[1] || !free[2]) {
     const DriveSearch any({true, true, true}, found, progress);
     const DrivePlace other = any.refined(record, any.first_guess(first), most_evaluations);
-    if (drive_cost(record, found) > as_well(record, other, lasting)) {
+    if (drive_cost(record, found) > as_well(record, other, clearly_better)) {
       return fit_drive(traces, axis, start, {true, true, true}, progress);
     }
   }

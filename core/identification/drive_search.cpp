@@ -17,8 +17,8 @@ constexpr double most_gain = 3000;  // [1/s]
 constexpr double most_lag = 100;    // [ms]
 constexpr double place_step = 1e-3;
 
-/// The task as Eigen's Levenberg-Marquardt asks for it: the free numbers alone, the lag by its root, which is
-/// then never below 0.
+/// The task as Eigen's Levenberg-Marquardt asks for it: the free numbers alone. The lag may be searched below
+/// 0, which stands for the same above it.
 class DriveTask {
  public:
   DriveTask(const DriveSearch::Free& free, const DrivePlace& held, const DriveRecord& record, double delay,
@@ -35,7 +35,7 @@ class DriveTask {
     Eigen::VectorXd at(static_cast<Eigen::Index>(which_.size()));
     for (Eigen::Index i = 0; i < at.size(); ++i) {
       const Eigen::Index p = which_[static_cast<std::size_t>(i)];
-      at[i] = p == 2 ? std::sqrt(place[p]) : place[p];
+      at[i] = place[p];
     }
     return at;
   }
@@ -45,7 +45,7 @@ class DriveTask {
     for (Eigen::Index i = 0; i < at.size(); ++i) {
       const Eigen::Index p = which_[static_cast<std::size_t>(i)];
       place[p] = p == 0   ? std::clamp(at[i], std::log(least_gain), std::log(most_gain))
-                 : p == 2 ? std::min(at[i] * at[i], most_lag)
+                 : p == 2 ? std::min(std::abs(at[i]), most_lag)
                           : at[i];
     }
     return place;
@@ -64,13 +64,16 @@ class DriveTask {
   int df(const Eigen::VectorXd& at, Eigen::MatrixXd& slopes) const {
     Eigen::VectorXd above(at.size());
     Eigen::VectorXd below(at.size());
-    for (Eigen::Index p = 0; p < at.size(); ++p) {
+    for (Eigen::Index i = 0; i < at.size(); ++i) {
+      const bool is_lag = which_[static_cast<std::size_t>(i)] == 2;
+      const double side = is_lag && at[i] < 0 ? -1 : 1;
+      const double step = is_lag ? std::min(place_step, std::abs(at[i])) : place_step;  // towards 0
       Eigen::VectorXd moved = at;
-      moved[p] = at[p] + place_step;
+      moved[i] = at[i] + side * place_step;
       (*this)(moved, above);
-      moved[p] = at[p] - place_step;
+      moved[i] = at[i] - side * step;
       (*this)(moved, below);
-      slopes.col(p) = (above - below) / (2 * place_step);
+      slopes.col(i) = side * (above - below) / (place_step + step);
     }
     return 0;
   }
