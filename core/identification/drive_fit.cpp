@@ -222,10 +222,14 @@ OnRecord on_the_better_record(DriveRecord curve, DriveRecord line, const DriveSe
   OnRecord lined{std::move(line), guess, {}};
   curved.place = search.refined(curved.record, guess, most_evaluations);
   lined.place = search.refined(lined.record, curved.place, most_evaluations);
-  if (drive_cost(curved.record, curved.place) > as_well(lined.record, lined.place, lasting)) {
+  // Rounded set positions are smoother on lines or on curves, whichever way they run: that is no reason.
+  constexpr double by_rounding = 1.05;
+  const double on_curve = drive_cost(curved.record, curved.place);
+  const double on_line = drive_cost(lined.record, lined.place);
+  if (on_curve > std::max(by_rounding * on_line, as_well(lined.record, lined.place, lasting))) {
     return lined;
   }
-  if (drive_cost(lined.record, lined.place) <= as_well(curved.record, curved.place, lasting)) {
+  if (on_line <= std::max(by_rounding * on_curve, as_well(curved.record, curved.place, lasting))) {
     curved.others.push_back(lined.place);
   }
   return curved;

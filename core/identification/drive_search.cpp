@@ -14,6 +14,7 @@ namespace {
 
 constexpr double least_gain = 1;    // [1/s]
 constexpr double most_gain = 3000;  // [1/s]
+constexpr double least_lag = 5e-4;  // [ms]: less moves nothing, and is none
 constexpr double most_lag = 100;    // [ms]
 constexpr double place_step = 1e-3;
 
@@ -92,7 +93,7 @@ AxisDrive drive_at(const DrivePlace& place) {
   AxisDrive drive;
   drive.gain = std::exp(place[0]);
   drive.feedforward = place[1];
-  drive.lag = units::from_ms(std::max(place[2], 0.0));
+  drive.lag = place[2] > least_lag ? units::from_ms(place[2]) : 0;
   return drive;
 }
 
@@ -114,6 +115,22 @@ DriveSearch DriveSearch::holding(std::size_t which, const DrivePlace& place) con
 
 DrivePlace DriveSearch::refined(const DriveRecord& record, const DrivePlace& start, int most,
                                 double delay) const {
+  constexpr double small = 0.5;  // [ms]
+  if (!free_[2]) {
+    return minimised(record, start, most, delay);
+  }
+  const DrivePlace found = minimised(record, {start[0], start[1], std::max(start[2], small)}, most, delay);
+  if (found[2] > small) {
+    return found;
+  }
+  // Steps that come beyond none are refused, and so may end the search beside it.
+  const DrivePlace none(found[0], found[1], 0);
+  const DrivePlace without = holding(2, none).minimised(record, none, most, delay);
+  return drive_cost(record, without, delay) <= drive_cost(record, found, delay) ? without : found;
+}
+
+DrivePlace DriveSearch::minimised(const DriveRecord& record, const DrivePlace& start, int most,
+                                  double delay) const {
   DriveTask task(free_, held_, record, delay, progress_);
   Eigen::LevenbergMarquardt<DriveTask> search(task);
   search.parameters.maxfev = most;

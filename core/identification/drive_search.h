@@ -35,6 +35,7 @@ class DriveSearch {
   DrivePlace refined(const DriveRecord& record, const DrivePlace& start, int most, double delay = 0) const;
 
  private:
+  DrivePlace minimised(const DriveRecord& record, const DrivePlace& start, int most, double delay) const;
   std::vector<DrivePlace> drives_that_lag(double lag_time) const;
 
   Free free_;
