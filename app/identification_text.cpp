@@ -1,6 +1,7 @@
 #include "app/identification_text.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -106,8 +107,14 @@ std::string unexplained_text(const Identification& found) {
         "model {} as it is does not explain the times of the traces; drives are found without it\n", id);
   }
   const bool has_drive = std::ranges::any_of(found.parameters, is_drive);
-  return fmt::format("model {} does not explain the traces: no value of it is told; try another --model{}\n",
-                     id, has_drive ? " (drives are found without it)" : "");
+  const std::vector<std::string> held = held_parameters(found);
+  const std::string advice =
+      held.empty()
+          ? "try another --model"
+          : fmt::format("{} {} held: look for {} too (--fit), or try another --model", fmt::join(held, ", "),
+                        held.size() == 1 ? "was" : "were", held.size() == 1 ? "it" : "them");
+  return fmt::format("model {} does not explain the traces: no value of it is told; {}{}\n", id, advice,
+                     has_drive ? " (drives are found without it)" : "");
 }
 
 }  // namespace

@@ -347,13 +347,6 @@ DriveFit fit_drive(const std::vector<const Trace*>& traces, char axis, const Axi
       on_the_better_record(std::move(curve), record_of(most_samples, BetweenSamples::line), search, guess);
   const DriveRecord& record = best.record;
   const DrivePlace found = within_bounds(record, search, best.place);
-  fit.left = root_mean_square(record.residuals(drive_at(found)));
-  fit.explains = fit.left <= most_left * fit.following_error;
-  if (!fit.explains) {
-    constexpr double noise = 2e-3;  // [mm]: steps of encoders
-    leave(fit, fit.following_error <= noise ? reason_follows : reason_unexplained);
-    return fit;
-  }
   const DriveRecord first = record_of(first_samples, record.between());
   if (!free[0] || !free[1] || !free[2]) {
     const DriveSearch any({true, true, true}, found, progress);
@@ -361,6 +354,13 @@ DriveFit fit_drive(const std::vector<const Trace*>& traces, char axis, const Axi
     if (drive_cost(record, found) > as_well(record, other, clearly_better)) {
       return fit_drive(traces, axis, start, {true, true, true}, progress);
     }
+  }
+  fit.left = root_mean_square(record.residuals(drive_at(found)));
+  fit.explains = fit.left <= most_left * fit.following_error;
+  if (!fit.explains) {
+    constexpr double noise = 2e-3;  // [mm]: steps of encoders
+    leave(fit, fit.following_error <= noise ? reason_follows : reason_unexplained);
+    return fit;
   }
   const Delayed delayed = with_delays(first, search, found);
   if (delayed.is_certain) {

@@ -300,26 +300,6 @@ void leave_hollow(ParameterSearch& search, const std::vector<bool>& free, int mo
   }
 }
 
-/// Values of what is not told stay those that were begun with, where that explains the traces no worse; else
-/// those that were found. A bound ("at least") is not taken as the value: it explains the traces worse for
-/// certain, and faster programs would come out too slow.
-void take_back(ParameterSearch& search, std::vector<IdentifiedParameter>& parameters) {
-  const double here = ParameterSearch::cost(search.evaluate(search.logarithms()));
-  constexpr double no_worse = 1e-3;
-  for (std::size_t p = 0; p < parameters.size(); ++p) {
-    IdentifiedParameter& one = parameters[p];
-    if (one.told) {
-      continue;
-    }
-    Eigen::VectorXd at = search.logarithms();
-    at[static_cast<Eigen::Index>(p)] = std::log(one.start);
-    if (one.start > 0 && ParameterSearch::cost(search.evaluate(at)) <= here * (1 + no_worse)) {
-      search.move_to(at);
-      one.value = one.start;
-    }
-  }
-}
-
 /// Where the machine has other limits than those of the traces, another program shows more.
 void say_what_tells(const Setup& setup, std::vector<IdentifiedParameter>& parameters) {
   std::vector<FitParameter> untold;

@@ -284,6 +284,38 @@ std::vector<IdentifiedParameter> judge_parameters(ParameterSearch& search, const
   return judged;
 }
 
+void take_back(ParameterSearch& search, std::vector<IdentifiedParameter>& parameters) {
+  constexpr int halvings = 7;
+  constexpr double shown = 1;  // rise of the sum of squares, in units of noise
+  const double here = ParameterSearch::cost(search.evaluate(search.logarithms()));
+  const auto rise_at = [&](std::size_t p, double logarithm) {
+    Eigen::VectorXd at = search.logarithms();
+    at[static_cast<Eigen::Index>(p)] = logarithm;
+    return rise(search.evaluate(at), here, stretches_of(search));
+  };
+  const auto take = [&](std::size_t p, double logarithm) {
+    Eigen::VectorXd at = search.logarithms();
+    at[static_cast<Eigen::Index>(p)] = logarithm;
+    search.move_to(at);
+    parameters[p].value = std::exp(logarithm);
+  };
+  for (std::size_t p = 0; p < parameters.size(); ++p) {
+    IdentifiedParameter& one = parameters[p];
+    if (one.told) {
+      continue;
+    }
+    if (one.start > 0 && rise_at(p, std::log(one.start)) <= seen) {
+      take(p, std::log(one.start));
+      one.value = one.start;
+    } else if (one.at_least && *one.at_least < one.value) {
+      const double stays = std::max(shown, rise_at(p, std::log(one.value)));
+      const Bracket bracket = halve({std::log(one.value), std::log(*one.at_least)}, halvings,
+                                    [&](double logarithm) { return rise_at(p, logarithm) <= stays; });
+      take(p, bracket.low);
+    }
+  }
+}
+
 void add_reached_velocities(std::vector<IdentifiedParameter>& parameters, const FitCases& cases) {
   for (IdentifiedParameter& one : parameters) {
     if (one.told || one.reason != without_influence || !one.parameter.key.ends_with(".velocity")) {

@@ -13,6 +13,11 @@ namespace feedscope {
 std::vector<IdentifiedParameter> judge_parameters(ParameterSearch& search, const std::vector<double>& start,
                                                   const std::vector<double>& without);
 
+/// Values of what is not told become those that were begun with, as long as the traces do not show it; else,
+/// where they show only what a value is at least, the smallest one that explains them no worse. Moves the
+/// search there.
+void take_back(ParameterSearch& search, std::vector<IdentifiedParameter>& parameters);
+
 /// Of velocities of axes without influence that no trace asks for more: they are at least what the axes
 /// reach.
 void add_reached_velocities(std::vector<IdentifiedParameter>& parameters, const FitCases& cases);

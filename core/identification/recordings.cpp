@@ -353,6 +353,18 @@ Identification Recordings::fit_as_begun(const Setup& start, const std::vector<Fi
   return found;
 }
 
+std::vector<std::string> held_parameters(const Identification& found) {
+  std::vector<std::string> held;
+  for (const FitParameter& usual : usual_fit_parameters(found.setup)) {
+    const bool looked_for = std::ranges::any_of(
+        found.parameters, [&](const IdentifiedParameter& one) { return one.parameter.key == usual.key; });
+    if (!looked_for) {
+      held.push_back(usual.key);
+    }
+  }
+  return held;
+}
+
 bool is_section_times_file(const std::filesystem::path& file) {
   constexpr std::size_t enough = 4096;
   std::string head(enough, '\0');

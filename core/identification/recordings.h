@@ -70,6 +70,10 @@ class Recordings {
   std::vector<std::optional<double>> feed_shares_;  ///< of each; of tables none
 };
 
+/// Numbers that usual_fit_parameters() would have looked for and that were held, by their keys: where a model
+/// does not explain recordings, they may be what is wrong.
+std::vector<std::string> held_parameters(const Identification& found);
+
 /// Whether a file is a table of section times; false for one that cannot be read.
 bool is_section_times_file(const std::filesystem::path& file);
 /// Reads one. Throws InputError, as parse_section_times().

@@ -26,6 +26,10 @@ target_compile_options(feedscope_settings INTERFACE
   -Wall -Wextra -Wpedantic -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual -Wdouble-promotion
   $<$<NOT:$<BOOL:${FEEDSCOPE_UNITY}>>:-Wshadow> # together, sources would shadow names of each other
   $<$<BOOL:${FEEDSCOPE_WARNINGS_AS_ERRORS}>:-Werror>)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # The compiler collects its garbage from 600 MB on only: a seventh less of its time, a fifth to a third more of its memory.
+  add_compile_options(--param=ggc-min-expand=300 --param=ggc-min-heapsize=600000)
+endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   # Of "text" + std::string, where there is nothing: GCC bug 105651.
   target_compile_options(feedscope_settings INTERFACE -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow)

@@ -395,6 +395,10 @@
         <source>No part of the test program would tell this value.</source>
         <translation>Aucune partie du programme d’essai ne révélerait cette valeur.</translation>
     </message>
+    <message>
+        <source>Not looked for: %1. With these the model may explain it.</source>
+        <translation>Non cherchés&#xa0;: %1. Avec eux, le modèle peut l’expliquer.</translation>
+    </message>
 </context>
 <context>
     <name>KinematicCharts</name>
@@ -9236,10 +9240,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>la trace a la forme de ce programme, %1 fois plus grande</translation>
     </message>
     <message>
-        <source>give its columns the unit that they are in, as --columns time=1,x=2:um</source>
-        <translation>donnez à ses colonnes l’unité dans laquelle elles sont, comme --columns time=1,x=2:um</translation>
-    </message>
-    <message>
         <source>the trace fits this program with %1 in the other direction</source>
         <translation>la trace convient à ce programme avec %1 dans l’autre sens</translation>
     </message>
@@ -9254,6 +9254,18 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>simulate the program that was recorded, with its blocks in the order that the control ran them in</source>
         <translation>simulez le programme qui a été enregistré, avec ses blocs dans l’ordre où la commande les a exécutés</translation>
+    </message>
+    <message>
+        <source>the trace stands still in %1 more places, for %2 s in all</source>
+        <translation>la trace reste immobile en %1 autres endroits, pendant %2 s en tout</translation>
+    </message>
+    <message>
+        <source>its times are in milliseconds: give their column the unit, as --columns time=1:ms</source>
+        <translation>ses instants sont en millisecondes&#xa0;: donnez l’unité à leur colonne, comme --columns time=1:ms</translation>
+    </message>
+    <message>
+        <source>give each of its axes the unit, as --columns time=1,x=2:%1,y=3:%2,z=4:%3</source>
+        <translation>donnez l’unité à chacun de ses axes, comme --columns time=1,x=2:%1,y=3:%2,z=4:%3</translation>
     </message>
 </context>
 <context>

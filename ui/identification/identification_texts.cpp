@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/identification/recordings.h"
 #include "ui/identification/identification_outcome.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
@@ -86,10 +87,21 @@ QString IdentificationTexts::explanation(const IdentifiedParameter& parameter, b
 
 QString IdentificationTexts::judgement(const Identification& found) {
   const QString model = core_text(found.setup.model->info().title);
-  return found.explains ? tr("The model %1 explains what was recorded.").arg(model)
-                        : tr("The model %1 does not explain what was recorded: it misses more than 5 % of "
-                             "the feed or 1 % of the time, so its numbers would say nothing of your machine.")
-                              .arg(model);
+  if (found.explains) {
+    return tr("The model %1 explains what was recorded.").arg(model);
+  }
+  const QString unexplained =
+      tr("The model %1 does not explain what was recorded: it misses more than 5 % of "
+         "the feed or 1 % of the time, so its numbers would say nothing of your machine.")
+          .arg(model);
+  QStringList held;
+  for (const std::string& key : held_parameters(found)) {
+    held.append(QString::fromStdString(key));
+  }
+  return held.isEmpty() ? unexplained
+                        : unexplained + ' ' +
+                              tr("Not looked for: %1. With these the model may explain it.")
+                                  .arg(held.join(QStringLiteral(", ")));
 }
 
 QString IdentificationTexts::time_error(const Agreement& agreement) {

@@ -76,7 +76,7 @@ constexpr std::array sentences{
                       "its %3 as Z"),
     QT_TRANSLATE_NOOP("core", "name the columns in this order, as --columns time=1,x=3,y=2,z=4"),
     QT_TRANSLATE_NOOP("core", "the trace has the shape of this program, %1 times as large"),
-    QT_TRANSLATE_NOOP("core", "give its columns the unit that they are in, as --columns time=1,x=2:um"),
+    QT_TRANSLATE_NOOP("core", "give each of its axes the unit, as --columns time=1,x=2:%1,y=3:%2,z=4:%3"),
     QT_TRANSLATE_NOOP("core", "the trace fits this program with %1 in the other direction"),
     QT_TRANSLATE_NOOP("core", "give its column a minus sign, as --columns time=1,x=2:-mm"),
     QT_TRANSLATE_NOOP("core", "the trace runs along the path of this program from its end to its start"),
@@ -118,6 +118,9 @@ constexpr std::array sentences{
     QT_TRANSLATE_NOOP("core", "nothing was recorded for %1 s from %2 s on at %3"),
     QT_TRANSLATE_NOOP("core",
                       "the trace stands still for %1 s from %2 s on at line %3, where the program does not"),
+    QT_TRANSLATE_NOOP("core", "the trace stands still in %1 more places, for %2 s in all"),
+    QT_TRANSLATE_NOOP("core",
+                      "its times are in milliseconds: give their column the unit, as --columns time=1:ms"),
     QT_TRANSLATE_NOOP("core",
                       "where the simulation runs at the programmed feed, the trace runs at %1 % of it"),
     QT_TRANSLATE_NOOP(

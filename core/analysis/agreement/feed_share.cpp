@@ -67,7 +67,10 @@ std::optional<double> feed_share(const Agreement& agreement, const ProgrammedCou
 void add_feed_remark(TraceOnProgram& trace, const Agreement& agreement, const ProgrammedCourse& course,
                      const Toolpath& toolpath) {
   if (const std::optional<double> share = feed_share(agreement, course, toolpath)) {
-    trace.remarks.push_back(
+    constexpr double thousandth = 1e-3;
+    const bool in_milliseconds = std::abs(*share / thousandth - 1) < 0.1;
+    trace.remarks.insert(
+        trace.remarks.begin(),
         {.severity = Severity::warning,
          .line = 0,
          .column = 0,
@@ -75,9 +78,12 @@ void add_feed_remark(TraceOnProgram& trace, const Agreement& agreement, const Pr
          .message =
              fmt::format("where the simulation runs at the programmed feed, the trace runs at {:.3g} % of it",
                          100 * *share),
-         .hint =
-             "a feed override, or times of another rate: set the feed override of the simulation to it, or "
-             "give the right rate; else limits that are found from the trace are those of the override"});
+         .hint = in_milliseconds
+                     ? "its times are in milliseconds: give their column the unit, as --columns time=1:ms"
+                     : "a feed override, or times of another rate: set the feed override of the simulation "
+                       "to it, or "
+                       "give the right rate; else limits that are found from the trace are those of the "
+                       "override"});
   }
 }
 

@@ -42,10 +42,27 @@ std::vector<HeldStretch> held_stretches(const TimeLaw& trace, const TimeLaw& run
 }
 
 void add_held_remarks(TraceOnProgram& trace, const ProgrammedCourse& course, const TimeLaw& run) {
-  for (const HeldStretch& one : held_stretches(trace.law, run, trace.noise)) {
-    trace.remarks.push_back(held_note(
-        one, course,
-        "a feed hold, or a stop that the simulation does not know; its time is in that of the trace"));
+  constexpr std::size_t most_listed = 5;
+  constexpr const char* hint =
+      "a feed hold, or a stop that the simulation does not know; its time is in that of the trace";
+  const std::vector<HeldStretch> held = held_stretches(trace.law, run, trace.noise);
+  double unlisted = 0;
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    if (i < most_listed) {
+      trace.remarks.push_back(held_note(held[i], course, hint));
+    } else {
+      unlisted += held[i].held;
+    }
+  }
+  if (held.size() > most_listed) {
+    trace.remarks.push_back(
+        {.severity = Severity::warning,
+         .line = 0,
+         .column = 0,
+         .code = "trace-held",
+         .message = fmt::format("the trace stands still in {} more places, for {:.3g} s in all",
+                                held.size() - most_listed, unlisted),
+         .hint = hint});
   }
 }
 

@@ -145,10 +145,14 @@ std::vector<Diagnostic> likeness_remarks(const ProgrammedCourse& course, const M
                              "name the columns in this order, as --columns time=1,x=3,y=2,z=4"));
   }
   if (found->scale != 1) {
-    remarks.push_back(
-        remark("trace-columns",
-               fmt::format("the trace has the shape of this program, {:.4g} times as large", found->scale),
-               "give its columns the unit that they are in, as --columns time=1,x=2:um"));
+    const char* unit = found->scale == 1e3    ? "um"
+                       : found->scale == 1e-3 ? "m"
+                       : found->scale > 1     ? "mm"
+                                              : "in";
+    remarks.push_back(remark(
+        "trace-columns",
+        fmt::format("the trace has the shape of this program, {:.4g} times as large", found->scale),
+        fmt::format("give each of its axes the unit, as --columns time=1,x=2:{0},y=3:{0},z=4:{0}", unit)));
   }
   for (int axis = 0; axis < 3; ++axis) {
     if (found->mirror[axis] < 0) {

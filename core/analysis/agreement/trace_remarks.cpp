@@ -136,7 +136,9 @@ void add_lost(std::vector<Diagnostic>& remarks, const TraceOnProgram& found, con
 std::vector<Diagnostic> remarks_on(const TraceOnProgram& found, const Trace& trace,
                                    const ProgrammedCourse& course) {
   std::vector<Diagnostic> remarks;
-  if (!found.belongs()) {
+  const std::vector<Diagnostic> likeness =
+      found.belongs() ? std::vector<Diagnostic>() : likeness_remarks(course, record_of(trace));
+  if (!found.belongs() && (found.fit.way > 0 || likeness.empty())) {
     remarks.push_back(
         found.fit.way > 0
             ? remark(
@@ -149,9 +151,7 @@ std::vector<Diagnostic> remarks_on(const TraceOnProgram& found, const Trace& tra
             : remark(Severity::warning, "trace-still", "the trace does not move",
                      "record while the program runs, and check the columns of the positions"));
   }
-  if (!found.belongs()) {
-    std::ranges::move(likeness_remarks(course, record_of(trace)), std::back_inserter(remarks));
-  }
+  std::ranges::copy(likeness, std::back_inserter(remarks));
   add_pose(remarks, found.pose);
   add_axes(remarks, found, trace, course);
   if (!found.belongs() || found.law.empty()) {

@@ -46,7 +46,7 @@ TEST(LinuxCncIdentification, FindsTheMachineOfItsTraces) {
   request.machine = "linuxcnc-mill";
   const auto start = make_setup(request);
   FitCases cases;
-  for (const std::string name : {"tapie_bore", "lesson_approach"}) {
+  for (const std::string name : {"tapie_bore", "lesson_corners"}) {
     cases.push_back(std::make_shared<const TraceCase>(trace_of(name), without_tolerance(name), start));
   }
   const Identification found =

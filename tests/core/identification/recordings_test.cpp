@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -146,6 +147,31 @@ TEST(Recordings, TellDrivesAloneWithoutAnySearch) {
   EXPECT_NEAR(found.parameters.front().value, 40, 0.4);
   EXPECT_TRUE(found.explains);
   EXPECT_EQ(found.agreements.size(), 1U);
+}
+
+/// The feed of 6 m/min is as fast as these moves become: nothing shows what the axis could do.
+TEST(Recordings, ThatDoNotReachALimitLeaveItOrTakeTheSmallestThatExplainsThem) {
+  const LoadedProgram program = moves();
+  std::vector<std::string> settings = truth;
+  settings.insert(settings.end(), {"X.velocity=20", "max_linear_velocity_m_min=20"});
+  Recordings recordings;
+  recordings.add(trace_of(simulate_run(program, mill(settings))), program);
+  const auto found_from = [&](const char* velocity) {
+    const auto start = mill({velocity, "max_linear_velocity_m_min=20"});
+    const Identification found =
+        recordings.fit(start, fit_parameters_of(start, {"X.acceleration", "Y.acceleration", "X.velocity"}));
+    return *std::ranges::find(found.parameters, "X.velocity",
+                              [](const IdentifiedParameter& one) { return one.parameter.key; });
+  };
+  const IdentifiedParameter fast = found_from("X.velocity=30");
+  EXPECT_EQ(fast.parameter.key, "X.velocity");
+  EXPECT_FALSE(fast.told);
+  EXPECT_EQ(fast.value, 30);
+  const IdentifiedParameter slow = found_from("X.velocity=2");
+  EXPECT_FALSE(slow.told);
+  ASSERT_TRUE(slow.at_least);
+  EXPECT_NEAR(*slow.at_least, 6, 0.1);
+  EXPECT_NEAR(slow.value, 6, 0.2);
 }
 
 /// Else a velocity of the machine stands for the override.

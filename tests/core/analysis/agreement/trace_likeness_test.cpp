@@ -51,6 +51,10 @@ TEST(TraceLikeness, SaysHowATraceThatDoesNotFitWould) {
   scale(in_metres, 1e-3);
   EXPECT_THAT(remarks_on_it(in_metres), AllOf(has_remark("trace-columns", "0.001 times as large"),
                                               has_remark("trace-columns", "its Y as X")));
+  Trace small = trace;
+  scale(small, 1e-3);
+  EXPECT_EQ(remarks_on_it(small).front().code, "trace-columns") << "not that it stands still";
+  EXPECT_THAT(remarks_on_it(small).front().hint, HasSubstr("x=2:m,y=3:m"));
   Trace backwards = trace;
   for (auto& place : backwards.place) {
     std::ranges::reverse(place);
