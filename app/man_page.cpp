@@ -62,7 +62,9 @@ std::string exit_codes() {
   add(exit_code::program_errors,
       "The NC program, or the configuration that is imported, has errors; results of the rest are written. "
       "Of lessons: a claim does not hold.");
-  add(exit_code::wrong_use, "Wrong option or value; a file that cannot be read or written.");
+  add(exit_code::wrong_use,
+      "Wrong option or value; a file that cannot be read or written; a trace that does not belong to its "
+      "program.");
   add(exit_code::failed, "Out of memory, or an internal error.");
   return text + ".TP\n.B 128 + n\nStopped by signal n: 130 for Ctrl\\-C. Nothing half written is left.\n";
 }

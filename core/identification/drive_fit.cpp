@@ -19,11 +19,11 @@ constexpr std::size_t first_samples = 30'000;  // for the first look
 constexpr double least_reach = 0.5;            // [mm] that the axis must move
 constexpr double most_left = 1.0 / 3;          // of the following error
 constexpr double lasting = 12;                 // change of the sum of squares that is more than noise
-constexpr double clearly_better = 100;   // the same, for what has more freedom than noise alone asks for
-constexpr int most_evaluations = 200;    // of a search
-constexpr double told_deviations = 2;    // standard deviations
-constexpr double coarsest_value = 0.2;   // a larger share of the value as uncertainty: not told
-constexpr double coarsest_share = 0.05;  // a larger uncertainty of the feed-forward: not told
+constexpr double clearly_better = 100;         // the same where several alternatives are tried
+constexpr int most_evaluations = 200;          // of a search
+constexpr double told_deviations = 2;          // standard deviations
+constexpr double coarsest_value = 0.2;         // a larger share of the value as uncertainty: not told
+constexpr double coarsest_share = 0.05;        // a larger uncertainty of the feed-forward: not told
 /// Shares of gain and lag, of the feed-forward itself: less is never claimed.
 constexpr std::array least_error{2e-3, 2e-3, 1e-2};
 constexpr std::size_t left_out_parts = 12;  // of the record; each is omitted once
@@ -201,6 +201,7 @@ void leave(DriveFit& fit, const char* reason) {
 
 /// Tells nothing of what was told.
 void distrust(DriveFit& fit, const char* reason) {
+  fit.of_first_order = false;
   for (IdentifiedParameter& one : fit.parameters) {
     one.told = false;
     one.uncertainty = 0;
@@ -284,9 +285,9 @@ void use_simplest(DriveFit& fit, const DriveRecord& record, const DriveSearch& s
   const bool all_free = std::ranges::find(fit.free, false) == fit.free.end();
   DrivePlace in_use = found;
   if (!any_told && all_free) {
-    constexpr double most_gain = 3000;  // [1/s]
+    constexpr double fastest = 1e-4;  // [s]: less is no lag
     const double gain = std::exp(found[0]);
-    const DrivePlace start(std::log(gain / std::max(1 - found[1], gain / most_gain)), 0, 0);
+    const DrivePlace start(-std::log(std::max((1 - found[1]) / gain, fastest)), 0, 0);
     const DrivePlace alone =
         search.holding(1, start).holding(2, start).refined(record, start, most_evaluations);
     fit.of_first_order = drive_cost(record, alone) <= allowed;
@@ -402,6 +403,9 @@ AxisDrive found_drive(const DriveFit& fit, const AxisDrive& start) {
     return drive;
   }
   for (std::size_t p = 0; p < drive_parameter_count; ++p) {
+    if (!fit.free[p]) {
+      continue;
+    }
     const double value = fit.parameters[p].value;
     set_drive_value(drive, p, value > 0 || p == 0 ? SettingValue(value) : SettingValue(std::string()));
   }

@@ -50,8 +50,8 @@ std::string axes_with_drives(const std::vector<const Trace*>& traces);
 /// told, and the gain alone is used.
 ///
 /// `start`: what a machine file has of the drive; it stays where nothing is told. `free`: what is looked for;
-/// the rest is held at `start`, as none where that has no value. All three are looked for where there is no
-/// gain to hold, and where others than those that are held explain the record clearly better. Throws
+/// the rest is held at `start`, as none where that has no value. A gain is looked for where there is none to
+/// hold, and all three where others than those that are held explain the record clearly better. Throws
 /// Cancelled.
 DriveFit fit_drive(const std::vector<const Trace*>& traces, char axis, const AxisDrive& start,
                    DriveFit::Free free = {true, true, true}, Progress* progress = nullptr);

@@ -123,7 +123,7 @@ DrivePlace DriveSearch::refined(const DriveRecord& record, const DrivePlace& sta
   if (found[2] > small) {
     return found;
   }
-  // Steps that come beyond none are refused, and so may end the search beside it.
+  // Steps that come beyond none are mirrored, which may end the search beside it.
   const DrivePlace none(found[0], found[1], 0);
   const DrivePlace without = holding(2, none).minimised(record, none, most, delay);
   return drive_cost(record, without, delay) <= drive_cost(record, found, delay) ? without : found;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <vector>
 
 #include "core/base/progress.h"
 #include "core/identification/drive_record.h"

@@ -317,14 +317,16 @@ void say_what_tells(const Setup& setup, std::vector<IdentifiedParameter>& parame
   }
 }
 
-void write_sources(Setup& setup, const std::vector<IdentifiedParameter>& parameters, bool explains,
-                   const std::string& from) {
+/// `start`: what was begun with, whose sources stay with the values that stay.
+void write_sources(Setup& setup, const Setup& start, const std::vector<IdentifiedParameter>& parameters,
+                   bool explains, const std::string& from) {
   setup.machine.model = setup.model->info().id;
-  const Settings known = complete_settings(*setup.model, setup.machine);
+  const Provenance set_by_hand{"set by hand", false};
+  const Settings known = complete_settings(*setup.model, start.machine);
   for (const auto& [key, value] : setup.settings.values()) {
     if (known.value(key) != value) {
       setup.machine.settings.set(key, value);
-      setup.machine.provenance.insert_or_assign(key, Provenance{"set by hand", false});
+      setup.machine.provenance.insert_or_assign(key, set_by_hand);
     }
   }
   for (const IdentifiedParameter& one : parameters) {
@@ -332,11 +334,17 @@ void write_sources(Setup& setup, const std::vector<IdentifiedParameter>& paramet
     if (key.find('.') == std::string::npos) {
       setup.machine.settings.set(key, setup.settings.value(key));
     }
+    const auto before = start.machine.provenance.find(key);
+    const bool was_set = start.settings.has(key) && known.value(key) != start.settings.value(key);
     if (one.told) {
       setup.machine.provenance.insert_or_assign(key, identified_source(one, from));
     } else if (one.value != one.start && explains) {
       setup.machine.provenance.insert_or_assign(key, untold_source(one, from));
-    } else if (!setup.machine.provenance.contains(key)) {
+    } else if (was_set) {
+      setup.machine.provenance.insert_or_assign(key, set_by_hand);
+    } else if (before != start.machine.provenance.end()) {
+      setup.machine.provenance.insert_or_assign(key, before->second);
+    } else {
       setup.machine.provenance.insert_or_assign(key, Provenance{"usual value of the model", true});
     }
   }
@@ -443,7 +451,7 @@ Identification identify(const FitCases& cases, const Setup& start,
       one.at_least.reset();
     }
   }
-  write_sources(found.setup, found.parameters, found.explains,
+  write_sources(found.setup, start, found.parameters, found.explains,
                 names_of(cases) + (options.date.empty() ? "" : ", " + options.date));
   found.simulations = search.simulations();
   return found;

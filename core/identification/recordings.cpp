@@ -262,13 +262,15 @@ void Recordings::add_drive(Identification& found, const DriveFit& drive, const s
 /// At which share of the programmed feed all of them run; none where one does not, or at another.
 std::optional<double> Recordings::feed_share() const {
   constexpr double same = 0.01;
+  constexpr double least = 0.02;  // smaller and larger ones are those of times in another unit
+  constexpr double most = 5;
   if (feed_shares_.empty() || !std::ranges::all_of(feed_shares_, &std::optional<double>::has_value)) {
     return std::nullopt;
   }
   const double share = *feed_shares_.front();
   const bool agree = std::ranges::all_of(
       feed_shares_, [&](const std::optional<double>& one) { return std::abs(*one / share - 1) <= same; });
-  return agree ? std::optional(share) : std::nullopt;
+  return agree && share > least && share < most ? std::optional(share) : std::nullopt;
 }
 
 Identification Recordings::fit(const Setup& start, const std::vector<FitParameter>& parameters,
@@ -297,27 +299,31 @@ Identification Recordings::fit(const Setup& start, const std::vector<FitParamete
       return other;
     }
   }
+  Setup begun = start;
+  constexpr double whole = 100;
+  const double override_before = feed_override(start).value_or(whole);
   if (const std::optional<double> share = feed_share()) {
-    constexpr double whole = 100;
-    const double before = feed_override(start).value_or(whole);
-    Setup slowed = start;
-    slowed.settings.set(feed_override_key, before * *share);
-    Identification other = again(slowed, parameters);
     constexpr double as_well = 1.2;  // a limit that stands for the override explains the traces, too
+    Setup slowed = start;
+    slowed.settings.set(feed_override_key, override_before * *share);
+    Identification other = again(slowed, parameters);
     if (other.explains && (!found.explains || other.residual <= as_well * found.residual)) {
-      other.simulations = simulations;
-      add_override(other, start, before);
-      return other;
+      found = std::move(other);
+      found.simulations = simulations;
+      begun = slowed;
     }
   }
-  if (found.explains && assumes_steps(start)) {
+  if (found.explains && assumes_steps(begun)) {
     std::string from;
     for (const Item& item : items_) {
       from += (from.empty() ? "" : ", ") + (item.trace != nullptr ? item.trace->name : item.name);
     }
     from += options.date.empty() ? "" : ", " + options.date;
-    doubt_steps(found, start, from, [&](const Setup& other) { return again(other, parameters); });
+    doubt_steps(found, begun, from, [&](const Setup& other) { return again(other, parameters); });
     found.simulations = simulations;
+  }
+  if (feed_override(begun) != feed_override(start)) {
+    add_override(found, start, override_before);
   }
   return found;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/analysis/agreement/feed_share.h"
+#include "core/analysis/agreement/trace_likeness.h"
 #include "core/analysis/run_stages.h"
 #include "core/base/error.h"
 
@@ -37,6 +38,11 @@ TraceCase::TraceCase(std::shared_ptr<const Trace> trace, const LoadedProgram& pr
       find_on_program(*trace_, *course_, freedom / 2 + deviation_of(*run.trajectory, *course_, coarsest_step),
                       program.program->source.get(), progress);
   if (found_.law.empty() || !found_.belongs()) {
+    const auto likeness = std::ranges::find_if(found_.remarks, says_likeness);
+    if (likeness != found_.remarks.end()) {
+      throw InputError(fmt::format("{}: the trace does not belong to its program as it is: {}; {}",
+                                   trace_->name, likeness->message, likeness->hint));
+    }
     throw InputError(fmt::format(
         "{}: the trace does not belong to its program: {:.1f} % of its way runs along the path within {:.3g} "
         "mm, "
@@ -101,11 +107,10 @@ void TraceCase::leave_out_holds(const TimeLaw& run) {
   held_ = held_stretches(found_.law, run, found_.noise);
   for (const HeldStretch& one : held_) {
     found_.lost.push_back({one.from, one.to, one.from_s, one.to_s, true});
-    found_.remarks.push_back(
-        held_note(one, *course_,
-                  "a feed hold, or a stop that the simulation does not know; half a second before it and "
-                  "behind it is not compared, and its time not counted"));
   }
+  add_held_notes(found_.remarks, held_, *course_,
+                 "a feed hold, or a stop that the simulation does not know; half a second before it and "
+                 "behind it is not compared, and its time not counted");
   std::ranges::stable_sort(found_.lost, {}, &LostStretch::from);
 }
 

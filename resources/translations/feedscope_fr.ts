@@ -397,7 +397,7 @@
     </message>
     <message>
         <source>Not looked for: %1. With these the model may explain it.</source>
-        <translation>Non cherchés&#xa0;: %1. Avec eux, le modèle peut l’expliquer.</translation>
+        <translation>Non cherchés&#xa0;: %1. Avec eux, le modèle pourrait l’expliquer.</translation>
     </message>
 </context>
 <context>
@@ -9224,16 +9224,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>Les traces vont à cette part de l’avance programmée, et les autres nombres sont trouvés avec elle. Elle ne fait pas partie de la machine.</translation>
     </message>
     <message>
-        <source>the trace does not fit this program: %1; %2</source>
-        <translation>la trace ne convient pas à ce programme&#xa0;: %1&#xa0;; %2</translation>
-    </message>
-    <message>
         <source>the trace fits this program with its axes in another order: its %1 as X, its %2 as Y, its %3 as Z</source>
         <translation>la trace convient à ce programme avec ses axes dans un autre ordre&#xa0;: son %1 comme X, son %2 comme Y, son %3 comme Z</translation>
-    </message>
-    <message>
-        <source>name the columns in this order, as --columns time=1,x=3,y=2,z=4</source>
-        <translation>nommez les colonnes dans cet ordre, comme --columns time=1,x=3,y=2,z=4</translation>
     </message>
     <message>
         <source>the trace has the shape of this program, %1 times as large</source>
@@ -9266,6 +9258,14 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>give each of its axes the unit, as --columns time=1,x=2:%1,y=3:%2,z=4:%3</source>
         <translation>donnez l’unité à chacun de ses axes, comme --columns time=1,x=2:%1,y=3:%2,z=4:%3</translation>
+    </message>
+    <message>
+        <source>as it is, the trace is nowhere on this program: %1; %2</source>
+        <translation>telle quelle, la trace n’est nulle part sur ce programme&#xa0;: %1&#xa0;; %2</translation>
+    </message>
+    <message>
+        <source>name the columns in this order; for X and Y exchanged, as --columns time=1,x=3,y=2,z=4</source>
+        <translation>nommez les colonnes dans cet ordre&#xa0;; pour X et Y échangés, comme --columns time=1,x=3,y=2,z=4</translation>
     </message>
 </context>
 <context>

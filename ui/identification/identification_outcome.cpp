@@ -37,12 +37,20 @@ bool is_same_but_for(const std::vector<std::string>& fitted, const Setup& a, con
 }
 
 bool begins_with(const Identification& found, const IdentificationStart& start) {
-  return found.setup.model == start.setup.model && found.parameters.size() == start.keys.size() &&
-         std::equal(found.parameters.begin(), found.parameters.end(), start.keys.begin(),
-                    [&](const IdentifiedParameter& one, const std::string& key) {
-                      return one.parameter.key == key && one.start == fit_value(start.setup, one.parameter);
-                    }) &&
-         is_same_but_for(start.keys, found.setup, start.setup);
+  // What was found besides, numbers of a drive or a feed override, was not asked for.
+  std::vector<std::string> found_keys = start.keys;
+  for (const IdentifiedParameter& one : found.parameters) {
+    found_keys.push_back(one.parameter.key);
+  }
+  return found.setup.model == start.setup.model &&
+         std::ranges::all_of(
+             start.keys,
+             [&](const std::string& key) {
+               return std::ranges::any_of(found.parameters, [&](const IdentifiedParameter& one) {
+                 return one.parameter.key == key && one.start == fit_value(start.setup, one.parameter);
+               });
+             }) &&
+         is_same_but_for(found_keys, found.setup, start.setup);
 }
 
 }  // namespace

@@ -80,6 +80,10 @@ QString IdentificationTexts::explanation(const IdentifiedParameter& parameter, b
     return reason;
   }
   const QString part = QString::fromStdString(parameter.told_by);
+  if (part.isEmpty() &&
+      (is_drive_parameter(parameter.parameter) || parameter.parameter.key == feed_override_key)) {
+    return reason;
+  }
   return reason + ' ' +
          (part.isEmpty() ? tr("No part of the test program would tell this value.")
                          : tr("A recording of the test program tells it: part %1.").arg(part));

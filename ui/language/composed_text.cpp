@@ -70,11 +70,12 @@ constexpr std::array sentences{
     QT_TRANSLATE_NOOP("core",
                       "open the program that was recorded, or give the zero point it ran with; times and "
                       "feeds of the two tell nothing together"),
-    QT_TRANSLATE_NOOP("core", "the trace does not fit this program: %1; %2"),
+    QT_TRANSLATE_NOOP("core", "as it is, the trace is nowhere on this program: %1; %2"),
     QT_TRANSLATE_NOOP("core",
                       "the trace fits this program with its axes in another order: its %1 as X, its %2 as Y, "
                       "its %3 as Z"),
-    QT_TRANSLATE_NOOP("core", "name the columns in this order, as --columns time=1,x=3,y=2,z=4"),
+    QT_TRANSLATE_NOOP(
+        "core", "name the columns in this order; for X and Y exchanged, as --columns time=1,x=3,y=2,z=4"),
     QT_TRANSLATE_NOOP("core", "the trace has the shape of this program, %1 times as large"),
     QT_TRANSLATE_NOOP("core", "give each of its axes the unit, as --columns time=1,x=2:%1,y=3:%2,z=4:%3"),
     QT_TRANSLATE_NOOP("core", "the trace fits this program with %1 in the other direction"),

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/analysis/agreement/held_stretches.h"
+#include "core/analysis/agreement/trace_likeness.h"
 #include "core/analysis/study/operations.h"
 #include "core/base/error.h"
 #include "core/trajectory/state_walk.h"
@@ -199,12 +200,10 @@ Agreement agreement_of(const TraceOnProgram& trace, const ProgrammedCourse& cour
   constexpr double cells_a_trace = 5000;
   constexpr double finest_step = 5e-4;  // [s]
   if (trace.law.empty()) {
-    const auto likeness = std::ranges::find_if(trace.remarks, [](const Diagnostic& one) {
-      return one.code == "trace-columns" || one.code == "trace-backwards";
-    });
+    const auto likeness = std::ranges::find_if(trace.remarks, says_likeness);
     if (likeness != trace.remarks.end()) {
-      throw InputError(
-          fmt::format("the trace does not fit this program: {}; {}", likeness->message, likeness->hint));
+      throw InputError(fmt::format("as it is, the trace is nowhere on this program: {}; {}",
+                                   likeness->message, likeness->hint));
     }
     throw InputError(fmt::format(
         "the trace is nowhere within {:.3g} mm of the path of the program; it is of another program, "

@@ -12,6 +12,18 @@ constexpr double around_hold =
     0.5;                            // [s] in which a control slows down before and comes up to its feed again
 constexpr double still_way = 0.01;  // [mm]: a shorter way counts as standing still
 
+/// That a trace stands still there; `hint`: what follows from that.
+Diagnostic held_note(const HeldStretch& held, const ProgrammedCourse& course, const char* hint) {
+  return {.severity = Severity::warning,
+          .line = 0,
+          .column = 0,
+          .code = "trace-held",
+          .message = fmt::format(
+              "the trace stands still for {:.3g} s from {:.4g} s on at line {}, where the program does not",
+              held.held, held.from, course.line_at((held.from_s + held.to_s) / 2)),
+          .hint = hint};
+}
+
 }  // namespace
 
 std::vector<HeldStretch> held_stretches(const TimeLaw& trace, const TimeLaw& run, double noise) {
@@ -42,39 +54,31 @@ std::vector<HeldStretch> held_stretches(const TimeLaw& trace, const TimeLaw& run
 }
 
 void add_held_remarks(TraceOnProgram& trace, const ProgrammedCourse& course, const TimeLaw& run) {
+  add_held_notes(
+      trace.remarks, held_stretches(trace.law, run, trace.noise), course,
+      "a feed hold, or a stop that the simulation does not know; its time is in that of the trace");
+}
+
+void add_held_notes(std::vector<Diagnostic>& remarks, const std::vector<HeldStretch>& held,
+                    const ProgrammedCourse& course, const char* hint) {
   constexpr std::size_t most_listed = 5;
-  constexpr const char* hint =
-      "a feed hold, or a stop that the simulation does not know; its time is in that of the trace";
-  const std::vector<HeldStretch> held = held_stretches(trace.law, run, trace.noise);
   double unlisted = 0;
   for (std::size_t i = 0; i < held.size(); ++i) {
     if (i < most_listed) {
-      trace.remarks.push_back(held_note(held[i], course, hint));
+      remarks.push_back(held_note(held[i], course, hint));
     } else {
       unlisted += held[i].held;
     }
   }
   if (held.size() > most_listed) {
-    trace.remarks.push_back(
-        {.severity = Severity::warning,
-         .line = 0,
-         .column = 0,
-         .code = "trace-held",
-         .message = fmt::format("the trace stands still in {} more places, for {:.3g} s in all",
-                                held.size() - most_listed, unlisted),
-         .hint = hint});
+    remarks.push_back({.severity = Severity::warning,
+                       .line = 0,
+                       .column = 0,
+                       .code = "trace-held",
+                       .message = fmt::format("the trace stands still in {} more places, for {:.3g} s in all",
+                                              held.size() - most_listed, unlisted),
+                       .hint = hint});
   }
-}
-
-Diagnostic held_note(const HeldStretch& held, const ProgrammedCourse& course, const char* hint) {
-  return {.severity = Severity::warning,
-          .line = 0,
-          .column = 0,
-          .code = "trace-held",
-          .message = fmt::format(
-              "the trace stands still for {:.3g} s from {:.4g} s on at line {}, where the program does not",
-              held.held, held.from, course.line_at((held.from_s + held.to_s) / 2)),
-          .hint = hint};
 }
 
 }  // namespace feedscope

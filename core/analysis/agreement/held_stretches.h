@@ -25,7 +25,8 @@ std::vector<HeldStretch> held_stretches(const TimeLaw& trace, const TimeLaw& run
 /// Says in the remarks of a trace where it stands still and the run, `run` on its programmed path, does not.
 void add_held_remarks(TraceOnProgram& trace, const ProgrammedCourse& course, const TimeLaw& run);
 
-/// That a trace stands still there; `hint`: what follows from that.
-Diagnostic held_note(const HeldStretch& held, const ProgrammedCourse& course, const char* hint);
+/// Says it of the first few, and how many there are besides; `hint`: what follows from that.
+void add_held_notes(std::vector<Diagnostic>& remarks, const std::vector<HeldStretch>& held,
+                    const ProgrammedCourse& course, const char* hint);
 
 }  // namespace feedscope

@@ -142,7 +142,8 @@ std::vector<Diagnostic> likeness_remarks(const ProgrammedCourse& course, const M
                              fmt::format("the trace fits this program with its axes in another order: its {} "
                                          "as X, its {} as Y, its {} as Z",
                                          name(0), name(1), name(2)),
-                             "name the columns in this order, as --columns time=1,x=3,y=2,z=4"));
+                             "name the columns in this order; for X and Y exchanged, as --columns "
+                             "time=1,x=3,y=2,z=4"));
   }
   if (found->scale != 1) {
     const char* unit = found->scale == 1e3    ? "um"
@@ -169,6 +170,10 @@ std::vector<Diagnostic> likeness_remarks(const ProgrammedCourse& course, const M
                              "control ran them in"));
   }
   return remarks;
+}
+
+bool says_likeness(const Diagnostic& remark) {
+  return remark.code == "trace-columns" || remark.code == "trace-backwards";
 }
 
 }  // namespace feedscope

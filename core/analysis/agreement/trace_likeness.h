@@ -12,5 +12,7 @@ namespace feedscope {
 /// another unit, with other signs, run backwards. A remark on each of these, with what to do; nothing if none
 /// lays it onto the path within a hundredth of its size. `record`: as it was recorded.
 std::vector<Diagnostic> likeness_remarks(const ProgrammedCourse& course, const MotionRecord& record);
+/// Whether a remark is one of these.
+bool says_likeness(const Diagnostic& remark);
 
 }  // namespace feedscope

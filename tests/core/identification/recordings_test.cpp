@@ -312,6 +312,8 @@ TEST(Recordings, OfAnotherKindOfControlLeaveTheMachineFileAsItWas) {
     written.machine = machine;
     written.settings = complete_settings(*start.model, machine);
     EXPECT_DOUBLE_EQ(fit_value(written, one.parameter), one.start) << one.parameter.key;
+    EXPECT_EQ(machine.provenance.at(one.parameter.key).source,
+              start.machine.provenance.at(one.parameter.key).source);
   }
   EXPECT_GT(changed, 0) << "it comes closer with other numbers";
 }

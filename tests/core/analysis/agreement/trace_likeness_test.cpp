@@ -46,7 +46,7 @@ TEST(TraceLikeness, SaysHowATraceThatDoesNotFitWould) {
   const TraceOnProgram nowhere = find_on_program(in_micrometres, course, 0.02);
   EXPECT_THAT(
       [&] { agreement_of(nowhere, course, run); },
-      testing::ThrowsMessage<InputError>(HasSubstr("does not fit this program: the trace has the shape")));
+      testing::ThrowsMessage<InputError>(HasSubstr("nowhere on this program: the trace has the shape")));
   Trace in_metres = exchanged;
   scale(in_metres, 1e-3);
   EXPECT_THAT(remarks_on_it(in_metres), AllOf(has_remark("trace-columns", "0.001 times as large"),
