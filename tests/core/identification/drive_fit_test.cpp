@@ -151,6 +151,7 @@ TEST(DriveFit, TellsNothingOfAGainAloneButUsesIt) {
   const Recorder recorder({});
   for (const double step : {0.0, 1e-3}) {
     Recording how;
+    how.period = 4e-3;
     how.step = step;
     const Trace trace = recorder.record(drive_of(50, 0, 0), how);
     const DriveFit fit = fit_drive({&trace}, 'X', {});
@@ -169,6 +170,7 @@ TEST(DriveFit, TellsNothingOfAGainAloneButUsesIt) {
 TEST(DriveFit, TellsAGainWhoseFeedForwardAndLagAreHeld) {
   const Recorder recorder({});
   Recording how;
+  how.period = 4e-3;
   how.step = 1e-3;
   const Trace trace = recorder.record(drive_of(50, 0, 0), how);
   const DriveFit fit = fit_drive({&trace}, 'X', {}, {true, false, false});
@@ -231,7 +233,7 @@ Trace answered_in_lines(Trace trace, const AxisDrive& drive) {
 
 TEST(DriveFit, CountsHowSetPositionsRunBetweenSamples) {
   const Recorder recorder({});
-  for (const double period : {2e-3, 4e-3}) {
+  for (const double period : {4e-3, 8e-3}) {
     Recording how;
     how.period = period;
     const AxisDrive drive = drive_of(60, 0.5, 5e-3);
