@@ -47,8 +47,9 @@ void add_override(Identification& found, const Setup& start, double before) {
   one.value = found.setup.settings.number(feed_override_key);
   one.reason = QT_TRANSLATE_NOOP("core",
                                  "The traces run at this share of the programmed feed, and the other numbers "
-                                 "are found with it. It is no "
-                                 "part of the machine.");
+                                 "are found with it; it is no "
+                                 "part of the machine. If the times of the traces are of another rate "
+                                 "instead, these numbers are wrong.");
   found.parameters.push_back(std::move(one));
   Settings kept;
   for (const auto& [key, value] : found.setup.machine.settings.values()) {

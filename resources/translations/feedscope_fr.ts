@@ -9220,10 +9220,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>On ne peut pas le distinguer de l’anticipation et du retard&#xa0;: un entraînement sans les deux bouge de même avec le gain utilisé. Si la commande n’anticipe rien, cherchez le gain seul.</translation>
     </message>
     <message>
-        <source>The traces run at this share of the programmed feed, and the other numbers are found with it. It is no part of the machine.</source>
-        <translation>Les traces vont à cette part de l’avance programmée, et les autres nombres sont trouvés avec elle. Elle ne fait pas partie de la machine.</translation>
-    </message>
-    <message>
         <source>the trace fits this program with its axes in another order: its %1 as X, its %2 as Y, its %3 as Z</source>
         <translation>la trace convient à ce programme avec ses axes dans un autre ordre&#xa0;: son %1 comme X, son %2 comme Y, son %3 comme Z</translation>
     </message>
@@ -9266,6 +9262,10 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>name the columns in this order; for X and Y exchanged, as --columns time=1,x=3,y=2,z=4</source>
         <translation>nommez les colonnes dans cet ordre&#xa0;; pour X et Y échangés, comme --columns time=1,x=3,y=2,z=4</translation>
+    </message>
+    <message>
+        <source>The traces run at this share of the programmed feed, and the other numbers are found with it; it is no part of the machine. If the times of the traces are of another rate instead, these numbers are wrong.</source>
+        <translation>Les traces vont à cette part de l’avance programmée, et les autres nombres sont trouvés avec elle&#xa0;; elle ne fait pas partie de la machine. Si les instants des traces sont plutôt d’une autre cadence, ces nombres sont faux.</translation>
     </message>
 </context>
 <context>
