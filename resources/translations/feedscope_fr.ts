@@ -399,6 +399,10 @@
         <source>Not looked for: %1. With these the model may explain it.</source>
         <translation>Non cherchés&#xa0;: %1. Avec eux, le modèle pourrait l’expliquer.</translation>
     </message>
+    <message>
+        <source>In use: %1.</source>
+        <translation>Valeur utilisée&#xa0;: %1.</translation>
+    </message>
 </context>
 <context>
     <name>KinematicCharts</name>

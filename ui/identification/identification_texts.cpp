@@ -75,9 +75,15 @@ QString IdentificationTexts::explanation(const IdentifiedParameter& parameter, b
                 : tr("With 95 % probability the true value is %1, if the control is of this model."))
         .arg(found(parameter));
   }
-  const QString reason = core_text(parameter.reason);
+  QString reason = core_text(parameter.reason);
   if (!explains) {
     return reason;
+  }
+  if (parameter.value > 0 && parameter.value != parameter.start) {
+    const QString unit = key_unit(parameter.parameter.unit).text;
+    reason +=
+        ' ' + tr("In use: %1.")
+                  .arg(value(parameter.value, parameter.parameter) + (unit.isEmpty() ? "" : ' ' + unit));
   }
   const QString part = QString::fromStdString(parameter.told_by);
   if (part.isEmpty() &&

@@ -34,6 +34,7 @@ TEST_F(IdentificationTextsTest, AValueHasTheDigitsThatItsUncertaintyLeaves) {
 TEST_F(IdentificationTextsTest, WhatIsNotToldSaysWhatWouldTellIt) {
   IdentifiedParameter one = told(2, 0);
   one.told = false;
+  one.start = 2;
   one.reason = "It changes nothing that these traces show.";
   EXPECT_EQ(IdentificationTexts::found(one), "not told");
   EXPECT_THAT(IdentificationTexts::explanation(one, true).toStdString(),
@@ -43,6 +44,8 @@ TEST_F(IdentificationTextsTest, WhatIsNotToldSaysWhatWouldTellIt) {
       IdentificationTexts::explanation(one, true),
       "It changes nothing that these traces show. A recording of the test program tells it: part SINGLE "
       "MOVES OF X.");
+  one.start = 1;
+  EXPECT_THAT(IdentificationTexts::explanation(one, true).toStdString(), HasSubstr("show. In use: 2"));
   one.at_least = 12345;
   EXPECT_EQ(IdentificationTexts::found(one), "at least 12345");
   EXPECT_EQ(IdentificationTexts::explanation(one, false), "It changes nothing that these traces show.")
