@@ -55,10 +55,11 @@ constexpr const char* reason_smaller =
     QT_TRANSLATE_NOOP("core", "These traces show the same with smaller values.");
 constexpr const char* reason_not_apart =
     QT_TRANSLATE_NOOP("core", "It cannot be told apart from the others by these traces.");
-constexpr const char* reason_gain_alone = QT_TRANSLATE_NOOP(
-    "core",
-    "It cannot be told apart from feed-forward and lag: a drive without both moves alike with the gain that "
-    "is used. Where the control feeds nothing forward, look for the gain alone.");
+constexpr const char* reason_gain_alone =
+    QT_TRANSLATE_NOOP("core",
+                      "A smaller gain with feed-forward and lag explains the traces as well as the gain "
+                      "alone, which is used. If "
+                      "the control has no velocity feed-forward, look for the gain alone.");
 
 double root_mean_square(const Eigen::VectorXd& values) {
   return values.size() > 0 ? std::sqrt(values.squaredNorm() / static_cast<double>(values.size())) : 0;
@@ -223,7 +224,7 @@ OnRecord on_the_better_record(DriveRecord curve, DriveRecord line, const DriveSe
   OnRecord lined{std::move(line), guess, {}};
   curved.place = search.refined(curved.record, guess, most_evaluations);
   lined.place = search.refined(lined.record, curved.place, most_evaluations);
-  // Rounded set positions are smoother on lines or on curves, whichever way they run: that is no reason.
+  // Rounding of the set positions favours one of the guesses by up to some percent: less decides nothing.
   constexpr double by_rounding = 1.05;
   const double on_curve = drive_cost(curved.record, curved.place);
   const double on_line = drive_cost(lined.record, lined.place);
@@ -285,9 +286,9 @@ void use_simplest(DriveFit& fit, const DriveRecord& record, const DriveSearch& s
   const bool all_free = std::ranges::find(fit.free, false) == fit.free.end();
   DrivePlace in_use = found;
   if (!any_told && all_free) {
-    constexpr double fastest = 1e-4;  // [s]: less is no lag
+    constexpr double least_time = 1e-4;  // [s], time constant of the highest gain that is tried
     const double gain = std::exp(found[0]);
-    const DrivePlace start(-std::log(std::max((1 - found[1]) / gain, fastest)), 0, 0);
+    const DrivePlace start(-std::log(std::max((1 - found[1]) / gain, least_time)), 0, 0);
     const DrivePlace alone =
         search.holding(1, start).holding(2, start).refined(record, start, most_evaluations);
     fit.of_first_order = drive_cost(record, alone) <= allowed;

@@ -45,11 +45,11 @@ void add_override(Identification& found, const Setup& start, double before) {
   one.parameter = {feed_override_key, "%", 0, 0};
   one.start = before;
   one.value = found.setup.settings.number(feed_override_key);
-  one.reason = QT_TRANSLATE_NOOP("core",
-                                 "The traces run at this share of the programmed feed, and the other numbers "
-                                 "are found with it; it is no "
-                                 "part of the machine. If the times of the traces are of another rate "
-                                 "instead, these numbers are wrong.");
+  one.reason = QT_TRANSLATE_NOOP(
+      "core",
+      "The traces run at this share of the programmed feed. It is taken as the feed override, and is not "
+      "written "
+      "into the machine file. If the recorded times have a wrong rate instead, the other values are wrong.");
   found.parameters.push_back(std::move(one));
   Settings kept;
   for (const auto& [key, value] : found.setup.machine.settings.values()) {

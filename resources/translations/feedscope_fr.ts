@@ -9220,10 +9220,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>une correction d’avance, ou des temps d’une autre cadence&#xa0;: réglez la correction d’avance de la simulation sur cette valeur, ou donnez la bonne cadence&#xa0;; sinon les limites trouvées d’après la trace sont celles de la correction</translation>
     </message>
     <message>
-        <source>It cannot be told apart from feed-forward and lag: a drive without both moves alike with the gain that is used. Where the control feeds nothing forward, look for the gain alone.</source>
-        <translation>On ne peut pas le distinguer de l’anticipation et du retard&#xa0;: un entraînement sans les deux bouge de même avec le gain utilisé. Si la commande n’anticipe rien, cherchez le gain seul.</translation>
-    </message>
-    <message>
         <source>the trace fits this program with its axes in another order: its %1 as X, its %2 as Y, its %3 as Z</source>
         <translation>la trace convient à ce programme avec ses axes dans un autre ordre&#xa0;: son %1 comme X, son %2 comme Y, son %3 comme Z</translation>
     </message>
@@ -9268,8 +9264,12 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>nommez les colonnes dans cet ordre&#xa0;; pour X et Y échangés, comme --columns time=1,x=3,y=2,z=4</translation>
     </message>
     <message>
-        <source>The traces run at this share of the programmed feed, and the other numbers are found with it; it is no part of the machine. If the times of the traces are of another rate instead, these numbers are wrong.</source>
-        <translation>Les traces vont à cette part de l’avance programmée, et les autres nombres sont trouvés avec elle&#xa0;; elle ne fait pas partie de la machine. Si les instants des traces sont plutôt d’une autre cadence, ces nombres sont faux.</translation>
+        <source>A smaller gain with feed-forward and lag explains the traces as well as the gain alone, which is used. If the control has no velocity feed-forward, look for the gain alone.</source>
+        <translation>Un gain plus petit avec anticipation et retard explique aussi bien les traces que le gain seul, qui est utilisé. Si la commande n’a pas d’anticipation de vitesse, cherchez le gain seul.</translation>
+    </message>
+    <message>
+        <source>The traces run at this share of the programmed feed. It is taken as the feed override, and is not written into the machine file. If the recorded times have a wrong rate instead, the other values are wrong.</source>
+        <translation>Les traces vont à cette part de l’avance programmée. Elle est prise comme correction d’avance et n’est pas écrite dans le fichier machine. Si la cadence des instants enregistrés est plutôt fausse, les autres valeurs sont fausses.</translation>
     </message>
 </context>
 <context>

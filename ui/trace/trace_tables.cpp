@@ -76,7 +76,7 @@ void begin_figures(QStandardItemModel& table) {
          TraceTables::tr("Simulated against recorded")});
 }
 
-/// Column titles with the unit on a second line: so the tables fit beside each other.
+/// Column titles with the unit on a second line, which makes the tables narrow enough to stand side by side.
 QStringList over_two_lines(QStringList titles) {
   return titles.replaceInStrings(QStringLiteral(" ["), QStringLiteral("\n["));
 }

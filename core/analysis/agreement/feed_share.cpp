@@ -13,8 +13,8 @@ namespace {
 constexpr double at_feed = 0.995;     // of the programmed feed, the run has it
 constexpr double least_length = 0.1;  // of all that is compared
 constexpr std::size_t least_cells = 5;
-constexpr double alike = 0.01;  // shares that differ by less count as the same
-constexpr double most = 0.8;    // of the length at the programmed feed, with the same share
+constexpr double equal_share = 0.01;  // relative difference up to which two shares count as equal
+constexpr double most = 0.8;          // of the length at the programmed feed, with the same share
 constexpr double about_one = 0.02;
 
 /// Programmed along the whole cell [mm/s]; 0 where it changes, or for a rapid.
@@ -59,7 +59,7 @@ std::optional<double> feed_share(const Agreement& agreement, const ProgrammedCou
   }
   double same = 0;
   for (const auto& [share, part] : shares) {
-    same += std::abs(share - middle) <= alike * middle ? part : 0;
+    same += std::abs(share - middle) <= equal_share * middle ? part : 0;
   }
   return same >= most * length && std::abs(middle - 1) > about_one ? std::optional(middle) : std::nullopt;
 }
