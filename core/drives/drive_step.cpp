@@ -71,18 +71,6 @@ DriveStep::DriveStep(const DriveLaw& law, double time, std::size_t degree)
   retained_ = law.lag_ * s[0];
 }
 
-DriveStep::Answer DriveStep::answer(const SetCourse& set, const MotorMotion& start) const {
-  const double error = -start.offset;
-  const double growth = set.derivative[1] - start.velocity;
-  Answer at{0, kept_ * error + gained_ * growth, pulled_ * error - retained_ * growth};
-  for (std::size_t k = 1; k <= degree_; ++k) {
-    at.travel += power_[k] * set.derivative[k];
-    at.error += error_[k] * set.derivative[k];
-    at.velocity += velocity_[k] * set.derivative[k];
-  }
-  return at;
-}
-
 DriveStep::Integrals DriveStep::integrals(const DriveLaw& law) const {
   if (law.lag_ == 0) {
     return of_pole(law.gain_);

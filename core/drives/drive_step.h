@@ -39,7 +39,20 @@ class DriveStep {
     MotorMotion next_start() const { return {-error, velocity}; }
   };
   /// `start`: of the motor where `set`, of a degree of at most that of this step, begins.
-  Answer answer(const SetCourse& set, const MotorMotion& start) const;
+  Answer answer(const SetCourse& set, const MotorMotion& start) const {
+    Answer at;
+    for (std::size_t k = 1; k <= degree_; ++k) {
+      at.travel += power_[k] * set.derivative[k];
+      at.error += error_[k] * set.derivative[k];
+      at.velocity += velocity_[k] * set.derivative[k];
+    }
+    // Last what the step before must have ended for: steps in a row wait for as little as possible.
+    const double error = -start.offset;
+    const double growth = set.derivative[1] - start.velocity;
+    at.error += kept_ * error + gained_ * growth;
+    at.velocity += pulled_ * error - retained_ * growth;
+    return at;
+  }
 
  private:
   using Powers = std::array<double, SetCourse::order + 1>;

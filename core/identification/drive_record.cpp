@@ -1,6 +1,7 @@
 #include "core/identification/drive_record.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/base/error.h"
@@ -43,6 +44,29 @@ struct MotorPlace {
   double velocity = 0;  ///< [mm/s]
 };
 
+/// The steps of a drive within cubics. Where samples are missing a few times take turns.
+class StepsByTime {
+ public:
+  explicit StepsByTime(const DriveLaw& law) : law_(law) {}
+  const DriveStep& within(double time) {
+    if (steps_[used_].time() != time) {
+      used_ = static_cast<std::size_t>(std::ranges::find(steps_, time, &DriveStep::time) - steps_.begin());
+      if (used_ == steps_.size()) {
+        used_ = oldest_;
+        oldest_ = (oldest_ + 1) % steps_.size();
+        steps_[used_] = DriveStep(law_, time, degree);
+      }
+    }
+    return steps_[used_];
+  }
+
+ private:
+  const DriveLaw& law_;
+  std::array<DriveStep, 8> steps_{};
+  std::size_t used_ = 0;
+  std::size_t oldest_ = 0;
+};
+
 /// Hermite's cubic, which goes on beyond both.
 double place_between(const MotorPlace& from, const MotorPlace& to, double time) {
   const double h = to.time - from.time;
@@ -67,17 +91,18 @@ DriveRecord::DriveRecord(const std::vector<const Trace*>& traces, std::size_t ax
     }
     if (const Trace& trace = *traces[i]; trace.has_drive(axis)) {
       const auto share = static_cast<double>(trace.size()) / static_cast<double>(all);
-      add(trace, axis, traces_++, static_cast<std::size_t>(share * static_cast<double>(most)));
+      add(trace, axis, ends_.size(), static_cast<std::size_t>(share * static_cast<double>(most)));
+      ends_.push_back(0);
     }
   }
   measured_.reserve(steps_.size());
-  trace_of_.reserve(steps_.size());
   for (Stretch& stretch : stretches_) {
     leave_margins(stretch);
     for (std::size_t i = stretch.first + stretch.settling; i < stretch.last_compared; ++i) {
       measured_.push_back(steps_[i].set - steps_[i].actual);
-      trace_of_.push_back(static_cast<std::uint32_t>(stretch.trace));
     }
+    std::fill(ends_.begin() + static_cast<std::ptrdiff_t>(stretch.trace), ends_.end(),
+              static_cast<Eigen::Index>(measured_.size()));
   }
 }
 
@@ -163,14 +188,13 @@ void DriveRecord::leave_margins(Stretch& stretch) const {
 }
 
 Eigen::VectorXd DriveRecord::without_means(Eigen::VectorXd values) const {
-  std::vector<double> sum(traces_);
-  std::vector<double> count(traces_);
-  for (std::size_t i = 0; i < trace_of_.size(); ++i) {
-    sum[trace_of_[i]] += values[static_cast<Eigen::Index>(i)];
-    ++count[trace_of_[i]];
-  }
-  for (std::size_t i = 0; i < trace_of_.size(); ++i) {
-    values[static_cast<Eigen::Index>(i)] -= sum[trace_of_[i]] / count[trace_of_[i]];
+  Eigen::Index begin = 0;
+  for (const Eigen::Index end : ends_) {
+    if (end > begin) {
+      auto of_trace = values.segment(begin, end - begin);
+      of_trace.array() -= of_trace.mean();
+    }
+    begin = end;
   }
   return values;
 }
@@ -201,7 +225,7 @@ Eigen::VectorXd DriveRecord::residuals(const AxisDrive& drive, double delay) con
   const DriveLaw law(drive, '?');
   Eigen::VectorXd left(static_cast<Eigen::Index>(measured_.size()));
   std::vector<MotorPlace> course;
-  DriveStep response;
+  StepsByTime steps(law);
   SetCourse set;
   set.degree = degree;
   Eigen::Index next = 0;
@@ -219,23 +243,22 @@ Eigen::VectorXd DriveRecord::residuals(const AxisDrive& drive, double delay) con
     double time = 0;
     for (std::size_t i = stretch.first; i < stretch.last; ++i) {
       const Step& step = steps_[i];
-      if (response.time() != step.time) {
-        response = DriveStep(law, step.time, degree);
-      }
       std::ranges::copy(step.derivative, set.derivative.begin() + 1);
-      const DriveStep::Answer answer = response.answer(set, motor);
+      const DriveStep::Answer answer = steps.within(step.time).answer(set, motor);
       motor = answer.next_start();
       time += step.time;
       course.push_back({time, step.set - answer.error, answer.velocity});
     }
     std::size_t before = 0;
-    for (std::size_t i = stretch.settling; stretch.first + i < stretch.last_compared; ++i) {
+    const auto place_then = [&](std::size_t i) {
       const double wanted = course[i].time - delay;
       while (before + 2 < course.size() && course[before + 1].time <= wanted) {
         ++before;
       }
-      left[next++] =
-          place_between(course[before], course[before + 1], wanted) - steps_[stretch.first + i].actual;
+      return place_between(course[before], course[before + 1], wanted);
+    };
+    for (std::size_t i = stretch.settling; stretch.first + i < stretch.last_compared; ++i) {
+      left[next++] = (delay == 0 ? course[i].place : place_then(i)) - steps_[stretch.first + i].actual;
     }
   }
   return without_means(std::move(left));

@@ -51,7 +51,7 @@ class DriveRecord {
     std::size_t last = 0;           ///< behind the last step
     std::size_t settling = 0;       ///< steps at its start that are not compared
     std::size_t last_compared = 0;  ///< behind the last step that is
-    std::size_t trace = 0;
+    std::size_t trace = 0;          ///< of those with this axis
     bool begins_in_motion = false;
   };
   /// From one sample to the next.
@@ -72,9 +72,8 @@ class DriveRecord {
   BetweenSamples between_;
   std::vector<Step> steps_;
   std::vector<Stretch> stretches_;
-  std::vector<double> measured_;         ///< of the steps that are compared [mm]
-  std::vector<std::uint32_t> trace_of_;  ///< of the same
-  std::size_t traces_ = 0;
+  std::vector<double> measured_;    ///< following errors of the steps that are compared [mm]
+  std::vector<Eigen::Index> ends_;  ///< behind the last of these, by trace
   double reach_ = 0;
   double period_ = 0;
 };
