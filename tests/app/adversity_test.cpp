@@ -1,4 +1,5 @@
 #include "tests/app/command_line.h"
+#include "tests/support/random_cases.h"
 #include "tests/support/sanitized.h"
 
 #include <fcntl.h>
@@ -198,7 +199,7 @@ TEST_F(Adversity, LeavesTheOldFileOrTheNewOneWhereItIsKilled) {
     std::string call;
     int instants;
   };
-  std::vector<Case> cases{{"simulate zigzag.nc --step 0.0002 --csv ", 24},
+  std::vector<Case> cases{{"simulate zigzag.nc --step 0.0002 --csv ", test::random_cases(48)},
                           {"simulate zigzag.nc --json ", 4},
                           {"compare --merge study.json --csv ", 4}};
 #ifdef FEEDSCOPE_WITH_UI
@@ -247,6 +248,7 @@ TEST_F(Adversity, SaysWhereAFolderIsClosed) {
 TEST_F(Adversity, NeedsNoHome) {
   const std::string none =
       "env -u XDG_CONFIG_HOME -u XDG_CACHE_HOME -u XDG_DATA_HOME -u XDG_STATE_HOME -u XDG_RUNTIME_DIR "
+      "-u MESA_SHADER_CACHE_DIR "
       "-u XDG_CONFIG_DIRS -u XDG_DATA_DIRS ";
   for (const auto& [home, calls] :
        {std::pair{"-u HOME ", all_outputs()}, {"HOME=/nonexistent ", drawn_outputs}}) {

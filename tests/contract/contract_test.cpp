@@ -11,7 +11,7 @@
 #include "tests/contract/hand_cases.h"
 #include "tests/contract/rotary_case.h"
 #include "tests/support/folders.h"
-#include "tests/support/sanitized.h"
+#include "tests/support/random_cases.h"
 
 namespace feedscope::contract {
 namespace {
@@ -25,9 +25,6 @@ std::vector<std::string> model_ids() {
   }
   return ids;
 }
-
-/// Sanitizers, which take ten times as long, look at as many times fewer programs.
-constexpr std::uint64_t fewer = test::sanitized ? 10 : 1;
 
 /// Checks that a model is known not to pass on a few programs, and on how many of one test at most: one more
 /// is a fault. The long run shows them all.
@@ -124,9 +121,14 @@ class ModelContract : public ::testing::TestWithParam<std::string> {
 TEST_P(ModelContract, HoldsOnHandCasesOnEveryMachineWithEveryChoice) {
   const MachineLibrary library = shipped_machines();
   const ControlModel& model = find_model(GetParam());
+  std::size_t variant = 0;
   for (const std::string& id : library.ids()) {
     for (const Machine& machine : with_every_choice(library.load(id), model)) {
+      std::size_t number = variant++;  // other ones of each
       for (const HandCase& hand : hand_cases()) {
+        if (!test::in_turn(number++)) {
+          continue;
+        }
         found_.check({hand.lines, machine, GetParam()}, hand.name + "-" + id);
         if (HasFailure()) {
           return;
@@ -143,7 +145,7 @@ TEST_P(ModelContract, HoldsOnAMillionIdenticalPoints) {
 }
 
 TEST_P(ModelContract, HoldsOnRandomProgramsWithoutAnyTolerance) {
-  constexpr std::uint64_t programs = 200 / fewer;
+  const std::uint64_t programs = test::random_cases(200U);
   constexpr std::uint64_t seed = 2027;
   for (std::uint64_t number = 0; reads_tolerance(find_model(GetParam())) && number < programs; ++number) {
     Case example = random_case(GetParam(), seed, number);
@@ -154,7 +156,7 @@ TEST_P(ModelContract, HoldsOnRandomProgramsWithoutAnyTolerance) {
 
 TEST_P(ModelContract, HoldsOnRandomFiveAxisPrograms) {
   const bool slow = GetParam() == "optimal" || GetParam() == "linuxcnc";
-  const std::uint64_t programs = (slow ? 40 : 200) / fewer;
+  const std::uint64_t programs = test::random_cases(slow ? 40U : 200U);
   constexpr std::uint64_t seed = 2028;
   for (std::uint64_t number = 0; number < programs && !HasFailure(); ++number) {
     found_.check(rotary_case(GetParam(), seed, number), "five-axis-" + std::to_string(number));
@@ -171,10 +173,11 @@ TEST_P(RandomContract, Holds) {
   constexpr std::uint64_t seed = 2026;
   const auto& [model, share] = GetParam();
   // The others take a tenth of the time of the first two.
-  const std::uint64_t programs = (model == "optimal" ? 60 : model == "linuxcnc" ? 120 : 510) / fewer;
+  const std::uint64_t all = model == "optimal" ? 60 : model == "linuxcnc" ? 120 : 510;
+  const std::uint64_t programs = test::random_cases(all);
   Findings found(model, &OpenFinding::max_random);
   for (std::uint64_t i = 0; i < programs && !HasFailure(); ++i) {
-    const std::uint64_t number = static_cast<std::uint64_t>(share) * programs + i;
+    const std::uint64_t number = static_cast<std::uint64_t>(share) * all + i;
     found.check(random_case(model, seed, number), std::to_string(number));
   }
 }

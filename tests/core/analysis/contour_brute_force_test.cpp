@@ -11,6 +11,7 @@
 #include "tests/support/brute_force.h"
 #include "tests/support/folders.h"
 #include "tests/support/paths.h"
+#include "tests/support/random_cases.h"
 
 namespace feedscope {
 namespace {
@@ -245,7 +246,7 @@ class ContourErrorOfModel : public ::testing::TestWithParam<std::size_t> {};
 
 TEST_P(ContourErrorOfModel, IsThatOfBruteForceOnRandomPaths) {
   const Variant& variant = variants()[GetParam()];
-  for (std::uint32_t i = 0; i < variant.paths; ++i) {
+  for (std::uint32_t i = 0; i < test::random_cases(variant.paths); ++i) {
     RandomCourse course(i);
     const Toolpath path = course.path(i % 8);
     const double tolerance = course.spread(0.002, 0.5);

@@ -11,6 +11,7 @@
 #include "core/analysis/run.h"
 #include "tests/core/analysis/hand_made_run.h"
 #include "tests/support/paths.h"
+#include "tests/support/random_cases.h"
 
 namespace feedscope {
 namespace {
@@ -228,7 +229,7 @@ TEST(RunDifference, OfARunWithItselfIsNothing) {
 
 TEST(RunDifference, OfRandomProgramsAddsUpAndIsTheOppositeTheOtherWay) {
   std::mt19937 random(6);
-  for (int round = 0; round < 12; ++round) {
+  for (int round = 0; round < test::random_cases(12); ++round) {
     const Toolpath path = testing::random_path(random, 40);
     for (const ControlModel* model : all_models()) {
       const std::string& id = model->info().id;

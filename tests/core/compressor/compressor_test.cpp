@@ -8,6 +8,7 @@
 
 #include "core/base/units.h"
 #include "tests/support/paths.h"
+#include "tests/support/random_cases.h"
 
 namespace feedscope {
 namespace {
@@ -211,7 +212,7 @@ TEST(Compressor, LongLinesStayLines) {
 TEST(Compressor, KeepsTheToleranceBothWaysOnRandomDensePoints) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> unit(-1, 1);
-  for (int run = 0; run < 8; ++run) {
+  for (int run = 0; run < test::random_cases(16); ++run) {
     SCOPED_TRACE(run);
     const double tolerance = run % 2 == 0 ? 0.01 : 0.05;
     const double noise = run % 4 < 2 ? 0 : 0.4 * tolerance;

@@ -12,6 +12,7 @@
 #include "core/drives/drive_response.h"
 #include "core/identification/drive_record.h"
 #include "core/identification/identification_program.h"
+#include "tests/support/random_cases.h"
 
 namespace feedscope {
 namespace {
@@ -87,7 +88,7 @@ TEST(DriveFit, FindsGainFeedForwardAndLagOfRandomDrives) {
   const Recorder recorder({});
   std::mt19937 random(7);
   std::uniform_real_distribution<double> share(0, 1);
-  constexpr unsigned trials = 6;
+  const unsigned trials = test::random_cases(12U);
   std::size_t told = 0;
   for (unsigned trial = 0; trial < trials; ++trial) {
     const double gain = 20 * std::pow(6, share(random));

@@ -95,6 +95,7 @@ TEST_F(PresentationTest, EveryLessonFitsEveryScreenAndLeavesThe3dViewAndChartsTh
   constexpr double least_charts = 0.2;
   constexpr double least_both = 0.5;
   present(true);
+  window.setUpdatesEnabled(false);  // places and sizes do not wait for what is drawn in them
   for (const std::filesystem::path& lesson : shipped_lessons()) {
     open(lesson);
     for (const QSize& screen : screens) {

@@ -12,6 +12,7 @@
 #include <random>
 
 #include "core/analysis/contour/contour_report.h"
+#include "tests/support/random_cases.h"
 #include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
 #include "ui/annotations/annotation_overlay.h"
@@ -28,7 +29,7 @@
 namespace feedscope::ui {
 namespace {
 
-constexpr int actions = 250;
+const int actions = test::random_cases(250);
 constexpr std::array tolerances{0.01, 0.02, 0.05};
 constexpr std::array jerks{5.0, 10.0, 20.0};
 

@@ -11,6 +11,7 @@
 #include <fstream>
 #include <random>
 
+#include "tests/support/random_cases.h"
 #include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
 #include "tests/ui/session/some_session.h"
@@ -21,7 +22,7 @@
 namespace feedscope::ui {
 namespace {
 
-constexpr unsigned mutations = 120;
+const unsigned mutations = feedscope::test::random_cases(120U);
 
 enum class Wrong { truncated, bytes, type, removed, junk, number, duplicates, word };
 constexpr std::array wrongs{"truncated text", "other bytes", "another type",     "removed",

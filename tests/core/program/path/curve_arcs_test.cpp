@@ -9,6 +9,7 @@
 #include <random>
 
 #include "core/program/path/b_spline.h"
+#include "tests/support/random_cases.h"
 
 namespace feedscope {
 namespace {
@@ -215,7 +216,7 @@ TEST(CurveArcs, RandomCurvesInSpaceAreMetWithOneTangent) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> unit(-1, 1);
   std::ptrdiff_t specks = 0;
-  for (int round = 0; round < 200; ++round) {
+  for (int round = 0; round < test::random_cases(200); ++round) {
     Bezier p;
     const double size = std::pow(10, 1 + unit(random));
     for (Vec3& point : p) {
@@ -244,7 +245,7 @@ TEST(CurveArcs, RandomCurvesInSpaceAreMetWithOneTangent) {
 TEST(CurveArcs, RandomRationalCurvesOfAllDegreesStayClose) {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> unit(-1, 1);
-  for (int round = 0; round < 200; ++round) {
+  for (int round = 0; round < test::random_cases(200); ++round) {
     const std::size_t degree = 1 + random() % max_spline_degree;
     const std::size_t count = degree + 1 + random() % 4;
     std::vector<Eigen::Vector4d> points;

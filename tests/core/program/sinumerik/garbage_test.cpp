@@ -7,6 +7,7 @@
 #include "tests/core/program/mutated_text.h"
 #include "tests/core/program/read_text.h"
 #include "tests/support/program_checks.h"
+#include "tests/support/random_cases.h"
 
 namespace feedscope {
 namespace {
@@ -157,7 +158,7 @@ TEST(SinumerikGarbage, RandomWordsAreReadWithoutHarm) {
                                          "FRC=",
                                          "DIAMON"};
   std::mt19937 random(1);
-  for (int round = 0; round < 30000; ++round) {
+  for (int round = 0; round < test::random_cases(30000); ++round) {
     std::string text;
     for (std::size_t i = random() % 60; i > 0; --i) {
       text += pieces[random() % std::size(pieces)];
@@ -186,7 +187,7 @@ TEST(SinumerikGarbage, MutatedProgramsAreReadWithoutHarm) {
       "BB) SAVE\nAA=AA+1\nG91 "
       "X1\nM17\n";
   std::mt19937 random(3);
-  for (int round = 0; round < 15000; ++round) {
+  for (int round = 0; round < test::random_cases(15000); ++round) {
     expect_sane(mutated(sample, random));
     if (HasFatalFailure()) {
       FAIL() << "round " << round;
