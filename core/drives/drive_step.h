@@ -46,7 +46,7 @@ class DriveStep {
       at.error += error_[k] * set.derivative[k];
       at.velocity += velocity_[k] * set.derivative[k];
     }
-    // Last what the step before must have ended for: steps in a row wait for as little as possible.
+    // What needs the end of the step before comes last, so that steps in a row wait for little.
     const double error = -start.offset;
     const double growth = set.derivative[1] - start.velocity;
     at.error += kept_ * error + gained_ * growth;

@@ -44,7 +44,7 @@ struct MotorPlace {
   double velocity = 0;  ///< [mm/s]
 };
 
-/// The steps of a drive within cubics. Where samples are missing a few times take turns.
+/// The steps of a drive within cubics. Where samples are missing, a few lengths of time alternate.
 class StepsByTime {
  public:
   explicit StepsByTime(const DriveLaw& law) : law_(law) {}
