@@ -12,6 +12,7 @@
 #include "tests/contract/rotary_case.h"
 #include "tests/support/folders.h"
 #include "tests/support/random_cases.h"
+#include "tests/support/sanitized.h"
 
 namespace feedscope::contract {
 namespace {
@@ -25,6 +26,9 @@ std::vector<std::string> model_ids() {
   }
   return ids;
 }
+
+/// Sanitizers, which take ten times as long, look at as many times fewer programs.
+constexpr std::uint64_t fewer = test::sanitized ? 10 : 1;
 
 /// Checks that a model is known not to pass on a few programs, and on how many of one test at most: one more
 /// is a fault. The long run shows them all.
@@ -145,7 +149,7 @@ TEST_P(ModelContract, HoldsOnAMillionIdenticalPoints) {
 }
 
 TEST_P(ModelContract, HoldsOnRandomProgramsWithoutAnyTolerance) {
-  const std::uint64_t programs = test::random_cases(200U);
+  const std::uint64_t programs = test::random_cases(200 / fewer);
   constexpr std::uint64_t seed = 2027;
   for (std::uint64_t number = 0; reads_tolerance(find_model(GetParam())) && number < programs; ++number) {
     Case example = random_case(GetParam(), seed, number);
@@ -156,7 +160,7 @@ TEST_P(ModelContract, HoldsOnRandomProgramsWithoutAnyTolerance) {
 
 TEST_P(ModelContract, HoldsOnRandomFiveAxisPrograms) {
   const bool slow = GetParam() == "optimal" || GetParam() == "linuxcnc";
-  const std::uint64_t programs = test::random_cases(slow ? 40U : 200U);
+  const std::uint64_t programs = test::random_cases((slow ? 40 : 200) / fewer);
   constexpr std::uint64_t seed = 2028;
   for (std::uint64_t number = 0; number < programs && !HasFailure(); ++number) {
     found_.check(rotary_case(GetParam(), seed, number), "five-axis-" + std::to_string(number));
@@ -173,7 +177,7 @@ TEST_P(RandomContract, Holds) {
   constexpr std::uint64_t seed = 2026;
   const auto& [model, share] = GetParam();
   // The others take a tenth of the time of the first two.
-  const std::uint64_t all = model == "optimal" ? 60 : model == "linuxcnc" ? 120 : 510;
+  const std::uint64_t all = (model == "optimal" ? 60 : model == "linuxcnc" ? 120 : 510) / fewer;
   const std::uint64_t programs = test::random_cases(all);
   Findings found(model, &OpenFinding::max_random);
   for (std::uint64_t i = 0; i < programs && !HasFailure(); ++i) {

@@ -3,20 +3,17 @@
 #include <cstddef>
 #include <cstdlib>
 
-#include "tests/support/sanitized.h"
-
 namespace feedscope::test {
 
 /// Of so many cases one is taken.
 template <class Count>
 Count one_of() {
   static const bool thorough = std::getenv("FEEDSCOPE_THOROUGH") != nullptr;
-  return thorough ? 1 : sanitized ? 10 : 4;
+  return thorough ? 1 : 4;
 }
 
 /// How many of `whole` cases, each as good as any other, a test takes: a quarter, which every change is
-/// checked with; all where FEEDSCOPE_THOROUGH is set, as packaging/check thorough does before a release; a
-/// tenth under a sanitizer, which takes ten times as long.
+/// checked with; all where FEEDSCOPE_THOROUGH is set, as packaging/check does before a release.
 template <class Count>
 Count random_cases(Count whole) {
   return (whole + one_of<Count>() - 1) / one_of<Count>();
