@@ -256,6 +256,44 @@ void LinuxCncPlanner::update(LinuxCncSegment& t, const LinuxCncSegment* n, doubl
   give_causes(steps_.back(), n);
 }
 
+/// Further periods at its target or at full acceleration, as update() would run them one by one; near the
+/// end of either, and of the segment, they are left to it.
+void LinuxCncPlanner::go_on(LinuxCncSegment& t, const LinuxCncSegment* n) {
+  constexpr double margin = 1 + 1e-9;
+  constexpr int most_periods = 1'000'000;  // then it may be cancelled
+  LinuxCncStep& step = steps_.back();
+  const double time = settings_.period;
+  const double a = t.along_acceleration(only_in_overlap());
+  const double target = t.target(settings_);
+  const bool cruises = step.before == target && step.after == target;
+  const bool speeds_up =
+      step.cause.kind == CauseKind::axis_acceleration && step.after == step.before + a * time;
+  if (t.ramps || t.overlaps || !(cruises || speeds_up)) {
+    return;
+  }
+  const double gain = cruises ? 0 : a * time;
+  const double last = final_speed(t, n);
+  const double k = a * time / 2;
+  for (int i = 0; i < most_periods; ++i) {
+    const double v = t.speed;
+    const double next = v + gain;
+    const double way = (v + next) / 2 * time;
+    const double rest = t.rest();
+    const double enough = (next + k) * margin;
+    const bool is_free = cruises || next * margin < target;
+    const bool need_not_brake = last * last + a * (2 * rest - v * time) + k * k > enough * enough;
+    const bool ends_later = rest - way > (std::max(next, last) + a * time) * time * margin;
+    if (!is_free || !need_not_brake || !ends_later) {
+      return;
+    }
+    t.progress += way;
+    t.speed = next;
+    step.to = t.progress;
+    step.after = next;
+    step.time += time;
+  }
+}
+
 /// True where it stands at its end; else it may be found that it gets there within the next period.
 bool LinuxCncPlanner::check_end(LinuxCncSegment& t, const LinuxCncSegment* n) const {
   const double rest = t.rest();
@@ -314,7 +352,7 @@ void LinuxCncPlanner::run_split(LinuxCncSegment& t, LinuxCncSegment* n, LinuxCnc
   first_leaves_ = true;
 }
 
-const std::vector<LinuxCncStep>& LinuxCncPlanner::run_period() {
+const std::vector<LinuxCncStep>& LinuxCncPlanner::run_period(bool nothing_comes) {
   steps_.clear();
   if (first_leaves_) {
     gone_ = std::move(queue_.front());
@@ -345,6 +383,8 @@ const std::vector<LinuxCncStep>& LinuxCncPlanner::run_period() {
   if (check_end(t, n)) {
     first_leaves_ = true;
     t.splitting = false;
+  } else if (nothing_comes && !t.splitting) {
+    go_on(t, n);
   }
   return steps_;
 }

@@ -32,8 +32,9 @@ class LinuxCncPlanner {
   /// Appends a segment, of which course, block, rapid, requested, largest, acceleration, tolerance and end
   /// are given; one of no length is not added.
   void add(LinuxCncSegment segment);
-  /// Runs one period; what moved in it.
-  const std::vector<LinuxCncStep>& run_period();
+  /// Runs one period; what moved in it. With `nothing_comes`, where nothing is added before the first segment
+  /// ends, as many more as go on in the same way, in one step.
+  const std::vector<LinuxCncStep>& run_period(bool nothing_comes = false);
 
  private:
   void join(LinuxCncSegment& t);
@@ -47,6 +48,7 @@ class LinuxCncPlanner {
   void give_causes(LinuxCncStep& step, const LinuxCncSegment* n) const;
   void activate(LinuxCncSegment& t);
   void update(LinuxCncSegment& t, const LinuxCncSegment* n, double time, bool overlaps);
+  void go_on(LinuxCncSegment& t, const LinuxCncSegment* n);
   bool check_end(LinuxCncSegment& t, const LinuxCncSegment* n) const;
   void run_split(LinuxCncSegment& t, LinuxCncSegment* n, LinuxCncSegment* after);
   bool only_in_overlap() const { return settings_.master; }

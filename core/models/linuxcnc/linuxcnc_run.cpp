@@ -76,6 +76,13 @@ bool LinuxCncRun::take_message() {
   return true;
 }
 
+/// Whether the planner may get a segment while it moves.
+bool LinuxCncRun::takes_moves() const {
+  using Kind = LinuxCncMessage::Kind;
+  return message_ &&
+         (message_->kind == Kind::mode || (message_->kind == Kind::move && planner_.size() < queue_room));
+}
+
 /// True: the dwell is over with this period.
 bool LinuxCncRun::wait_for(const LinuxCncMessage& dwell) {
   dwell_left_ = (dwell_left_ < 0 ? dwell.time : dwell_left_) - settings_.period;
@@ -104,7 +111,7 @@ Trajectory LinuxCncRun::run(Progress* progress) {
   const std::size_t blocks = toolpath_.segments.size();
   ProgressSteps steps(progress, std::max<std::size_t>(blocks, 1));
   while (take_message() || !planner_.empty()) {
-    lay(planner_.run_period());
+    lay(planner_.run_period(!takes_moves()));
     steps.at(message_ ? message_->block : blocks);
   }
   close();

@@ -30,6 +30,7 @@ class LinuxCncRun {
   };
 
   bool take_message();
+  bool takes_moves() const;
   bool wait_for(const LinuxCncMessage& dwell);
   void lay(const std::vector<LinuxCncStep>& steps);
   void extend(const LinuxCncStep& step);
