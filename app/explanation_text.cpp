@@ -241,7 +241,7 @@ std::string all_axes_text(const Remedy& remedy, const Setup& setup) {
 }
 
 SettingValue value_in_force(const Setup& setup, const std::string& key) {
-  const std::vector<SettingSpec> specs = settings_of(*setup.model);
+  const std::vector<SettingSpec>& specs = settings_of(*setup.model);
   const auto spec = std::ranges::find(specs, key, &SettingSpec::key);
   const bool number = spec != specs.end() && spec->choices.empty();
   return number ? SettingValue(number_in_force(setup.settings, *spec)) : setup.settings.value(key);

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -107,6 +108,14 @@ struct LessonSetup {
 /// The start of a lesson with `changes`. A setting of the start that another model does not know is omitted,
 /// one of `changes` is not. Throws InputError naming key, value, bounds and the nearest valid name.
 LessonSetup set_up(const Lesson& lesson, const Changes& changes);
+/// The same again and again: each machine file is read once.
+class LessonSetups {
+ public:
+  LessonSetup set_up(const Lesson& lesson, const Changes& changes);
+
+ private:
+  std::map<std::pair<std::string, std::string>, Setup> files_;  ///< by machine and model
+};
 /// A load file beside the lesson, or else the one of resources/examples.
 std::filesystem::path find_load_file(const Lesson& lesson, const std::string& name);
 

@@ -137,11 +137,11 @@ class LessonReader {
   }
 
   /// That the lesson can be set up with `changes`.
-  void check(const ConfigNode& node, const Changes& changes) const {
-    at(node, [&] { return set_up(lesson_, changes); });
+  void check(const ConfigNode& node, const Changes& changes) {
+    at(node, [&] { return setups_.set_up(lesson_, changes); });
   }
 
-  Changes changes(const ConfigNode& node, const std::string& name) const {
+  Changes changes(const ConfigNode& node, const std::string& name) {
     if (node.is_list() && node.items().empty()) {
       return {};
     }
@@ -239,7 +239,7 @@ class LessonReader {
     }
   }
 
-  LessonQuantity quantity(const ConfigNode& table, const std::string& where) const {
+  LessonQuantity quantity(const ConfigNode& table, const std::string& where) {
     LessonQuantity quantity{measure(table, where), {}, {}, Relation::ratio, 2};
     if (const ConfigNode* with = table.find("with")) {
       quantity.with = changes(*with, fmt::format("'with' in {}", where));
@@ -326,7 +326,7 @@ class LessonReader {
     return found->second.value;
   }
 
-  Claim claim(const ConfigNode& table, const std::string& where) const {
+  Claim claim(const ConfigNode& table, const std::string& where) {
     if (table.kind() != ConfigNode::Kind::table) {
       table.fail(fmt::format("{} must be a table: [[question.claim]]", where));
     }
@@ -384,7 +384,7 @@ class LessonReader {
     }
   }
 
-  Control control(const ConfigNode& table, const Changes& with, const std::string& where) const {
+  Control control(const ConfigNode& table, const Changes& with, const std::string& where) {
     table.check_keys({"key", "values", "range"}, where);
     Control control;
     control.key = table.need_text("key", where);
@@ -458,6 +458,7 @@ class LessonReader {
   }
 
   Lesson lesson_;
+  LessonSetups setups_;
   TranslatedTexts texts_;
 };
 

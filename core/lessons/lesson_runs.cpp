@@ -51,7 +51,7 @@ const Run& LessonRuns::run(const Changes& changes, Progress* progress) {
   if (known != runs_.end()) {
     return known->second;
   }
-  LessonSetup setup = set_up(lesson_, changes);
+  LessonSetup setup = setups_.set_up(lesson_, changes);
   const LoadedProgram& input = program(setup.program, setup.setup.machine, progress);
   return runs_.emplace(changes, simulate_run(input, std::move(setup.setup), progress)).first->second;
 }

@@ -40,6 +40,7 @@ class LessonRuns {
   const LoadedProgram& program(const std::filesystem::path& file, const Machine& machine, Progress* progress);
 
   const Lesson& lesson_;
+  LessonSetups setups_;
   std::map<std::pair<std::filesystem::path, std::string>, LoadedProgram> programs_;  ///< by file and machine
   std::map<Changes, Run> runs_;
 };

@@ -91,6 +91,10 @@ fs::path find_load_file(const Lesson& lesson, const std::string& name) {
 }
 
 LessonSetup set_up(const Lesson& lesson, const Changes& changes) {
+  return LessonSetups().set_up(lesson, changes);
+}
+
+LessonSetup LessonSetups::set_up(const Lesson& lesson, const Changes& changes) {
   std::string program;
   SetupRequest request;
   for (const Changes* some : {&lesson.start, &changes}) {
@@ -98,7 +102,13 @@ LessonSetup set_up(const Lesson& lesson, const Changes& changes) {
     take(*some, "machine", request.machine);
     take(*some, "model", request.model);
   }
-  LessonSetup result{find_program(lesson, program), make_setup(request), {}};
+  fs::path file = find_program(lesson, program);
+  const std::pair key(request.machine, request.model);
+  auto known = files_.find(key);
+  if (known == files_.end()) {
+    known = files_.emplace(key, make_setup(request)).first;
+  }
+  LessonSetup result{std::move(file), known->second, {}};
   result.setup = result.file;
   result.setup.load = lesson.load;
   apply(lesson.start, true, result.setup);

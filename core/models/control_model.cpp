@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
@@ -88,7 +89,9 @@ std::vector<SettingSpec> all_model_settings() {
   return specs;
 }
 
-std::vector<SettingSpec> settings_of(const ControlModel& model) {
+namespace {
+
+std::vector<SettingSpec> collect_settings(const ControlModel& model) {
   const ModelInfo& info = model.info();
   std::vector<SettingSpec> specs;
   std::copy_if(common_settings().begin(), common_settings().end(), std::back_inserter(specs),
@@ -98,6 +101,19 @@ std::vector<SettingSpec> settings_of(const ControlModel& model) {
   specs.insert(specs.end(), info.settings.begin(), info.settings.end());
   specs.insert(specs.end(), machine_settings().begin(), machine_settings().end());
   return specs;
+}
+
+}  // namespace
+
+const std::vector<SettingSpec>& settings_of(const ControlModel& model) {
+  static const auto known = [] {
+    std::map<const ControlModel*, std::vector<SettingSpec>> specs;
+    for (const ControlModel* one : all_models()) {
+      specs.emplace(one, collect_settings(*one));
+    }
+    return specs;
+  }();
+  return known.at(&model);
 }
 
 Settings complete_settings(const ControlModel& model, const Machine& machine) {

@@ -78,7 +78,7 @@ const ControlModel& find_model(std::string_view id);
 /// The specs of every model's own settings, for reading machine files.
 std::vector<SettingSpec> all_model_settings();
 /// Specs of what `model` reads: common ones it uses, its own, then machine_settings().
-std::vector<SettingSpec> settings_of(const ControlModel& model);
+const std::vector<SettingSpec>& settings_of(const ControlModel& model);
 
 /// The settings of a run: fallbacks, then the machine's values; every key of settings_of(model) is there that
 /// is not optional.

@@ -61,7 +61,7 @@ void SetupState::set_tolerance(double tolerance) {
 SettingSpec SetupState::spec(const std::string& key) const {
   const bool axis = is_axis_key(key);
   const std::string name = axis ? key.substr(2) : key;
-  const std::vector<SettingSpec> specs = axis ? axis_specs_of(key[0]) : settings_of(*file_.model);
+  const std::vector<SettingSpec>& specs = axis ? axis_specs_of(key[0]) : settings_of(*file_.model);
   const auto found = std::ranges::find(specs, name, &SettingSpec::key);
   if (found == specs.end()) {
     throw InputError("unknown key '" + key + "'");
@@ -100,7 +100,7 @@ void SetupState::set(const std::string& key, const SettingValue& value) {
 void SetupState::set_model(const ControlModel& model) {
   file_.model = &model;
   file_.settings = complete_settings(model, file_.machine);
-  const std::vector<SettingSpec> specs = settings_of(model);
+  const std::vector<SettingSpec>& specs = settings_of(model);
   std::erase_if(edits_, [&](const auto& edit) {
     return !is_axis_key(edit.first) && std::ranges::find(specs, edit.first, &SettingSpec::key) == specs.end();
   });
