@@ -18,7 +18,7 @@ double ruled_instant(const Trajectory& trajectory, const SlowPlace& place) {
   for (PartWalk walk(trajectory, first, into); !walk.done() && walk.part().time < place.to; walk.next()) {
     const Part part = walk.part();
     const bool ahead = part.cause.kind == CauseKind::ramp_down;
-    if ((ahead ? trajectory.slower_place(part.piece) : part.cause) != place.cause) {
+    if (limiting_cause(trajectory, part) != place.cause) {
       continue;
     }
     const double from = std::max(0.0, place.from - part.time);

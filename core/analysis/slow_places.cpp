@@ -257,10 +257,6 @@ class PartLevels {
   std::vector<Level> levels_;
 };
 
-Cause cause_of(const Trajectory& trajectory, const Part& part) {
-  return part.cause.kind == CauseKind::ramp_down ? trajectory.slower_place(part.piece) : part.cause;
-}
-
 /// Keeps those of a run that matter most.
 class SlowestPlaces {
  public:
@@ -307,7 +303,7 @@ double for_slow_stretches(const Trajectory& trajectory, const VisitStretch& visi
       continue;
     }
     const std::vector<Level>& levels = part_levels.of(walk);
-    const Cause cause = cause_of(trajectory, walk.part());
+    const Cause cause = limiting_cause(trajectory, walk.part());
     if (const bool rapid = trajectory.is_rapid(walk.part().element); rapid != in_rapid) {
       finder.cut();
       in_rapid = rapid;

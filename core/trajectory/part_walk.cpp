@@ -99,6 +99,10 @@ void PartWalk::step() {
   }
 }
 
+Cause limiting_cause(const Trajectory& trajectory, const Part& part) {
+  return part.cause.kind == CauseKind::ramp_down ? trajectory.slower_place(part.piece) : part.cause;
+}
+
 PartMotion PartWalk::motion() {
   return {trajectory_, part_, &filters_};
 }

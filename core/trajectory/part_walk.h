@@ -9,6 +9,9 @@ LawPoint law_at(const Part& part, double tau);
 /// Motion at a place of a curve, given with derivatives by the q of `law`.
 Kinematics kinematics_of(const CurvePoint& at, const LawPoint& law);
 
+/// What limits the speed on a part: its cause, or where it slows down what sets the speed of the place ahead.
+Cause limiting_cause(const Trajectory& trajectory, const Part& part);
+
 /// Position and its derivatives on one part, for many instants of it.
 class PartMotion {
  public:

@@ -192,9 +192,7 @@ std::vector<OperationFigures> figures_of(const std::vector<Operation>& operation
       ++of;
     }
     figures[of].time += part.duration;
-    by_cause[of][cause_index(trajectory.slower_place(part.piece).kind == part.cause.kind
-                                 ? part.cause
-                                 : trajectory.slower_place(part.piece))] += part.duration;
+    by_cause[of][cause_index(limiting_cause(trajectory, part))] += part.duration;
     if (!trajectory.is_rapid(part.element) && path.kind(part.element) != ElementKind::dwell) {
       figures[of].cutting_time += part.duration;
     }

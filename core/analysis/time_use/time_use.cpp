@@ -216,9 +216,7 @@ TimeUse time_use(const Run& run, OperationSplit split, Progress* progress) {
                                                                         : TimeKind::dwell;
     const double as_programmed =
         waits ? part.duration : length_of(trajectory, walk) / trajectory.feed_of(part.element);
-    const Cause cause =
-        part.cause.kind == CauseKind::ramp_down ? trajectory.slower_place(part.piece) : part.cause;
-    const std::size_t index = cause_index(cause);
+    const std::size_t index = cause_index(limiting_cause(trajectory, part));
     time[static_cast<std::size_t>(kind)].add(part.duration);
     executed_as_programmed.add(as_programmed);
     causes.add(index, part.duration, part.duration - as_programmed);
