@@ -108,7 +108,7 @@ double as_well(const DriveRecord& record, const DrivePlace& place, double more, 
 
 /// Standard deviations of the numbers of a place, 0 for those that are held.
 DrivePlace deviations_at(const DriveRecord& record, const DrivePlace& place,
-                         const DriveSearch::Free& is_free) {
+                         const FreeDriveNumbers& is_free) {
   std::vector<Eigen::Index> free;
   for (std::size_t p = 0; p < is_free.size(); ++p) {
     if (is_free[p]) {
@@ -320,7 +320,7 @@ std::string axes_with_drives(const std::vector<const Trace*>& traces) {
 }
 
 DriveFit fit_drive(const std::vector<const Trace*>& traces, char axis, const AxisDrive& start,
-                   DriveFit::Free free, Progress* progress) {
+                   FreeDriveNumbers free, Progress* progress) {
   DriveFit fit;
   fit.axis = axis;
   free[0] = free[0] || !start.gain;

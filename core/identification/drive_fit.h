@@ -16,8 +16,6 @@ namespace feedscope {
 /// What set and actual positions say of the drive of one axis: position gain, velocity feed-forward and lag
 /// of the velocity loop, in this order.
 struct DriveFit {
-  using Free = std::array<bool, drive_parameter_count>;
-
   char axis = 'X';
   std::array<IdentifiedParameter, drive_parameter_count> parameters;
   std::size_t samples = 0;     ///< that were compared; 0: the axis stands, or its positions are not recorded
@@ -27,7 +25,8 @@ struct DriveFit {
   /// Of the actual positions against the set ones, where it explains them clearly better than none; nothing
   /// is told then. Else 0 [s].
   double delay = 0;
-  Free free{true, true, true};  ///< which were looked for; the others stay at what they were begun with
+  FreeDriveNumbers free{true, true,
+                        true};  ///< which were looked for; the others stay at what they were begun with
   bool of_first_order = false;  ///< a gain alone explains them as well: none of the three is told
 };
 
@@ -54,7 +53,7 @@ std::string axes_with_drives(const std::vector<const Trace*>& traces);
 /// hold, and all three where others than those that are held explain the record clearly better. Throws
 /// Cancelled.
 DriveFit fit_drive(const std::vector<const Trace*>& traces, char axis, const AxisDrive& start,
-                   DriveFit::Free free = {true, true, true}, Progress* progress = nullptr);
+                   FreeDriveNumbers free = {true, true, true}, Progress* progress = nullptr);
 
 /// Positions of one recording are all of one time or none: where one axis has a delay, nothing is
 /// told of the others either.

@@ -22,7 +22,7 @@ constexpr double place_step = 1e-3;
 /// 0, which stands for the same above it.
 class DriveTask {
  public:
-  DriveTask(const DriveSearch::Free& free, const DrivePlace& held, const DriveRecord& record, double delay,
+  DriveTask(const FreeDriveNumbers& free, const DrivePlace& held, const DriveRecord& record, double delay,
             Progress* progress)
       : held_(held), record_(record), delay_(delay), progress_(progress) {
     for (Eigen::Index p = 0; p < held.size(); ++p) {

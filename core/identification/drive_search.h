@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -21,10 +20,8 @@ DrivePlace place_of(const AxisDrive& drive);
 /// Looks for the drive that explains a record best, while some of its numbers are held.
 class DriveSearch {
  public:
-  using Free = std::array<bool, drive_parameter_count>;
-
   /// `free`: which numbers are looked for; `held`: values of the others. The search throws Cancelled.
-  DriveSearch(const Free& free, const DrivePlace& held, Progress* progress)
+  DriveSearch(const FreeDriveNumbers& free, const DrivePlace& held, Progress* progress)
       : free_(free), held_(held), progress_(progress) {}
 
   /// The same, while number `which` is held, too, at its value in `place`.
@@ -39,7 +36,7 @@ class DriveSearch {
   DrivePlace minimised(const DriveRecord& record, const DrivePlace& start, int most, double delay) const;
   std::vector<DrivePlace> drives_that_lag(double lag_time) const;
 
-  Free free_;
+  FreeDriveNumbers free_;
   DrivePlace held_;
   Progress* progress_;
 };

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -25,6 +27,8 @@ std::vector<FitParameter> usual_fit_parameters(const Setup& setup);
 /// axis_drive_specs(). They are found from set and actual positions (drive_fit.h), not by simulations, and
 /// are no part of fit_parameters(); feed-forward and lag can be 0.
 constexpr std::size_t drive_parameter_count = 3;
+/// Which of them are looked for, in the same order.
+using FreeDriveNumbers = std::array<bool, drive_parameter_count>;
 FitParameter drive_parameter(char axis, std::size_t i);
 bool is_drive_parameter(const FitParameter& parameter);
 

@@ -202,7 +202,7 @@ std::vector<DriveFit> Recordings::fit_drives(const std::vector<FitParameter>& pa
           "and name it if need be, as --columns actual_{}=5:mm",
           parameter.key, axis, static_cast<char>(axis - 'X' + 'x')));
     }
-    DriveFit::Free free{};
+    FreeDriveNumbers free{};
     for (std::size_t i = 0; i < drive_parameter_count; ++i) {
       const std::string key = drive_parameter(axis, i).key;
       free[i] = std::ranges::find(parameters, key, &FitParameter::key) != parameters.end();
@@ -220,7 +220,7 @@ std::vector<DriveFit> Recordings::fit_drives(const std::vector<FitParameter>& pa
 }
 
 /// Found once for all models.
-const DriveFit& Recordings::drive_of_axis(char axis, const AxisDrive& start, const DriveFit::Free& free,
+const DriveFit& Recordings::drive_of_axis(char axis, const AxisDrive& start, const FreeDriveNumbers& free,
                                           Progress* progress) {
   const auto known = std::ranges::find_if(drives_, [&](const FoundDrive& drive) {
     return drive.fit.axis == axis && drive.start == start && drive.free == free;

@@ -53,14 +53,14 @@ class Recordings {
   std::optional<double> feed_share() const;
   Identification fit_as_begun(const Setup& start, const std::vector<FitParameter>& parameters,
                               const IdentifyOptions& options, const Stage& stage);
-  const DriveFit& drive_of_axis(char axis, const AxisDrive& start, const DriveFit::Free& free,
+  const DriveFit& drive_of_axis(char axis, const AxisDrive& start, const FreeDriveNumbers& free,
                                 Progress* progress);
   void add_drive(Identification& found, const DriveFit& drive, const std::string& date) const;
 
   /// A drive that was found: no model of the control changes it.
   struct FoundDrive {
     AxisDrive start;
-    DriveFit::Free free;
+    FreeDriveNumbers free;
     DriveFit fit;
   };
 

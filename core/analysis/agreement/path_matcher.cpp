@@ -117,7 +117,7 @@ class Matcher {
   }
 
   /// The first of the nearest places ahead that are allowed.
-  Found nearest(const Vec3& place, const LineGuide::Range& range) const {
+  Found nearest(const Vec3& place, const LineGuide::Range& range) {
     std::size_t begin = part_;
     double begin_share = share_;
     if (range.from > s_of({part_, share_, 0})) {
@@ -131,15 +131,16 @@ class Matcher {
                          begin_share * (course_.seen_length(begin + 1) - course_.seen_length(begin)) +
                          window_share * moved_ + window_tolerances * options_.tolerance;
     double least = std::numeric_limits<double>::infinity();
-    std::size_t end = begin;
-    for (; end + 1 < course_.size() &&
-           (end == begin || (course_.seen_length(end) <= limit && course_.s(end) <= range.to));
-         ++end) {
-      least = std::min(least, project(end, end == begin ? begin_share : 0, place).distance);
+    ahead_.clear();
+    for (std::size_t part = begin;
+         part + 1 < course_.size() &&
+         (part == begin || (course_.seen_length(part) <= limit && course_.s(part) <= range.to));
+         ++part) {
+      ahead_.push_back(project(part, part == begin ? begin_share : 0, place));
+      least = std::min(least, ahead_.back().distance);
     }
     Found best;
-    for (std::size_t part = begin; part < end; ++part) {
-      const Found here = project(part, part == begin ? begin_share : 0, place);
+    for (const Found& here : ahead_) {
       const bool near_enough = best.distance <= std::max(least, usual_) + equal_;
       if (near_enough && best.share < 1) {
         break;  // the nearest place is within its part: what is nearer behind is another pass
@@ -222,7 +223,8 @@ class Matcher {
   double usual_ = 0;
   double end_reach_;  ///< the end is reached so far before it [mm]
   MatchedRecord matched_;
-  std::size_t part_ = 0;  ///< where the last sample that fits is
+  std::vector<Found> ahead_;  ///< of one search, kept for its memory
+  std::size_t part_ = 0;      ///< where the last sample that fits is
   double share_ = 0;
   double moved_ = 0;  ///< since then [mm]
 };
