@@ -218,16 +218,16 @@ void Flow::call(const std::string& label, std::uint32_t column, Scanner& scan) {
 }
 
 void Flow::return_from_sub(Scanner& scan) {
-  const std::optional<double> value =
-      scan.at_end() ? std::nullopt : std::optional(expression_.read_operand(scan));
+  const bool returns_value = !scan.at_end();
+  const double value = returns_value ? expression_.read_operand(scan) : 0;
   if (lines().call_depth() == 0) {
     throw ReadFault{"flow-pair", scan.column(), "return or endsub outside a subprogram",
                     "it is skipped; a subprogram is written between sub and endsub"};
   }
   report_rest(scan);
   calls_.leave();
-  variables_.set("_value", value.value_or(0));
-  variables_.set("_value_returned", value ? 1 : 0);
+  variables_.set("_value", value);
+  variables_.set("_value_returned", returns_value ? 1 : 0);
 }
 
 void Flow::report_nested_subs(const Statement& statement) const {

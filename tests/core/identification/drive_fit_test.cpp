@@ -202,7 +202,7 @@ TEST(DriveFit, LooksForAllWhereWhatIsHeldContradictsTheRecord) {
   const Trace trace = recorder.record(drive_of(50, 0.6, 4e-3), how);
   const DriveFit fit = fit_drive({&trace}, 'X', {}, {true, false, false});
   EXPECT_TRUE(fit.explains);
-  EXPECT_EQ(fit.free, (DriveFit::Free{true, true, true}));
+  EXPECT_EQ(fit.free, (FreeDriveNumbers{true, true, true}));
   EXPECT_NEAR(fit.parameters[1].value, 0.6, 0.01);
 }
 
