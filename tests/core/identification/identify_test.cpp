@@ -17,6 +17,7 @@
 #include "core/identification/section_case.h"
 #include "core/identification/trace_case.h"
 #include "tests/support/folders.h"
+#include "tests/support/random_cases.h"
 
 namespace feedscope {
 namespace {
@@ -283,7 +284,7 @@ TEST_F(SectionTimes, TellTheLimitsOfAMachineWithoutATrace) {
 TEST_F(SectionTimes, OfACoarseClockAreToldWithinTheirUncertaintyOrNot) {
   const auto truth = setup_of("linuxcnc-mill", {"X.acceleration=1.7", "Y.acceleration=1.2"});
   const auto start = setup_of("linuxcnc-mill", {});
-  for (unsigned seed = 1; seed <= 2; ++seed) {
+  for (unsigned seed = 1; seed <= test::random_cases(2U); ++seed) {
     const Identification one =
         found(truth, start, {"X.acceleration", "Y.acceleration", "Z.jerk"}, 0.008, seed);
     for (const auto& [key, value] : {std::pair("X.acceleration", 1.7), std::pair("Y.acceleration", 1.2)}) {

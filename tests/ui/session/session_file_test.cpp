@@ -38,7 +38,7 @@ class SessionFile : public testing::Test {
 };
 
 TEST_F(SessionFile, IsReadBackFromTheDisk) {
-  const Session session = test::some_session(in_folder("part.nc"));
+  const Session session = some_session(in_folder("part.nc"));
   write_session(session, in_folder("a.feedscope"));
   const ReadSession read = read_session_file(in_folder("a.feedscope"));
   EXPECT_EQ(read.session.program, session.program);
@@ -46,7 +46,7 @@ TEST_F(SessionFile, IsReadBackFromTheDisk) {
 }
 
 TEST_F(SessionFile, TheSameSessionIsTheSameBytes) {
-  const Session session = test::some_session("/a.nc");
+  const Session session = some_session("/a.nc");
   EXPECT_EQ(session_bytes(session, "/"), session_bytes(session, "/"));
 }
 
@@ -63,14 +63,14 @@ TEST_F(SessionFile, AMissingOneIsNamed) {
 
 TEST_F(SessionFile, WhereItCannotBeWrittenNothingIsLeft) {
   const auto file = in_folder("no") / "such" / "a.feedscope";
-  EXPECT_THROW(write_session(test::some_session("/a.nc"), file), InputError);
+  EXPECT_THROW(write_session(some_session("/a.nc"), file), InputError);
   EXPECT_FALSE(std::filesystem::exists(in_folder("no")));
 }
 
 TEST_F(SessionFile, AFailedWriteLeavesWhatWasThere) {
   const auto file = in_folder("a.feedscope");
   std::filesystem::create_directory(file);  // cannot be replaced by a file
-  EXPECT_THROW(write_session(test::some_session("/a.nc"), file), InputError);
+  EXPECT_THROW(write_session(some_session("/a.nc"), file), InputError);
   EXPECT_TRUE(std::filesystem::is_directory(file));
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(file.parent_path()), {}), 1);
 }
@@ -87,7 +87,7 @@ TEST_F(SessionFile, IsAsTheOneThatIsHeldAgainstItsSchema) {
   const std::filesystem::path folder = FEEDSCOPE_SOURCE_DIR "/tests/ui/session";
   std::ifstream in(folder / "everything.feedscope");
   const std::string held{std::istreambuf_iterator<char>(in), {}};
-  const std::string now = session_bytes(test::some_session(folder / "part.nc"), folder).toStdString();
+  const std::string now = session_bytes(some_session(folder / "part.nc"), folder).toStdString();
   if (now != held) {
     std::ofstream("everything.feedscope") << now;
   }
@@ -98,7 +98,7 @@ TEST_F(SessionFile, IsAsTheOneThatIsHeldAgainstItsSchema) {
 /// One file for each version is kept as it was written then.
 TEST_F(SessionFile, OfEveryVersionIsReadWhole) {
   const std::filesystem::path folder = FEEDSCOPE_SOURCE_DIR "/tests/ui/session/versions";
-  Session expected = test::some_session(folder / "part.nc");
+  Session expected = some_session(folder / "part.nc");
   // These came later.
   expected.load = {};
   expected.traces.clear();

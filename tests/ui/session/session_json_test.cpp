@@ -53,7 +53,7 @@ void expect_same(const Session& a, const Session& b) {
 }
 
 TEST(SessionJson, GivesBackEverything) {
-  const Session session = test::some_session("/parts/pocket.nc");
+  const Session session = some_session("/parts/pocket.nc");
   expect_same(read_back(session), session);
 }
 
@@ -65,14 +65,14 @@ TEST(SessionJson, GivesBackANewSession) {
 }
 
 TEST(SessionJson, NamesTheProgramRelativeToItself) {
-  const QJsonObject json = to_json(test::some_session("/parts/pocket.nc"), folder);
+  const QJsonObject json = to_json(some_session("/parts/pocket.nc"), folder);
   EXPECT_EQ(json["program"]["file"], QStringLiteral("../pocket.nc"));
   const Session moved = read_session(json, "/elsewhere/sessions", shipped_machines()).session;
   EXPECT_EQ(moved.program, std::filesystem::path("/elsewhere/pocket.nc"));
 }
 
 TEST(SessionJson, PathsThatAreNoTextAreKeptAsTheyWereRead) {
-  QJsonObject json = to_json(test::some_session("/parts/pocket.nc"), folder);
+  QJsonObject json = to_json(some_session("/parts/pocket.nc"), folder);
   const QString half_a_character(QChar(0xd800));
   json["program"] = QJsonObject{{"file", half_a_character}};
   json["reading"] = QJsonObject{{"tool_table", half_a_character}};
@@ -83,7 +83,7 @@ TEST(SessionJson, PathsThatAreNoTextAreKeptAsTheyWereRead) {
 
 TEST(SessionJson, ColoursHaveNoTransparencyAndEightBits) {
   for (const char* const colour : {"#80102030", "#111122223333", "transparent"}) {
-    QJsonObject json = to_json(test::some_session("/a.nc"), folder);
+    QJsonObject json = to_json(some_session("/a.nc"), folder);
     for (const char* const list : {"runs", "annotations"}) {
       QJsonArray items = json[list].toArray();
       QJsonObject first = items[0].toObject();
@@ -98,7 +98,7 @@ TEST(SessionJson, ColoursHaveNoTransparencyAndEightBits) {
 }
 
 TEST(SessionJson, WhatWasIdentifiedComesBackWithItsMachines) {
-  const Session session = test::some_session("/parts/pocket.nc");
+  const Session session = some_session("/parts/pocket.nc");
   const IdentificationState read = read_back(session).identification;
   EXPECT_EQ(read.unused_traces, std::vector<std::size_t>{1});
   EXPECT_EQ(read.choice, session.identification.choice);
@@ -148,7 +148,7 @@ TEST(SessionJson, WhatWasIdentifiedComesBackWithItsMachines) {
 
 /// A curve of a page's width: what is kept does not grow with the recording.
 TEST(SessionJson, OfALongRecordingAtMost200StretchesAreKept) {
-  Session session = test::some_session("/a.nc");
+  Session session = some_session("/a.nc");
   auto outcome = std::make_shared<IdentificationOutcome>(*session.identification.result.outcome);
   Agreement& agreement = outcome->models[0].agreements[0];
   agreement.cells.clear();
@@ -171,7 +171,7 @@ TEST(SessionJson, OfALongRecordingAtMost200StretchesAreKept) {
 
 /// The rest of the session is worth more than a result that can be found again.
 TEST(SessionJson, AResultThatCannotBeUsedIsOmittedWithANote) {
-  const QJsonObject good = to_json(test::some_session("/a.nc"), "/");
+  const QJsonObject good = to_json(some_session("/a.nc"), "/");
   const auto note_of = [&](const std::function<void(QJsonObject&)>& spoil) {
     QJsonObject json = good;
     QJsonObject identification = json["identification"].toObject();
@@ -198,7 +198,7 @@ TEST(SessionJson, AResultThatCannotBeUsedIsOmittedWithANote) {
 }
 
 TEST(SessionJson, SectionTimesThatAreNoneAreOmittedWithANote) {
-  QJsonObject json = to_json(test::some_session("/a.nc"), "/");
+  QJsonObject json = to_json(some_session("/a.nc"), "/");
   QJsonObject identification = json["identification"].toObject();
   set_in_first(identification, "section_times", "resolution_s", 0);
   json["identification"] = identification;
@@ -210,7 +210,7 @@ TEST(SessionJson, SectionTimesThatAreNoneAreOmittedWithANote) {
 
 TEST(SessionJson, RefusesReadingOptionsThatAreNone) {
   const auto message = [](const QJsonObject& reading) {
-    QJsonObject json = to_json(test::some_session("/a.nc"), "/");
+    QJsonObject json = to_json(some_session("/a.nc"), "/");
     json["reading"] = reading;
     try {
       read_session(json, "/", shipped_machines());
@@ -231,14 +231,14 @@ TEST(SessionJson, RefusesReadingOptionsThatAreNone) {
 }
 
 TEST(SessionJson, ShippedMachinesGoByTheirId) {
-  const QJsonObject run = to_json(test::some_session("/a.nc"), "/")["runs"][0].toObject();
+  const QJsonObject run = to_json(some_session("/a.nc"), "/")["runs"][0].toObject();
   EXPECT_EQ(run["machine"], QStringLiteral("spinner-mvc850"));
   EXPECT_FALSE(run.contains("machine_file"));
   EXPECT_TRUE(run["set"].toObject().isEmpty());
 }
 
 TEST(SessionJson, AMachineOfTheUsersTravelsWithTheSession) {
-  Session session = test::some_session("/a.nc");
+  Session session = some_session("/a.nc");
   feedscope::Setup own = make_setup({});
   own.machine.id = "workshop";
   own.machine.axes[1].jerk = 12345;
@@ -248,7 +248,7 @@ TEST(SessionJson, AMachineOfTheUsersTravelsWithTheSession) {
 }
 
 TEST(SessionJson, KeepsSettingsThatACommandLineSet) {
-  Session session = test::some_session("/a.nc");
+  Session session = some_session("/a.nc");
   SetupRequest request;
   request.tolerance = 0.042;
   session.runs[0].setup = SetupState(make_setup(request));
@@ -268,7 +268,7 @@ void PrintTo(const Fault& fault, std::ostream* out) {
 class SessionFaults : public testing::TestWithParam<Fault> {};
 
 TEST_P(SessionFaults, AreNamedWithThingAndValue) {
-  QJsonObject json = to_json(test::some_session("/a.nc"), "/");
+  QJsonObject json = to_json(some_session("/a.nc"), "/");
   GetParam().spoil(json);
   try {
     read_session(json, "/", shipped_machines());
@@ -312,7 +312,7 @@ INSTANTIATE_TEST_SUITE_P(
               "\"size_pt\" is 0"}));
 
 TEST(SessionJson, UnknownKeysAreNotedWithTheNearestOne) {
-  QJsonObject json = to_json(test::some_session("/a.nc"), "/");
+  QJsonObject json = to_json(some_session("/a.nc"), "/");
   json["anotations"] = 1;
   set_in_first(json, "runs", "color", "#ffffff");
   const ReadSession read = read_session(json, "/", shipped_machines());
@@ -324,7 +324,7 @@ TEST(SessionJson, UnknownKeysAreNotedWithTheNearestOne) {
 }
 
 TEST(SessionJson, WhateverTheTypesInTheIdentificationNothingCrashes) {
-  const QJsonObject good = to_json(test::some_session("/a.nc"), "/");
+  const QJsonObject good = to_json(some_session("/a.nc"), "/");
   const QJsonObject identification = good["identification"].toObject();
   const QJsonObject result = identification["result"].toObject();
   const QJsonValue wrong[] = {QJsonValue(), 1e300, -1, "text", QJsonArray{1, "a"}, QJsonObject{{"a", 1}}};
@@ -354,7 +354,7 @@ TEST(SessionJson, WhateverTheTypesInTheIdentificationNothingCrashes) {
 /// A residual of null for one of 0 would say that the model explains everything.
 TEST(SessionJson, ANumberOfAResultThatIsNoneDoesNotPassForZero) {
   for (const char* key : {"residual", "feed_error"}) {
-    QJsonObject json = to_json(test::some_session("/a.nc"), "/");
+    QJsonObject json = to_json(some_session("/a.nc"), "/");
     QJsonObject identification = json["identification"].toObject();
     QJsonObject result = identification["result"].toObject();
     QJsonArray models = result["models"].toArray();
@@ -374,7 +374,7 @@ TEST(SessionJson, ANumberOfAResultThatIsNoneDoesNotPassForZero) {
 }
 
 TEST(SessionJson, WhateverTheTypesNothingCrashes) {
-  const QJsonObject good = to_json(test::some_session("/a.nc"), "/");
+  const QJsonObject good = to_json(some_session("/a.nc"), "/");
   const QJsonValue wrong[] = {QJsonValue(), 1e300, -1, "text", QJsonArray{1, "a"}, QJsonObject{{"a", 1}}};
   for (const QString& key : good.keys()) {
     for (const QJsonValue& value : wrong) {

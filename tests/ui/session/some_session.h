@@ -3,7 +3,7 @@
 #include "tests/ui/identification_fixture.h"
 #include "ui/session/session.h"
 
-namespace feedscope::ui::test {
+namespace feedscope::ui {
 
 /// Two runs, of which one is edited, and every kind of annotation; nothing as in a new session.
 inline Session some_session(const std::filesystem::path& program) {
@@ -65,8 +65,7 @@ inline Session some_session(const std::filesystem::path& program) {
   session.traces = {{0, program.parent_path() / "traces" / "first.csv", "time=1,x=2,y=3", "first part",
                      QColor(0, 0x9e, 0x73), false},
                     {0, program.parent_path() / "scope.xml", "", "scope.xml", QColor(1, 2, 3), true}};
-  session.identification =
-      feedscope::test::some_identification(program.parent_path() / "traces" / "times.csv");
+  session.identification = test::some_identification(program.parent_path() / "traces" / "times.csv");
   session.lessons[{"04_small_circle", 2}] = {QStringLiteral("Les axes,\n\"eux-mêmes\""),
                                              "curvilinear_jerk_m_s3",
                                              "peak_feed_m_min_line_7",
@@ -79,4 +78,4 @@ inline Session some_session(const std::filesystem::path& program) {
   return session;
 }
 
-}  // namespace feedscope::ui::test
+}  // namespace feedscope::ui

@@ -96,7 +96,7 @@ class WindowMemoryTest : public testing::Test {
 
   /// Three runs of a large program, time lost and contour errors, then a small program.
   void work_on_large_program() {
-    ASSERT_NO_FATAL_FAILURE(open("large.nc", spiral(500'000)));
+    ASSERT_NO_FATAL_FAILURE(open("large.nc", spiral(350'000)));
     one_run = bytes_in_use();
     kept = Kept();
     kept.watch(model);
@@ -128,7 +128,7 @@ class WindowMemoryTest : public testing::Test {
 };
 
 TEST_F(WindowMemoryTest, TwentyOpeningsOfAProgramLeaveNothing) {
-  const std::string text = spiral(200'000);
+  const std::string text = spiral(100'000);
   constexpr int openings = 20;
   constexpr int settled = 5;
   std::size_t before = 0;

@@ -22,7 +22,7 @@
 namespace feedscope::ui {
 namespace {
 
-const unsigned mutations = feedscope::test::random_cases(120U);
+const unsigned mutations = test::random_cases(120U);
 
 enum class Wrong { truncated, bytes, type, removed, junk, number, duplicates, word };
 constexpr std::array wrongs{"truncated text", "other bytes", "another type",     "removed",
@@ -142,7 +142,7 @@ class Mutation {
 class WindowMutationTest : public testing::Test {
  protected:
   WindowMutationTest() {
-    std::ofstream(path("part.nc")) << feedscope::test::small_program;
+    std::ofstream(path("part.nc")) << test::small_program;
     window.resize(1000, 700);
     window.show();
     QObject::connect(&answering, &QTimer::timeout, [this] { answer(); });
@@ -154,7 +154,7 @@ class WindowMutationTest : public testing::Test {
   }
 
   QByteArray session() const {
-    Session session = test::some_session(path("part.nc"));
+    Session session = some_session(path("part.nc"));
     session.program_hash = hash_of(session.program);
     session.reading.tool_table.clear();
     return session_bytes(session, path("part.nc").parent_path());
