@@ -274,7 +274,7 @@ void LinuxCncPlanner::go_on(LinuxCncSegment& t, const LinuxCncSegment* n) {
   const double gain = cruises ? 0 : a * time;
   const double last = final_speed(t, n);
   const double k = a * time / 2;
-  for (int i = 0; i < most_periods; ++i) {
+  for (int periods = 2; periods <= most_periods; ++periods) {
     const double v = t.speed;
     const double next = v + gain;
     const double way = (v + next) / 2 * time;
@@ -290,7 +290,7 @@ void LinuxCncPlanner::go_on(LinuxCncSegment& t, const LinuxCncSegment* n) {
     t.speed = next;
     step.to = t.progress;
     step.after = next;
-    step.time += time;
+    step.time = periods * time;
   }
 }
 
