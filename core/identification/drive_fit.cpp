@@ -343,6 +343,10 @@ DriveFit fit_drive(const std::vector<const Trace*>& traces, char axis, const Axi
     return fit;
   }
   fit.following_error = root_mean_square(curve.following_errors());
+  if (fit.following_error == 0) {
+    leave(fit, reason_follows);
+    return fit;
+  }
   const DriveSearch search(free, place_of(start), progress);
   const DrivePlace guess = search.first_guess(record_of(first_samples, BetweenSamples::curve));
   const OnRecord best =
