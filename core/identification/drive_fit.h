@@ -25,8 +25,8 @@ struct DriveFit {
   /// Of the actual positions against the set ones, where it explains them clearly better than none; nothing
   /// is told then. Else 0 [s].
   double delay = 0;
-  FreeDriveNumbers free{true, true,
-                        true};  ///< which were looked for; the others stay at what they were begun with
+  /// Which were looked for; the others stay at what they were begun with.
+  FreeDriveNumbers free{true, true, true};
   bool of_first_order = false;  ///< a gain alone explains them as well: none of the three is told
 };
 
