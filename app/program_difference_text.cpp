@@ -11,14 +11,14 @@
 namespace feedscope {
 namespace {
 
-constexpr std::size_t most_rows = 20;
+constexpr std::size_t most_difference_rows = 20;
 
 /// "-12.345 s": less time in the new program.
 std::string change(double old, double now) {
   return signed_text(now - old, 3) + " s";
 }
 
-std::string millimetres(double length) {
+std::string difference_millimetres(double length) {
   return fmt::format("{:.1f} mm", length);
 }
 
@@ -35,8 +35,9 @@ std::string sums_text(const ProgramDifference& difference) {
     const ProgramDifference::Sum& sum = difference.sums[i];
     if (sum.count > 0) {
       table.add({std::string(program_change_title(static_cast<ProgramChange>(i))),
-                 fmt::format("{}", sum.count), millimetres(sum.old.length), millimetres(sum.now.length),
-                 seconds_text(sum.old.time), seconds_text(sum.now.time), change(sum.old.time, sum.now.time)});
+                 fmt::format("{}", sum.count), difference_millimetres(sum.old.length),
+                 difference_millimetres(sum.now.length), seconds_text(sum.old.time),
+                 seconds_text(sum.now.time), change(sum.old.time, sum.now.time)});
     }
   }
   return table.text("lrrrrrr");
@@ -45,7 +46,7 @@ std::string sums_text(const ProgramDifference& difference) {
 std::string stretches_text(const ProgramDifference& difference) {
   TextTable table;
   table.add({"old lines", "new lines", "", "old time", "new time", "change"});
-  const std::vector<std::size_t> places = largest_changes(difference, most_rows);
+  const std::vector<std::size_t> places = largest_changes(difference, most_difference_rows);
   for (const std::size_t i : places) {
     const ProgramStretch& stretch = difference.stretches[i];
     table.add({lines(stretch.old), lines(stretch.now), std::string(program_change_title(stretch.change)),

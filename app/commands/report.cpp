@@ -48,13 +48,13 @@ struct ReportOptions {
 constexpr double usual_dpi = 96;
 constexpr double largest_dpi = 600;
 const std::string pages_format = "png";
-const std::string printed_format = "feedpages";
+const std::string report_format = "feedpages";
 const std::vector<std::string> report_formats{"pdf", "html", pages_format};
 
 /// Throws InputError for what does not go with the format.
 std::string format_of(const ReportOptions& options) {
   if (options.format.empty() && asks_for_pages(options.out)) {
-    return printed_format;
+    return report_format;
   }
   const std::string format = output_format(options.out, options.format, report_formats);
   if (format == pages_format && options.out == "-") {
@@ -189,9 +189,9 @@ int report(const ReportOptions& options) {
       }
     } else {
       *out << ui::make_report(input, page,
-                              format == "pdf"            ? ui::ReportFormat::pdf
-                              : format == printed_format ? ui::ReportFormat::pages
-                                                         : ui::ReportFormat::html,
+                              format == "pdf"           ? ui::ReportFormat::pdf
+                              : format == report_format ? ui::ReportFormat::pages
+                                                        : ui::ReportFormat::html,
                               drawing);
     }
   }

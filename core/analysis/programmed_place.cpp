@@ -6,7 +6,7 @@ namespace feedscope {
 namespace {
 
 /// Executed path lengths at which a segment begins and ends [mm].
-struct Stretch {
+struct ProgrammedStretch {
   double begin = 0;
   double end = 0;
 };
@@ -26,7 +26,7 @@ std::size_t first_element_from(const BlendedPath& path, std::uint64_t segment) {
   return low;
 }
 
-Stretch stretch_of(const BlendedPath& path, std::uint32_t segment) {
+ProgrammedStretch stretch_of(const BlendedPath& path, std::uint32_t segment) {
   return {path.s(first_element_from(path, segment)),
           path.s(first_element_from(path, std::uint64_t{segment} + 1))};
 }

@@ -6,12 +6,12 @@
 namespace feedscope {
 namespace {
 
-constexpr std::size_t group = 32;          // samples of one band that is kept
-constexpr double feed_share = 0.005;       // of the mean feed: what noise may make of it
-constexpr double least_feed_noise = 0.01;  // [mm/s]
-constexpr double acceleration_noise = 30;  // [mm/s2]
-constexpr double longest_half = 0.010;     // [s] on each side
-constexpr double gap = 1.6;                // periods; what is farther from its neighbour is beyond a gap
+constexpr std::size_t group = 32;           // samples of one band that is kept
+constexpr double feed_noise_share = 0.005;  // of the mean feed: what noise may make of it
+constexpr double least_feed_noise = 0.01;   // [mm/s]
+constexpr double acceleration_noise = 30;   // [mm/s2]
+constexpr double longest_half = 0.010;      // [s] on each side
+constexpr double gap = 1.6;                 // periods; what is farther from its neighbour is beyond a gap
 
 /// Noise of the slope in the middle of 2 m + 1 even samples, of noise 1 at steps of 1.
 double slope_noise(double m) {
@@ -101,7 +101,7 @@ TraceMotion::TraceMotion(const MotionRecord& record, const SeenAxes& seen, doubl
     return;
   }
   constexpr std::size_t coarse = 10;  // samples over which noise makes no length
-  const double allowed = std::max(least_feed_noise, feed_share * mean_feed(record, coarse));
+  const double allowed = std::max(least_feed_noise, feed_noise_share * mean_feed(record, coarse));
   const auto most = static_cast<std::size_t>(longest_half / period);
   feed_half_ = half_for(1, std::max<std::size_t>(1, most), allowed * period,
                         [noise](double m) { return noise * slope_noise(m); });

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int spans_of_blend_part = 4;
 constexpr int spans_of_fitted_part = 4;
-constexpr double spans_a_filter_time = 8;
+constexpr double steps_a_filter_time = 8;
 
 /// The cubic from 0 to `length` with the speeds at both ends, which are lowered where it would fall between.
 LawPoint rising_law(double duration, double length, double speed_from, double speed_to) {
@@ -137,7 +137,7 @@ void CourseWalk::follow_part() {
   const std::uint32_t segment = trajectory_.path().segment(part.element);
   constexpr int max_spans = 256;  // where blocks meet a part is short
   const int count = part.law == Law::filtered
-                        ? std::min(trajectory_.filtered_spans(part, spans_a_filter_time), max_spans)
+                        ? std::min(trajectory_.filtered_spans(part, steps_a_filter_time), max_spans)
                         : spans_of_fitted_part;
   const double step = part.duration / count;
   Kinematics from = motion.kinematics(0);

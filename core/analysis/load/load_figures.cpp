@@ -28,7 +28,7 @@ constexpr std::array<std::string_view, load_limit_count> limit_titles{
 };
 constexpr std::array<std::size_t, load_limit_count> limit_quantities{1, 1, 3, 4, 5};
 
-constexpr std::array<LoadQuantity, load_quantity_count> quantities{{
+constexpr std::array<LoadQuantity, load_quantity_count> quantities_of_load{{
     {&CuttingLoad::feed_per_tooth, QuantityId::feed_per_tooth},
     {&CuttingLoad::chip_thickness, QuantityId::chip_thickness},
     {&CuttingLoad::mean_force, QuantityId::mean_force},
@@ -197,12 +197,12 @@ class LoadCount {
 }  // namespace
 
 const std::array<LoadQuantity, load_quantity_count>& load_quantities() {
-  return quantities;
+  return quantities_of_load;
 }
 
 const LoadFigure& figure_of(const LoadFigureList& figures, QuantityId id) {
-  const auto found = std::ranges::find(quantities, id, &LoadQuantity::id);
-  return figures[static_cast<std::size_t>(found - quantities.begin())];
+  const auto found = std::ranges::find(quantities_of_load, id, &LoadQuantity::id);
+  return figures[static_cast<std::size_t>(found - quantities_of_load.begin())];
 }
 
 double in_file_unit(const LoadQuantity& quantity, double value) {

@@ -59,7 +59,7 @@ using Index = std::uint32_t;
 using Pair = std::pair<Index, Index>;  // of the old path and of the new one
 
 /// A part of both paths.
-struct Part {
+struct MatchedPart {
   Index old_begin, old_end, now_begin, now_end;
   int level = 0;
   bool empty() const { return old_begin == old_end || now_begin == now_end; }
@@ -95,7 +95,7 @@ class Matcher {
   std::vector<Pair> match() {
     parts_.push_back({0, static_cast<Index>(old_.size()), 0, static_cast<Index>(now_.size())});
     while (!parts_.empty()) {
-      const Part part = parts_.back();
+      const MatchedPart part = parts_.back();
       parts_.pop_back();
       cut(without_ends(part));
     }
@@ -106,7 +106,7 @@ class Matcher {
   Index now_size() const { return static_cast<Index>(now_.size()); }
 
  private:
-  Part without_ends(Part part) {
+  MatchedPart without_ends(MatchedPart part) {
     while (!part.empty() && old_[part.old_begin] == now_[part.now_begin]) {
       pairs_.emplace_back(part.old_begin++, part.now_begin++);
     }
@@ -116,7 +116,7 @@ class Matcher {
     return part;
   }
 
-  void cut(const Part& part) {
+  void cut(const MatchedPart& part) {
     if (part.empty() || part.level == most_levels) {
       return;
     }
@@ -124,7 +124,7 @@ class Matcher {
     if (anchors.empty()) {
       return;
     }
-    Part between{part.old_begin, 0, part.now_begin, 0, part.level + 1};
+    MatchedPart between{part.old_begin, 0, part.now_begin, 0, part.level + 1};
     for (const Pair& anchor : anchors) {
       pairs_.push_back(anchor);
       between.old_end = anchor.first;
@@ -138,7 +138,7 @@ class Matcher {
     parts_.push_back(between);
   }
 
-  std::vector<Pair> once_in_both(const Part& part) const {
+  std::vector<Pair> once_in_both(const MatchedPart& part) const {
     struct Found {
       Index old = 0, now = 0;
       int in_old = 0, in_now = 0;
@@ -168,7 +168,7 @@ class Matcher {
 
   std::vector<std::uint64_t> old_;
   std::vector<std::uint64_t> now_;
-  std::vector<Part> parts_;
+  std::vector<MatchedPart> parts_;
   std::vector<Pair> pairs_;
 };
 

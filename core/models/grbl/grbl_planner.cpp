@@ -9,14 +9,14 @@ namespace {
 
 using FloatAxes = GrblSettings::Axes;
 
-struct Least {
+struct LeastLimit {
   float value;
   std::int8_t axis;
 };
 
 /// min_i limit_i / |u_i| over the axes that move.
-Least least_along(const FloatAxes& limit, const FloatAxes& u) {
-  Least least{std::numeric_limits<float>::max(), -1};
+LeastLimit least_along(const FloatAxes& limit, const FloatAxes& u) {
+  LeastLimit least{std::numeric_limits<float>::max(), -1};
   for (std::size_t i = 0; i < u.size(); ++i) {
     if (u[i] != 0) {
       const float along = std::fabs(limit[i] / u[i]);
@@ -104,8 +104,8 @@ bool GrblPlanner::add(const Line& line, std::optional<float> running_speed) {
     return false;
   }
   block.left = make_unit(u);
-  const Least acceleration = least_along(settings_.acceleration, u);
-  const Least rate = least_along(settings_.rate, u);
+  const LeastLimit acceleration = least_along(settings_.acceleration, u);
+  const LeastLimit rate = least_along(settings_.rate, u);
   block.acceleration = acceleration.value;
   block.acceleration_axis = acceleration.axis;
   const bool of_axis = line.rapid || line.feed > rate.value;

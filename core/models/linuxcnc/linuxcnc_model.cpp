@@ -11,7 +11,7 @@
 namespace feedscope {
 namespace {
 
-std::vector<SettingSpec> own_settings() {
+std::vector<SettingSpec> linuxcnc_settings() {
   std::vector<SettingSpec> specs{
       {
           .key = "planner",
@@ -138,7 +138,7 @@ const ModelInfo& LinuxCncModel::info() const {
           "of the jerk. Under G64 arcs within the tolerance blend corners, or neighbours overlap, and short "
           "blocks along a line become one; under G61 corners are exact stops. Half of the acceleration is "
           "kept back for blends."),
-      own_settings(),
+      linuxcnc_settings(),
       {program_tolerance_key},
       {QT_TRANSLATE_NOOP(
            "core",

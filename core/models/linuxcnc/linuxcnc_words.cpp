@@ -51,7 +51,7 @@ enum class Flow {
   leads_elsewhere,
 };
 
-bool is_letter(char c) {
+bool is_word_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
@@ -77,10 +77,10 @@ Flow flow_of(std::string_view line) {
       continue;
     }
     in_comment = (in_comment || line[i] == '(') && line[i] != ')';
-    if (in_comment || !is_letter(line[i])) {
+    if (in_comment || !is_word_letter(line[i])) {
       continue;
     }
-    if (!is_letter(line[i + 1])) {
+    if (!is_word_letter(line[i + 1])) {
       const bool calls = (line[i] == 'M' || line[i] == 'm') && i + 2 < line.size() && line[i + 1] == '9' &&
                          line[i + 2] >= '7' && line[i + 2] <= '9';
       if (calls) {
@@ -89,7 +89,7 @@ Flow flow_of(std::string_view line) {
       continue;
     }
     std::string word;
-    for (; i < line.size() && is_letter(line[i]); ++i) {
+    for (; i < line.size() && is_word_letter(line[i]); ++i) {
       word += static_cast<char>(line[i] & ~0x20);  // as a capital
     }
     --i;

@@ -11,7 +11,7 @@
 namespace feedscope::ui {
 namespace {
 
-constexpr std::size_t most_points = 200'000;  // they are seldom looked at
+constexpr std::size_t most_machine_points = 200'000;  // they are seldom looked at
 constexpr std::size_t points_a_task = 1024;
 constexpr double turn_of_span = 3 * units::pi / 180;
 
@@ -53,7 +53,7 @@ SampledPath sample_on_machine(const RunSources& sources, Progress* progress) {
   Progress unwatched;
   Progress& watched = progress != nullptr ? *progress : unwatched;
   SampledPath path =
-      sample_motion(trajectory, most_points, times_of_turns(trajectory), watched, 0.5, sources);
+      sample_motion(trajectory, most_machine_points, times_of_turns(trajectory), watched, 0.5, sources);
   path.origin = course.slides(trajectory.state(0));
   const std::size_t tasks = (path.size() + points_a_task - 1) / points_a_task;
   in_parallel(tasks, [&](std::size_t task) {
