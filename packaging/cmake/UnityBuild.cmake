@@ -1,11 +1,12 @@
-# The sources of a folder compiled as one, so that a build from bare takes less than half the time; a change of one file
-# compiles its folder again. Names in anonymous namespaces are therefore unique in their folder; a test whose helpers have
-# the names of another's has SKIP_UNITY_BUILD_INCLUSION.
+# The sources of a program, or of a stage of core or ui, compiled as one or a few, so that a build from bare takes less
+# than half the time; a change of one file compiles its group again. Names in anonymous namespaces are therefore unique in
+# a stage; a test whose helpers have the names of another's has SKIP_UNITY_BUILD_INCLUSION.
+# CMake's own unity builds include sources by their absolute path, which makes a compiler cache miss in another clone.
 option(FEEDSCOPE_UNITY "Compile the sources of a folder together" OFF)
-set(FEEDSCOPE_UNITY_SOURCES 12 CACHE STRING "How many sources are compiled together at most")
+set(FEEDSCOPE_UNITY_SOURCES 24 CACHE STRING "How many sources are compiled together at most")
 mark_as_advanced(FEEDSCOPE_UNITY_SOURCES)
 
-# feedscope_unity(TARGET): groups its sources by folder.
+# feedscope_unity(TARGET): compiles its sources in groups; those of core and ui by stage.
 function(feedscope_unity target)
   get_target_property(sources ${target} SOURCES)
   get_target_property(source_dir ${target} SOURCE_DIR)
@@ -13,23 +14,43 @@ function(feedscope_unity target)
   foreach(source ${sources})
     if(source MATCHES "\\.cpp$")
       cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${source_dir} NORMALIZE)
-      cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE relative)
-      cmake_path(GET relative PARENT_PATH folder)
-      string(MAKE_C_IDENTIFIER "${folder}" folder)
-      list(APPEND sources_${folder} ${source})
-      list(APPEND folders ${folder})
+      get_property(alone SOURCE ${source} TARGET_DIRECTORY ${target} PROPERTY SKIP_UNITY_BUILD_INCLUSION)
+      if(NOT alone)
+        cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE relative)
+        string(REGEX MATCH "^(core|ui)/[^/]+|^[^/]+" folder ${relative})
+        string(MAKE_C_IDENTIFIER "${folder}" folder)
+        list(APPEND sources_${folder} ${relative})
+        list(APPEND folders ${folder})
+      endif()
     endif()
   endforeach()
   list(REMOVE_DUPLICATES folders)
   foreach(folder ${folders})
-    set(place 0)
-    foreach(source ${sources_${folder}})
-      math(EXPR part "${place} / ${FEEDSCOPE_UNITY_SOURCES}")
-      set_property(SOURCE ${source} TARGET_DIRECTORY ${target} PROPERTY UNITY_GROUP ${folder}_${part})
-      math(EXPR place "${place} + 1")
+    list(LENGTH sources_${folder} count)
+    math(EXPR groups "(${count} + ${FEEDSCOPE_UNITY_SOURCES} - 1) / ${FEEDSCOPE_UNITY_SOURCES}")
+    math(EXPR size "(${count} + ${groups} - 1) / ${groups}")
+    foreach(group RANGE 1 ${groups})
+      math(EXPR first "(${group} - 1) * ${size}")
+      list(SUBLIST sources_${folder} ${first} ${size} together)
+      if(group EQUAL groups)
+        list(SUBLIST sources_${folder} ${first} -1 together)
+      endif()
+      feedscope_compile_together(${target} ${folder}_${group} ${together})
     endforeach()
   endforeach()
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()
+
+# feedscope_compile_together(TARGET NAME SOURCES...): one source that includes these, which are relative to the project.
+function(feedscope_compile_together target name)
+  set(text)
+  foreach(source ${ARGN})
+    string(APPEND text "#include \"${source}\"\n")
+    set_property(SOURCE ${PROJECT_SOURCE_DIR}/${source} TARGET_DIRECTORY ${target} PROPERTY HEADER_FILE_ONLY ON)
+  endforeach()
+  set(group ${PROJECT_BINARY_DIR}/unity/${target}/${name}.cpp)
+  file(CONFIGURE OUTPUT ${group} CONTENT "${text}" @ONLY)
+  set_property(SOURCE ${group} TARGET_DIRECTORY ${target} PROPERTY SKIP_AUTOGEN ON)
+  target_sources(${target} PRIVATE ${group})
 endfunction()
 
 # feedscope_unity_targets(FOLDER): all libraries and programs of a folder and of those in it.
