@@ -13950,8 +13950,8 @@ Ensemble&#xa0;: %4</translation>
         <translation>Comment les axes suivent leurs consignes : gain de position, anticipation, jeu. Sans gain, un axe suit exactement</translation>
     </message>
     <message>
-        <source>Drives: none, the axes follow exactly</source>
-        <translation>Entraînements : aucun, les axes suivent exactement</translation>
+        <source>Drives: none</source>
+        <translation>Entraînements : aucun</translation>
     </message>
     <message>
         <source>Machine</source>
@@ -15269,12 +15269,12 @@ Ensemble&#xa0;: %4</translation>
         <translation>▸ Aller à la ligne %1</translation>
     </message>
     <message>
-        <source>◂ %1, line %2, %3</source>
-        <translation>◂ %1, ligne %2, %3</translation>
+        <source>◂ %1, line %2</source>
+        <translation>◂ %1, ligne %2</translation>
     </message>
     <message>
-        <source>▸ %1, line %2, %3</source>
-        <translation>▸ %1, ligne %2, %3</translation>
+        <source>▸ %1, line %2</source>
+        <translation>▸ %1, ligne %2</translation>
     </message>
     <message>
         <source>What would help? Simulating …</source>

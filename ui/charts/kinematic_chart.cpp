@@ -489,10 +489,13 @@ void KinematicChart::resizeEvent(QResizeEvent* event) {
 }
 
 void KinematicChart::lay_out() {
-  const int bottom = abscissa_title_.isEmpty() ? bottom_margin : type_pixels(labelled_bottom_margin);
+  // The numbers beside the ends of the plot are whole in every font.
+  const int line = QFontMetrics(ordinate_->labelsFont()).height();
+  const int top = std::max(type_pixels(top_margin), (line + 1) / 2);
+  const int bottom = std::max(
+      (line + 1) / 2, abscissa_title_.isEmpty() ? bottom_margin : type_pixels(labelled_bottom_margin));
   chart()->setPlotArea(
-      QRectF(viewport()->rect())
-          .adjusted(plot_left_margin(), type_pixels(top_margin), -plot_right_margin, -bottom));
+      QRectF(viewport()->rect()).adjusted(plot_left_margin(), top, -plot_right_margin, -bottom));
   picture_ = {};
   emit plot_resized();
 }

@@ -327,7 +327,7 @@ void SetupView::hide_drives() {
   const bool any = drive_model_->has_values();
   const bool shown = any || show_drives_->isChecked();
   drives_->setVisible(shown);
-  show_drives_->setText(any ? tr("Drives") : tr("Drives: none, the axes follow exactly"));
+  show_drives_->setText(any ? tr("Drives") : tr("Drives: none"));
   show_drives_->setArrowType(shown ? Qt::DownArrow : Qt::RightArrow);
   drives_->setFixedHeight(full_height(drives_));
 }

@@ -367,12 +367,11 @@ void WhyView::show_neighbours() {
     action->setEnabled(stretch.has_value());
     if (stretch) {
       button->setIcon(icon_of(stretch->cause));
-      button->setText(text.arg(WhyText::cause(stretch->cause), QString::number(stretch->line),
-                               WhyText::number(stretch->to - stretch->from, Dimension::time)));
+      button->setText(text.arg(WhyText::cause(stretch->cause), QString::number(stretch->line)));
     }
   };
-  show(before_button_, before_action_, before_, tr("◂ %1, line %2, %3"));
-  show(after_button_, after_action_, after_, tr("▸ %1, line %2, %3"));
+  show(before_button_, before_action_, before_, tr("◂ %1, line %2"));
+  show(after_button_, after_action_, after_, tr("▸ %1, line %2"));
 }
 
 SegmentRange WhyView::segments_here() const {
