@@ -211,16 +211,6 @@ TEST(Layering, NumbersAreTypedIntoFieldsOfUiFieldsAlone) {
   EXPECT_THAT(found, testing::IsEmpty());
 }
 
-TEST(Layering, NoFileIsLongerThan500Lines) {
-  std::vector<std::string> found;
-  for (const SourceFile& file : sources_under({"core", "ui", "app", "tests"})) {
-    if (file.lines.size() > 500) {
-      found.push_back(file.path + ": " + std::to_string(file.lines.size()) + " lines");
-    }
-  }
-  EXPECT_THAT(found, testing::IsEmpty());
-}
-
 TEST(Layering, TheTopLevelHoldsWhatTheDesignNames) {
   const std::vector<std::string> allowed{
       "CMakeLists.txt", "CMakePresets.json", "LICENSE",   "README.md", "app",   "build",

@@ -1,31 +1,52 @@
-// Runs tests that need a QApplication, without a display unless QT_QPA_PLATFORM asks for one. Every process
-// has settings of its own: tests of one fixture run beside each other and would otherwise see each other's
-// presets and recovered work. What Mesa has compiled for the 3D view is theirs together.
+// Runs tests that need a QApplication. Each begins as in a process of its own: without settings, in English,
+// in the font and colours of the platform.
 #include <gtest/gtest.h>
 
 #include <QApplication>
-#include <QFile>
+#include <QDir>
+#include <QFont>
 #include <QLocale>
-#include <QTemporaryDir>
+#include <QPalette>
+#include <QString>
+#include <QStyle>
 
-#include "tests/support/folders.h"
+#include "ui/language/language.h"
+#include "ui/theme/type_size.h"
+
+namespace {
+
+class FreshStart : public testing::EmptyTestEventListener {
+ public:
+  void OnTestStart(const testing::TestInfo&) override {
+    for (const char* const place : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME"}) {
+      QDir(qEnvironmentVariable(place)).removeRecursively();
+    }
+    feedscope::ui::install_language("en");
+    QLocale::setDefault(QLocale::c());
+    feedscope::ui::TypeSize::of_application().set_scale(1);
+    if (QApplication::font() != font_) {
+      QApplication::setFont(font_);
+    }
+    if (QApplication::palette() != palette_) {
+      QApplication::setPalette(palette_);
+    }
+    if (QApplication::style()->name() != style_) {
+      QApplication::setStyle(style_);
+    }
+  }
+
+ private:
+  const QString style_ = QApplication::style()->name();
+  const QFont font_ = QApplication::font();
+  const QPalette palette_ = QApplication::palette();
+};
+
+}  // namespace
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
-  if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) {
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-  }
-  const QTemporaryDir settings;
-  if (!settings.isValid()) {
-    qFatal("no folder for the settings of this test: %s", qPrintable(settings.errorString()));
-  }
-  for (const char* const place : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME"}) {
-    qputenv(place, QFile::encodeName(settings.filePath(place)));
-  }
-  if (!qEnvironmentVariableIsSet("MESA_SHADER_CACHE_DIR")) {
-    qputenv("MESA_SHADER_CACHE_DIR", FEEDSCOPE_BINARY_DIR "/shaders");
-  }
   QLocale::setDefault(QLocale::c());
   const QApplication application(argc, argv);
+  testing::UnitTest::GetInstance()->listeners().Append(new FreshStart);
   return RUN_ALL_TESTS();
 }

@@ -11,8 +11,8 @@
 namespace feedscope {
 namespace {
 
-using testing::Contains;
-using testing::HasSubstr;
+using ::testing::Contains;
+using ::testing::HasSubstr;
 
 LoadedProgram line_at(const std::string& feed) {
   return load_program(std::make_shared<const SourceText>(
@@ -45,7 +45,7 @@ TEST(UnreachableFeed, IsNamedAmongTheNotesOfARun) {
       "Line 4 asks for a feed of 9991300 mm/min; all axes of this machine together reach 30000 mm/min";
   EXPECT_THAT(run_notes(line_at("9991300"), make_setup(on_three_axes())), Contains(HasSubstr(said)));
   EXPECT_THAT(run_notes(line_at("20000"), make_setup(on_three_axes())),
-              testing::Not(Contains(HasSubstr("asks for a feed"))));
+              ::testing::Not(Contains(HasSubstr("asks for a feed"))));
 }
 
 /// "Programmed" is with the override: half of 40 m/min is reached, twice 20 m/min is not.

@@ -49,7 +49,7 @@ LoadedProgram loaded(int times) {
   return load_program(std::make_shared<const SourceText>("rows.nc", rows(times)));
 }
 
-class LongProgram : public testing::TestWithParam<ModelCase> {};
+class LongProgram : public ::testing::TestWithParam<ModelCase> {};
 
 /// Every part of it is at rest at both ends, so that it runs as if it were alone.
 TEST_P(LongProgram, IsTheSumOfItsParts) {
@@ -109,10 +109,11 @@ TEST_P(LongProgram, IsGivenUpWhenAskedTo) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, LongProgram,
-                         testing::Values(ModelCase{"essid", {}}, ModelCase{"essid", {"compressor=on"}},
-                                         ModelCase{"msaddek", {}}, ModelCase{"msaddek", {"compaction_mm=1"}},
-                                         ModelCase{"gassara", {}}, ModelCase{"tapie", {}},
-                                         ModelCase{"ward", {}}, ModelCase{"ward", {"compressor=on"}}));
+                         ::testing::Values(ModelCase{"essid", {}}, ModelCase{"essid", {"compressor=on"}},
+                                           ModelCase{"msaddek", {}},
+                                           ModelCase{"msaddek", {"compaction_mm=1"}},
+                                           ModelCase{"gassara", {}}, ModelCase{"tapie", {}},
+                                           ModelCase{"ward", {}}, ModelCase{"ward", {"compressor=on"}}));
 
 }  // namespace
 }  // namespace feedscope

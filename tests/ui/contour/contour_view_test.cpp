@@ -21,7 +21,7 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-const std::string three_corners = "G21 G90 G94 F3000\nG1 X20 Y0\nG1 X40 Y15\nG1 X60 Y0\nG1 X60 Y30\n";
+const std::string corners_of_three = "G21 G90 G94 F3000\nG1 X20 Y0\nG1 X40 Y15\nG1 X60 Y0\nG1 X60 Y30\n";
 
 class ContourViewTest : public testing::Test {
  protected:
@@ -29,7 +29,7 @@ class ContourViewTest : public testing::Test {
     QLocale::setDefault(QLocale::c());
     view.resize(900, 300);
   }
-  void open(const std::string& text = three_corners) {
+  void open(const std::string& text = corners_of_three) {
     model.show(
         simulate_run(load_program(std::make_shared<const SourceText>("test.nc", text)), make_setup({})));
   }

@@ -34,7 +34,7 @@ class StudyViewTest : public testing::Test {
   }
   void open() {
     const LoadedProgram input =
-        load_program(std::make_shared<const SourceText>("test.nc", test::small_program));
+        load_program(std::make_shared<const SourceText>("test.nc", feedscope::test::small_program));
     model.show(simulate_run(input, make_setup({})));
   }
   void study(const char* key, double from, double to, int count) {
@@ -117,9 +117,9 @@ TEST_F(StudyViewTest, WhatWasRecordedOfTheProgramIsDrawnAcross) {
   open();
   study("tolerance", 0.01, 0.04, 3);
   EXPECT_TRUE(view.chart()->study().recorded.empty());
-  const test::WrittenFiles files;
-  model.traces().add(
-      files.write("scope.csv", test::trace_table(simulate_run(model.shown_program().input, make_setup({})))));
+  const feedscope::test::WrittenFiles files;
+  model.traces().add(files.write(
+      "scope.csv", feedscope::test::trace_table(simulate_run(model.shown_program().input, make_setup({})))));
   ASSERT_TRUE(QTest::qWaitFor([this] { return !model.traces().busy(); }, patience));
   ASSERT_EQ(view.chart()->study().recorded.size(), 1U);
   const RecordedTime recorded = view.chart()->study().recorded[0];

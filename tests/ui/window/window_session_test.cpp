@@ -65,9 +65,7 @@ class WindowSessionTest : public testing::Test {
   WindowSessionTest() {
     QLocale::setDefault(QLocale::c());
     std::ofstream(program_) << test::small_program;
-    qputenv("XDG_DATA_HOME", folder_.filePath("data").toUtf8());
   }
-  ~WindowSessionTest() override { qunsetenv("XDG_DATA_HOME"); }
 
   /// As a user would set it up.
   void set_up(Window& w) {
@@ -302,7 +300,8 @@ TEST_F(WindowSessionTest, ASessionSavedBeforeItIsSimulatedKeepsItsView) {
 TEST_F(WindowSessionTest, WhatCannotBeKeptIsSaidOnce) {
   Window w;
   set_up(w);
-  std::ofstream(folder_.filePath("data").toStdString()) << "a file where the folder is to be";
+  const QString data = qEnvironmentVariable("XDG_DATA_HOME");
+  std::ofstream(data.toStdString()) << "a file where the folder is to be";
   QSignalSpy failed(&w.window.session(), &WindowSession::failed);
   w.window.session().begin_keeping(std::chrono::milliseconds(1));
   ASSERT_EQ(failed.count(), 1);
@@ -313,7 +312,7 @@ TEST_F(WindowSessionTest, WhatCannotBeKeptIsSaidOnce) {
   each.start(1);
   ASSERT_TRUE(QTest::qWaitFor([&turns] { return turns > 10; }, patience));
   EXPECT_EQ(failed.count(), 1);
-  ASSERT_TRUE(QFile::remove(folder_.filePath("data")));
+  ASSERT_TRUE(QFile::remove(data));
   const QDir kept(Autosave::usual_folder());
   ASSERT_TRUE(
       QTest::qWaitFor([&kept] { return !kept.entryList({"*.feedscope"}, QDir::Files).isEmpty(); }, patience));
