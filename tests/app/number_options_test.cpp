@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "tests/app/command_line.h"
+#include "tests/support/random_cases.h"
 
 namespace feedscope::test {
 namespace {
@@ -173,7 +174,7 @@ TEST_F(NumberOptions, RefuseACommaThatCouldGroupThousands) {
 }
 
 TEST_F(NumberOptions, TakeEitherDecimalSignForTheSameNumber) {
-  for (const Option& option : with_numbers()) {
+  for (const Option& option : test::in_turns(with_numbers())) {
     const Numeric& values = numeric_types.at(option.type);
     if (values.comma.empty()) {
       continue;

@@ -10,6 +10,7 @@
 #include "core/identification/trace_case.h"
 #include "core/trace/read_trace.h"
 #include "tests/support/folders.h"
+#include "tests/support/random_cases.h"
 
 namespace feedscope {
 namespace {
@@ -39,6 +40,9 @@ std::shared_ptr<const Trace> trace_of(const std::string& name) {
 
 /// The machine that the traces were recorded on, from one that is far from it.
 TEST(LinuxCncIdentification, FindsTheMachineOfItsTraces) {
+  if (!test::thorough()) {
+    GTEST_SKIP() << "a minute; IdentificationViewTest finds it from one of the traces";
+  }
   if (!fs::exists(traces() / "msaddek_pocket.txt.gz")) {
     GTEST_SKIP() << "no traces of LinuxCNC at " << traces();
   }

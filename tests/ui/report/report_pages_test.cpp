@@ -5,6 +5,7 @@
 #include "core/base/data_folder.h"
 #include "core/lessons/lesson_language.h"
 #include "core/lessons/lesson_runs.h"
+#include "tests/support/random_cases.h"
 #include "tests/ui/report/page_checks.h"
 #include "ui/language/language.h"
 #include "ui/report/handout.h"
@@ -107,7 +108,7 @@ TEST(Handout, MostQuestionsHaveAPictureOfTheirOwn) {
       << pictures << " of " << questions;
 }
 
-INSTANTIATE_TEST_SUITE_P(OfEveryLesson, HandoutPages, testing::ValuesIn(shipped_lessons()),
+INSTANTIATE_TEST_SUITE_P(OfEveryLesson, HandoutPages, testing::ValuesIn(test::in_turns(shipped_lessons())),
                          [](const auto& each) { return "Lesson" + each.param.stem().string(); });
 
 }  // namespace

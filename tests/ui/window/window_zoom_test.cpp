@@ -72,14 +72,14 @@ TEST_F(WindowZoomTest, SixtyClicksIntoAnySampleStaySmallInOneAndTwoViews) {
   std::ranges::sort(programs);
   ASSERT_GT(programs.size(), 20U);
   model.runs().duplicate(0);
-  const bool all = test::random_cases(2) == 2;
-  // Else every second program, one and two views in turns.
-  for (std::size_t i = 0; i < programs.size(); i += all ? 1 : 2) {
+  const bool all = test::thorough();
+  // Else every fourth program, one and two views in turns.
+  for (std::size_t i = 0; i < programs.size(); i += all ? 1 : 4) {
     SCOPED_TRACE(programs[i].filename().string());
     ASSERT_NO_FATAL_FAILURE(open(programs[i]));
     ASSERT_NE(model.shown(), nullptr);
     for (const ScenesMode mode : {ScenesMode::one, ScenesMode::side_by_side}) {
-      if (!all && (mode == ScenesMode::one) != (i % 4 == 0)) {
+      if (!all && (mode == ScenesMode::one) != (i % 8 == 0)) {
         continue;
       }
       window.scenes().set_mode(mode);
