@@ -104,3 +104,30 @@ build() {
   say "Building ($preset)"
   cmake --build --preset "$preset" --target "$@"
 }
+
+# run_tests NAME TARGET SELECTION...: builds TARGET of preset test and runs the tests that SELECTION names, as options of
+# ctest. Where one fails, ends with what failed and how to run it again.
+run_tests() {
+  local name=$1 target=$2 results=$project_dir/build/test/results
+  shift 2
+  cmake --build --preset test --target "$target"
+  say "Testing: $name"
+  mkdir -p "$results"
+  if ! ctest --preset test --parallel "$(nproc)" --no-label-summary --output-junit "$results/ctest-$name.xml" "$@"; then
+    say 'What failed'
+    tests/summary.py build/test || true
+    fail "tests failed"
+  fi
+}
+
+# test_everything [COMMAND...]: builds and tests, cheapest first; COMMAND is run between fast and slow tests.
+test_everything() {
+  build test layering_test
+  rm -rf build/test/results
+  run_tests layering layering_test -L '^layering$'
+  run_tests fast fast_tests -L '^fast$' -LE '^layering$'
+  "$@"
+  run_tests slow all -LE '^fast$'
+  say 'All tests passed'
+  tests/summary.py build/test 10
+}
