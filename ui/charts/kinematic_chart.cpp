@@ -489,7 +489,7 @@ void KinematicChart::resizeEvent(QResizeEvent* event) {
 }
 
 void KinematicChart::lay_out() {
-  // The numbers beside the ends of the plot are whole in every font.
+  // Room for half a line above and below, so that no font cuts the tick labels at the ends.
   const int line = QFontMetrics(ordinate_->labelsFont()).height();
   const int top = std::max(type_pixels(top_margin), (line + 1) / 2);
   const int bottom = std::max(
