@@ -27,6 +27,7 @@ inline std::string trace_table(const Run& run, double shift = 12.5) {
 /// Files that go with the test.
 class WrittenFiles {
  public:
+  WrittenFiles() {}  // so that a const one needs no value
   std::filesystem::path write(const char* name, const std::string& text) const {
     const std::filesystem::path file = std::filesystem::path(folder_.path().toStdString()) / name;
     std::ofstream(file) << text;

@@ -49,7 +49,8 @@ std::string readme_section(const Machine& machine) {
     }
   }
   for (const auto& [key, value] : machine.settings.values()) {
-    text += std::visit([&](const auto& v) { return row(machine, "settings." + key, key, v); }, value);
+    text +=
+        std::visit([&, key = key](const auto& v) { return row(machine, "settings." + key, key, v); }, value);
   }
   return text;
 }

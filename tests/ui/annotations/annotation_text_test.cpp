@@ -61,7 +61,7 @@ TEST_F(AnnotationText, AValueIsNotReadAgain) {
 }
 
 TEST_F(AnnotationText, NumbersFollowTheLocale) {
-  const test::LocaleInForce locale(QLocale(QLocale::German));
+  const test::LocaleInForce locale{QLocale(QLocale::German)};
   EXPECT_EQ(with_values("{deviation}", some_values()), QStringLiteral("8,2 µm"));
 }
 

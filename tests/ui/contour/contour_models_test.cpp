@@ -103,7 +103,7 @@ TEST_F(ContourModels, SayHowLargeWhereAndAgainstWhat) {
 }
 
 TEST_F(ContourModels, WriteNumbersByTheLocale) {
-  const test::LocaleInForce locale(QLocale(QLocale::French));
+  const test::LocaleInForce locale{QLocale(QLocale::French)};
   EXPECT_EQ(error_text(0.0283), "28,3");
   EXPECT_EQ(error_text(0.00283), "2,83");
   EXPECT_EQ(error_text(0.0001), "0,100");

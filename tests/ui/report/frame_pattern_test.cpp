@@ -23,7 +23,7 @@ TEST(FramePattern, RefusesWhatIsNoneAndShowsOne) {
         std::pair("%d-%d.png", "two numbers"), std::pair("%s.png", "followed by d"),
         std::pair("%", "followed by d"), std::pair("%5", "followed by d"),
         std::pair("%99999999999999999999d.png", "up to 20"), std::pair("%n.png", "followed by d")}) {
-    EXPECT_THAT([&] { FramePattern{pattern}; },
+    EXPECT_THAT([pattern = pattern] { FramePattern{pattern}; },
                 ThrowsMessage<InputError>(testing::AllOf(HasSubstr(message), HasSubstr("frames/%05d.png"))))
         << pattern;
   }

@@ -113,7 +113,7 @@ TEST_F(RunTableTest, TheToleranceIsTheOneInForce) {
 }
 
 TEST_F(RunTableTest, NumbersFollowTheLocale) {
-  const test::LocaleInForce locale(QLocale(QLocale::German));
+  const test::LocaleInForce locale{QLocale(QLocale::German)};
   EXPECT_EQ(text(1, RunTable::tolerance), "0,02");
 }
 

@@ -148,7 +148,7 @@ TEST_F(SetupTablesTest, UndoAndRedoWalkThroughTheEdits) {
 }
 
 TEST_F(SetupTablesTest, DecimalCommaIsReadAndShownInALocaleThatUsesIt) {
-  const test::LocaleInForce locale(QLocale(QLocale::German));
+  const test::LocaleInForce locale{QLocale(QLocale::German)};
   ASSERT_TRUE(axes.setData(jerk_of_x(), "12,5"));
   EXPECT_DOUBLE_EQ(axis_limit(edit.setup().machine, 'X', "jerk"), 12.5);
   EXPECT_EQ(axes.data(jerk_of_x()).toString(), "12,5");

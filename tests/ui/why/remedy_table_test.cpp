@@ -72,7 +72,7 @@ TEST_F(RemedyTableTest, TheLargestGainComesFirstAndFailuresLast) {
 }
 
 TEST_F(RemedyTableTest, NumbersFollowTheLocale) {
-  const test::LocaleInForce locale(QLocale(QLocale::German));
+  const test::LocaleInForce locale{QLocale(QLocale::German)};
   begin();
   table.set_trial(0, {9.5, 2, {}});
   EXPECT_EQ(text(0, RemedyTable::gain), "−0,500 s\n−5,0 %");

@@ -86,7 +86,7 @@ TEST_F(WhyTextTest, NumbersAreRoundedToWhatCounts) {
   EXPECT_EQ(WhyText::number(1e7, Dimension::jerk).toStdString(), "10000 m/s³");
   EXPECT_EQ(WhyText::number(0.80001, Dimension::number).toStdString(), "0.8");
   EXPECT_EQ(WhyText::speed(0).toStdString(), "0 mm/min");
-  const test::LocaleInForce locale(QLocale(QLocale::French));
+  const test::LocaleInForce locale{QLocale(QLocale::French)};
   EXPECT_EQ(WhyText::number(2.5, Dimension::length).toStdString(), "2,5 mm");
 }
 

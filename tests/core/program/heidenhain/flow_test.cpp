@@ -68,7 +68,7 @@ TEST(HeidenhainFlow, BlanksBetweenAKeywordAndItsNumberMayBeMissing) {
       {"BLK FORM 0.1", "BLK FORM0.1"}};
   std::string all = text;
   for (const auto& [with, without] : blanks) {
-    const auto replaced = [&](std::string in) {
+    const auto replaced = [with = with, without = without](std::string in) {
       const std::size_t at = in.find(with);
       return at == std::string::npos ? in : in.replace(at, with.size(), without);
     };
