@@ -61,20 +61,32 @@ ContourNode ContourSearch::node(const CoursePlace& at) {
 }
 
 /// How much the second derivative of the distance from a line falls below 0.
-double ContourSearch::bend_from_line(const PathDeviation::Foot& at_from, const PathDeviation::Foot& at_to,
-                                     const ContourSpan& span) const {
+double ContourSearch::bend_from_line(std::size_t index, const PathDeviation::Foot& at_from,
+                                     const PathDeviation::Foot& at_to, const ContourSpan& span) const {
   const double from = std::sqrt(at_from.squared);
   const double to = std::sqrt(at_to.squared);
   const ElementKind kind = trajectory_.path().kind(span.from.place.element);
   constexpr double min_cosine = 0.9;
   const double cosine = at_from.offset.dot(at_to.offset) / (from * to);
   if (kind == ElementKind::connecting_arc || !(cosine > min_cosine)) {
-    return std::max(span.from.point.d2.norm(), span.to.point.d2.norm());
+    return bend_across_line(index, at_from, at_to, span);
   }
   // A unit vector between both is their sum with shares that add up to 1 / cos(half their angle) at most.
   return std::max({-at_from.offset.dot(span.from.point.d2) / from, -at_to.offset.dot(span.to.point.d2) / to,
                    0.0}) /
          std::sqrt((1 + std::min(cosine, 1.0)) / 2);
+}
+
+/// The same where the offset may have any direction: across the line, if no foot in between is an end of it.
+double ContourSearch::bend_across_line(std::size_t index, const PathDeviation::Foot& at_from,
+                                       const PathDeviation::Foot& at_to, const ContourSpan& span) const {
+  const Toolpath& path = programmed_path(trajectory_);
+  const double sag = sagitta(span.from, span.to);
+  const bool inside =
+      std::min(at_from.s, at_to.s) > sag && std::max(at_from.s, at_to.s) < path.segments[index].length - sag;
+  const Vec3 along = inside ? path.tangent_at_start(index) : Vec3(Vec3::Zero());
+  const auto across = [&along](const Vec3& d2) { return (d2 - d2.dot(along) * along).norm(); };
+  return std::max(across(span.from.point.d2), across(span.to.point.d2));
 }
 
 /// The largest second derivative of the distance from the axis of a flat arc; between the ends its own
@@ -130,7 +142,7 @@ double ContourSearch::rise_above_chord(std::size_t index, const PathDeviation::F
            step * step / 8;
   };
   if (segment.kind != SegmentKind::arc) {
-    return rise(bend_from_line(at_from, at_to, span));
+    return rise(bend_from_line(index, at_from, at_to, span));
   }
   const Arc& arc = path.arc_of(segment);
   // From one end of an open circle to the other, or from turn to turn of a helix, the foot jumps.

@@ -71,8 +71,10 @@ class ContourSearch {
   double bound_of(const ContourSpan& span) const;
   double rise_above_chord(std::size_t segment, const PathDeviation::Foot& at_from,
                           const PathDeviation::Foot& at_to, const ContourSpan& span) const;
-  double bend_from_line(const PathDeviation::Foot& at_from, const PathDeviation::Foot& at_to,
-                        const ContourSpan& span) const;
+  double bend_from_line(std::size_t index, const PathDeviation::Foot& at_from,
+                        const PathDeviation::Foot& at_to, const ContourSpan& span) const;
+  double bend_across_line(std::size_t index, const PathDeviation::Foot& at_from,
+                          const PathDeviation::Foot& at_to, const ContourSpan& span) const;
   double bend_from_arc(const Arc& arc, const ContourSpan& span) const;
   double bend_from_helix(const Arc& arc, const PathDeviation::Foot& at_from, const PathDeviation::Foot& at_to,
                          const ContourSpan& span) const;

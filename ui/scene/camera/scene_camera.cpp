@@ -109,18 +109,24 @@ void SceneCamera::fit(int width, int height, const Bounds& box, const ScreenRect
   const Vec2 content(size.dot(start.right.cwiseAbs()), size.dot(start.up.cwiseAbs()));
   const Vec2 space = (room.high - room.low).cwiseMax(16);
   // Labels do not grow with the path, so their room is known only once they are laid out: a few rounds
-  // settle. In perspective the near side's excess counts with them.
+  // settle. In perspective the near side's excess counts with them. Where a smaller path has other labels,
+  // which take more room, the most that any round took is kept free.
   Vec2 labels = space / 8;
   Vec2 shift = Vec2::Zero();
   const int rounds = perspective_ ? 12 : 4;
-  for (int round = 0; round < rounds; ++round) {
+  constexpr int further_rounds = 4;
+  constexpr double enough = 3;  // [pixels]
+  bool fits = false;
+  for (int round = 0; round < rounds || (!fits && round < rounds + further_rounds); ++round) {
     const Vec2 free = (space - labels).cwiseMax(space / 4);
     // What is seen end on has no size: the scene's unit then takes the room.
     const double pixels = content.isZero() ? free.minCoeff() : free.cwiseQuotient(content).minCoeff();
     half_height_ = height / 2.0 / pixels;
     apply();
     const ScreenRectangle covered = extent(projection(width, height));
-    labels = covered.high - covered.low - pixels * content;
+    const Vec2 taken = covered.high - covered.low - pixels * content;
+    labels = round < rounds ? taken : Vec2(labels.cwiseMax(taken));
+    fits = (covered.high - covered.low - space).maxCoeff() < enough;
     shift = (covered.low + covered.high - room.low - room.high) / 2;
   }
   const Projection view = projection(width, height);
