@@ -6,6 +6,7 @@
 #include <chrono>
 #include <limits>
 
+#include "core/analysis/beyond_machines.h"
 #include "core/analysis/control_dialect.h"
 #include "core/analysis/envelope/rotary_walk.h"
 #include "core/analysis/run_stages.h"
@@ -46,7 +47,16 @@ std::vector<PathControl> controls_of_feed_motions(const Toolpath& toolpath) {
   return controls;
 }
 
+[[noreturn]] void throw_beyond_machines(const Program& program, const Diagnostic& fault) {
+  throw InputError(
+      fmt::format("{}, line {}: {}; {}", program.source->name(), fault.line, fault.message, fault.hint));
+}
+
 [[noreturn]] void throw_refused(const Program& program) {
+  const auto beyond = std::ranges::find(program.diagnostics, "beyond-machines", &Diagnostic::code);
+  if (beyond != program.diagnostics.end()) {
+    throw_beyond_machines(program, *beyond);
+  }
   const auto limit = std::find_if(program.diagnostics.begin(), program.diagnostics.end(),
                                   [](const Diagnostic& d) { return d.code == "run-limit"; });
   const std::string why = limit == program.diagnostics.end()
@@ -92,6 +102,10 @@ LoadedProgram load_program(std::shared_ptr<const SourceText> source, Progress* p
   Program program = read_program(std::move(source), progress, options);
   loaded.toolpath = std::make_shared<const Toolpath>(take_toolpath(program));
   loaded.refused = program.cut_off && !options.simulate_cut_off;
+  if (const std::optional<Diagnostic> beyond = beyond_machines(*loaded.toolpath)) {
+    loaded.refused = true;
+    program.diagnostics.push_back(*beyond);
+  }
   loaded.feed_controls = controls_of_feed_motions(*loaded.toolpath);
   loaded.chord_error = chord_error_of(*loaded.toolpath);
   loaded.largest_feed = largest_feed_of(*loaded.toolpath);
@@ -173,6 +187,10 @@ Run simulate_motion(const LoadedProgram& input, Setup setup, Progress* progress)
   run.input = input;
   run.setup = std::move(setup);
   ControlReading reading = run.setup.model->read(input.toolpath, run.setup.settings);
+  const bool read_again = reading.path != input.toolpath;
+  if (const auto beyond = read_again ? beyond_machines(*reading.path) : std::nullopt) {
+    throw_beyond_machines(*input.program, *beyond);
+  }
   LoadedProgram loaded = input;
   if (!run.setup.load.empty()) {  // feeds change, and pauses shift the segments
     loaded.toolpath = on_machine(reading.path, run.setup.machine, run.setup.settings);

@@ -51,6 +51,13 @@ class Progress {
   std::atomic<bool> cancelled_{false};
 };
 
+/// Within a step that may take long. `progress` may be null.
+inline void stop_if_cancelled(const Progress* progress) {
+  if (progress != nullptr && progress->cancelled()) {
+    throw Cancelled();
+  }
+}
+
 /// Reports to a Progress, or to nobody, only every few thousand steps.
 class ProgressSteps {
  public:

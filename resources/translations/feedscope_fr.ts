@@ -7920,6 +7920,34 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>donnez-le en option de lecture (--tool =RADIUS) ou dans une table d’outils, ou indiquez que la trajectoire est déjà corrigée (--wear-only)</translation>
     </message>
     <message>
+        <source>a motion of %1 km is longer than any machine makes</source>
+        <translation>un déplacement de %1 km est plus long que sur toute machine</translation>
+    </message>
+    <message>
+        <source>%1 goes to %2 km, beyond the travel of any machine</source>
+        <translation>%1 va à %2 km, au-delà de la course de toute machine</translation>
+    </message>
+    <message>
+        <source>%1 days pass up to this line, which runs at F%2 mm/min: more than a year</source>
+        <translation>%1 jours passent jusqu’à cette ligne, parcourue à F%2 mm/min&#xa0;: plus d’un an</translation>
+    </message>
+    <message>
+        <source>%1 days pass up to this line, which waits for %2 of them: more than a year</source>
+        <translation>%1 jours passent jusqu’à cette ligne, dont %2 d’attente dans celle-ci&#xa0;: plus d’un an</translation>
+    </message>
+    <message>
+        <source>a rotary axis goes to %1 degrees, beyond what any machine turns</source>
+        <translation>un axe rotatif va à %1 degrés, plus que ne tourne aucune machine</translation>
+    </message>
+    <message>
+        <source>the program is not simulated; check the number, its decimal point and the unit</source>
+        <translation>le programme n’est pas simulé&#xa0;; vérifiez le nombre, son point décimal et l’unité</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3; the program is not simulated; check the number, its decimal point and the unit</source>
+        <translation>%1, ligne %2&#xa0;: %3&#xa0;; le programme n’est pas simulé&#xa0;; vérifiez le nombre, son point décimal et l’unité</translation>
+    </message>
+    <message>
         <source>%1, line %2: %3; the program is not simulated: check its loops, raise the limit (--repeat-limit), or simulate the part that was read (--simulate-cut-off)</source>
         <translation>%1, ligne %2&#xa0;: %3&#xa0;; le programme n’est pas simulé&#xa0;: vérifiez ses boucles, augmentez la limite (--repeat-limit), ou simulez la partie lue (--simulate-cut-off)</translation>
     </message>

@@ -205,6 +205,17 @@ constexpr std::array general_patterns{
     QT_TRANSLATE_NOOP("core",
                       "%1, line %2: %3; the program is not simulated: check its loops, raise the limit "
                       "(--repeat-limit), or simulate the part that was read (--simulate-cut-off)"),
+    // What no machine can run (analysis/beyond_machines).
+    QT_TRANSLATE_NOOP("core", "a motion of %1 km is longer than any machine makes"),
+    QT_TRANSLATE_NOOP("core", "%1 goes to %2 km, beyond the travel of any machine"),
+    QT_TRANSLATE_NOOP("core", "%1 days pass up to this line, which runs at F%2 mm/min: more than a year"),
+    QT_TRANSLATE_NOOP("core", "%1 days pass up to this line, which waits for %2 of them: more than a year"),
+    QT_TRANSLATE_NOOP("core", "a rotary axis goes to %1 degrees, beyond what any machine turns"),
+    QT_TRANSLATE_NOOP("core",
+                      "the program is not simulated; check the number, its decimal point and the unit"),
+    QT_TRANSLATE_NOOP(
+        "core",
+        "%1, line %2: %3; the program is not simulated; check the number, its decimal point and the unit"),
     // Rotary axes of the machine (toolpath/rotary_*).
     QT_TRANSLATE_NOOP("core",
                       "how X, Y and Z follow the rotary axes is not known without tool length and part zero"),

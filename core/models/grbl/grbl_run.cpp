@@ -55,6 +55,7 @@ GrblRun::GrblRun(std::shared_ptr<const Toolpath> toolpath, const Machine& machin
       steps_(settings_, planner_) {}
 
 Trajectory GrblRun::run(Progress* progress) {
+  progress_ = progress;
   Toolpath& path = executed_->path;
   path.path_controls = toolpath_.path_controls;
   path.spindles = toolpath_.spindles;
@@ -150,6 +151,7 @@ void GrblRun::queue_line(const std::array<float, 3>& target, const Segment& segm
 
 /// Prepares segments as long as there is room for them.
 void GrblRun::prepare() {
+  stop_if_cancelled(progress_);
   while (ready_ < segments_ahead && !planner_.empty()) {
     if (!steps_.has_profile()) {
       name_causes();

@@ -44,6 +44,7 @@ class GrblRun {
   Vec3 place_of(const GrblPlace& place) const;
 
   const Toolpath& toolpath_;
+  Progress* progress_ = nullptr;
   GrblSettings settings_;
   std::shared_ptr<ExecutedPath> executed_;
   TrajectoryBuilder builder_;

@@ -167,9 +167,8 @@ void PathWriter::arc(const ArcRequest& request, const ArcSolution& solution) {
   }
   for (int i = 0; i < solution.count; ++i) {
     const ArcSolution::Piece& piece = solution.pieces[static_cast<std::size_t>(i)];
-    const double feed = feed_.mode() == FeedMode::inverse_time
-                            ? feed_.over(shape_of(programmed_, piece).length, place_)
-                            : feed_.over(0, place_);
+    const bool takes_a_time = feed_.mode() == FeedMode::inverse_time;
+    const double feed = feed_.over(takes_a_time ? shape_of(programmed_, piece).length : 1, place_);
     ArcWords shown = piece.words;
     if (!frame_.is_identity()) {
       shown.center = frame_.to_shown(shown.center);

@@ -25,6 +25,7 @@ constexpr auto message_codes = std::to_array<MessageCodeInfo>({
     {"turning-program", "warning", "`G50 S3000`", "The text as a whole"},
     {"text-after-end", "info", "`G0 X2` after `M30`", "The text as a whole"},
     {"chord-error", "info", "a curve as a hundred short lines", "The text as a whole"},
+    {"beyond-machines", "error", "`G0 X999999999`, a radius of 7 km, `F0.0000001`", "The text as a whole"},
     {"run-limit", "error", "a loop that does not end; holes with millions of infeeds", "The text as a whole"},
     {"call-depth", "error", "a subprogram that calls itself without end", "The text as a whole"},
     {"tool-table", "info, warning", "radii from a tool table; a table that cannot be read",
