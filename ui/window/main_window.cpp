@@ -101,6 +101,10 @@ MainWindow::MainWindow(Workbench& workbench, RenderBackend backend, QWidget* par
                                    {dock_of(*lessons_), dock_of(*charts_), scene(), program_->view()});
   make_menus();
   first_layout_ = saveState();
+  constexpr int settled_after = 500;  // [ms]
+  settling_.setSingleShot(true);
+  settling_.setInterval(settled_after);
+  connect(&settling_, &QTimer::timeout, this, [this] { wanted_layout_.clear(); });
   make_status();
   connect_panels();
   connect_lessons();
@@ -237,6 +241,7 @@ void MainWindow::make_menus() {
   connect(view, &ViewMenu::remake_wanted, this, &MainWindow::remake_wanted);
   connect(view, &ViewMenu::first_layout_wanted, this, [this] {
     presentation_->set_on(false);
+    wanted_layout_.clear();
     restoreState(first_layout_);
     dock_sizes_->follow_first_layout();
   });
@@ -339,6 +344,12 @@ bool MainWindow::event(QEvent* event) {
       event->type() == QEvent::Show) {
     place_start_page();
   }
+  if (event->type() == QEvent::Show) {
+    settling_.start();
+    apply_layout();
+  } else if (event->type() == QEvent::Resize && settling_.isActive()) {
+    QTimer::singleShot(0, this, &MainWindow::apply_layout);
+  }
   return handled;
 }
 
@@ -347,8 +358,30 @@ void MainWindow::restore_layout(const QByteArray& layout) {
     return;
   }
   presentation_->set_on(false);
-  if (restoreState(layout)) {
+  wanted_layout_ = layout;
+  if (isVisible()) {
+    apply_layout();
+  }
+}
+
+/// Of a window that is shown only: where QMainWindow restores a hidden maximised one it keeps a copy, to try
+/// again when the window has its size, and that copy is not told of what is restored in between.
+void MainWindow::apply_layout() {
+  if (wanted_layout_.isEmpty() || presentation_->on()) {
+    return;
+  }
+  const bool restored =
+      restoreState(wanted_layout_) && std::ranges::all_of(panels_, [this](const Panel* panel) {
+        return dockWidgetArea(&dock_of(*panel)) != Qt::NoDockWidgetArea;
+      });
+  if (restored) {
     dock_sizes_->follow_layout();
+  } else {
+    restoreState(first_layout_);
+    dock_sizes_->follow_first_layout();
+  }
+  if (!settling_.isActive()) {
+    wanted_layout_.clear();
   }
 }
 

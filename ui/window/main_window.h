@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <QTimer>
 #include <array>
 #include <filesystem>
 #include <optional>
@@ -70,7 +71,8 @@ class MainWindow : public QMainWindow {
   void open_machine(const std::filesystem::path& file);
   Presentation& presentation() const { return *presentation_; }
   /// As QMainWindow::restoreState(), ending a presentation, with sizes that hold when the window becomes
-  /// smaller and larger again.
+  /// smaller and larger again; once the window is shown, if it is not. The default layout in place of one
+  /// that cannot be read or lacks a panel.
   void restore_layout(const QByteArray& layout);
   /// What the window shows, to be shown again by another window on the same workbench, in another language or
   /// other units.
@@ -110,6 +112,7 @@ class MainWindow : public QMainWindow {
   void connect_lessons();
   void connect_start_page();
   void place_start_page();
+  void apply_layout();
   void show_program();
   void show_title();
   void show_lesson(const LessonWindow& look);
@@ -147,6 +150,8 @@ class MainWindow : public QMainWindow {
   DockSizes* dock_sizes_ = nullptr;
   Presentation* presentation_ = nullptr;
   QByteArray first_layout_;
+  QByteArray wanted_layout_;  ///< to be restored once the window has its size; empty: none
+  QTimer settling_;           ///< runs while a window that has just been shown gets its size
 };
 
 }  // namespace feedscope::ui
