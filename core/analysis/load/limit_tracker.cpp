@@ -10,11 +10,11 @@ constexpr double same_instant = 1e-9;  // [s]
 
 /// Part of the way from `a` to `b` that is above 0, when the value goes linearly: from, to; none if to <=
 /// from.
-struct Stretch {
+struct ShareAbove {
   double from = 0;
   double to = 0;
 };
-Stretch above_zero(double a, double b) {
+ShareAbove above_zero(double a, double b) {
   if (a > 0 && b > 0) {
     return {0, 1};
   }
@@ -22,7 +22,7 @@ Stretch above_zero(double a, double b) {
     return {0, 0};
   }
   const double crossing = a / (a - b);
-  return a > 0 ? Stretch{0, crossing} : Stretch{crossing, 1};
+  return a > 0 ? ShareAbove{0, crossing} : ShareAbove{crossing, 1};
 }
 
 bool is_longer(const LoadPlace& a, const LoadPlace& b) {
@@ -51,8 +51,8 @@ std::optional<double> bound_of(LoadLimit limit, const Engagement& operation) {
 void LimitTracker::add(const Look& from, const Look& to, int operation, double bound) {
   const double sign = figures_.limit == LoadLimit::least_chip ? -1 : 1;
   const double duration = to.time - from.time;
-  const Stretch beyond = above_zero(sign * (from.predicted - bound), sign * (to.predicted - bound));
-  const Stretch programmed = above_zero(sign * (from.programmed - bound), sign * (to.programmed - bound));
+  const ShareAbove beyond = above_zero(sign * (from.predicted - bound), sign * (to.predicted - bound));
+  const ShareAbove programmed = above_zero(sign * (from.programmed - bound), sign * (to.programmed - bound));
   figures_.programmed_time += (programmed.to - programmed.from) * duration;
   if (beyond.to > beyond.from) {
     figures_.time += (beyond.to - beyond.from) * duration;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double longest_step = 0.002;  // [s]
 constexpr double most_steps = 1e6;      // of a part
-constexpr double equal_feed = 1e-9;     // relative
+constexpr double feed_rounding = 1e-9;  // relative
 constexpr double same_value = 1e-9;     // relative; of equal values the first one is named
 constexpr std::size_t parts_per_report = 4096;
 
@@ -114,7 +114,7 @@ class LoadCount {
       const CuttingLoad& one = a.sample.predicted;
       return other.sample.state == a.sample.state &&
              std::abs(other.sample.predicted.feed_per_tooth - one.feed_per_tooth) <=
-                 equal_feed * one.feed_per_tooth;
+                 feed_rounding * one.feed_per_tooth;
     };
     return same(b) && same(c);
   }
