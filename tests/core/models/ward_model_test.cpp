@@ -97,6 +97,29 @@ TEST(WardCorner, SpeedIsTheRootOfTheErrorOrTheFeed) {
   }
 }
 
+/// Relative deviation, root mean square, of V_c at 90 degrees from the sharp corner of table 2 of the paper,
+/// measured at 1000 and 3000 mm/min with 10 and 50 um; `filter_time` 0: from the feed, with 76.9 m/s3.
+double deviation_from_sharp_corner(double filter_time) {
+  struct Measured {
+    double feed, tolerance, speed;  // mm/min, mm, mm/min
+  };
+  double sum = 0;
+  for (const Measured& m : {Measured{1000, 0.01, 124}, Measured{1000, 0.05, 482}, Measured{3000, 0.01, 113},
+                            Measured{3000, 0.05, 465}}) {
+    const double feed = m.feed / 60;
+    const double t1 = filter_time > 0 ? filter_time : std::sqrt(feed / 76900);
+    const double off = 60 * corner_speed(3, t1, {feed, feed, units::pi / 2}, m.tolerance) / m.speed - 1;
+    sum += off * off / 4;
+  }
+  return std::sqrt(sum);
+}
+
+TEST(WardCorner, SpeedsOfThePaperDoNotGiveTheFilterTime) {
+  EXPECT_NEAR(deviation_from_sharp_corner(0.0255), 0.244, 5e-4);
+  EXPECT_NEAR(deviation_from_sharp_corner(0), 0.237, 5e-4);
+  EXPECT_NEAR(deviation_from_sharp_corner(0.0197), 0.105, 5e-4);
+}
+
 TEST(WardPointToPoint, TimesAndPeaksAreThoseOfThePaper) {
   // Ward 2021, section 2.2: 6 mm at 3000 mm/min, T_acc = 0.0765 s; models/ward/README.md.
   struct Case {
