@@ -141,7 +141,7 @@ ControlReading GrblModel::do_read(const std::shared_ptr<const Toolpath>& toolpat
     return {toolpath, {}};
   }
   return reading_of(read_as_grbl(toolpath->source, static_cast<float>(settings.number("arc_tolerance_mm"))),
-                    *toolpath);
+                    *toolpath, true);
 }
 
 Trajectory GrblModel::do_simulate(const std::shared_ptr<const Toolpath>& toolpath, const Machine& machine,
