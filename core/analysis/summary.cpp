@@ -3,141 +3,22 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
-#include <optional>
 
+#include "core/analysis/corner_distance.h"
+#include "core/analysis/peak_search.h"
 #include "core/analysis/programmed_time.h"
 #include "core/base/exact_sum.h"
 #include "core/base/parallel.h"
-#include "core/toolpath/gentle_blend.h"
 #include "core/trajectory/part_walk.h"
 
 namespace feedscope {
 namespace {
 
-// A peak between two samples of an arc is missed by 5e-5 at most. On a blend every axis is a polynomial of
-// the parameter; sampled by its length each sample costs an inversion.
-constexpr double turn_per_sample = 0.02;          // rad of an arc
-constexpr double blend_per_sample = 0.05;         // share of a blend's parameter range
-constexpr double blend_length_per_sample = 0.25;  // share of a blend's length
-constexpr double peak_spans_per_filter_time = 16;
-
-/// Largest values over the pieces of a trajectory.
-class Peaks {
- public:
-  explicit Peaks(const Trajectory& trajectory) : trajectory_(trajectory) {}
-
-  void add_part(const Part& part, const PartMotion& motion) {
-    const ElementKind kind = trajectory_.path().kind(part.element);
-    if (kind == ElementKind::dwell) {
-      return;
-    }
-    if (kind == ElementKind::line) {
-      add_straight(part, motion.curve().direction);
-    } else if (const GentleBlend* blend = gentle_blend(part, kind, motion.curve())) {
-      add_samples(part, motion.curve(), [&](double tau) {
-        const LawPoint law = law_at(part, tau);
-        add(law.v, kinematics_of(blend->at(law.q), law));
-      });
-    } else {
-      add_samples(part, motion.curve(), [&](double tau) {
-        const Kinematics at = motion.kinematics(tau);
-        add(at.velocity.norm(), at);
-      });
-    }
-  }
-
-  void add(const Peaks& other) {
-    speed_ = std::max(speed_, other.speed_);
-    for (std::size_t i = 0; i < axes_.size(); ++i) {
-      axes_[i].velocity = std::max(axes_[i].velocity, other.axes_[i].velocity);
-      axes_[i].acceleration = std::max(axes_[i].acceleration, other.axes_[i].acceleration);
-      axes_[i].jerk = std::max(axes_[i].jerk, other.axes_[i].jerk);
-    }
-  }
-
-  double speed() const { return speed_; }
-  const AxisVector<AxisPeaks>& axes() const { return axes_; }
-
- private:
-  /// On a straight line every extreme is one of a polynomial, on each axis at the same time.
-  void add_straight(const Part& part, const Vec3& direction) {
-    const double duration = part.duration;
-    const double end_acceleration = part.a + part.j * duration;
-    const double end_speed = part.v + duration * (part.a + part.j * duration / 2);
-    double speed = std::max(std::abs(part.v), std::abs(end_speed));
-    const double extreme = part.j != 0 ? -part.a / part.j : -1;
-    if (extreme > 0 && extreme < duration) {
-      speed = std::max(speed, std::abs(part.v + part.a * extreme / 2));
-    }
-    add(speed, direction.cwiseAbs() * speed,
-        direction.cwiseAbs() * std::max(std::abs(part.a), std::abs(end_acceleration)),
-        direction.cwiseAbs() * std::abs(part.j));
-  }
-
-  /// Of a part that runs along one by its length; else null. Kept for the next part along the same one.
-  const GentleBlend* gentle_blend(const Part& part, ElementKind kind, const ElementCurve& curve) {
-    if (kind != ElementKind::blend || part.law != Law::path_length) {
-      return nullptr;
-    }
-    if (part.element != gentle_element_) {
-      gentle_element_ = part.element;
-      gentle_ = GentleBlend::of(curve.blend, curve.length);
-    }
-    return gentle_ ? &*gentle_ : nullptr;
-  }
-
-  /// `add_at`: adds the motion so long after the beginning of the part [s].
-  template <typename AddAt>
-  void add_samples(const Part& part, const ElementCurve& curve, const AddAt& add_at) {
-    const int count = samples(part, curve);
-    for (int i = 0; i <= count; ++i) {
-      add_at(part.duration * i / count);
-    }
-  }
-
-  int samples(const Part& part, const ElementCurve& curve) const {
-    if (part.law == Law::filtered) {
-      return trajectory_.filtered_spans(part, peak_spans_per_filter_time);
-    }
-    const double travel = advance({0, part.v, part.a, part.j}, part.duration).q;
-    double share = travel / blend_per_sample;
-    if (curve.is_arc()) {
-      share = travel / curve.arc.length_per_radian() / turn_per_sample;
-    } else if (part.law == Law::path_length) {
-      share = travel / curve.length / blend_length_per_sample;
-    }
-    return 1 + static_cast<int>(std::clamp(share, 0.0, 1e6));
-  }
-
-  void add(double speed, const Kinematics& at) {
-    add(speed, at.velocity.cwiseAbs(), at.acceleration.cwiseAbs(), at.jerk.cwiseAbs());
-  }
-  void add(double speed, const Vec3& velocity, const Vec3& acceleration, const Vec3& jerk) {
-    speed_ = std::max(speed_, speed);
-    for (std::size_t axis = 0; axis < coordinate_names.size(); ++axis) {
-      const auto i = static_cast<Eigen::Index>(axis);
-      axes_[axis].velocity = std::max(axes_[axis].velocity, velocity[i]);
-      axes_[axis].acceleration = std::max(axes_[axis].acceleration, acceleration[i]);
-      axes_[axis].jerk = std::max(axes_[axis].jerk, jerk[i]);
-    }
-  }
-
-  const Trajectory& trajectory_;
-  std::optional<GentleBlend> gentle_;
-  std::uint32_t gentle_element_ = std::numeric_limits<std::uint32_t>::max();
-  double speed_ = 0;
-  AxisVector<AxisPeaks> axes_;
-};
-
 /// What the pieces of a trajectory add up to.
 class Totals {
  public:
   explicit Totals(const Trajectory& trajectory)
-      : trajectory_(trajectory),
-        peaks_(trajectory),
-        by_cause_(all_causes().size()),
-        by_slower_place_(all_causes().size()) {}
+      : trajectory_(trajectory), by_cause_(all_causes().size()), by_slower_place_(all_causes().size()) {}
 
   /// Of pieces [first, last).
   void add_pieces(std::size_t first, std::size_t last) {
@@ -150,7 +31,7 @@ class Totals {
       if (trajectory_.path().kind(part.element) == ElementKind::dwell) {
         waiting_.add(part.duration);
       }
-      peaks_.add_part(part, walk.motion());
+      peaks_.add(trajectory_, part);
     }
   }
 
@@ -163,7 +44,7 @@ class Totals {
     waiting_.add(other.waiting_);
   }
 
-  const Peaks& peaks() const { return peaks_; }
+  const PeakSearch& peaks() const { return peaks_; }
   double waiting() const { return waiting_.value(); }  ///< [s]
   std::vector<double> time_by_cause() const { return times(by_cause_); }
   std::vector<double> time_by_slower_place() const { return times(by_slower_place_); }
@@ -179,7 +60,7 @@ class Totals {
   }
 
   const Trajectory& trajectory_;
-  Peaks peaks_;
+  PeakSearch peaks_;
   std::vector<ExactSum> by_cause_;
   std::vector<ExactSum> by_slower_place_;
   ExactSum waiting_;
@@ -219,6 +100,7 @@ Summary summarise(const Trajectory& trajectory, const Toolpath& toolpath, const 
     ContourRequest worst;
     worst.places = 1;
     errors = contour_errors(trajectory, worst);
+    summary.max_corner_distance = largest_corner_distance(trajectory);
   });
   summary.time_by_cause = totals.time_by_cause();
   summary.time_by_slower_place = totals.time_by_slower_place();
@@ -226,13 +108,6 @@ Summary summarise(const Trajectory& trajectory, const Toolpath& toolpath, const 
   summary.cutting_contour_error = cutting_contour_error(trajectory, errors);
   if (!errors.worst.empty()) {
     summary.worst_place = errors.worst.front();
-  }
-  summary.max_corner_distance = trajectory.compaction_error();
-  for (const FilteredMotion& motion : trajectory.motions()) {
-    summary.max_corner_distance = std::max(summary.max_corner_distance, motion.contour_error());
-  }
-  for (std::size_t i = 0; i < trajectory.path().corner_count(); ++i) {
-    summary.max_corner_distance = std::max(summary.max_corner_distance, trajectory.path().corner(i).epsilon);
   }
   const double moving = summary.cycle_time - totals.waiting();
   summary.mean_feed = moving > 0 ? trajectory.path_length() / moving : 0;

@@ -22,8 +22,8 @@ struct Summary {
   double mean_feed = 0;          ///< executed length over cycle time less dwells [mm/s]
   double max_contour_error = 0;  ///< as ContourErrors::largest: of the executed from the programmed path [mm]
   double cutting_contour_error = 0;  ///< the same of feed motions alone, without rapids [mm]
-  /// Largest distance of a programmed corner, or of a point that compaction leaves out, from the executed
-  /// path: what a contour tolerance bounds [mm].
+  /// Largest distance of a programmed corner, or of a point that the control leaves out, from the executed
+  /// path, as largest_corner_distance() measures it: what a contour tolerance bounds [mm].
   double max_corner_distance = 0;
   ContourPlace worst_place;  ///< where max_contour_error is; of a run that leaves the path nowhere all 0
   double peak_feed = 0;      ///< [mm/s]

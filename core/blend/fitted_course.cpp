@@ -54,7 +54,8 @@ CurvePoint CourseSpan::by_parameter(double x) const {
           6 * c[2] + x * (24 * c[3] + x * 60 * c[4])};
 }
 
-CurvePoint CourseSpan::at(double s) const {
+/// The parameter at path length `s`.
+double CourseSpan::share_at(double s) const {
   const double share = std::clamp(s / length_, 0.0, 1.0);
   const double target = share * whole_;
   double x = share;
@@ -65,7 +66,17 @@ CurvePoint CourseSpan::at(double s) const {
       break;
     }
   }
-  return by_path_length(by_parameter(x));
+  return x;
+}
+
+CurvePoint CourseSpan::at(double s) const {
+  return by_path_length(by_parameter(share_at(s)));
+}
+
+std::array<Vec3, 4> CourseSpan::derivatives(double s) const {
+  const double x = share_at(s);
+  const CurvePoint at = by_parameter(x);
+  return {at.d1, at.d2, at.d3, 24 * coefficients_[3] + 120 * x * coefficients_[4]};
 }
 
 double CourseSpan::distance(const Vec3& point, double& s) const {

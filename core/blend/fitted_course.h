@@ -25,6 +25,8 @@ class CourseSpan {
   double length() const { return length_; }  ///< [mm]
   /// At path length `s` from its beginning, clamped to the span [mm].
   CurvePoint at(double s) const;
+  /// Derivatives by the parameter, the first to the fourth, at path length `s` as at().
+  std::array<Vec3, 4> derivatives(double s) const;
   /// With derivatives by path length, at share `x` in [0, 1] of the parameter, which is nearly that of the
   /// length: cheaper.
   CurvePoint by_share(double x) const { return by_path_length(by_parameter(x)); }
@@ -37,6 +39,7 @@ class CourseSpan {
   friend double course_length(const CourseKnot& from, const CourseKnot& to);
   CourseSpan(const CourseKnot& from, const CourseKnot& to, double length);
   CurvePoint by_parameter(double x) const;
+  double share_at(double s) const;
   /// Length from the beginning to share `x` of the parameter [mm].
   double covered(double x) const;
 

@@ -210,12 +210,23 @@ Kinematics FilterWalk::continued(double t) const {
 }
 
 FilterWalk::Derivatives FilterWalk::continued_derivatives(double t) const {
-  if (train_->filters == 2 || is_settled()) {
-    const Kinematics at = continued(t);
-    return {at.position, at.velocity, at.acceleration, at.jerk, Vec3::Zero()};
+  if (train_->filters == 3 && !is_settled()) {
+    const auto d = differences<3, 3, -1>(t);
+    return {anchor_ + d[4], d[3], d[2], d[1], d[0]};
   }
-  const auto d = differences<3, 3, -1>(t);
-  return {anchor_ + d[4], d[3], d[2], d[1], d[0]};
+  const Kinematics at = continued(t);
+  Vec3 fourth = Vec3::Zero();
+  if (is_settled()) {
+    const double rate = knots_[cursor_[0]].part.rate;
+    fourth = -rate * rate * at.acceleration;
+  } else if (!is_polynomial()) {  // commanded accelerations: of turns
+    for (std::size_t i = 0; i <= 2; ++i) {
+      const double commanded_at = t - static_cast<double>(i) * train_->filter_time;
+      fourth += binomials<2>()[i] * kinematics_of(knots_[cursor_[i]].part, commanded_at).acceleration;
+    }
+    fourth /= train_->filter_time * train_->filter_time;
+  }
+  return {at.position, at.velocity, at.acceleration, at.jerk, fourth};
 }
 
 /// Averaging n times is differencing the n-fold integral: each average takes one derivative and adds a factor

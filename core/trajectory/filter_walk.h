@@ -42,7 +42,7 @@ class FilterWalk {
   /// Motion at `t` if the pulses in the filters stay those of the instant asked for last: up to the next knot
   /// what at() says.
   Kinematics continued(double t) const;
-  /// The same as position and derivatives up to the fourth by time, which are all that straight pulses have.
+  /// The same as position and derivatives up to the fourth by time: straight pulses have no higher ones.
   using Derivatives = std::array<Vec3, 5>;
   Derivatives continued_derivatives(double t) const;
   /// Where is_settled(): what comes out of the filters up to the next knot.

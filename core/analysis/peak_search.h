@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+
+#include "core/analysis/axis_peaks.h"
+#include "core/machine/axis_vector.h"
+#include "core/trajectory/part_walk.h"
+
+namespace feedscope {
+
+/// The largest magnitudes of the motion of a trajectory, exact but for rounding. On lines, and between the
+/// knots of straight pulses, from the roots of polynomials. Elsewhere a part is cut into spans in which a
+/// quantity has one extreme at most: where its derivative changes sign, and the extreme can be above what was
+/// found before, the root of the derivative is narrowed down.
+class PeakSearch {
+ public:
+  /// Takes up a part of `trajectory`; parts in order are quickest.
+  void add(const Trajectory& trajectory, const Part& part);
+  void add(const PeakSearch& other);
+
+  double speed() const { return largest_[speed_place]; }  ///< [mm/s]
+  AxisVector<AxisPeaks> axes() const;
+
+ private:
+  /// Velocity, acceleration, jerk and the derivative of that.
+  using Rates = std::array<Vec3, 4>;
+  struct Look {
+    double time = 0;  ///< from the start of the part [s]
+    Rates rates;
+  };
+  /// Places of the quantities: velocity, acceleration and jerk of X, Y and Z, and the speed.
+  static constexpr std::size_t axis_count = 3;
+  static constexpr std::size_t speed_place = 3 * axis_count;
+
+  void add_line(const Part& part, const Vec3& direction);
+  void add_arc(const Part& part, const Arc& arc);
+  void add_blend(const Part& part, const CubicBlend& blend);
+  void add_blend_by_length(const Part& part, const ElementCurve& curve);
+  void add_course(const Part& part, const CourseKnot& from, const CourseKnot& to);
+  void add_filtered(const Part& part, const FilteredMotion& motion);
+  void add_polynomial(const Rates& start, double duration);
+
+  static double value(const Look& look, std::size_t quantity);
+  static double slope(const Look& look, std::size_t quantity);
+  /// Takes up what `rates_at` says of an instant.
+  template <typename RatesAt>
+  Look look(const RatesAt& rates_at, double time);
+  /// Looks at the ends of equal spans and between them, from `first` on of the quantities.
+  template <typename RatesAt>
+  void search(const RatesAt& rates_at, double from, double to, double spans, std::size_t first = 0);
+  /// Looks where the feed stops rising or falling.
+  template <typename RatesAt>
+  void look_at_turn(const RatesAt& rates_at, const Part& part, double from, double to);
+  template <typename RatesAt>
+  void search_span(const RatesAt& rates_at, const Look& from, const Look& to, std::size_t first = 0);
+  template <typename RatesAt>
+  void narrow(const RatesAt& rates_at, Look low, Look high, std::size_t quantity);
+
+  std::array<double, speed_place + 1> largest_{};
+  FilterWalk filters_;
+};
+
+}  // namespace feedscope
