@@ -1,7 +1,10 @@
 #include "core/analysis/actual_figures.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "core/base/roots.h"
 #include "core/drives/span_looks.h"
 
 namespace feedscope {
@@ -9,51 +12,133 @@ namespace {
 
 constexpr std::size_t spans_per_report = 4096;
 
+/// Looks at what the drives make of one span after the other, in order of time, and closer where a figure may
+/// be larger between three looks than at any so far. By values alone: slides jump where friction lets go.
+class SpanFigures {
+ public:
+  explicit SpanFigures(const ActualPath& path) : path_(path), errors_(path) {}
+
+  void add(ActualWalk& walk) {
+    const SpanLooks looks(walk.span(), path_.response().is_rigid());
+    std::array<Look, 3> last;
+    last[2] = look(walk, looks.at(0));
+    for (int i = 0; i <= looks.count(); ++i) {
+      std::shift_left(last.begin(), last.end(), 1);
+      if (i < looks.count()) {
+        last[2] = look(walk, looks.middle(i));
+        cutting_ += last[2].cuts ? looks.duration(i) : 0;
+        sum_ += last[2].of[error] * looks.duration(i);
+      } else {
+        last[2] = look(walk, looks.at(i));
+      }
+      if (i == 0) {
+        narrow_at_end(walk, last[1], last[2], first_share);
+        continue;
+      }
+      narrow(walk, last[0], last[1], last[2]);
+    }
+    narrow_at_end(walk, last[1], last[2], 1 - first_share);
+  }
+
+  ActualFigures result() const {
+    ActualFigures figures = figures_;
+    figures.mean_contour_error = cutting_ > 0 ? sum_ / cutting_ : 0;
+    return figures;
+  }
+
+ private:
+  static constexpr std::size_t error = 3;  ///< place of the contour error, after the three following errors
+  static constexpr double first_share = 1e-3;
+  struct Look {
+    double time = 0;             ///< [s]
+    std::array<double, 4> of{};  ///< [mm]
+    bool cuts = false;
+    ActualWalk::Slides slides;
+  };
+
+  Look look(ActualWalk& walk, double time) {
+    const std::uint32_t element = walk.span().element;
+    const ActualMotion actual = walk.within_span(time);
+    figures_.largest_following_error =
+        figures_.largest_following_error.cwiseMax(actual.following_error.cwiseAbs());
+    Look look{time, {}, false, walk.slides()};
+    for (std::size_t i = 0; i < error; ++i) {
+      look.of[i] = std::abs(actual.following_error[static_cast<Eigen::Index>(i)]);
+    }
+    if (!errors_.is_cut(element)) {
+      return look;
+    }
+    const PathDeviation::Foot foot = errors_.foot(actual.position, element);
+    look.cuts = errors_.is_of_cut(foot, element);
+    look.of[error] = look.cuts ? std::sqrt(foot.squared) : 0;
+    if (look.of[error] > figures_.worst.error) {
+      figures_.worst = {look.of[error],
+                        errors_.at(actual.position + actual.following_error, element),
+                        time,
+                        path_.trajectory().line_of(element),
+                        actual.position,
+                        actual.position - foot.offset};
+    }
+    return look;
+  }
+
+  double largest(std::size_t figure) const {
+    return figure == error ? figures_.worst.error
+                           : figures_.largest_following_error[static_cast<Eigen::Index>(figure)];
+  }
+  /// Whether a figure may be larger than any so far by as much as it falls from `high`.
+  bool may_rise(std::size_t figure, double high, double low) const {
+    constexpr double rounding = 1 + 1e-9;
+    return high >= low && 2 * high - low > largest(figure) * rounding;
+  }
+
+  void narrow(ActualWalk& walk, const Look& before, const Look& at, const Look& after) {
+    constexpr double width = 1e-9;  // [s]
+    constexpr int steps = 60;
+    for (std::size_t i = 0; i < at.of.size(); ++i) {
+      if (at.of[i] >= std::max(before.of[i], after.of[i]) &&
+          may_rise(i, at.of[i], std::min(before.of[i], after.of[i]))) {
+        least_place({before.time, after.time}, width, steps, [&](double time) {
+          walk.go_back(before.slides);
+          return -look(walk, time).of[i];
+        });
+        walk.go_back(after.slides);
+      }
+    }
+  }
+
+  /// Between two looks of which one is at an end of the span: whether a figure first rises from there.
+  void narrow_at_end(ActualWalk& walk, const Look& before, const Look& after, double share) {
+    const bool rises = std::ranges::any_of(std::array<std::size_t, 4>{0, 1, 2, 3}, [&](std::size_t i) {
+      return may_rise(i, std::max(before.of[i], after.of[i]), std::min(before.of[i], after.of[i]));
+    });
+    if (rises) {
+      walk.go_back(before.slides);
+      const Look between = look(walk, before.time + share * (after.time - before.time));
+      walk.go_back(after.slides);
+      narrow(walk, before, between, after);
+    }
+  }
+
+  const ActualPath& path_;
+  ActualErrors errors_;
+  ActualFigures figures_;
+  double sum_ = 0;
+  double cutting_ = 0;
+};
+
 }  // namespace
 
 ActualFigures actual_figures(const ActualPath& path, Progress* progress) {
-  const Trajectory& trajectory = path.trajectory();
-  ActualFigures figures;
-  ActualErrors errors(path);
-  const bool rigid = path.response().is_rigid();
-  double sum = 0;
-  double cutting = 0;
+  SpanFigures figures(path);
   std::size_t spans = 0;
   for (ActualWalk walk(path.response()); !walk.done(); walk.next_span()) {
-    const SetSpan& span = walk.span();
-    const SpanLooks looks(span, rigid);
-    const bool cuts =
-        !trajectory.is_rapid(span.element) && trajectory.path().kind(span.element) != ElementKind::dwell;
-    for (int i = 0; i < looks.count(); ++i) {
-      const double time = looks.middle(i);
-      const ActualMotion actual = walk.within_span(time);
-      figures.largest_following_error =
-          figures.largest_following_error.cwiseMax(actual.following_error.cwiseAbs());
-      if (!cuts) {
-        continue;
-      }
-      const PathDeviation::Foot foot = errors.foot(actual.position, span.element);
-      if (trajectory.path().programmed()->segments[foot.segment].rapid) {
-        continue;  // the axes are still behind, on the rapid before the cut
-      }
-      const double error = std::sqrt(foot.squared);
-      sum += error * looks.duration(i);
-      cutting += looks.duration(i);
-      if (error > figures.worst.error) {
-        figures.worst = {error,
-                         errors.at(actual.position + actual.following_error, span.element),
-                         time,
-                         trajectory.line_of(span.element),
-                         actual.position,
-                         actual.position - foot.offset};
-      }
-    }
+    figures.add(walk);
     if (progress != nullptr && ++spans % spans_per_report == 0) {
-      progress->report(span.time / trajectory.duration());
+      progress->report(walk.span().time / path.trajectory().duration());
     }
   }
-  figures.mean_contour_error = cutting > 0 ? sum / cutting : 0;
-  return figures;
+  return figures.result();
 }
 
 }  // namespace feedscope

@@ -23,7 +23,8 @@ struct ActualFigures {
   double mean_contour_error = 0;                ///< over the time of the cuts [mm]
 };
 
-/// Looks at the middle of every part of SpanLooks. Throws Cancelled.
+/// Largest values are narrowed down between the looks of SpanLooks; the mean is of their middles. Throws
+/// Cancelled.
 ActualFigures actual_figures(const ActualPath& path, Progress* progress = nullptr);
 
 }  // namespace feedscope

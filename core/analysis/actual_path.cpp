@@ -23,13 +23,22 @@ PathDeviation::Foot ActualErrors::foot(const Vec3& position, std::uint32_t eleme
   return found;
 }
 
+bool ActualErrors::is_cut(std::uint32_t element) const {
+  return !trajectory_.is_rapid(element) && trajectory_.path().kind(element) != ElementKind::dwell;
+}
+
+bool ActualErrors::is_of_cut(const PathDeviation::Foot& foot, std::uint32_t element) const {
+  return is_cut(element) && !trajectory_.path().programmed()->segments[foot.segment].rapid;
+}
+
 double ActualErrors::at(const Vec3& position, std::uint32_t element) {
   return std::sqrt(foot(position, element).squared);
 }
 
 ActualSample ActualSampler::at(const State& state) {
   const ActualMotion motion = walk_.at(state.time);
-  return {motion, errors_.at(motion.position, state.element)};
+  const PathDeviation::Foot foot = errors_.foot(motion.position, state.element);
+  return {motion, std::sqrt(foot.squared), errors_.is_of_cut(foot, state.element)};
 }
 
 }  // namespace feedscope

@@ -11,6 +11,9 @@ namespace feedscope {
 struct ActualSample {
   ActualMotion motion;
   double contour_error = 0;  ///< distance of the actual position from the nearest programmed point [mm]
+  /// Whether that is an error of a cut: a feed motion is commanded, and the nearest programmed point is not
+  /// one of a rapid, on which the axes may still be behind.
+  bool cuts = true;
 };
 
 /// The path that the axes of a machine with drives run, beside the set path that they are asked for.
@@ -43,6 +46,10 @@ class ActualErrors {
 
   /// Nearest programmed point of `position`, while `element` is under way.
   PathDeviation::Foot foot(const Vec3& position, std::uint32_t element);
+  /// Whether a feed motion is commanded while `element` is under way.
+  bool is_cut(std::uint32_t element) const;
+  /// Whether its distance counts as ActualSample::cuts.
+  bool is_of_cut(const PathDeviation::Foot& foot, std::uint32_t element) const;
   /// Its distance [mm].
   double at(const Vec3& position, std::uint32_t element);
 

@@ -47,7 +47,7 @@ double following_error_across(const Instant& i) {
 }
 
 double actual_contour_error(const Instant& i) {
-  return i.actual != nullptr ? i.actual->contour_error : unknown;
+  return i.actual != nullptr && i.actual->cuts ? i.actual->contour_error : unknown;
 }
 
 template <CuttingLoad LoadSample::*at_feed, double CuttingLoad::*number>

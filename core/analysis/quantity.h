@@ -56,7 +56,9 @@ enum class QuantityId : std::uint8_t {
   following_error_x,
   following_error_y,
   following_error_z,
-  actual_contour_error,    ///< distance of the actual position from the nearest programmed point
+  /// Distance of the actual position from the nearest programmed point; unknown where ActualSample::cuts is
+  /// not set.
+  actual_contour_error,
   following_error_across,  ///< square to the direction of the set motion; all of it at standstill
   following_error,         ///< length of the vector
   feed_per_tooth,          ///< from here on of the cutting load: at the achieved feed

@@ -71,6 +71,18 @@ class ActualWalk {
   /// The same without going on to another span.
   ActualMotion within_span(double time);
 
+  /// What lies between motors and slides, at the instant of the span that was asked for last.
+  struct Slides {
+    std::array<Reversal, 3> slides;
+    double seen = 0;  ///< after the start of the span [s]
+  };
+  Slides slides() const { return {slides_, seen_}; }
+  /// Goes back to an earlier instant of the span.
+  void go_back(const Slides& to) {
+    slides_ = to.slides;
+    seen_ = to.seen;
+  }
+
   bool done() const { return set_.done(); }
   /// The span that is under way.
   const SetSpan& span() const { return set_.span(); }

@@ -189,15 +189,13 @@ double peak_of_drives(const Measure& measure, const Run& run) {
       const State state = set.at_without_length(time);
       const bool elsewhere =
           measure.first_line > 0 && (state.line < measure.first_line || state.line > measure.last_line);
-      const bool cuts =
-          !trajectory.is_rapid(state.element) && trajectory.path().kind(state.element) != ElementKind::dwell;
-      if (elsewhere || (of_cuts && !cuts)) {
+      if (elsewhere || (of_cuts && !errors.is_cut(state.element))) {
         continue;
       }
       const ActualMotion motion = walk.within_span(time);
       const PathDeviation::Foot foot = errors.foot(motion.position, state.element);
-      if (of_cuts && trajectory.path().programmed()->segments[foot.segment].rapid) {
-        continue;  // the axes are still behind, on the rapid before the cut
+      if (of_cuts && !errors.is_of_cut(foot, state.element)) {
+        continue;
       }
       const ActualSample sample{motion, std::sqrt(foot.squared)};
       largest = std::max(largest, of(Instant(state, &sample)));
