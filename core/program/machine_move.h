@@ -28,6 +28,8 @@ struct AxisPlace {
   };
   Kind kind = Kind::part;
   double value = 0;
+  bool zero_given =
+      false;  ///< coordinates that are shown are those of the machine: the program sets its zero
 
   /// The program says where it is shown.
   bool is_shown() const { return kind == Kind::part || kind == Kind::assumed; }

@@ -58,8 +58,9 @@ class MachineData {
  private:
   std::optional<double> shown(const AxisPlace& place, std::size_t axis) const {
     const auto from = [&](const std::optional<double>& origin) {
-      return origin && zero_[axis] ? std::optional(*origin - *zero_[axis] + place.value) : std::nullopt;
+      return origin && zero ? std::optional(*origin - *zero + place.value) : std::nullopt;
     };
+    const std::optional<double> zero = place.zero_given ? 0.0 : zero_[axis];
     switch (place.kind) {
       case AxisPlace::Kind::part:
         return place.value;

@@ -6572,6 +6572,14 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>%1 sans point décimal est lu comme %2 mm</translation>
     </message>
     <message>
+        <source>G92 gives coordinates to a position that is not known</source>
+        <translation>G92 donne des coordonnées à une position qui n’est pas connue</translation>
+    </message>
+    <message>
+        <source>the path continues where the axis was before the move to the machine position</source>
+        <translation>la trajectoire continue là où l’axe était avant le déplacement vers la position machine</translation>
+    </message>
+    <message>
         <source>many controls use it in units of 0.0001 inch; write a decimal point</source>
         <translation>beaucoup de commandes le lisent en unités de 0,0001 pouce&#xa0;; écrivez un point décimal</translation>
     </message>
@@ -6684,8 +6692,16 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>programmez P%1.0 pour des secondes</translation>
     </message>
     <message>
-        <source>P%1 is used as %2 seconds, as in grbl</source>
-        <translation>P%1 est lu comme %2 secondes, comme dans grbl</translation>
+        <source>P%1 is used as %2 seconds, as in %3</source>
+        <translation>P%1 est lu comme %2 secondes, comme dans %3</translation>
+    </message>
+    <message>
+        <source>%1 without a decimal point is used as %2 seconds</source>
+        <translation>%1 sans point décimal est lu comme %2 secondes</translation>
+    </message>
+    <message>
+        <source>many controls use it in units of 0.001 s; write a decimal point</source>
+        <translation>beaucoup de commandes le lisent en unités de 0,001 s&#xa0;; programmez un point décimal</translation>
     </message>
     <message>
         <source>for a control that takes milliseconds, write P%1</source>
@@ -6842,6 +6858,18 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>the arc has neither a centre (I, J, K) nor a radius (R)</source>
         <translation>l’arc n’a ni centre (I, J, K) ni rayon (R)</translation>
+    </message>
+    <message>
+        <source>position words before the first G0, G1, G2 or G3: %1 stops here with an error</source>
+        <translation>des mots de position avant le premier G0, G1, G2 ou G3&#xa0;: %1 s’arrête ici avec une erreur</translation>
+    </message>
+    <message>
+        <source>position words after G80 without a new G0, G1, G2 or G3</source>
+        <translation>des mots de position après G80 sans nouveau G0, G1, G2 ou G3</translation>
+    </message>
+    <message>
+        <source>position words after G80 without a new G0, G1, G2 or G3: %1 stops here with an error</source>
+        <translation>des mots de position après G80 sans nouveau G0, G1, G2 ou G3&#xa0;: %1 s’arrête ici avec une erreur</translation>
     </message>
     <message>
         <source>the arc has both a centre (I, J, K) and a radius (R)</source>

@@ -30,8 +30,12 @@ void Coordinates::run(int code, std::uint32_t column) {
   }
 }
 
+void Coordinates::set_frame() {
+  path().set_frame(frames_.frame());
+  path().set_machine_axes(frames_.work_offset_in_force().set);
+}
+
 bool Coordinates::run_frame_code(int code, std::uint32_t column) {
-  const Vec3 here = path().position();
   switch (code) {
     case 500:
       frames_.end_scale();
@@ -58,7 +62,7 @@ bool Coordinates::run_frame_code(int code, std::uint32_t column) {
       frames_.end_rotation();
       return true;
     case 920:
-      frames_.set_position(here, targets_.axes(here));
+      set_position(column);
       return true;
     case 921:
       frames_.forget_position();
@@ -71,6 +75,18 @@ bool Coordinates::run_frame_code(int code, std::uint32_t column) {
       return true;
     default:
       return false;
+  }
+}
+
+/// G92 after a move to a machine position: how far the new coordinates are from those before it is not known.
+void Coordinates::set_position(std::uint32_t column) {
+  const Vec3 here = path().position();
+  frames_.set_position(here, targets_.axes(here));
+  if (path().name_place(targets_.named_axes()) && path().has_moved()) {
+    report(Severity::warning, "unknown-position", 2, column, [] {
+      return Text{"G92 gives coordinates to a position that is not known",
+                  "the path continues where the axis was before the move to the machine position"};
+    });
   }
 }
 
@@ -164,6 +180,7 @@ std::optional<double> Coordinates::offset_coordinate(int key, int axis) const {
 void Coordinates::set_offset_coordinate(int key, int axis, double value) {
   Frames::WorkOffset offset = offset_or_zero(key);
   offset.shift[axis] = value;
+  offset.set[static_cast<std::size_t>(axis)] = true;
   store_work_offset(key, offset);
   set_frame();
 }
@@ -176,6 +193,9 @@ void Coordinates::set_work_offset(bool further, std::uint32_t column) {
   Frames::WorkOffset offset = offset_or_zero(*key);
   const bool adds = modal_.incremental && dialect() == Dialect::fanuc;
   offset.shift = adds ? Vec3(offset.shift + targets_.axes(Vec3::Zero())) : targets_.axes(offset.shift);
+  for (std::size_t axis = 0; axis < offset.set.size(); ++axis) {
+    offset.set[axis] = offset.set[axis] || (words_.has(axis_letters[axis]) && !adds);
+  }
   if (words_.has('R')) {
     offset.angle = units::from_deg(words_['R'].value);
   }
@@ -201,6 +221,10 @@ void Coordinates::preset_work_offset(std::uint32_t column) {
   const Vec3 shown = path().shown_position();
   const Vec3 preset = targets_.axes(there.frame().to_programmed(shown));
   offset.shift += shown - there.frame().to_shown(preset);
+  const std::array<bool, 3>& known = frames_.work_offset_in_force().set;
+  for (std::size_t axis = 0; axis < offset.set.size(); ++axis) {
+    offset.set[axis] = words_.has(axis_letters[axis]) ? known[axis] : offset.set[axis];
+  }
   store_work_offset(*key, offset);
   set_frame();
 }

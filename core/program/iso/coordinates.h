@@ -31,7 +31,8 @@ class Coordinates : private Part {
 
  private:
   bool run_frame_code(int code, std::uint32_t column);
-  void set_frame() { path().set_frame(frames_.frame()); }
+  void set_position(std::uint32_t column);
+  void set_frame();
   void use_given_offsets();
   void select_work_offset(int code, std::uint32_t column);
   void use_work_offset(int key);

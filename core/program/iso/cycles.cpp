@@ -84,7 +84,8 @@ void Cycles::begin(const GCode& code, const Word& word) {
 void Cycles::cancel() {
   if (modal_.motion == MotionMode::cycle && !is_linuxcnc()) {
     modal_.motion = before_;
-  } else if (modal_.motion == MotionMode::cycle || modal_.motion == MotionMode::unread) {
+  } else if (is_linuxcnc() || modal_.motion == MotionMode::unread) {
+    modal_.after_g80 = modal_.after_g80 || modal_.motion != MotionMode::none;
     modal_.motion = MotionMode::none;
   }
 }
@@ -97,6 +98,7 @@ void Cycles::gather() {
     series_.initial = path().position()[axis];
     series_.retract = series_.initial;
   }
+  targets_.check_point('R', Targets::implausible_length);
   if (words_.has('R')) {
     series_.retract = length('R') + (modal_.incremental ? series_.initial : 0);
     series_.has_retract = true;
@@ -127,6 +129,7 @@ void Cycles::return_to_retract_plane() {
 }
 
 void Cycles::gather_pecks() {
+  targets_.check_point('Q', Targets::implausible_peck);
   if (words_.has('Q')) {
     series_.peck = std::abs(length('Q'));
     series_.aside = Vec3::Zero();

@@ -20,6 +20,25 @@ bool Dwells::is_printer() {
   return *is_printer_;
 }
 
+/// A dwell so long that it was hardly meant in seconds.
+void Dwells::check_seconds(const Word& word, bool milliseconds) const {
+  if (milliseconds || word.has_point || word.value < shortest_plain_p) {
+    return;
+  }
+  if (!is_linuxcnc() && (word.letter == 'X' || word.letter == 'U')) {
+    report(Severity::warning, "decimal-point", 1, word.column, [&] {
+      return Text{
+          fmt::format("{0}{1} without a decimal point is used as {1} seconds", word.letter, word.value),
+          "many controls use it in units of 0.001 s; write a decimal point"};
+    });
+  } else if (is_linuxcnc() && word.letter == 'P') {
+    report(Severity::info, "dwell-unit", 1, word.column, [&] {
+      return Text{fmt::format("P{0} is used as {0} seconds, as in {1}", word.value, info_of(dialect()).title),
+                  fmt::format("for a control that takes milliseconds, write P{}", word.value / 1000)};
+    });
+  }
+}
+
 void Dwells::run() {
   for (const char letter : {'P', 'X', 'U', 'F', 'S'}) {
     if (!words_.has(letter) || (letter == 'S' && !is_printer())) {
@@ -39,14 +58,7 @@ void Dwells::run() {
                     fmt::format("write P{}.0 for seconds", word.value)};
       });
     }
-    const bool long_seconds = letter == 'P' && !milliseconds && !word.has_point &&
-                              dialect() == Dialect::grbl && word.value >= shortest_plain_p;
-    if (long_seconds) {
-      report(Severity::info, "dwell-unit", 1, word.column, [&] {
-        return Text{fmt::format("P{0} is used as {0} seconds, as in grbl", word.value),
-                    fmt::format("for a control that takes milliseconds, write P{}", word.value / 1000)};
-      });
-    }
+    check_seconds(word, milliseconds);
     if (word.value > 0) {
       path().dwell(milliseconds ? word.value / 1000 : word.value);
     }

@@ -16,6 +16,7 @@ class Dwells : private Part {
  private:
   /// The words are those of a printer or plotter, not of grbl.
   bool is_printer();
+  void check_seconds(const Word& word, bool milliseconds) const;
 
   std::optional<bool> is_printer_;  ///< once a dwell has asked
 };

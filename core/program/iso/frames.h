@@ -27,6 +27,7 @@ class Frames {
   struct WorkOffset {
     Vec3 shift = Vec3::Zero();  ///< [mm]
     double angle = 0;           ///< about Z [rad]
+    std::array<bool, 3> set{};  ///< by the program, as coordinates of the machine
     bool operator==(const WorkOffset&) const = default;
   };
 

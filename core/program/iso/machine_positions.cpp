@@ -10,6 +10,10 @@ void MachinePositions::run(int code, std::uint32_t column) {
     case 300:
       go_to_reference(code, column);
       break;
+    case 281:
+    case 301:
+      store(code);
+      break;
     case 290:
       is_linuxcnc() ? report_levelling(column) : return_from_reference();
       break;
@@ -17,6 +21,27 @@ void MachinePositions::run(int code, std::uint32_t column) {
       go_to_machine_coordinates(column);
       break;
   }
+}
+
+/// LinuxCNC and grbl store where the axes are. With axes it is a word of other controls.
+void MachinePositions::store(int code) {
+  if (!words_.has_any("XYZ")) {
+    stored_[code == 281 ? 0 : 1] = path().places();
+  }
+}
+
+AxisPlaces MachinePositions::reference_of(int code) const {
+  const bool second = code == 300;
+  if (const std::optional<AxisPlaces>& stored = stored_[second ? 1 : 0]) {
+    return *stored;
+  }
+  constexpr int second_reference = 2;
+  AxisPlace place{.kind = AxisPlace::Kind::home};
+  if (second) {
+    const bool is_known = !words_.has('P') || words_['P'].value == second_reference;
+    place.kind = is_known ? AxisPlace::Kind::tool_change : AxisPlace::Kind::unknown;
+  }
+  return {place, place, place};
 }
 
 void MachinePositions::go_to_reference(int code, std::uint32_t column) {
@@ -27,14 +52,9 @@ void MachinePositions::go_to_reference(int code, std::uint32_t column) {
       path().rapid(intermediate_point_);
     }
   }
-  constexpr int second_reference = 2;
-  AxisPlace place{AxisPlace::Kind::home, 0};
-  if (code == 300) {
-    const bool second = !words_.has('P') || words_['P'].value == second_reference;
-    place.kind = second ? AxisPlace::Kind::tool_change : AxisPlace::Kind::unknown;
+  if (!path().go_to_machine_place(targets_.named_axes(), reference_of(code))) {
+    machining_.report_machine_move(g_name(code), "reference-point", column);
   }
-  path().go_to_machine_place(targets_.named_axes(), {place, place, place});
-  machining_.report_machine_move(g_name(code), "reference-point", column);
 }
 
 void MachinePositions::go_to_machine_coordinates(std::uint32_t column) {
@@ -47,8 +67,9 @@ void MachinePositions::go_to_machine_coordinates(std::uint32_t column) {
     places[axis] = {AxisPlace::Kind::machine, target[static_cast<Eigen::Index>(axis)]};
   }
   const bool at_feed = modal_.motion == MotionMode::line && path().feed_mode() != FeedMode::inverse_time;
-  path().go_to_machine_place(targets_.named_axes(), places, at_feed ? path().feed_rate() : 0);
-  machining_.report_machine_move("G53", "machine-position", column);
+  if (!path().go_to_machine_place(targets_.named_axes(), places, at_feed ? path().feed_rate() : 0)) {
+    machining_.report_machine_move("G53", "machine-position", column);
+  }
 }
 
 void MachinePositions::return_from_reference() {

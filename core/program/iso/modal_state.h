@@ -22,8 +22,9 @@ enum class MotionMode : std::uint8_t {
 /// What stays in force from block to block and more than one part of the reader uses.
 struct ModalState {
   MotionMode motion = MotionMode::none;
-  int cycle_code = 0;   ///< of MotionMode::cycle, ten times the G number
-  int spline_code = 0;  ///< of MotionMode::spline
+  bool after_g80 = false;  ///< of MotionMode::none: G80 has ended another one
+  int cycle_code = 0;      ///< of MotionMode::cycle, ten times the G number
+  int spline_code = 0;     ///< of MotionMode::spline
   Plane plane = Plane::xy;
   bool inch = false;
   bool tool_centre_point = false;  ///< G43.4, G43.5: X, Y and Z are those of the tip

@@ -258,9 +258,10 @@ void ModalWords::switch_kinematics(int number, std::uint32_t column) {
   });
 }
 
-/// F in mm a minute. LinuxCNC sets the feed before it changes the unit.
+/// F in mm a minute. LinuxCNC sets the feed before it changes the unit (Interp::execute_block); grbl and the
+/// others take F in the unit of its block.
 double ModalWords::length_of_feed(const Word& word) const {
-  if (!is_linuxcnc() || !words_.changes_unit) {
+  if (dialect() != Dialect::linuxcnc || !words_.changes_unit) {
     return modal_.to_mm(word.value);
   }
   const bool inch = !modal_.inch;

@@ -60,9 +60,7 @@ void Motions::move() {
     return;
   }
   if (modal_.motion == MotionMode::none) {
-    report(Severity::warning, "motion-mode", 0, words_.first_column("XYZ"), [] {
-      return Text{"position words before the first G0, G1, G2 or G3", "G0 is used; write the G word"};
-    });
+    report_no_motion_word();
     modal_.motion = MotionMode::rapid;
   }
   if (modal_.motion != MotionMode::spline) {
@@ -97,6 +95,21 @@ void Motions::move() {
     case MotionMode::cycle:
       break;
   }
+}
+
+/// LinuxCNC starts as after G80, grbl as after G0.
+void Motions::report_no_motion_word() const {
+  const bool is_refused = dialect() == Dialect::linuxcnc || (dialect() == Dialect::grbl && modal_.after_g80);
+  report(is_refused ? Severity::error : Severity::warning, "motion-mode", is_refused ? 1 : 0,
+         words_.first_column("XYZ"), [&] {
+           const std::string_view place = modal_.after_g80
+                                              ? "position words after G80 without a new G0, G1, G2 or G3"
+                                              : "position words before the first G0, G1, G2 or G3";
+           return Text{is_refused
+                           ? fmt::format("{}: {} stops here with an error", place, info_of(dialect()).title)
+                           : std::string(place),
+                       "G0 is used; write the G word"};
+         });
 }
 
 void Motions::check_inverse_time() const {
@@ -142,6 +155,9 @@ void Motions::arc() {
     report(Severity::error, "arc-center", 1, words_.first_column("IJK"), [] {
       return Text{"the arc has both a centre (I, J, K) and a radius (R)", "R is used; remove one of them"};
     });
+  }
+  for (const char letter : {'I', 'J', 'K', 'R'}) {
+    targets_.check_point(letter, Targets::implausible_length);
   }
   const Vec3 normal = normal_of(modal_.plane);
   ArcRequest request;

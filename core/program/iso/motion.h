@@ -26,6 +26,7 @@ class Motions : private Part {
   double extra_turns() const;
   void check_center_axis() const;
   void check_inverse_time() const;
+  void report_no_motion_word() const;
   /// ",R" and ",C" at the end of the motion that follows.
   void cut_corner(bool at_line_or_arc) const;
 

@@ -229,8 +229,10 @@ void IsoReader::run_function(int code, std::uint32_t column) {
       targets_.set_polar(code == 160);
       break;
     case 280:
+    case 281:
     case 290:
     case 300:
+    case 301:
     case 530:
       machine_positions_.run(code, column);
       break;

@@ -60,19 +60,16 @@ void Targets::program_axes() const {
     const char letter = axis_letters[static_cast<std::size_t>(axis)];
     if (words_.has(letter) || (words_.has_polar() && axis < 2)) {
       path().program_axis(axis, modal_.incremental && words_.has(letter));
-      check_point(letter);
+      check_point(letter, implausible_length);
     }
   }
 }
 
-/// Beyond any machine's travel, but not in the thousandths that many controls take numbers without a point
-/// for.
-void Targets::check_point(char letter) const {
-  constexpr double min_mm = 3000;
-  constexpr double min_inch = 120;
+void Targets::check_point(char letter, double implausible) const {
+  constexpr double mm_taken_for_an_inch = 25;
   const Word& word = words_[letter];
-  if (is_linuxcnc() || word.has_point || !words_.has(letter) ||
-      std::abs(word.value) < (modal_.inch ? min_inch : min_mm)) {
+  if (is_linuxcnc() || !words_.has(letter) || word.has_point ||
+      std::abs(word.value) < (modal_.inch ? implausible / mm_taken_for_an_inch : implausible)) {
     return;
   }
   report(Severity::warning, "decimal-point", 0, word.column, [&] {

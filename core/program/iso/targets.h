@@ -30,6 +30,11 @@ class Targets : private Part {
   std::array<bool, 3> named_axes() const;
   /// The path's extent and known places hold what the block programs from now on.
   void program_axes() const;
+  static constexpr double implausible_length = 3000;  ///< beyond any machine's travel [mm]
+  static constexpr double implausible_peck = 100;     ///< of a drill [mm]
+  /// Reports a length of the block that has no decimal point and is `implausible` or longer [mm], but not in
+  /// the thousandths that many controls take it for. LinuxCNC and grbl do not take it so.
+  void check_point(char letter, double implausible) const;
 
   /// G15, G16.
   void set_polar(bool on) { polar_ = {.on = on}; }
@@ -45,7 +50,6 @@ class Targets : private Part {
 
   Vec3 polar_target(Vec3 target);
   Vec3 distance_and_angle_target(Vec3 target) const;
-  void check_point(char letter) const;
 
   Polar polar_;
 };

@@ -54,10 +54,20 @@ void PlaceTracker::move(const CoordinateFrame& frame, const ProgrammedAxes& axes
   update();
 }
 
-void PlaceTracker::assume(const Vec3& shown) {
+AxisPlaces PlaceTracker::places_at(const Vec3& shown) const {
+  AxisPlaces at = places_;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (is_shown(axis)) {
+      at[static_cast<std::size_t>(axis)] = {AxisPlace::Kind::part, shown[axis]};
+    }
+  }
+  return at;
+}
+
+void PlaceTracker::assume(const Vec3& shown, const std::array<bool, 3>& these) {
   for (int axis = 0; axis < 3; ++axis) {
     AxisPlace& place = places_[static_cast<std::size_t>(axis)];
-    if (!place.is_shown()) {
+    if (!place.is_shown() && these[static_cast<std::size_t>(axis)]) {
       place = {AxisPlace::Kind::assumed, shown[axis]};
     }
   }

@@ -23,6 +23,8 @@ class PlaceTracker {
   bool is_shown(int axis) const { return places_[static_cast<std::size_t>(axis)].is_shown(); }
   /// Meaningful while not all_shown().
   const AxisPlaces& places() const { return places_; }
+  /// Where the axes are, which the path shows at `shown` [mm].
+  AxisPlaces places_at(const Vec3& shown) const;
 
   /// The axes `moved` go to `to`; `shown`: where the others are.
   void go_to(const std::array<bool, 3>& moved, const AxisPlaces& to, const Vec3& shown);
@@ -30,8 +32,8 @@ class PlaceTracker {
   /// `frame`. An axis is known from then on where it was named with its coordinate, or moves without being
   /// named by a distance, as in cycles.
   void move(const CoordinateFrame& frame, const ProgrammedAxes& axes, const Vec3& from, const Vec3& to);
-  /// The axes that are not known are where the path shows them.
-  void assume(const Vec3& shown);
+  /// Of the axes `these`, those that are not known are where the path shows them.
+  void assume(const Vec3& shown, const std::array<bool, 3>& these = {true, true, true});
 
  private:
   void update();

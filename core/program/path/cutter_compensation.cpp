@@ -270,10 +270,33 @@ void CutterCompensation::go_around(const PlaneElement& next, const PathMotion& m
     go_around_on_lines(next, linking);
     return;
   }
+  if (const std::optional<Vec2> meeting = outside_meeting(next)) {
+    release(*meeting);
+    return;
+  }
   release(path_beside(held_->contour).end);
   linking.block.motion = Motion::arc;
   linking.arc = {in_space(next.start, tool_), (left_ > 0 ? -1 : 1) * compensation_.plane.normal, 0};
   write(linking, in_space(path_beside(next).start, tool_));
+}
+
+/// Where OutsideCorner::meeting goes on to: the nearest meeting of both paths. None: an arc leads around.
+std::optional<Vec2> CutterCompensation::outside_meeting(const PlaneElement& next) const {
+  constexpr double rounding = 1e-9;  // [rad]
+  const Vec2 before = held_->contour.tangent_at_end();
+  const Vec2 after = next.tangent_at_start();
+  const double turn = std::atan2(std::abs(cross(before, after)), before.dot(after));
+  if (compensation_.corner != OutsideCorner::meeting || turn > largest_meeting_turn + rounding) {
+    return std::nullopt;
+  }
+  const PlaneElement path = path_beside(held_->contour);
+  const PlaneElement next_path = path_beside(next);
+  const Meetings found = meetings(path, next_path);
+  const auto away = [&](const Vec2& p) { return (p - path.end).norm() + (p - next_path.start).norm(); };
+  if (found.count == 0) {
+    return std::nullopt;
+  }
+  return found.points[found.count == 2 && away(found.points[1]) < away(found.points[0]) ? 1 : 0];
 }
 
 //        up to a quarter turn              above

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -21,8 +22,14 @@ enum class ToolSide : std::uint8_t { left, right };
 /// How the tool gets around an outside corner of the contour.
 enum class OutsideCorner : std::uint8_t {
   arc,    ///< on an arc about the corner
-  lines,  ///< straight on to where the paths beside both blocks meet; the tip is cut off above a quarter turn
+  lines,  ///< straight on to where the paths beside both blocks meet; above a quarter turn the tip is cut off
+  meeting,  ///< on along both paths to where they meet; on an arc if they do not, or above
+            ///< largest_meeting_turn
 };
+
+/// Largest turn of a corner at which OutsideCorner::meeting goes on along the paths [rad]: the preset
+/// of machine data 20210 ($MC_CUTCOM_CORNER_LIMIT) of a Sinumerik 840D, 100 degrees.
+inline constexpr double largest_meeting_turn = 100 * std::numbers::pi / 180;
 
 struct Compensation {
   ToolSide side = ToolSide::left;
@@ -86,6 +93,7 @@ class CutterCompensation {
   void hold(const PathMotion& motion, const PlaneElement& contour, bool is_entry);
   void join(const PathMotion& motion, const PlaneElement& next);
   void go_around(const PlaneElement& next, const PathMotion& motion);
+  std::optional<Vec2> outside_meeting(const PlaneElement& next) const;
   void go_around_on_lines(const PlaneElement& next, const PathMotion& linking);
   Vec2 inside_corner(const PlaneElement& last, const PlaneElement& next);
   /// Writes the held motion with this end, and what waits behind it.

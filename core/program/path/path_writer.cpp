@@ -222,10 +222,46 @@ void PathWriter::wait(Pause kind, double seconds) {
   pass_on({block, {}, place_, {}}, shown_);
 }
 
-void PathWriter::go_to_machine_place(const std::array<bool, 3>& moved, const AxisPlaces& to, double feed) {
+bool PathWriter::go_to_machine_place(const std::array<bool, 3>& moved, const AxisPlaces& to, double feed) {
+  AxisPlaces places = to;
+  Vec3 target = shown_;
+  bool known = true;
+  for (std::size_t axis = 0; axis < places.size(); ++axis) {
+    AxisPlace& place = places[axis];
+    place.zero_given = machine_axes_[axis];
+    if (place.kind == AxisPlace::Kind::machine && place.zero_given) {
+      place.kind = AxisPlace::Kind::part;
+    }
+    if (moved[axis] && place.is_shown()) {
+      target[static_cast<Eigen::Index>(axis)] = place.value;
+      axes_.named[axis] = true;
+    }
+    known = known && (!moved[axis] || place.is_shown());
+  }
   suspend_compensation();
-  places_.go_to(moved, to, shown_);
-  write_machine_move(shown_, feed);
+  if (known && places_.all_shown()) {
+    append(feed > 0 ? Motion::line : Motion::rapid, frame_.to_programmed(target), feed);
+  } else {
+    places_.go_to(moved, places, shown_);
+    shown_ = target;
+    programmed_ = frame_.to_programmed(target);
+    write_machine_move(shown_, feed);
+  }
+  resume_compensation();
+  return known;
+}
+
+bool PathWriter::name_place(const std::array<bool, 3>& axes) {
+  bool assumes = false;
+  for (int axis = 0; axis < 3; ++axis) {
+    assumes = assumes || (axes[static_cast<std::size_t>(axis)] && !places_.is_shown(axis));
+  }
+  if (assumes) {
+    places_.assume(shown_, axes);
+    write_machine_move(shown_, 0);
+    resume_compensation();
+  }
+  return assumes;
 }
 
 /// Of a motion that begins while not every axis is known and has brought the path to position(). False if it

@@ -89,10 +89,18 @@ class PathWriter {
   void dwell(double seconds);
   /// Of a tool change, a spindle start or a stop, at the end of what came before.
   void pause(Pause kind);
-  /// The axes `moved` go to places that only the machine knows, at `feed` [mm/s] or as a rapid (0). What
-  /// follows is a machine move until the program says where every axis is; a feed motion before that is taken
-  /// as starting where the path has come to, with a warning.
-  void go_to_machine_place(const std::array<bool, 3>& moved, const AxisPlaces& to, double feed = 0);
+  /// On these axes a shown coordinate is one of the machine: the program itself gives the zero point.
+  void set_machine_axes(const std::array<bool, 3>& axes) { machine_axes_ = axes; }
+  /// Where the axes are, for go_to_machine_place() later on.
+  AxisPlaces places() const { return places_.places_at(shown_); }
+  /// The axes `moved` go to places of the machine, at `feed` [mm/s] or as a rapid (0): a line where the path
+  /// shows both ends. Else what follows is a machine move until the program says where every axis is; a feed
+  /// motion before that is taken as starting where the path has come to, with a warning. False where only the
+  /// machine knows one of the places.
+  bool go_to_machine_place(const std::array<bool, 3>& moved, const AxisPlaces& to, double feed = 0);
+  /// The program gives these axes coordinates where they are, as G92 does. Those that are not known are taken
+  /// to be where the path shows them; true if there are any.
+  bool name_place(const std::array<bool, 3>& axes);
   /// Along a curve in programmed coordinates that starts where the path has come to, from parameter `from` to
   /// `to`: as arcs (arcs_of_curve), under cutter compensation or at a corner that is cut off as lines
   /// (lines_of_curve). `column` for messages. Returns the unit direction at its end, zero if it has no
@@ -171,6 +179,7 @@ class PathWriter {
   std::optional<std::size_t> offset_;  ///< in force, of Program::work_offsets
   ProgrammedAxes axes_;                ///< of the line
   PlaceTracker places_;
+  std::array<bool, 3> machine_axes_{};
   bool compensation_waits_ = false;  ///< until every axis is known again
   ProgrammedFeed feed_;
   SpindleTracker spindle_{program_.spindles, log_};

@@ -60,7 +60,7 @@ void Compensation::begin(std::uint32_t column) {
   }
   const bool left = modes_.side->action == Action::compensation_left;
   path().set_compensation(left ? ToolSide::left : ToolSide::right, *radius,
-                          modes_.corner_lines ? OutsideCorner::lines : OutsideCorner::arc, modal_.plane,
+                          modes_.corner_meeting ? OutsideCorner::meeting : OutsideCorner::arc, modal_.plane,
                           column);
 }
 

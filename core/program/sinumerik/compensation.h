@@ -20,8 +20,8 @@ class Compensation : private Part {
   void choose_tool(const std::string& name);
   /// Number or name; empty: none yet.
   const std::string& tool() const { return modes_.tool; }
-  /// G451: around outside corners on lines; else G450.
-  void set_corner_lines(bool on) { modes_.corner_lines = on; }
+  /// G451: around outside corners to where the paths meet; else G450.
+  void set_corner_meeting(bool on) { modes_.corner_meeting = on; }
   /// T, D, plane and G words of the block.
   void run();
 
@@ -30,7 +30,7 @@ class Compensation : private Part {
     std::string tool;
     double edge = 1;                 ///< D
     const Function* side = nullptr;  ///< G41, G42; nullptr: off
-    bool corner_lines = false;
+    bool corner_meeting = false;
   };
   const Modes& modes() const { return modes_; }
   void restore(const Modes& modes) { modes_ = modes; }

@@ -185,6 +185,7 @@ void Coordinates::set_settable_in_force(const FrameValue& value) {
   splines_.finish();
   in_force_ = value;
   modes_.frames.set_settable(value.frame());
+  path().set_machine_axes(value.set_by_program);
   set_frame();
 }
 

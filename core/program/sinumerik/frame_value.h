@@ -26,6 +26,8 @@ class FrameValue {
 
   CoordinateFrame frame() const;
 
+  std::array<bool, 3> set_by_program{};  ///< axes with a zero point in coordinates of the machine
+
  private:
   Vec3 shift_ = Vec3::Zero();
   Vec3 fine_shift_ = Vec3::Zero();

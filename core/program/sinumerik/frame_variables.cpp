@@ -112,6 +112,7 @@ void FrameVariables::set_part(FrameValue& value, FrameValue::Part part, std::str
   if (!value.set(part, linear, angle ? units::from_deg(number) : length ? to_mm(number) : number)) {
     throw_frame(column, "parts of a chain of frames cannot be set");
   }
+  value.set_by_program[static_cast<std::size_t>(linear)] |= part == FrameValue::Part::shift;
 }
 
 /// Of the programmable frame, whose shifts alone have parts.
@@ -134,7 +135,12 @@ void FrameVariables::set_programmed_part(Scanner& scanner) {
 FrameValue FrameVariables::read(Scanner& scanner) {
   FrameValue value = operand(scanner);
   while (scanner.take(':')) {
-    value = FrameValue(value.frame() * operand(scanner).frame());
+    const FrameValue inner = operand(scanner);
+    FrameValue chain(value.frame() * inner.frame());
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      chain.set_by_program[axis] = value.set_by_program[axis] && inner.set_by_program[axis];
+    }
+    value = chain;
   }
   return value;
 }
@@ -177,6 +183,7 @@ FrameValue FrameVariables::system_operand(Scanner& scanner, std::uint32_t column
 /// "(X,10,Y,5)"; of a mirror image the axes alone.
 FrameValue FrameVariables::frame_of_list(Scanner& scanner, FrameValue::Part part) {
   FrameValue value;
+  value.set_by_program.fill(true);
   require(scanner, '(');
   while (!scanner.take(')')) {
     const std::uint32_t column = scanner.column();

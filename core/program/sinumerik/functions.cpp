@@ -121,7 +121,7 @@ constexpr auto functions = std::to_array<Function>({
     {"G41", Group::compensation, compensation_left},
     {"G42", Group::compensation, compensation_right},
     {"G450", Group::corner, corner_arc},
-    {"G451", Group::corner, corner_lines},
+    {"G451", Group::corner, corner_meeting},
     {"G147", Group::none, report, error, "soft approach", path_as_programmed},
     {"G148", Group::none, report, error, "soft retraction", path_as_programmed},
     {"G247", Group::none, report, error, "soft approach", path_as_programmed},

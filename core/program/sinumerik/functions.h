@@ -41,7 +41,7 @@ enum class Action : std::uint8_t {
   compensation_right,
   compensation_off,
   corner_arc,             ///< G450
-  corner_lines,           ///< G451
+  corner_meeting,         ///< G451
   diameters,              ///< DIAMON: X is one
   diameters_if_absolute,  ///< DIAM90
   radii,                  ///< DIAMOF

@@ -31,7 +31,9 @@ void MachinePositions::move() {
   const bool at_feed =
       by_coordinate && modal_.moves_at_feed() && path().feed_mode() != FeedMode::inverse_time;
   path_modes_.use(!at_feed);
-  path().go_to_machine_place(named, places, at_feed ? path().feed_rate() : 0);
+  if (path().go_to_machine_place(named, places, at_feed ? path().feed_rate() : 0)) {
+    return;
+  }
   machining_.report_machine_move(by_coordinate ? functions_.machine_axes->name : functions_.own_block->name,
                                  "machine-position",
                                  by_coordinate ? words_.first_column("XYZ") : functions_.own_column);

@@ -105,8 +105,8 @@ void ModalWords::apply_action(const Function& function) {
       parts_.feeds.set_mode(function);
       break;
     case Action::corner_arc:
-    case Action::corner_lines:
-      parts_.compensation.set_corner_lines(function.action == Action::corner_lines);
+    case Action::corner_meeting:
+      parts_.compensation.set_corner_meeting(function.action == Action::corner_meeting);
       break;
     case Action::diameters:
     case Action::diameters_if_absolute:

@@ -93,6 +93,18 @@ TEST(MachineToolpath, AMachineThatGivesItsHomeHasTheWholePath) {
   EXPECT_EQ(run->bounds.max.z(), 400);
 }
 
+TEST(MachineToolpath, AZeroPointOfTheProgramStandsForThatOfTheMachine) {
+  const auto path = path_of("G21 G10 L2 P1 X-300 Y-200 Z100\nG54\nG0 X1 Y2 Z3\nG91 G28 Z0\nG90 G1 Z5 F100\n");
+  EXPECT_EQ(text_of(*path), (std::vector<std::string>{"0 0 0 > -299 -198 103 rapid", "~"}));
+  Settings home;
+  home.set("home_z_mm", 500.0);
+  const std::vector<std::string> expected{
+      "0 0 0 > -299 -198 103 rapid", "-299 -198 103 > -299 -198 500 rapid", "-299 -198 500 > -299 -198 105"};
+  EXPECT_EQ(text_of(*on_machine(path, Machine(), home)), expected);
+  home.set("part_zero_z_mm", 7.0);
+  EXPECT_EQ(text_of(*on_machine(path, Machine(), home)), expected) << "that of other programs";
+}
+
 TEST(MachineToolpath, CountsWhatHasNoTime) {
   const auto path = path_of(std::string(two_holes).replace(0, 0, "M1\n"));
   const NotCounted all = not_counted(*path);

@@ -103,6 +103,57 @@ TEST(IsoTransforms, ReferencePointsAreReachedAsFarAsTheyAreKnown) {
             "part_zero_z_mm, ...); the path continues where every axis is programmed again)");
 }
 
+/// G10 L2 gives the zero point in coordinates of the machine, so that G53 is where the program says it.
+TEST(IsoTransforms, MachineCoordinatesAreShownWhereTheProgramSetsItsZeroPoint) {
+  for (const Dialect dialect : {fanuc, linuxcnc, Dialect::grbl}) {
+    EXPECT_EQ(
+        text_of(read_clean_as(dialect,
+                              "G21 G10 L2 P1 X-290 Y-175 Z-20\nG54\nG0 X0 Y0 Z5\nG1 X10 F600\nG53 G0 Z0\n"
+                              "G53 X-300 Y-180\nG53 G1 Z-1\nG0 X0 Y0")),
+        (Lines{"rapid -290 -175 -15 @3", "line -280 -175 -15 @4", "rapid -280 -175 0 @5",
+               "rapid -300 -180 0 @6", "line -300 -180 -1 @7", "rapid -290 -175 -1 @8"}));
+  }
+}
+
+TEST(IsoTransforms, AnAxisWhoseZeroPointIsNotSetIsNotKnown) {
+  const Program program =
+      read_as(linuxcnc, "G21 G10 L2 P1 Z-20\nG0 X1 Y2 Z3\nG53 G0 Z0\nG53 G0 X0\nG55\nG53 Z1");
+  EXPECT_EQ(text_of(program),
+            (Lines{"rapid 1 2 -17 @2", "rapid 1 2 0 @3", "machine move 1 2 0 @4", "machine move 1 2 0 @6"}));
+  EXPECT_EQ(program.machine_moves[0].end[0], (AxisPlace{AxisPlace::Kind::machine, 0}));
+}
+
+TEST(IsoTransforms, AZeroPointThatIsMeasuredFromTheToolIsKnownWhereTheToolIs) {
+  EXPECT_EQ(text_of(read_clean_as(linuxcnc,
+                                  "G21 G10 L2 P1 X100 Y0 Z0\nG0 X5\nG10 L20 P2 X1 Y0 Z0\nG55\nG53 G0 X7")),
+            (Lines{"rapid 105 0 0 @2", "rapid 7 0 0 @5"}));
+  EXPECT_EQ(read_as(linuxcnc, "G21 G0 X5\nG10 L20 P1 X1\nG53 G0 X7").diagnostics.size(), 1U);
+}
+
+TEST(IsoTransforms, G28ReturnsToWhereG281WasProgrammed) {
+  for (const Dialect dialect : {linuxcnc, Dialect::grbl}) {
+    EXPECT_EQ(text_of(read_clean_as(
+                  dialect, "G21 G0 X10 Y20 Z5\nG28.1\nG0 X30 Y0 Z9\nG30.1\nG1 Z0 F600\nG28 Z7\nG28\nG30")),
+              (Lines{"rapid 10 20 5 @1", "rapid 30 0 9 @3", "line 30 0 0 @5", "rapid 30 0 7 @6",
+                     "rapid 30 0 5 @6", "rapid 10 20 5 @7", "rapid 30 0 9 @8"}));
+  }
+}
+
+TEST(IsoTransforms, G92NamesAPositionOfTheMachine) {
+  const std::string after = "G92 X0 Y0 Z0\nG91 G1 X1 F100\nG90 X5";
+  const Program start = read_as(linuxcnc, "G21 G28\n" + after);
+  EXPECT_EQ(text_of(start),
+            (Lines{"machine move 0 0 0 @1", "machine move 0 0 0 @2", "line 1 0 0 @3", "line 5 0 0 @4"}));
+  EXPECT_EQ(start.diagnostics.size(), 1U) << "G28 alone: nothing was moved before it";
+  const Program later = read_as(linuxcnc, "G21 G0 X8\nG28\n" + after);
+  EXPECT_EQ(text_of(later).back(), "line 13 0 0 @5");
+  ASSERT_EQ(later.diagnostics.size(), 2U);
+  EXPECT_EQ(
+      format(later.diagnostics[1], "f"),
+      "f:3:1: warning: G92 gives coordinates to a position that is not known [unknown-position] (the path "
+      "continues where the axis was before the move to the machine position)");
+}
+
 struct FaultCase {
   const char* text;
   const char* expected;

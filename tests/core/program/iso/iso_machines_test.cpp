@@ -1,7 +1,9 @@
 // Words of single makes of controls: Haas, printers, tapes.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
+#include <tuple>
 
 #include "tests/core/program/iso/iso_text.h"
 #include "tests/core/program/motion_text.h"
@@ -136,6 +138,10 @@ TEST(Printers, WaitMillisecondsAndSecondsAndDoNotLevelOnTheWay) {
   EXPECT_EQ(said_of(Dialect::grbl, "G0 X5\nG4 P150"),
             "f:2:4: info: P150 is used as 150 seconds, as in grbl [dwell-unit] (for a control that takes "
             "milliseconds, write P0.15)");
+  EXPECT_EQ(
+      said_of(Dialect::linuxcnc, "G21 G0 X5\nG4 P1500"),
+      "f:2:4: info: P1500 is used as 1500 seconds, as in LinuxCNC [dwell-unit] (for a control that takes "
+      "milliseconds, write P1.5)");
   EXPECT_EQ(read_as(Dialect::grbl, "G0 X5\nG4 P0.5").motions.back().dwell, 0.5) << "grbl itself: seconds";
 }
 
@@ -144,6 +150,55 @@ TEST(Points, ThatAreMissingOnNumbersBeyondAnyTravelAreSaid) {
             "f:1:4: warning: X25000 without a decimal point is used as 25000 mm [decimal-point] (many "
             "controls use it in units of 0.001 mm; write a decimal point)");
   read_clean_as(Dialect::fanuc, "G0 X25000. Y500");
+  EXPECT_EQ(
+      said_of(Dialect::fanuc, "G0 X10\nG4 X1500"),
+      "f:2:4: warning: X1500 without a decimal point is used as 1500 seconds [decimal-point] (many controls "
+      "use it in units of 0.001 s; write a decimal point)");
+  EXPECT_EQ(said_of(Dialect::iso, "G21 G0 X10\nG4 U60").substr(0, 49),
+            "f:2:4: warning: U60 without a decimal point is us");
+  read_clean_as(Dialect::fanuc, "G0 X10\nG4 X1500.\nG4 X10\nG4 P1500");
+}
+
+TEST(Points, AreMissedOnRadiiCentresAndPecksToo) {
+  const auto said = [](const std::string& text) { return said_of(Dialect::fanuc, text).substr(0, 70); };
+  EXPECT_EQ(said("G0 X0 Y0\nG2 X10. Y10. R10000 F100"),
+            "f:2:14: warning: R10000 without a decimal point is used as 10000 mm [d");
+  EXPECT_EQ(said("G0 X0 Y0\nG2 X0 Y20000. J10000 F100"),
+            "f:2:15: warning: J10000 without a decimal point is used as 10000 mm [d");
+  EXPECT_EQ(said("G0 Z5.\nG83 X1. Z-20. R2. Q5000 F100"),
+            "f:2:19: warning: Q5000 without a decimal point is used as 5000 mm [dec");
+  read_clean_as(Dialect::fanuc, "G0 Z5.\nG83 X1. Z-20. R2. Q5 F100\nG80\nG2 X0 Y20000. J10000.");
+}
+
+/// LinuxCNC sets the feed before the unit (Interp::execute_block); grbl converts F by the unit of its block
+/// (gcode.c, "Set feed rate"), as Fanuc does.
+TEST(Feeds, OfABlockThatChangesTheUnitAreInTheUnitThatTheControlTakes) {
+  constexpr double inch = 25.4;
+  for (const auto& [dialect, to_inch, to_mm] :
+       {std::tuple{Dialect::linuxcnc, 1.0, inch}, {Dialect::grbl, inch, 1.0}, {Dialect::fanuc, inch, 1.0}}) {
+    EXPECT_DOUBLE_EQ(read_as(dialect, "G21 G0 X0 Y0\nG20 G1 X2. F60.").motions.back().feed, to_inch);
+    EXPECT_DOUBLE_EQ(read_as(dialect, "G20 G0 X0 Y0\nG21 G1 X2. F60.").motions.back().feed, to_mm);
+    EXPECT_DOUBLE_EQ(read_clean_as(dialect, "G21 G0 X0 Y0\nG20\nG1 X2. F60.").motions.back().feed, inch);
+  }
+}
+
+TEST(Motions, WithoutAMotionWordStopTheControlsThatHaveNone) {
+  const auto error = [](const char* place, const char* what) {
+    return fmt::format("f:{}: error: position words {} [motion-mode] (G0 is used; write the G word)", place,
+                       what);
+  };
+  const std::string cycle = "G0 X0 Y0 Z9\nG81 X1 Y0 Z-5 R2 F300\nG80\nX5";
+  EXPECT_EQ(said_of(Dialect::linuxcnc, "G21\n" + cycle),
+            error("5:1", "after G80 without a new G0, G1, G2 or G3: LinuxCNC stops here with an error"));
+  EXPECT_EQ(said_of(Dialect::grbl, "G21 G1 X5 F100\nG80\nX9"),
+            error("3:1", "after G80 without a new G0, G1, G2 or G3: grbl stops here with an error"));
+  EXPECT_EQ(said_of(Dialect::linuxcnc, "G21\nX5"),
+            error("2:1", "before the first G0, G1, G2 or G3: LinuxCNC stops here with an error"));
+  EXPECT_EQ(
+      said_of(Dialect::grbl, "G21\nX5"),
+      "f:2:1: warning: position words before the first G0, G1, G2 or G3 [motion-mode] (G0 is used; write "
+      "the G word)");
+  read_clean_as(Dialect::fanuc, "G21\n" + cycle);
 }
 
 TEST(Turning, IsSaid) {

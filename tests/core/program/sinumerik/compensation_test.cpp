@@ -1,5 +1,9 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "core/base/units.h"
 #include "tests/core/program/sinumerik/read_sinumerik.h"
 
 namespace feedscope {
@@ -25,6 +29,37 @@ TEST(SinumerikCompensation, CornersAreArcsOrLines) {
   EXPECT_EQ(read_clean(path).arcs.size(), 1U);
   EXPECT_EQ(read_clean("G451\n" + path).arcs.size(), 0U);
   EXPECT_EQ(read_clean("G451\nG450\n" + path).arcs.size(), 1U);
+}
+
+/// The way of the centre past a corner at (0, 60) at which the contour, coming up along X = 0, turns right by
+/// `turn` [deg]; a tool of radius 5 on its left.
+Program around_corner(double turn) {
+  const double angle = units::from_deg(turn);
+  return read_clean(fmt::format(
+      "$TC_DP6[1,1]=5\nT1 D1 F600\nG0 X-20 Y-20\nG451 G1 G41 X0 Y0\nY60\nX{:.12f} Y{:.12f}\nG40 X90",
+      40 * std::sin(angle), 60 + 40 * std::cos(angle)));
+}
+
+/// The paths beside two lines meet r tan(turn / 2) beyond the corner.
+TEST(SinumerikCompensation, G451GoesOnToWhereThePathsMeetUpToATurnOf100Degrees) {
+  for (const double turn : {1.0, 30.0, 89.0, 90.0, 91.0, 95.0, 100.0}) {
+    SCOPED_TRACE(turn);
+    const Program program = around_corner(turn);
+    EXPECT_TRUE(program.arcs.empty());
+    EXPECT_NEAR(program.motions[2].target.x(), -5, 1e-9);
+    EXPECT_NEAR(program.motions[2].target.y(), 60 + 5 * std::tan(units::from_deg(turn) / 2), 1e-9);
+    EXPECT_EQ(program.motions.size(), 5U);
+  }
+}
+
+TEST(SinumerikCompensation, G451IsG450AboveATurnOf100Degrees) {
+  for (const double turn : {100.1, 135.0, 170.0}) {
+    SCOPED_TRACE(turn);
+    const Program program = around_corner(turn);
+    ASSERT_EQ(program.arcs.size(), 1U);
+    EXPECT_NEAR((program.arcs[0].center - Vec3(0, 60, 0)).norm(), 0, 1e-9);
+    EXPECT_NEAR(program.motions[2].target.y(), 60, 1e-9);
+  }
 }
 
 TEST(SinumerikCompensation, EdgeZeroAndToolsWithoutRadiusShowTheContour) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "tests/core/program/motion_text.h"
 #include "tests/core/program/sinumerik/read_sinumerik.h"
 
 namespace feedscope {
@@ -83,6 +84,16 @@ TEST(SinumerikFrames, AnIncrementAfterAChangeOfFrameTraversesTheChangeOnce) {
   }
   ASSERT_EQ(program.diagnostics.size(), 2U) << "one for X, one for Y";
   EXPECT_EQ(program.diagnostics[0].code, "frame-increment");
+}
+
+/// $P_UIFR gives the zero point in coordinates of the machine, so that SUPA is where the program says it.
+TEST(SinumerikFrames, MachineCoordinatesAreShownWhereTheProgramSetsItsZeroPoint) {
+  const Program program =
+      read_clean("$P_UIFR[1]=CTRANS(X,-290,Y,-175,Z,-20)\nG54\nG0 X0 Y0 Z5\nG0 SUPA Z0\nSUPA X-300\nX0 Y0");
+  EXPECT_EQ(text_of(program), (Lines{"rapid -290 -175 -15 @3", "rapid -290 -175 0 @4", "rapid -300 -175 0 @5",
+                                     "rapid -290 -175 0 @6"}));
+  const Program part = read_sinumerik("$P_UIFR[1,Z,TR]=-20\nG54\nG0 X1 Y2 Z3\nSUPA Z0\nSUPA X0");
+  EXPECT_EQ(text_of(part), (Lines{"rapid 1 2 -17 @3", "rapid 1 2 0 @4", "machine move 1 2 0 @5"}));
 }
 
 }  // namespace
