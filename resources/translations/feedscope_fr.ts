@@ -3560,12 +3560,28 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>Vitesse maximale de Z</translation>
     </message>
     <message>
+        <source>Maximum velocity of the extruder alone</source>
+        <translation>Vitesse maximale de l’extrudeur seul</translation>
+    </message>
+    <message>
+        <source>max_extrude_only_velocity of Klipper. Without a value that for a nozzle of 0.4 mm and a filament of 1.75 mm: 0.27 times that along the path.</source>
+        <translation>max_extrude_only_velocity de Klipper. Sans valeur, celle d’une buse de 0,4 mm et d’un filament de 1,75 mm&#xa0;: 0,27 fois celle le long de la trajectoire.</translation>
+    </message>
+    <message>
         <source>Without a value that along the path.</source>
         <translation>Sans valeur, celle de la trajectoire.</translation>
     </message>
     <message>
         <source>Maximum acceleration of Z</source>
         <translation>Accélération maximale de Z</translation>
+    </message>
+    <message>
+        <source>Maximum acceleration of the extruder alone</source>
+        <translation>Accélération maximale de l’extrudeur seul</translation>
+    </message>
+    <message>
+        <source>max_extrude_only_accel of Klipper. Without a value that for a nozzle of 0.4 mm and a filament of 1.75 mm: 0.27 times that along the path.</source>
+        <translation>max_extrude_only_accel de Klipper. Sans valeur, celle d’une buse de 0,4 mm et d’un filament de 1,75 mm&#xa0;: 0,27 fois celle le long de la trajectoire.</translation>
     </message>
     <message>
         <source>Open control Klipper</source>
@@ -6818,6 +6834,14 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>%1 has no meaning in this block</source>
         <translation>%1 n’a pas de sens dans ce bloc</translation>
+    </message>
+    <message>
+        <source>a move of the extruder alone (E) takes time</source>
+        <translation>un déplacement de l’extrudeur seul (E) prend du temps</translation>
+    </message>
+    <message>
+        <source>only the model klipper counts it</source>
+        <translation>seul le modèle klipper le compte</translation>
     </message>
     <message>
         <source>it is skipped</source>

@@ -179,6 +179,8 @@ constexpr std::array iso_patterns{
     QT_TRANSLATE_NOOP("core", "G10 L%1 (data setting) is not supported"),
     QT_TRANSLATE_NOOP("core", "%1 is a control command"),
     QT_TRANSLATE_NOOP("core", "E (extruder) is not supported"),
+    QT_TRANSLATE_NOOP("core", "a move of the extruder alone (E) takes time"),
+    QT_TRANSLATE_NOOP("core", "only the model klipper counts it"),
     QT_TRANSLATE_NOOP("core", "%1 has no meaning in this block"),
     QT_TRANSLATE_NOOP("core", "it is skipped"),
     QT_TRANSLATE_NOOP("core", "it is ignored; check whether G2 or G3 is missing"),

@@ -50,6 +50,7 @@ class KlipperReader {
     read_z_limits();
     read_corners();
     read_arcs();
+    read_extruder();
     note_kinematics();
     note_what_is_not_modelled();
     return draft_.finish(klipper_config.kind, {18, 3, 0});
@@ -154,6 +155,45 @@ class KlipperReader {
           "add [gcode_arcs], or let the CAM system write lines");
     }
   }
+  std::optional<double> extruder(const char* key) {
+    const SectionEntry* entry = file_.find("extruder", key);
+    return entry == nullptr ? std::nullopt : draft_.number(entry->value, entry->given());
+  }
+
+  /// Limits of the extruder alone: given, or Klipper's share of those along the path, which needs the
+  /// diameters of nozzle and filament, or the largest cross section of what is extruded.
+  void read_extruder() {
+    const std::optional<double> nozzle = extruder("nozzle_diameter");
+    const std::optional<double> filament = extruder("filament_diameter");
+    const std::optional<double> section = extruder("max_extrude_cross_section");
+    std::optional<double> share;
+    if (filament && *filament > 0 && (section || nozzle)) {
+      share = section.value_or(4 * nozzle.value_or(0) * nozzle.value_or(0)) /
+              (units::pi / 4 * *filament * *filament);
+    }
+    give_extruder("max_extrude_only_velocity", "max_extrude_velocity_mm_s", "mm/s", units::as_it_is,
+                  "max_velocity", share);
+    give_extruder("max_extrude_only_accel", "max_extrude_acceleration_m_s2", "mm/s2", units::to_m,
+                  "max_accel", share);
+  }
+
+  void give_extruder(const char* name, const char* setting, const char* unit, double (*to_unit)(double),
+                     const char* path_name, const std::optional<double>& share) {
+    const SectionEntry* entry = file_.find("extruder", name);
+    const SectionEntry* path = file_.find("printer", path_name);
+    if (entry != nullptr) {
+      if (const std::optional<double> value = draft_.number(entry->value, entry->given(unit))) {
+        draft_.give(setting, to_unit(*value), entry->given(unit));
+      }
+    } else if (const std::optional<double> most =
+                   path == nullptr ? std::nullopt : draft_.number(path->value, path->given(unit));
+               most && share) {
+      draft_.assume(setting, to_unit(*share * *most),
+                    fmt::format("{} does not give {}: default of Klipper for its nozzle and filament",
+                                draft_.file(), name));
+    }
+  }
+
 
   void note_kinematics() {
     const SectionEntry* entry = file_.find("printer", "kinematics");

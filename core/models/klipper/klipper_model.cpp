@@ -86,6 +86,30 @@ std::vector<SettingSpec> own_settings() {
           .optional = true,
       },
   };
+  specs.push_back({
+      .key = "max_extrude_velocity_mm_s",
+      .title = QT_TRANSLATE_NOOP("core", "Maximum velocity of the extruder alone"),
+      .unit = "mm/s",
+      .explanation =
+          QT_TRANSLATE_NOOP("core",
+                            "max_extrude_only_velocity of Klipper. Without a value that for a nozzle "
+                            "of 0.4 mm and a filament of 1.75 mm: 0.27 times that along the path."),
+      .minimum = 1e-6,
+      .maximum = 1e9,
+      .optional = true,
+  });
+  specs.push_back({
+      .key = "max_extrude_acceleration_m_s2",
+      .title = QT_TRANSLATE_NOOP("core", "Maximum acceleration of the extruder alone"),
+      .unit = "m/s2",
+      .explanation =
+          QT_TRANSLATE_NOOP("core",
+                            "max_extrude_only_accel of Klipper. Without a value that for a nozzle of "
+                            "0.4 mm and a filament of 1.75 mm: 0.27 times that along the path."),
+      .minimum = 1e-6,
+      .maximum = 1e9,
+      .optional = true,
+  });
   specs.push_back(refuse_setting());
   return specs;
 }
@@ -113,6 +137,20 @@ KlipperSettings::KlipperSettings(const Machine& machine, const Settings& setting
   max_acceleration = given("max_acceleration_m_s2", units::from_m, least(machine, &AxisLimits::acceleration));
   max_z_velocity = given("max_z_velocity_m_min", units::from_m_min, max_velocity);
   max_z_acceleration = given("max_z_acceleration_m_s2", units::from_m, max_acceleration);
+  const double share = extrude_only_share(0.4, 1.75);
+  max_extrude_velocity = given("max_extrude_velocity_mm_s", units::as_it_is, share * max_velocity);
+  max_extrude_acceleration = given("max_extrude_acceleration_m_s2", units::from_m, share * max_acceleration);
+}
+
+double KlipperSettings::extrude_time(double length, double feed) const {
+  const double cruise = max_acceleration * (1 - minimum_cruise_ratio);
+  const double most = std::min(feed, max_extrude_velocity);
+  const double speed = std::min(most, std::sqrt(length * std::min(max_extrude_acceleration, cruise)));
+  return length / speed + speed / max_extrude_acceleration;
+}
+
+double extrude_only_share(double nozzle, double filament) {
+  return 4 * nozzle * nozzle / (units::pi / 4 * filament * filament);
 }
 
 const ModelInfo& KlipperModel::info() const {
@@ -161,7 +199,8 @@ ControlReading KlipperModel::do_read(const std::shared_ptr<const Toolpath>& tool
   if (settings.text("refuse") == "off") {
     return {toolpath, {}};
   }
-  return reading_of(read_as_klipper(toolpath->source), *toolpath);
+  const KlipperSettings limits(Machine(), settings);
+  return reading_of(read_as_klipper(toolpath->source, limits), *toolpath);
 }
 
 Trajectory KlipperModel::do_simulate(const std::shared_ptr<const Toolpath>& toolpath, const Machine& machine,

@@ -20,9 +20,7 @@ namespace {
 using Refusal = std::string;
 
 /// Known commands of printers that neither move nor wait for motion.
-constexpr std::array<std::string_view, 28> without_motion{"G21",
-                                                          "M82",
-                                                          "M83",
+constexpr std::array<std::string_view, 26> without_motion{"G21",
                                                           "M104",
                                                           "M105",
                                                           "M106",
@@ -51,7 +49,7 @@ constexpr std::array<std::string_view, 28> without_motion{"G21",
 
 class KlipperReader {
  public:
-  explicit KlipperReader(std::shared_ptr<const SourceText> source) {
+  KlipperReader(std::shared_ptr<const SourceText> source, const KlipperSettings& limits) : limits_(limits) {
     program_.source = std::move(source);
     program_.dialect = Dialect::grbl;
     program_.path_controls.emplace_back();
@@ -115,7 +113,14 @@ class KlipperReader {
       wait(0);
       return {};
     }
+    if (command == "M82" || command == "M83") {
+      incremental_extruder_ = command == "M83";
+      return {};
+    }
     if (const std::optional<KlipperLimitChange> change = klipper_limit_change(line_)) {
+      if (change->fault.empty()) {
+        change->apply(limits_);
+      }
       return change->fault;
     }
     const bool known = std::ranges::find(without_motion, command) != without_motion.end();
@@ -152,8 +157,23 @@ class KlipperReader {
     if (Refusal why = take_feed(); !why.empty()) {
       return why;
     }
-    append(Motion::line, target);
+    const double extruded = extrude();
+    if (extruded != 0 && (target - place_).norm() <= same_point) {
+      wait(limits_.extrude_time(std::abs(extruded), speed_));
+    } else {
+      append(Motion::line, target);
+    }
     return {};
+  }
+
+  /// What the line extrudes [mm]; less than 0: draws back.
+  double extrude() {
+    const std::optional<double> value = line_.number("E");
+    const double before = extruder_;
+    if (value) {
+      extruder_ = *value + (incremental_ || incremental_extruder_ ? before : extruder_origin_);
+    }
+    return extruder_ - before;
   }
 
   MotionBlock& append(Motion motion, const Vec3& target) {
@@ -198,6 +218,7 @@ class KlipperReader {
     if (Refusal why = take_feed(); !why.empty()) {
       return why;
     }
+    extrude();
     append_arc(target, offset, {a, b, third}, clockwise);
     return {};
   }
@@ -261,8 +282,11 @@ class KlipperReader {
         any = true;
       }
     }
-    if (!any && !line_.has("E")) {
+    if (const std::optional<double> value = line_.number("E")) {
+      extruder_origin_ = extruder_ - *value;
+    } else if (!any) {
       origin_ = place_;
+      extruder_origin_ = extruder_;
     }
     return {};
   }
@@ -278,12 +302,16 @@ class KlipperReader {
     return {};
   }
 
+  KlipperSettings limits_;
   Program program_;
   KlipperLine line_;
   std::uint32_t number_ = 0;
   Vec3 place_ = Vec3::Zero();   ///< [mm]
   Vec3 origin_ = Vec3::Zero();  ///< of coordinates, moved by G92 [mm]
   bool incremental_ = false;
+  double extruder_ = 0;         ///< [mm]
+  double extruder_origin_ = 0;  ///< of E, moved by G92 [mm]
+  bool incremental_extruder_ = false;
   int plane_ = 0;
   double speed_ = 25;  ///< [mm/s]; before the first F
   double factor_ = 1;  ///< of M220
@@ -291,8 +319,8 @@ class KlipperReader {
 
 }  // namespace
 
-Program read_as_klipper(std::shared_ptr<const SourceText> source) {
-  return KlipperReader(std::move(source)).read();
+Program read_as_klipper(std::shared_ptr<const SourceText> source, const KlipperSettings& limits) {
+  return KlipperReader(std::move(source), limits).read();
 }
 
 }  // namespace feedscope

@@ -2,13 +2,15 @@
 
 #include <memory>
 
+#include "core/models/klipper/klipper_settings.h"
 #include "core/program/program.h"
 
 namespace feedscope {
 
 /// Reads a program as Klipper does (README.md, "Reading"): every line must begin with its command, unknown
 /// ones and those with errors have no effect and are notes of code "refused". Rapids run at the feed in
-/// force.
-Program read_as_klipper(std::shared_ptr<const SourceText> source);
+/// force. Moves of the extruder alone become dwells, as long as they take within `limits`, which M204 and
+/// SET_VELOCITY_LIMIT change.
+Program read_as_klipper(std::shared_ptr<const SourceText> source, const KlipperSettings& limits);
 
 }  // namespace feedscope

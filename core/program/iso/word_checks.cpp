@@ -76,7 +76,12 @@ void WordChecks::check_unused() const {
   if (words_.other_codes || own_letters) {
     return;
   }
-  if (words_.has('E')) {
+  const bool extrudes_alone = !words_.has_any("XYZ") && modal_.motion != MotionMode::none;
+  if (words_.has('E') && extrudes_alone) {
+    report(Severity::info, "unused-word", 'E' + 1000, words_['E'].column, [] {
+      return Text{"a move of the extruder alone (E) takes time", "only the model klipper counts it"};
+    });
+  } else if (words_.has('E')) {
     report(Severity::info, "unused-word", 'E', words_['E'].column, [] {
       return Text{"E (extruder) is not supported", "it does not change the path"};
     });

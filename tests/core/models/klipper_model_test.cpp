@@ -7,6 +7,7 @@
 
 #include "core/analysis/explanation/explanation.h"
 #include "core/analysis/run.h"
+#include "core/models/klipper/klipper_settings.h"
 #include "tests/support/paths.h"
 
 namespace feedscope {
@@ -78,6 +79,48 @@ TEST(KlipperModel, KeepsAPartOfTheWayForConstantSpeed) {
   const State middle = line.state(line.duration() / 2);
   EXPECT_NEAR(middle.speed, std::sqrt(acceleration * 4 / 2), 1e-9);
   EXPECT_EQ(middle.cause.kind, CauseKind::cruise_ratio);
+}
+
+double duration_of(const std::string& text, const Machine& on) {
+  const ControlModel& klipper = find_model("klipper");
+  const Settings settings = complete_settings(klipper, on);
+  const LoadedProgram loaded =
+      load_program(std::make_shared<const SourceText>(SourceText("test.gcode", text)));
+  return klipper.simulate(klipper.read(loaded.toolpath, settings).path, on, settings).duration();
+}
+
+/// A move of the extruder alone is a trapezoid from rest to rest between two stops, as long as a G4 of it.
+TEST(KlipperModel, RunsTheExtruderAloneWithinItsLimits) {
+  Machine extruder = machine();
+  extruder.settings.set("max_extrude_velocity_mm_s", 20.0);
+  extruder.settings.set("max_extrude_acceleration_m_s2", 1.0);
+  const auto expect = [&](const std::string& moves, double seconds) {
+    SCOPED_TRACE(moves);
+    const auto between = [](const std::string& middle) {
+      return "G21\nG90\nG1 X10 F3000\n" + middle + "\nG1 X20 F3000\n";
+    };
+    EXPECT_NEAR(duration_of(between(moves), extruder), duration_of(between("G4 P0"), extruder) + seconds,
+                1e-9);
+  };
+  expect("G1 E-2 F600", 2 / 10.0 + 10 / 1000.0);
+  expect("G1 E2 F1800", 2 / 20.0 + 20 / 1000.0);
+  expect("G1 E0.1 F1800", 2 * std::sqrt(0.1 / 1000));
+  expect("G0 X10 E-2 F600", 2 / 10.0 + 10 / 1000.0);
+  expect("M83\nG1 E2 F600\nG1 E2", 2 * (2 / 10.0 + 10 / 1000.0));
+  expect("G1 E2 F600\nG1 E2", 2 / 10.0 + 10 / 1000.0);
+  expect("G1 E2 F600\nG92 E0\nG1 E2", 2 * (2 / 10.0 + 10 / 1000.0));
+  expect("G92 E7\nG1 E5 F600", 2 / 10.0 + 10 / 1000.0);
+  extruder.settings.set("minimum_cruise_ratio", 0.9);
+  expect("G1 E2 F1800", 2 / std::sqrt(2 * 100.0) + std::sqrt(2 * 100.0) / 1000);
+  expect("M204 S500\nG1 E2 F1800\nM204 S1000", 2 / 10.0 + 10 / 1000.0);
+}
+
+/// Klipper, kinematics/extruder.py: 4 d^2 over the section of the filament.
+TEST(KlipperModel, TakesTheLimitsOfTheUsualNozzleForTheExtruder) {
+  const Machine usual = machine();
+  const KlipperSettings limits(usual, complete_settings(find_model("klipper"), usual));
+  EXPECT_NEAR(limits.max_extrude_velocity, 100 * 0.266081, 1e-4);
+  EXPECT_NEAR(limits.max_extrude_acceleration, acceleration * 0.266081, 1e-3);
 }
 
 TEST(KlipperModel, RunsChordsOfTheResolution) {

@@ -236,9 +236,13 @@ TEST_F(FrenchMessages, OfLinesThatControlsReject) {
   const Program by_grbl = read_as_grbl(std::make_shared<SourceText>("part.nc", for_grbl), 0.002F);
   EXPECT_GE(by_grbl.diagnostics.size(), 28U);
   look_at(by_grbl.diagnostics);
-  const Program by_klipper = read_as_klipper(std::make_shared<SourceText>(
-      "part.nc",
-      "G20\nG5\nG1 X1 F0\nG1 X\nG91\nG2 X1 I1\nG90\nG2 X1 R1\nG2 X1\nG4 P-1\nM220 S0\nM204\nM204 S-1\n"));
+  const KlipperSettings limits(Machine(), complete_settings(find_model("klipper"), Machine()));
+  const Program by_klipper =
+      read_as_klipper(std::make_shared<SourceText>(
+                          "part.nc",
+                          "G20\nG5\nG1 X1 F0\nG1 X\nG91\nG2 X1 I1\nG90\nG2 X1 R1\nG2 X1\nG4 P-1\nM220 "
+                          "S0\nM204\nM204 S-1\n"),
+                      limits);
   EXPECT_EQ(by_klipper.diagnostics.size(), 11U);
   look_at(by_klipper.diagnostics);
   EXPECT_EQ(said().size(), by_grbl.diagnostics.size() + by_klipper.diagnostics.size());
