@@ -164,6 +164,16 @@ std::vector<SettingSpec> make_machine_settings() {
   override.fallback = 100;
   override.maximum = 1000;
   specs.push_back(std::move(override));
+  for (const char axis : {'X', 'Y', 'Z'}) {
+    SettingSpec spec = optional_spec(
+        fmt::format("cutting_feed_{}_m_min", static_cast<char>(axis - 'X' + 'x')),
+        with_axis(QT_TRANSLATE_NOOP("core", "Cutting feed %1"), axis), "m/min",
+        QT_TRANSLATE_NOOP("core",
+                          "Largest velocity of this axis in feed moves, where the control has one below that "
+                          "of its rapids; without it, or 0, the velocity of the axis."));
+    spec.maximum = 1000;
+    specs.push_back(std::move(spec));
+  }
   SettingSpec tool_length = optional_spec(
       "tool_length_mm", QT_TRANSLATE_NOOP("core", "Tool length"), "mm",
       QT_TRANSLATE_NOOP("core",

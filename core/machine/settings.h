@@ -36,7 +36,8 @@ struct SettingSpec {
 /// and those of machine_settings(), which hold for every model.
 const std::vector<SettingSpec>& common_settings();
 /// What of a machine no model of its control needs, each optional: tool_change_time_s, spindle_start_time_s,
-/// feed_override_percent, of every axis home_x_mm, tool_change_x_mm, part_zero_x_mm, tool_length_mm,
+/// feed_override_percent, of every axis home_x_mm, tool_change_x_mm, part_zero_x_mm, cutting_feed_x_m_min,
+/// tool_length_mm,
 /// orientation_tolerance_deg and part_angle_x_deg.
 const std::vector<SettingSpec>& machine_settings();
 

@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <utility>
 
+#include "core/base/units.h"
 #include "core/toolpath/rotary_resolver.h"
 
 namespace feedscope {
@@ -57,10 +60,10 @@ class MachineData {
 
  private:
   std::optional<double> shown(const AxisPlace& place, std::size_t axis) const {
+    const std::optional<double> zero = place.zero_given ? 0.0 : zero_[axis];
     const auto from = [&](const std::optional<double>& origin) {
       return origin && zero ? std::optional(*origin - *zero + place.value) : std::nullopt;
     };
-    const std::optional<double> zero = place.zero_given ? 0.0 : zero_[axis];
     switch (place.kind) {
       case AxisPlace::Kind::part:
         return place.value;
@@ -174,6 +177,57 @@ std::shared_ptr<const Toolpath> with_feed_override(std::shared_ptr<const Toolpat
   return changed;
 }
 
+/// Largest cutting feeds of X, Y and Z that a machine gives [mm/s]; infinite where it gives none.
+Vec3 cutting_feeds(const Settings& settings) {
+  Vec3 feeds = Vec3::Constant(std::numeric_limits<double>::infinity());
+  for (int axis = 0; axis < 3; ++axis) {
+    if (const auto feed = given(settings, fmt::format("cutting_feed_{}_m_min", "xyz"[axis]));
+        feed && *feed > 0) {
+      feeds[axis] = units::from_m_min(*feed);
+    }
+  }
+  return feeds;
+}
+
+/// The feed along a segment at which no axis is above its cutting feed [mm/s]: of an arc for every direction
+/// in its plane, as if it were a full circle.
+double most_cutting_feed(const Toolpath& path, std::size_t i, const Vec3& feeds) {
+  const Segment& segment = path.segments[i];
+  Vec3 share = Vec3::Zero();  // largest of each axis of the feed
+  if (segment.kind == SegmentKind::line && segment.length > 0) {
+    share = (segment.end - path.start_of(i)).cwiseAbs() / segment.length;
+  } else if (segment.kind == SegmentKind::arc) {
+    const Arc& arc = path.arc_of(segment);
+    const Vec3 in_plane = (arc.x.cwiseAbs2() + arc.y.cwiseAbs2()).cwiseSqrt();
+    share = (arc.radius * in_plane + arc.rise.cwiseAbs()) / arc.length_per_radian();
+  }
+  double most = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    most = share[axis] > 0 ? std::min(most, feeds[axis] / share[axis]) : most;
+  }
+  return most;
+}
+
+/// With feeds that keep every axis within its cutting feed.
+std::shared_ptr<const Toolpath> with_cutting_feeds(std::shared_ptr<const Toolpath> path,
+                                                   const Settings& settings) {
+  const Vec3 feeds = cutting_feeds(settings);
+  if (!feeds.array().isFinite().any()) {
+    return path;
+  }
+  auto changed = std::make_shared<Toolpath>(*path);
+  changed->programmed = path->programmed ? path->programmed : path;
+  for (std::size_t i = 0; i < changed->segments.size(); ++i) {
+    Segment& segment = changed->segments[i];
+    const double most =
+        segment.rapid ? std::numeric_limits<double>::infinity() : most_cutting_feed(*path, i, feeds);
+    if (std::isfinite(most)) {
+      segment.feed = segment.feed > 0 ? std::min(segment.feed, most) : most;
+    }
+  }
+  return changed;
+}
+
 }  // namespace
 
 std::shared_ptr<const Toolpath> on_machine(std::shared_ptr<const Toolpath> path, const Machine& machine,
@@ -181,7 +235,7 @@ std::shared_ptr<const Toolpath> on_machine(std::shared_ptr<const Toolpath> path,
   if (path->programmed) {
     path = path->programmed;
   }
-  path = with_feed_override(std::move(path), settings);
+  path = with_cutting_feeds(with_feed_override(std::move(path), settings), settings);
   path = with_rotary_moves(std::move(path), machine, settings);
   return path->pauses.empty() ? path : Resolver(path, settings).run();
 }

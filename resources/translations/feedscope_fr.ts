@@ -8032,8 +8032,60 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>il n’y a pas d’axe linéaire %1&#xa0;; ses limites sont supposées</translation>
     </message>
     <message>
-        <source>the cutting feed is limited to %1 mm/min by %2: only the rapid traverse %3 limits here</source>
-        <translation>l’avance de coupe est limitée à %1 mm/min par %2&#xa0;: seul le rapide %3 limite ici</translation>
+        <source>%1 is the cutting feed without look-ahead control; that with it, %2, is used</source>
+        <translation>%1 est l’avance de coupe sans commande anticipée&#xa0;; celle avec elle, %2, est utilisée</translation>
+    </message>
+    <message>
+        <source>%1 (%2) is not modelled</source>
+        <translation>%1 (%2) n’est pas modélisé</translation>
+    </message>
+    <message>
+        <source>time constant of rapids</source>
+        <translation>constante de temps des rapides</translation>
+    </message>
+    <message>
+        <source>time constant of cutting feeds after interpolation</source>
+        <translation>constante de temps des avances de coupe après interpolation</translation>
+    </message>
+    <message>
+        <source>acceleration of rapids</source>
+        <translation>accélération des rapides</translation>
+    </message>
+    <message>
+        <source>time in which the acceleration of rapids is reached</source>
+        <translation>durée d’établissement de l’accélération des rapides</translation>
+    </message>
+    <message>
+        <source>feed below which arcs do not slow down</source>
+        <translation>avance au-dessous de laquelle les arcs ne ralentissent pas</translation>
+    </message>
+    <message>
+        <source>acceleration on arcs</source>
+        <translation>accélération sur les arcs</translation>
+    </message>
+    <message>
+        <source>acceleration under look-ahead control</source>
+        <translation>accélération sous commande anticipée</translation>
+    </message>
+    <message>
+        <source>time constant after interpolation under look-ahead control</source>
+        <translation>constante de temps après interpolation sous commande anticipée</translation>
+    </message>
+    <message>
+        <source>difference of feeds that is passed at corners without slowing down</source>
+        <translation>écart d’avance passé aux angles sans ralentir</translation>
+    </message>
+    <message>
+        <source>change of acceleration that is passed without slowing down</source>
+        <translation>variation d’accélération passée sans ralentir</translation>
+    </message>
+    <message>
+        <source>not used: %1</source>
+        <translation>non utilisé&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>not used: %1 and %2 more</source>
+        <translation>non utilisé&#xa0;: %1 et %2 autres</translation>
     </message>
     <message>
         <source>indices 0, 1 and 2 are taken as X, Y and Z</source>
@@ -9282,6 +9334,14 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>All feeds of the program in percent of what it says, as the dial of the control sets them; rapids stay. Without it 100 %.</source>
         <translation>Toutes les avances du programme en pour cent de ce qu’il dit, comme les règle le potentiomètre de la commande ; les rapides restent. Sans elle, 100 %.</translation>
+    </message>
+    <message>
+        <source>Cutting feed %1</source>
+        <translation>Avance de coupe %1</translation>
+    </message>
+    <message>
+        <source>Largest velocity of this axis in feed moves, where the control has one below that of its rapids; without it, or 0, the velocity of the axis.</source>
+        <translation>Plus grande vitesse de cet axe en déplacements avec avance, lorsque la commande en a une inférieure à celle des rapides&#xa0;; sans elle, ou 0, la vitesse de l’axe.</translation>
     </message>
     <message>
         <source>on: where the program asks for a tolerance (CTOL, CYCLE832, G64 P, cycle 32) or a blend distance (ADIS), it is used; off: that of the settings is used everywhere. Exact stops are always used.</source>

@@ -15,15 +15,37 @@ namespace feedscope {
 namespace {
 
 constexpr int rapid_traverse = 1420;
-constexpr int cutting_feed = 1432;
+constexpr int cutting_feed = 1430;
+constexpr int cutting_feed_ahead = 1432;  ///< under look-ahead control; 0: as 1430
 constexpr int acceleration_limit = 1660;
 constexpr int acceleration_change = 1772;
 constexpr int loop_gain = 1825;
 constexpr int axis_names = 1020;
 constexpr int machine_unit = 1001;
 constexpr int axis_kinds = 1006;
-constexpr std::array used_parameters{rapid_traverse, cutting_feed, acceleration_limit, acceleration_change,
-                                     loop_gain,      axis_names,   machine_unit,       axis_kinds};
+constexpr std::array used_parameters{rapid_traverse,     cutting_feed,        cutting_feed_ahead,
+                                     acceleration_limit, acceleration_change, loop_gain,
+                                     axis_names,         machine_unit,        axis_kinds};
+
+/// A parameter that changes the time of a program and that no machine file has.
+struct UnmodelledParameter {
+  int number;
+  const char* meaning;
+};
+/// Source: Fanuc Series 0i-F and 30i-B, parameter manuals, "Feedrate" and "Acceleration/deceleration
+/// control".
+constexpr std::array unmodelled_parameters{
+    UnmodelledParameter{1620, "time constant of rapids"},
+    UnmodelledParameter{1622, "time constant of cutting feeds after interpolation"},
+    UnmodelledParameter{1671, "acceleration of rapids"},
+    UnmodelledParameter{1672, "time in which the acceleration of rapids is reached"},
+    UnmodelledParameter{1732, "feed below which arcs do not slow down"},
+    UnmodelledParameter{1735, "acceleration on arcs"},
+    UnmodelledParameter{1737, "acceleration under look-ahead control"},
+    UnmodelledParameter{1769, "time constant after interpolation under look-ahead control"},
+    UnmodelledParameter{1783, "difference of feeds that is passed at corners without slowing down"},
+    UnmodelledParameter{1788, "change of acceleration that is passed without slowing down"},
+};
 
 /// A letter with what stands behind it.
 struct FanucWord {
@@ -108,7 +130,8 @@ class FanucReader {
     }
     const int number = whole(words.front().value);
     if (std::ranges::find(used_parameters, number) == used_parameters.end()) {
-      return;  // a listing holds some thousand others
+      note_unused(number, line, place);
+      return;
     }
     int axis = NumberedParameters::no_axis;
     for (const FanucWord& word : words) {
@@ -121,6 +144,16 @@ class FanucReader {
           parameters_.add(number, axis, {*value, given}, draft_);
         }
       }
+    }
+  }
+
+  void note_unused(int number, const ConfigurationLine& line, const ConfigurationPlace& place) {
+    const auto known = std::ranges::find(unmodelled_parameters, number, &UnmodelledParameter::number);
+    if (known == unmodelled_parameters.end()) {
+      draft_.leave_out(fmt::format("N{}", number));
+    } else {
+      draft_.note(Severity::info, place, "not-modelled",
+                  fmt::format("{} ({}) is not modelled", line.text, known->meaning));
     }
   }
 
@@ -175,7 +208,7 @@ class FanucReader {
                        {change->given.place,
                         fmt::format("{} ms, in which the acceleration is reached", change->given.what)});
     }
-    note_cutting_feed(number);
+    give_cutting_feed(axis, number);
   }
 
   void give(char axis, const char* key, int parameter, int number, double (*to_unit)(double),
@@ -186,15 +219,20 @@ class FanucReader {
     }
   }
 
-  void note_cutting_feed(int number) {
-    const NumberedParameters::Entry* cutting = parameters_.find(cutting_feed, number);
-    const NumberedParameters::Entry* rapid = parameters_.find(rapid_traverse, number);
-    if (cutting != nullptr && rapid != nullptr && cutting->value > 0 && cutting->value < rapid->value) {
-      draft_.note(
-          Severity::info, cutting->given.place, "not-modelled",
-          fmt::format(
-              "the cutting feed is limited to {} mm/min by {}: only the rapid traverse {} limits here",
-              cutting->value, cutting->given.what, rapid->given.what));
+  /// Programs for short cycle times run under look-ahead control, so its limit comes first.
+  void give_cutting_feed(char axis, int number) {
+    const NumberedParameters::Entry* plain = parameters_.find(cutting_feed, number);
+    const NumberedParameters::Entry* ahead = parameters_.find(cutting_feed_ahead, number);
+    const bool has_both = plain != nullptr && ahead != nullptr && plain->value > 0 && ahead->value > 0;
+    const NumberedParameters::Entry* used = ahead != nullptr && ahead->value > 0 ? ahead : plain;
+    if (has_both && plain->value != ahead->value) {
+      draft_.note(Severity::info, plain->given.place, "not-modelled",
+                  fmt::format("{} is the cutting feed without look-ahead control; that with it, {}, is used",
+                              plain->given.what, ahead->given.what));
+    }
+    if (used != nullptr && used->value > 0) {
+      draft_.give(fmt::format("cutting_feed_{}_m_min", static_cast<char>(axis - 'X' + 'x')),
+                  units::to_m(used->value), {used->given.place, fmt::format("{} mm/min", used->given.what)});
     }
   }
 

@@ -178,7 +178,9 @@ class GrblReader {
             Severity::warning, given.place, "not-modelled",
             "laser mode ($32 = 1) is not modelled: with a laser, changes of S do not stop the motion");
       }
-    } else if (!is_without_effect(number)) {
+    } else if (is_without_effect(number)) {
+      draft_.leave_out(fmt::format("${}", number));
+    } else {
       draft_.note(Severity::info, given.place, "not-understood",
                   "a setting that no model here uses; skipped");
     }

@@ -109,6 +109,9 @@ class TncReader {
         place, parameter->index < 0
                    ? fmt::format("MP{} = {}", parameter->number, parameter->value)
                    : fmt::format("MP{}.{} = {}", parameter->number, parameter->index, parameter->value)};
+    if (!used) {
+      draft_.leave_out(fmt::format("MP{}", parameter->number));
+    }
     if (const auto value = used ? draft_.number(parameter->value, given) : std::nullopt) {
       parameters_.add(parameter->number, parameter->index, {*value, given}, draft_);
     }

@@ -53,6 +53,7 @@ class KlipperReader {
     read_extruder();
     note_kinematics();
     note_what_is_not_modelled();
+    file_.leave_out_rest();
     return draft_.finish(klipper_config.kind, {18, 3, 0});
   }
 
@@ -71,9 +72,7 @@ class KlipperReader {
     return value;
   }
 
-  GivenValue given(const char* key, const char* unit = "") const {
-    return file_.find("printer", key)->given(unit);
-  }
+  GivenValue given(const char* key, const char* unit = "") { return file_.find("printer", key)->given(unit); }
 
   void read_path_limits() {
     if (const std::optional<double> velocity = printer("max_velocity", "mm/s")) {
@@ -155,6 +154,7 @@ class KlipperReader {
           "add [gcode_arcs], or let the CAM system write lines");
     }
   }
+
   std::optional<double> extruder(const char* key) {
     const SectionEntry* entry = file_.find("extruder", key);
     return entry == nullptr ? std::nullopt : draft_.number(entry->value, entry->given());
@@ -194,7 +194,6 @@ class KlipperReader {
     }
   }
 
-
   void note_kinematics() {
     const SectionEntry* entry = file_.find("printer", "kinematics");
     constexpr std::array known{"cartesian", "corexy", "corexz", "hybrid_corexy", "hybrid_corexz"};
@@ -218,10 +217,11 @@ class KlipperReader {
       if (entry.section != "printer" || std::ranges::find(used, entry.key) != used.end()) {
         continue;
       }
-      const std::string nearest = nearest_name(entry.key, used);
-      draft_.note(nearest.empty() ? Severity::info : Severity::warning, entry.place, "not-understood",
-                  fmt::format("[printer] {} is not used here; skipped", entry.key),
-                  nearest.empty() ? "" : fmt::format("did you mean '{}'?", nearest));
+      if (const std::string nearest = nearest_name(entry.key, used); !nearest.empty()) {
+        draft_.note(Severity::warning, entry.place, "not-understood",
+                    fmt::format("[printer] {} is not used here; skipped", entry.key),
+                    fmt::format("did you mean '{}'?", nearest));
+      }
     }
     for (const SectionHead& head : file_.sections()) {
       if (head.name == "input_shaper") {

@@ -76,6 +76,7 @@ class LinuxCncReader {
     read_planner();
     read_start_up_code();
     note_keys();
+    file_.leave_out_rest();
     return draft_.finish(linuxcnc_ini.kind, {5, 0.5, 0});
   }
 

@@ -13,7 +13,7 @@ namespace feedscope {
 class LinuxCncKinematics {
  public:
   /// All outlive it; `unit` of the machine [mm], "mm" or "inch".
-  LinuxCncKinematics(const SectionFile& file, MachineDraft& draft, double unit, std::string unit_name)
+  LinuxCncKinematics(SectionFile& file, MachineDraft& draft, double unit, std::string unit_name)
       : file_(file), draft_(draft), unit_(unit), unit_name_(std::move(unit_name)) {}
 
   /// Gives the machine its kinematics where the file names such a table. False, and nothing given, otherwise.
@@ -36,7 +36,7 @@ class LinuxCncKinematics {
                   double per_unit);
   void give_travel(RotaryAxis& axis, const char* key, const char* name);
 
-  const SectionFile& file_;
+  SectionFile& file_;
   MachineDraft& draft_;
   double unit_;
   std::string unit_name_;

@@ -1,6 +1,7 @@
 #include "core/machine/import/machine_draft.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -113,6 +114,25 @@ void MachineDraft::note(Severity severity, const ConfigurationPlace& place, cons
   imported_.notes.push_back(std::move(note));
 }
 
+void MachineDraft::leave_out(const std::string& name) {
+  if (std::ranges::find(left_out_, name) == left_out_.end()) {
+    left_out_.push_back(name);
+  }
+}
+
+void MachineDraft::list_what_is_left_out() {
+  constexpr std::size_t most_names = 100;
+  if (left_out_.empty()) {
+    return;
+  }
+  const std::size_t named = std::min(left_out_.size(), most_names);
+  const std::string names = fmt::format(
+      "{}", fmt::join(left_out_.begin(), left_out_.begin() + static_cast<std::ptrdiff_t>(named), ", "));
+  const std::size_t rest = left_out_.size() - named;
+  note(Severity::info, {}, "not-used",
+       rest == 0 ? fmt::format("not used: {}", names) : fmt::format("not used: {} and {} more", names, rest));
+}
+
 std::string MachineDraft::place_text(const ConfigurationPlace& place) const {
   return place.line == 0 ? file_
                          : fmt::format("{}, line {}", place.file.empty() ? file_ : place.file, place.line);
@@ -178,6 +198,7 @@ ImportedMachine MachineDraft::finish(std::string kind, const UsualLimits& usual)
   fill("acceleration", usual.acceleration);
   fill_jerk(usual);
   imported_.kind = std::move(kind);
+  list_what_is_left_out();
   close_notes();
   return std::move(imported_);
 }

@@ -50,6 +50,8 @@ class MachineDraft {
   std::optional<double> number(std::string_view text, const GivenValue& given);
   void note(Severity severity, const ConfigurationPlace& place, const char* code, std::string message,
             std::string hint = "");
+  /// A value of the file that nothing here uses; finish() lists all of them in one note.
+  void leave_out(const std::string& name);
   /// "my.ini, line 5": for messages that speak of a second place.
   std::string place_text(const ConfigurationPlace& place) const;
 
@@ -61,12 +63,14 @@ class MachineDraft {
   bool is_within(const SettingSpec& spec, const SettingValue& value, const GivenValue& given);
   void fill(std::string_view key, double usual);
   void fill_jerk(const UsualLimits& usual);
+  void list_what_is_left_out();
   /// In the order of the files; the last one stands for those beyond 200.
   void close_notes();
 
   std::string file_;
   std::vector<SettingSpec> specs_;
   ImportedMachine imported_;
+  std::vector<std::string> left_out_;  ///< each once
 };
 
 }  // namespace feedscope

@@ -82,6 +82,11 @@ class MarlinReader {
     read_accelerations();
     read_corners(is_duet);
     assume_rest();
+    for (const auto& [name, value] : values_) {
+      if (!value.used) {
+        draft_.leave_out(fmt::format("{} {}", name.first, name.second));
+      }
+    }
     return draft_.finish(marlin_report.kind, {9, 1, 0});
   }
 
@@ -89,6 +94,7 @@ class MarlinReader {
   struct Value {
     double number;
     GivenValue given;
+    bool used = false;
   };
 
   void read_line(const ConfigurationLine& line) {
@@ -101,7 +107,8 @@ class MarlinReader {
       return;
     }
     if (std::ranges::find(report_codes, command->code) == report_codes.end()) {
-      return;  // settings of temperatures, drivers, levelling
+      draft_.leave_out(command->code);  // temperatures, drivers, levelling
+      return;
     }
     for (const std::string_view word : command->words) {
       read_word(command->code, word, {line.number, ""});
@@ -116,6 +123,7 @@ class MarlinReader {
       return;
     }
     if (letter == 'E') {
+      draft_.leave_out(code + " E");
       return;
     }
     const GivenValue given{place, fmt::format("{} {}{}", code, unit_ == 1 ? "" : "[inch] ", word)};
@@ -135,13 +143,17 @@ class MarlinReader {
     before->second = value;
   }
 
-  const Value* find(const std::string& code, char letter) const {
+  const Value* find(const std::string& code, char letter) {
     const auto found = values_.find({code, letter});
-    return found == values_.end() ? nullptr : &found->second;
+    if (found == values_.end()) {
+      return nullptr;
+    }
+    found->second.used = true;
+    return &found->second;
   }
 
   /// The smaller of the values of X and Y; null if there is none.
-  const Value* least_of_plane(const std::string& code) const {
+  const Value* least_of_plane(const std::string& code) {
     const Value* x = find(code, 'X');
     const Value* y = find(code, 'Y');
     return x == nullptr || (y != nullptr && y->number < x->number) ? y : x;

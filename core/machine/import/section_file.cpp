@@ -47,8 +47,20 @@ SectionFile::SectionFile(const ConfigurationSource& source, SectionStyle style, 
   read(source.text, {"", source.folder});
 }
 
-const SectionEntry* SectionFile::find(std::string_view section, std::string_view key) const {
-  const auto found = holding_.find({std::string(section), std::string(key)});
+void SectionFile::leave_out_rest() const {
+  for (const SectionEntry& entry : entries_) {
+    const bool reads_section =
+        std::ranges::any_of(asked_, [&](const auto& asked) { return asked.first == entry.section; });
+    if (!reads_section) {
+      draft_.leave_out(fmt::format("[{}]", entry.section));
+    } else if (!asked_.contains({entry.section, entry.key})) {
+      draft_.leave_out(fmt::format("[{}] {}", entry.section, entry.key));
+    }
+  }
+}
+
+const SectionEntry* SectionFile::find(std::string_view section, std::string_view key) {
+  const auto found = holding_.find(*asked_.insert({std::string(section), std::string(key)}).first);
   return found == holding_.end() ? nullptr : &entries_[found->second];
 }
 
@@ -109,7 +121,8 @@ void SectionFile::read_line(const ConfigurationLine& line, const OpenFile& file)
 }
 
 void SectionFile::add(SectionEntry entry) {
-  const SectionEntry* other = find(entry.section, entry.key);
+  const auto before = holding_.find({entry.section, entry.key});
+  const SectionEntry* other = before == holding_.end() ? nullptr : &entries_[before->second];
   const bool takes_part = entry.key.starts_with("MAX_") || entry.key.starts_with("max_") ||
                           entry.key == "LINEAR_UNITS" || entry.section == "printer";
   if (other != nullptr && takes_part && other->value != entry.value) {

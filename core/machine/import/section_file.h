@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -42,9 +43,12 @@ class SectionFile {
   SectionFile(const ConfigurationSource& source, SectionStyle style, MachineDraft& draft);
 
   /// The entry that holds; null if there is none.
-  const SectionEntry* find(std::string_view section, std::string_view key) const;
+  const SectionEntry* find(std::string_view section, std::string_view key);
   const SectionHead* find_section(std::string_view section) const;
   const std::vector<SectionEntry>& entries() const { return entries_; }
+  /// Leaves out of the draft what find() was never asked for: "[SECTION] KEY", of sections that were asked
+  /// for nothing "[SECTION]".
+  void leave_out_rest() const;
   const std::vector<SectionHead>& sections() const { return sections_; }
   /// Where a section stands; the file as a whole without it.
   ConfigurationPlace place_of(std::string_view section) const;
@@ -69,7 +73,8 @@ class SectionFile {
   std::string section_;
   std::vector<SectionEntry> entries_;
   std::map<std::pair<std::string, std::string>, std::size_t>
-      holding_;  ///< section and key: place in entries_
+      holding_;                                          ///< section and key: place in entries_
+  std::set<std::pair<std::string, std::string>> asked_;  ///< of find(): section and key
   std::vector<SectionHead> sections_;
   std::vector<std::filesystem::path> open_;  ///< files that are being read, the outermost first
   std::size_t files_ = 0;

@@ -24,6 +24,7 @@ struct MachineDatum {
   std::string value;                 ///< without quotes
   std::string text;                  ///< as it stands, without the number in front
   ConfigurationPlace place;
+  bool used = false;
 };
 
 std::vector<std::string> between_commas(std::string_view text) {
@@ -122,13 +123,13 @@ class SinumerikReader {
       draft_.note(Severity::error, scaling->place, "inch-system",
                   "the basic system is inch, in which machine data are not imported; all limits are assumed",
                   "export the machine data with MD10240 = 1");
-      return draft_.finish(sinumerik_data.kind, {30, 3, 50});
+      return finish();
     }
     for (const AxisInfo& axis : known_axes) {
       read_axis(axis.name);
     }
     read_control();
-    return draft_.finish(sinumerik_data.kind, {30, 3, 50});
+    return finish();
   }
 
  private:
@@ -158,13 +159,26 @@ class SinumerikReader {
     }
   }
 
-  const MachineDatum* find(const std::string& key) const {
+  const MachineDatum* find(const std::string& key) {
     const auto found = data_.find(key);
-    return found == data_.end() ? nullptr : &found->second;
+    if (found == data_.end()) {
+      return nullptr;
+    }
+    found->second.used = true;
+    return &found->second;
+  }
+
+  ImportedMachine finish() {
+    for (const auto& [key, datum] : data_) {
+      if (!datum.used) {
+        draft_.leave_out(datum.text.substr(0, datum.text.find(" = ")));
+      }
+    }
+    return draft_.finish(sinumerik_data.kind, {30, 3, 50});
   }
 
   /// The place of a value in a table of names, such as the geometry axes; none if there is no such.
-  std::optional<std::size_t> place_in(const std::string& table, char axis) const {
+  std::optional<std::size_t> place_in(const std::string& table, char axis) {
     constexpr std::size_t longest = 31;
     for (std::size_t i = 0; i < longest; ++i) {
       const MachineDatum* name = find(fmt::format("{}|{}", table, i));
@@ -176,7 +190,7 @@ class SinumerikReader {
   }
 
   /// A number from 1 of a table; 0 if it has none.
-  std::size_t number_in(const std::string& table, std::size_t place) const {
+  std::size_t number_in(const std::string& table, std::size_t place) {
     const MachineDatum* entry = find(fmt::format("{}|{}", table, place));
     std::size_t number = 0;
     if (entry != nullptr) {
@@ -209,7 +223,7 @@ class SinumerikReader {
   }
 
   /// A datum of an axis in its first row: [AX1], [0,AX1].
-  const MachineDatum* of_axis(const std::string& name, const std::vector<std::string>& axis) const {
+  const MachineDatum* of_axis(const std::string& name, const std::vector<std::string>& axis) {
     for (const std::string& one : axis) {
       const MachineDatum* datum = find(fmt::format("{}|{}", name, one));
       datum = datum == nullptr ? find(fmt::format("{}|0|{}", name, one)) : datum;

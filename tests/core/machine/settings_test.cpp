@@ -46,7 +46,7 @@ TEST(CommonSettings, HaveTitleExplanationAndAFallbackInBounds) {
 }
 
 TEST(MachineSettings, MayBeMissingAndNoOthersMay) {
-  EXPECT_EQ(machine_settings().size(), 17U);
+  EXPECT_EQ(machine_settings().size(), 20U);
   for (const SettingSpec& spec : common_settings()) {
     if (spec.optional) {
       EXPECT_EQ(parse_setting(spec, ""), SettingValue(std::string())) << spec.key;

@@ -127,6 +127,23 @@ TEST(MachineToolpath, CountsWhatHasNoTime) {
   EXPECT_EQ(on_machine(path, Machine(), Settings()), path);
 }
 
+TEST(MachineToolpath, CuttingFeedsOfAxesHoldForFeedsAndNotForRapids) {
+  const auto path = path_of(
+      "G21 G17\nG0 X10 Y0 Z0\nG1 X20 F25000\nY10\nX23 Y14\nX33 F6000\nG2 X43 Y24 J10 F25000\nG18 G2 X53 Z10 "
+      "K10\n");
+  Settings machine;
+  machine.set("cutting_feed_x_m_min", 12.0);
+  machine.set("cutting_feed_y_m_min", 8.0);
+  const auto run = on_machine(path, Machine(), machine);
+  std::vector<double> feeds;
+  for (const Segment& segment : run->segments) {
+    feeds.push_back(std::round(60 * segment.feed * 1e6) / 1e6);
+  }
+  EXPECT_EQ(feeds, (std::vector<double>{0, 12000, 8000, 10000, 6000, 8000, 12000}));
+  EXPECT_EQ(run->programmed, path);
+  EXPECT_EQ(on_machine(run, Machine(), Settings()), path);
+}
+
 TEST(MachineToolpath, AFeedOverrideHoldsForFeedsAndNotForRapids) {
   const auto path = path_of("G0 X10\nG1 X20 F600\nG28 Z0\nG1 X40 F60\nM30\n");
   Settings override = machine({0, 0, 500}, {0, 0, 0}, {0, 0, 0});

@@ -49,7 +49,24 @@ TEST_F(KlipperConfig, GivesLimitsOfThePathAndOfZ) {
   EXPECT_EQ(source(imported, "max_velocity_m_min"), "printer.cfg, line 5: [printer] max_velocity = 300 mm/s");
   EXPECT_EQ(source(imported, "minimum_cruise_ratio"),
             "assumed: printer.cfg does not give minimum_cruise_ratio: default of Klipper");
-  EXPECT_TRUE(imported.notes.empty()) << notes(imported, "printer.cfg");
+  EXPECT_EQ(notes(imported, "printer.cfg"),
+            "printer.cfg: info: not used: [mcu], [gcode_macro START] [not-used]\n");
+}
+
+TEST_F(KlipperConfig, GivesLimitsOfTheExtruderAlone) {
+  const auto of = [](const std::string& extruder) {
+    return import(std::string(printer_cfg) + "[extruder]\n" + extruder, "printer.cfg").machine;
+  };
+  const Machine given = of("max_extrude_only_velocity: 120\nmax_extrude_only_accel: 1500\n");
+  EXPECT_EQ(given.settings.number("max_extrude_velocity_mm_s"), 120);
+  EXPECT_EQ(given.settings.number("max_extrude_acceleration_m_s2"), 1.5);
+  // A square of twice the nozzle's diameter, over the section of the filament.
+  const Machine usual = of("nozzle_diameter: 0.6\nfilament_diameter: 1.75\n");
+  EXPECT_NEAR(usual.settings.number("max_extrude_velocity_mm_s"), 300 * 1.44 / 2.405282, 1e-4);
+  EXPECT_NEAR(usual.settings.number("max_extrude_acceleration_m_s2"), 5 * 1.44 / 2.405282, 1e-5);
+  const Machine section = of("nozzle_diameter: 0.6\nfilament_diameter: 1.75\nmax_extrude_cross_section: 5\n");
+  EXPECT_NEAR(section.settings.number("max_extrude_velocity_mm_s"), 300 * 5 / 2.405282, 1e-3);
+  EXPECT_FALSE(of("rotation_distance: 7\n").settings.has("max_extrude_velocity_mm_s"));
 }
 
 TEST_F(KlipperConfig, LaterFilesReplaceEarlierValues) {

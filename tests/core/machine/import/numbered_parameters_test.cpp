@@ -45,9 +45,42 @@ TEST_F(NumberedParametersTest, OfAFanucGiveLimitsByNumberAndAxis) {
   EXPECT_EQ(source(imported, "Z.velocity"), "param.txt, line 5: N1420 A3 P24000. mm/min");
   EXPECT_EQ(source(imported, "Z.jerk"),
             "param.txt, line 8: N1772 P50 ms, in which the acceleration is reached");
+  EXPECT_EQ(machine.settings.number("cutting_feed_x_m_min"), 20);
+  EXPECT_EQ(source(imported, "cutting_feed_x_m_min"), "param.txt, line 6: N1432 A1 P20000. mm/min");
+}
+
+/// 1432 is the cutting feed under look-ahead control, and where it is 0 that of 1430.
+TEST_F(NumberedParametersTest, OfAFanucGiveTheCuttingFeed) {
+  const auto of = [](const std::string& lines) {
+    return import("N1420A1P30000A2P28000A3P20000\nN1660A1P2500A2P2500A3P2500\n" + lines, "a.txt");
+  };
+  const ImportedMachine plain = of("N1430A1P12000A2P11000A3P9000\nN1432A1P0A2P10000\n");
+  EXPECT_EQ(plain.machine.settings.number("cutting_feed_x_m_min"), 12);
+  EXPECT_EQ(plain.machine.settings.number("cutting_feed_y_m_min"), 10);
+  EXPECT_EQ(plain.machine.settings.number("cutting_feed_z_m_min"), 9);
   EXPECT_THAT(
-      notes(imported, "param.txt"),
-      HasSubstr("param.txt:6: info: the cutting feed is limited to 20000 mm/min by N1432 A1 P20000."));
+      notes(plain, "a.txt"),
+      HasSubstr(
+          "a.txt:3: info: N1430 A2 P11000 is the cutting feed without look-ahead control; that with it, "
+          "N1432 A2 P10000, is used"));
+  EXPECT_FALSE(of("N1430A1P0\n").machine.settings.has("cutting_feed_x_m_min"));
+}
+
+TEST_F(NumberedParametersTest, ListAllThatIsNotUsed) {
+  const std::string fanuc =
+      notes(import("N1420A1P30000A2P28000A3P20000\nN1660A1P2500A2P2500A3P2500\nN1622A1P50\n"
+                   "N1783A1P200.\nN1732P525.\nN1424A1P0\nN6711P3\nN1424A2P0\n",
+                   "a.txt"),
+            "a.txt");
+  EXPECT_THAT(
+      fanuc,
+      HasSubstr(
+          "a.txt:3: info: N1622A1P50 (time constant of cutting feeds after interpolation) is not modelled"));
+  EXPECT_THAT(fanuc, HasSubstr("a.txt:4: info: N1783A1P200. (difference of feeds"));
+  EXPECT_THAT(fanuc, HasSubstr("a.txt:5: info: N1732P525. (feed below which arcs"));
+  EXPECT_THAT(fanuc, HasSubstr("info: not used: N1424, N6711 [not-used]"));
+  EXPECT_THAT(notes(import(std::string(tnc_listing) + "MP7440 : 5\n", "tnc.mp"), "tnc.mp"),
+              HasSubstr("not used: MP7230, MP7440"));
 }
 
 TEST_F(NumberedParametersTest, OfAFanucFollowTheNamesOfTheAxes) {
