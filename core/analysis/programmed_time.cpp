@@ -44,6 +44,9 @@ double programmed_time(const Toolpath& toolpath, std::size_t index, const Vec3& 
   if (segment.kind == SegmentKind::dwell) {
     return toolpath.dwell_of(segment);
   }
+  if (segment.length == 0) {
+    return 0;  // without a direction
+  }
   return !segment.rapid && segment.feed > 0 ? segment.length / segment.feed
                                             : time_at_axes_speed(toolpath, index, rapid_speed);
 }

@@ -47,9 +47,23 @@ std::vector<PathControl> controls_of_feed_motions(const Toolpath& toolpath) {
   return controls;
 }
 
+std::string place_and_message(const Diagnostic& said, const Program& program) {
+  return fmt::format("{}, line {}: {}", said.file.empty() ? program.source->name() : said.file, said.line,
+                     said.message);
+}
+
+/// The first thing that is wrong or missing in a program that does not come to an end; "" if there is none.
+std::string likely_cause(const Program& program) {
+  const auto cause = std::ranges::find_if(program.diagnostics, [](const Diagnostic& said) {
+    return said.severity != Severity::info && said.code != "run-limit" && said.line > 0;
+  });
+  return cause == program.diagnostics.end()
+             ? ""
+             : fmt::format("; before that, {} ({})", place_and_message(*cause, program), cause->hint);
+}
+
 [[noreturn]] void throw_beyond_machines(const Program& program, const Diagnostic& fault) {
-  throw InputError(
-      fmt::format("{}, line {}: {}; {}", program.source->name(), fault.line, fault.message, fault.hint));
+  throw InputError(fmt::format("{}; {}", place_and_message(fault, program), fault.hint));
 }
 
 [[noreturn]] void throw_refused(const Program& program) {
@@ -60,12 +74,12 @@ std::vector<PathControl> controls_of_feed_motions(const Toolpath& toolpath) {
   const auto limit = std::find_if(program.diagnostics.begin(), program.diagnostics.end(),
                                   [](const Diagnostic& d) { return d.code == "run-limit"; });
   const std::string why = limit == program.diagnostics.end()
-                              ? std::string()
-                              : fmt::format(", line {}: {}", limit->line, limit->message);
+                              ? program.source->name()
+                              : place_and_message(*limit, program) + likely_cause(program);
   throw InputError(
-      fmt::format("{}{}; the program is not simulated: check its loops, raise the limit (--repeat-limit), or "
+      fmt::format("{}; the program is not simulated: check its loops, raise the limit (--repeat-limit), or "
                   "simulate the part that was read (--simulate-cut-off)",
-                  program.source->name(), why));
+                  why));
 }
 
 /// None without operations. Throws InputError as LoadModel.

@@ -42,6 +42,20 @@ bool may_group_thousands(std::string_view text) {
 
 }  // namespace
 
+std::string without_thousands_separators(std::string_view text) {
+  const std::size_t last = text.find_last_of(".,");
+  const bool has_both = text.find('.') != std::string_view::npos && text.find(',') != std::string_view::npos;
+  std::string plain;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '.' && text[i] != ',') {
+      plain += text[i];
+    } else if (has_both && i == last) {
+      plain += '.';
+    }
+  }
+  return plain;
+}
+
 TypedNumber typed_number(std::string_view text) {
   const auto commas = std::ranges::count(text, ',');
   if (commas == 0) {
@@ -49,11 +63,12 @@ TypedNumber typed_number(std::string_view text) {
   }
   const std::string with_point = replaced(text, ".");
   if (commas > 1 || text.find('.') != std::string_view::npos) {
-    const std::optional<double> grouped = plain_number(replaced(text, ""));
-    return {std::nullopt,
-            grouped ? fmt::format("a number has one decimal separator and no thousands separators; write {}",
-                                  replaced(text, ""))
-                    : ""};
+    const std::string plain = without_thousands_separators(text);
+    return {
+        std::nullopt,
+        plain_number(plain)
+            ? fmt::format("a number has one decimal separator and no thousands separators; write {}", plain)
+            : ""};
   }
   const std::optional<double> value = plain_number(with_point);
   if (value && may_group_thousands(text)) {

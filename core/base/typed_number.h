@@ -16,6 +16,9 @@ struct TypedNumber {
 /// is the decimal sign where it can be nothing else ("0,05", "12,5"); "1,000" could be one or one thousand
 /// and is refused, as is every number with several commas, or a comma and a point.
 TypedNumber typed_number(std::string_view text);
+/// "1000.5" for "1.000,5" and "1,000.5": of points and commas, the last one is the decimal sign where both
+/// are there, and all others go.
+std::string without_thousands_separators(std::string_view text);
 
 /// Reads one number of a list. Lists are separated by blanks or semicolons; a comma could be the decimal sign
 /// or a separator and is refused.

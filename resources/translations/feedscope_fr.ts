@@ -4772,6 +4772,10 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>les boucles et les appels ont parcouru %1 lignes sans se terminer</translation>
     </message>
     <message>
+        <source>loops and calls have run %1 lines without coming to an end; before that, %2, line %3: %4 (%5)</source>
+        <translation>les boucles et les appels ont parcouru %1 lignes sans se terminer&#xa0;; avant cela, %2, ligne %3&#xa0;: %4 (%5)</translation>
+    </message>
+    <message>
         <source>the rest is skipped; check the loop&apos;s condition, or raise the limit with --repeat-limit</source>
         <translation>le reste est ignoré&#xa0;; vérifiez la condition de la boucle, ou augmentez la limite avec --repeat-limit</translation>
     </message>
@@ -5736,8 +5740,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>le rayon d’outil Q108 n’est pas connu</translation>
     </message>
     <message>
-        <source>0 is used; write a TOOL DEF with R before the tool call</source>
-        <translation>0 est utilisé&#xa0;; programmez un TOOL DEF avec R avant l’appel de l’outil</translation>
+        <source>0 is used; give it as an import option (--tool %1=RADIUS) or in a tool table, or write a TOOL DEF with R before the tool call</source>
+        <translation>0 est utilisé&#xa0;; donnez-le comme option de lecture (--tool %1=RADIUS) ou dans une table d’outils, ou programmez un TOOL DEF avec R avant l’appel d’outil</translation>
     </message>
     <message>
         <source>%1 has no value</source>
@@ -6568,6 +6572,14 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>le facteur d’échelle %1 est nul</translation>
     </message>
     <message>
+        <source>G92 gives coordinates to a position that is not known</source>
+        <translation>G92 donne des coordonnées à une position qui n’est pas connue</translation>
+    </message>
+    <message>
+        <source>the path continues where the axis was before the move to the machine position</source>
+        <translation>la trajectoire continue là où l’axe était avant le déplacement vers la position machine</translation>
+    </message>
+    <message>
         <source>1 is used; write a factor other than zero</source>
         <translation>1 est utilisé&#xa0;; programmez un facteur non nul</translation>
     </message>
@@ -6586,14 +6598,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>%1 without a decimal point is used as %2 mm</source>
         <translation>%1 sans point décimal est lu comme %2 mm</translation>
-    </message>
-    <message>
-        <source>G92 gives coordinates to a position that is not known</source>
-        <translation>G92 donne des coordonnées à une position qui n’est pas connue</translation>
-    </message>
-    <message>
-        <source>the path continues where the axis was before the move to the machine position</source>
-        <translation>la trajectoire continue là où l’axe était avant le déplacement vers la position machine</translation>
     </message>
     <message>
         <source>many controls use it in units of 0.0001 inch; write a decimal point</source>
@@ -6832,16 +6836,16 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>E (extrudeuse) n’est pas pris en charge</translation>
     </message>
     <message>
-        <source>%1 has no meaning in this block</source>
-        <translation>%1 n’a pas de sens dans ce bloc</translation>
-    </message>
-    <message>
         <source>a move of the extruder alone (E) takes time</source>
         <translation>un déplacement de l’extrudeur seul (E) prend du temps</translation>
     </message>
     <message>
         <source>only the model klipper counts it</source>
         <translation>seul le modèle klipper le compte</translation>
+    </message>
+    <message>
+        <source>%1 has no meaning in this block</source>
+        <translation>%1 n’a pas de sens dans ce bloc</translation>
     </message>
     <message>
         <source>it is skipped</source>
@@ -6854,6 +6858,18 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>position words before the first G0, G1, G2 or G3</source>
         <translation>des mots de position avant le premier G0, G1, G2 ou G3</translation>
+    </message>
+    <message>
+        <source>position words before the first G0, G1, G2 or G3: %1 stops here with an error</source>
+        <translation>des mots de position avant le premier G0, G1, G2 ou G3&#xa0;: %1 s’arrête ici avec une erreur</translation>
+    </message>
+    <message>
+        <source>position words after G80 without a new G0, G1, G2 or G3</source>
+        <translation>des mots de position après G80 sans nouveau G0, G1, G2 ou G3</translation>
+    </message>
+    <message>
+        <source>position words after G80 without a new G0, G1, G2 or G3: %1 stops here with an error</source>
+        <translation>des mots de position après G80 sans nouveau G0, G1, G2 ou G3&#xa0;: %1 s’arrête ici avec une erreur</translation>
     </message>
     <message>
         <source>G0 is used; write the G word</source>
@@ -6882,18 +6898,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>the arc has neither a centre (I, J, K) nor a radius (R)</source>
         <translation>l’arc n’a ni centre (I, J, K) ni rayon (R)</translation>
-    </message>
-    <message>
-        <source>position words before the first G0, G1, G2 or G3: %1 stops here with an error</source>
-        <translation>des mots de position avant le premier G0, G1, G2 ou G3&#xa0;: %1 s’arrête ici avec une erreur</translation>
-    </message>
-    <message>
-        <source>position words after G80 without a new G0, G1, G2 or G3</source>
-        <translation>des mots de position après G80 sans nouveau G0, G1, G2 ou G3</translation>
-    </message>
-    <message>
-        <source>position words after G80 without a new G0, G1, G2 or G3: %1 stops here with an error</source>
-        <translation>des mots de position après G80 sans nouveau G0, G1, G2 ou G3&#xa0;: %1 s’arrête ici avec une erreur</translation>
     </message>
     <message>
         <source>the arc has both a centre (I, J, K) and a radius (R)</source>
@@ -9332,16 +9336,16 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>Correction d’avance</translation>
     </message>
     <message>
-        <source>All feeds of the program in percent of what it says, as the dial of the control sets them; rapids stay. Without it 100 %.</source>
-        <translation>Toutes les avances du programme en pour cent de ce qu’il dit, comme les règle le potentiomètre de la commande ; les rapides restent. Sans elle, 100 %.</translation>
-    </message>
-    <message>
         <source>Cutting feed %1</source>
         <translation>Avance de coupe %1</translation>
     </message>
     <message>
         <source>Largest velocity of this axis in feed moves, where the control has one below that of its rapids; without it, or 0, the velocity of the axis.</source>
         <translation>Plus grande vitesse de cet axe en déplacements avec avance, lorsque la commande en a une inférieure à celle des rapides&#xa0;; sans elle, ou 0, la vitesse de l’axe.</translation>
+    </message>
+    <message>
+        <source>All feeds of the program in percent of what it says, as the dial of the control sets them; rapids stay. Without it 100 %.</source>
+        <translation>Toutes les avances du programme en pour cent de ce qu’il dit, comme les règle le potentiomètre de la commande ; les rapides restent. Sans elle, 100 %.</translation>
     </message>
     <message>
         <source>on: where the program asks for a tolerance (CTOL, CYCLE832, G64 P, cycle 32) or a blend distance (ADIS), it is used; off: that of the settings is used everywhere. Exact stops are always used.</source>

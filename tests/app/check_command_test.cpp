@@ -149,6 +149,21 @@ TEST_F(CheckCommand, AProgramThatWasCutOffIsSimulatedOnlyIfAskedFor) {
   EXPECT_GT(json::parse(asked.out)["cycle_time_s"].get<double>(), 0);
 }
 
+TEST_F(CheckCommand, AProgramThatWasCutOffInACalledFileNamesFileLineAndCause) {
+  write("MAIN.H", "BEGIN PGM MAIN MM\nTOOL CALL 1 Z S5000\nCALL PGM FACE.H\nEND PGM MAIN MM\n");
+  write("FACE.H",
+        "BEGIN PGM FACE MM\nQ2 = 0\nLBL 1\nL IX+1 F1000\nQ2 = Q2 + Q108\nFN 12: IF +Q2 LT +5 GOTO LBL 1\nEND "
+        "PGM FACE MM\n");
+  const Result refused = run("simulate MAIN.H --repeat-limit 30");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, testing::ContainsRegex("FACE.H, line [345]: loops and calls have run 30 lines"));
+  EXPECT_THAT(refused.err, HasSubstr("FACE.H, line 5: the tool radius Q108 is not known (0 is used; give it "
+                                     "as an import option (--tool 1=RADIUS)"));
+  const Result given = run("simulate MAIN.H --repeat-limit 30 --tool 1=2.5");
+  EXPECT_EQ(given.code, 0) << given.err;
+  EXPECT_THAT(given.err, testing::Not(HasSubstr("is not used")));
+}
+
 TEST_F(CheckCommand, PathsThatAreCompensatedNeedNoRadius) {
   write("part.nc", "G21 G17\nG42 D7 G1 X10 F600\nX20\nX30\n");
   const Result wear = run("check part.nc --dialect fanuc --wear-only");

@@ -34,8 +34,7 @@ QString number_problem(const QString& text, const QLocale& locale) {
   if (typed_number(plain.toStdString()).problem.empty()) {
     return NumberText::tr("“%1” is not a number.").arg(text.trimmed());
   }
-  QString whole = plain;
-  whole.remove(',');
+  const QString whole = QString::fromStdString(without_thousands_separators(plain.toStdString()));
   if (plain.count(',') > 1 || plain.contains('.')) {
     return NumberText::tr("“%1” has more than one decimal separator or uses thousands separators; type %2.")
         .arg(text.trimmed(), whole);

@@ -15,6 +15,9 @@ constexpr std::array general_patterns{
         "the rest is skipped; check the infeeds of the cycles, or raise the limit with --repeat-limit"),
     QT_TRANSLATE_NOOP("core", "loops and calls have run %1 lines without coming to an end"),
     QT_TRANSLATE_NOOP(
+        "core",
+        "loops and calls have run %1 lines without coming to an end; before that, %2, line %3: %4 (%5)"),
+    QT_TRANSLATE_NOOP(
         "core", "the rest is skipped; check the loop's condition, or raise the limit with --repeat-limit"),
     QT_TRANSLATE_NOOP("core", "the program has no blocks"),
     QT_TRANSLATE_NOOP("core", "give a file with NC blocks such as \"G1 X10 F500\""),

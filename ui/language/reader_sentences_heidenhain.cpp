@@ -111,7 +111,10 @@ constexpr std::array heidenhain_patterns{
                       "%1 is the angle of a rotary axis that the control calculates for a tilted plane"),
     QT_TRANSLATE_NOOP("core", "0 is used; X, Y and Z are shown in the tilted plane"),
     QT_TRANSLATE_NOOP("core", "the tool radius Q108 is not known"),
-    QT_TRANSLATE_NOOP("core", "0 is used; write a TOOL DEF with R before the tool call"),
+    QT_TRANSLATE_NOOP(
+        "core",
+        "0 is used; give it as an import option (--tool %1=RADIUS) or in a tool table, or write a TOOL "
+        "DEF with R before the tool call"),
     QT_TRANSLATE_NOOP("core", "%1 has no value"),
     QT_TRANSLATE_NOOP("core", "0 is used; the control may still have another value, assign one first"),
     QT_TRANSLATE_NOOP("core", "%1 is not valid in %2"),

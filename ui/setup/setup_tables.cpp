@@ -65,6 +65,15 @@ bool has_usual_value(const SettingSpec& spec) {
   return spec.optional && spec.fallback > 0;
 }
 
+/// With title and unit as the table shows them.
+QString shown_problem(const InputError& error, const std::string& key, const std::string& unit) {
+  QString text = failure_text(error);
+  text.replace(QString::fromStdString(key), setting_title(key));
+  return unit.empty()
+             ? text
+             : text.replace(QString::fromStdString(" " + unit), QStringLiteral(" ") + unit_text(unit));
+}
+
 }  // namespace
 
 QStringList changes_of(const SetupState& state) {
@@ -142,8 +151,8 @@ bool SetupTable::setData(const QModelIndex& index, const QVariant& value, int ro
   if (value.toString() == value_text(state_.value(key), state_.spec(key))) {
     return true;  // not to replace a number by its rounded text
   }
+  const SettingSpec spec = state_.spec(key);
   try {
-    const SettingSpec spec = state_.spec(key);
     const QString text = value.toString().trimmed();
     const auto choice = std::ranges::find(spec.choices, text, core_text);
     const auto number = spec.choices.empty() ? number_of(text) : std::nullopt;
@@ -152,7 +161,7 @@ bool SetupTable::setData(const QModelIndex& index, const QVariant& value, int ro
                                                   : parse_setting(spec, text.toStdString()));
     return true;
   } catch (const InputError& error) {
-    emit refused(index, failure_text(error));
+    emit refused(index, shown_problem(error, key, spec.unit));
     return false;
   }
 }

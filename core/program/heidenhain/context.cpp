@@ -22,6 +22,12 @@ void Context::set_inch(bool inch) {
   machining.unit.set(inch ? LengthUnit::inch : LengthUnit::mm);
 }
 
+/// The path depends on the radius of the tool that was called, Q108.
+void Context::use_tool_radius() {
+  const bool is_from_outside = machining.tools.radius_of(modal.tool, std::nullopt) == modal.tool_radius;
+  machining.tools.use_radius_of(modal.tool, is_from_outside ? std::nullopt : modal.tool_radius);
+}
+
 double Context::unset_value(const QName& name) {
   constexpr int tool_radius = 108;
   constexpr int tool_axis = 109;
@@ -31,6 +37,7 @@ double Context::unset_value(const QName& name) {
   if (name.kind == QName::Kind::global) {
     switch (name.number) {
       case tool_radius:
+        use_tool_radius();
         if (modal.tool_radius) {
           return *modal.tool_radius / modal.unit;
         }
@@ -58,9 +65,13 @@ double Context::unset_value(const QName& name) {
     return 0;
   }
   if (name.kind == QName::Kind::global && name.number == tool_radius) {
-    report(Severity::warning, "unset-parameter", name.number, name.column, [] {
-      return DiagnosticLog::Text{"the tool radius Q108 is not known",
-                                 "0 is used; write a TOOL DEF with R before the tool call"};
+    report(Severity::warning, "unset-parameter", name.number, name.column, [&] {
+      return DiagnosticLog::Text{
+          "the tool radius Q108 is not known",
+          fmt::format(
+              "0 is used; give it as an import option (--tool {}=RADIUS) or in a tool table, or write a TOOL "
+              "DEF with R before the tool call",
+              CutterRadii::key(modal.tool))};
     });
     return 0;
   }

@@ -39,6 +39,7 @@ struct Context {
  private:
   /// The value of a parameter that the program has not set.
   double unset_value(const QName& name);
+  void use_tool_radius();
 };
 
 /// Throws ReadFault "unread-word" about the rest of the statement, which does not belong into `where`.

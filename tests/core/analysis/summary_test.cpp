@@ -131,6 +131,15 @@ TEST(Summary, CountsRapidsAtTheAxesSpeedAndDwellsInTheProgrammedTime) {
   EXPECT_DOUBLE_EQ(summarise({}, toolpath, rapid_speed).programmed_time, 50 / 312.5 + 1.5 + 0.2 + 4);
 }
 
+TEST(Summary, TakesNoTimeForARapidToWhereTheToolIs) {
+  Toolpath toolpath = one_line(Vec3(10, 0, 0));
+  const double time = summarise({}, toolpath, rapid_speed).programmed_time;
+  Segment rapid = line_to(Vec3(10, 0, 0), 0, 0);
+  rapid.rapid = true;
+  toolpath.segments.push_back(rapid);
+  EXPECT_EQ(summarise({}, toolpath, rapid_speed).programmed_time, time);
+}
+
 TEST(Summary, TakesTheAxesSpeedAlongAnArcWithoutFeed) {
   // Equal axes V: speed V / max(|cos|, |sin|), so a quarter takes (r / V) times the integral of
   // max(|cos|, |sin|) over a quarter turn, sqrt(2).

@@ -25,8 +25,12 @@ TEST(TypedNumber, IsRefusedWhereACommaCouldGroupThousands) {
     EXPECT_THAT(number.problem, HasSubstr("the comma could be a decimal or a thousands separator")) << text;
   }
   EXPECT_THAT(typed_number("4,995").problem, HasSubstr("write 4.995 or 4995"));
-  for (const char* text : {"1,000,000", "1.000,5", "1,000.5"}) {
-    EXPECT_THAT(typed_number(text).problem, HasSubstr("no thousands separators")) << text;
+  for (const auto& [text, plain] : {std::pair{"1,000,000", "1000000"},
+                                    {"1.000,5", "1000.5"},
+                                    {"1,000.5", "1000.5"},
+                                    {"-1.234.567,25", "-1234567.25"}}) {
+    EXPECT_THAT(typed_number(text).problem, HasSubstr("no thousands separators; write ")) << text;
+    EXPECT_THAT(typed_number(text).problem, testing::EndsWith(plain)) << text;
   }
 }
 

@@ -34,6 +34,9 @@ TEST(NumberText, ATextThatIsNoNumberIsToldWhy) {
   EXPECT_EQ(number_problem("1,000", english), "“1,000” could be 1.000 or 1000; type one of these.");
   EXPECT_EQ(number_problem("12,345.6", english),
             "“12,345.6” has more than one decimal separator or uses thousands separators; type 12345.6.");
+  EXPECT_EQ(number_problem("1.000,5", english),
+            "“1.000,5” has more than one decimal separator or uses thousands separators; type 1000.5.");
+  EXPECT_EQ(number_problem("1.000,5", QLocale("de")), number_problem("1.000,5", english));
   EXPECT_EQ(number_problem("1/4", english), "“1/4” is not a number.");
 }
 
