@@ -28,7 +28,7 @@ double rise_of_parabola(double before, double at, double behind, double from, do
 
 RotaryPeakSearch::Look RotaryPeakSearch::look(RotaryWalk& walk, double time) {
   const RotarySample sample = walk.sample(time);
-  Look look{time, {}};
+  Look look{time, {}, {}};
   const auto add = [&](const std::array<AxisState, 3>& axes, std::array<AxisPeaks, 3>& peaks,
                        std::size_t first) {
     for (std::size_t i = 0; i < axes.size(); ++i) {
@@ -36,6 +36,9 @@ RotaryPeakSearch::Look RotaryPeakSearch::look(RotaryWalk& walk, double time) {
       look.of[first + per_axis * i] = std::abs(axes[i].velocity);
       look.of[first + per_axis * i + 1] = std::abs(axes[i].acceleration);
       look.of[first + per_axis * i + 2] = std::abs(axes[i].jerk);
+      look.slope[first + per_axis * i] =
+          std::copysign(axes[i].acceleration, axes[i].acceleration * axes[i].velocity);
+      look.slope[first + per_axis * i + 1] = std::copysign(axes[i].jerk, axes[i].jerk * axes[i].acceleration);
     }
   };
   add(sample.rotary, rotary_, 0);
@@ -57,8 +60,6 @@ double RotaryPeakSearch::found(std::size_t quantity) const {
 
 /// By golden sections, of each quantity that can rise above what was found.
 void RotaryPeakSearch::narrow(RotaryWalk& walk, const Look& before, const Look& at, const Look& behind) {
-  constexpr int sections = 24;
-  constexpr double golden = 0.6180339887498949;
   constexpr double doubt = 4;  // a peak may be narrower than the parabola
   for (std::size_t q = 0; q < count; ++q) {
     if (!(at.of[q] >= before.of[q] && at.of[q] >= behind.of[q] && at.of[q] > 0)) {
@@ -69,26 +70,44 @@ void RotaryPeakSearch::narrow(RotaryWalk& walk, const Look& before, const Look& 
     if (at.of[q] + doubt * rise <= found(q)) {
       continue;
     }
-    double low = before.time;
-    double high = behind.time;
-    double left = high - golden * (high - low);
-    double right = low + golden * (high - low);
-    double at_left = look(walk, left).of[q];
-    double at_right = look(walk, right).of[q];
-    for (int i = 0; i < sections; ++i) {
-      if (at_left < at_right) {
-        low = left;
-        left = right;
-        at_left = at_right;
-        right = low + golden * (high - low);
-        at_right = look(walk, right).of[q];
-      } else {
-        high = right;
-        right = left;
-        at_right = at_left;
-        left = high - golden * (high - low);
-        at_left = look(walk, left).of[q];
-      }
+    search(walk, q, before.time, behind.time);
+  }
+}
+
+/// The magnitude rises behind `from` and falls before `to`: two tangents bound what it comes to between them.
+void RotaryPeakSearch::narrow_between(RotaryWalk& walk, const Look& from, const Look& to) {
+  const double time = to.time - from.time;
+  for (std::size_t q = 0; q < count; ++q) {
+    if (!(from.slope[q] > 0 && to.slope[q] < 0)) {
+      continue;
+    }
+    const double most = std::min(from.of[q] + from.slope[q] * time, to.of[q] - to.slope[q] * time);
+    if (most > found(q)) {
+      search(walk, q, from.time, to.time);
+    }
+  }
+}
+
+void RotaryPeakSearch::search(RotaryWalk& walk, std::size_t quantity, double low, double high) {
+  constexpr int sections = 24;
+  constexpr double golden = 0.6180339887498949;
+  double left = high - golden * (high - low);
+  double right = low + golden * (high - low);
+  double at_left = look(walk, left).of[quantity];
+  double at_right = look(walk, right).of[quantity];
+  for (int i = 0; i < sections; ++i) {
+    if (at_left < at_right) {
+      low = left;
+      left = right;
+      at_left = at_right;
+      right = low + golden * (high - low);
+      at_right = look(walk, right).of[quantity];
+    } else {
+      high = right;
+      right = left;
+      at_right = at_left;
+      left = high - golden * (high - low);
+      at_left = look(walk, left).of[quantity];
     }
   }
 }
@@ -127,6 +146,9 @@ void RotaryPeakSearch::add(RotaryWalk& walk) {
   const std::size_t last = looks_.size() - 1;
   for (std::size_t i = 1; i < last; ++i) {
     narrow(walk, looks_[i - 1], looks_[i], looks_[i + 1]);
+  }
+  for (std::size_t i = 1; i <= last; ++i) {
+    narrow_between(walk, looks_[i - 1], looks_[i]);
   }
   if (last > 0) {
     narrow_at_end(walk, looks_[0], looks_[1]);

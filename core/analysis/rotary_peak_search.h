@@ -11,8 +11,9 @@
 namespace feedscope {
 
 /// The largest magnitudes of all axes of a machine while its rotary axes turn. A part of the motion is looked
-/// at at some instants; between three of them of which the one in the middle is largest, the largest
-/// magnitude is narrowed down, where it can be above what was found before.
+/// at at some instants; between two of them from which a velocity or an acceleration rises towards the other,
+/// and about one that is larger than those beside it, the largest magnitude is narrowed down, where it can be
+/// above what was found before.
 class RotaryPeakSearch {
  public:
   /// Takes up the part where `walk` is.
@@ -29,9 +30,12 @@ class RotaryPeakSearch {
   struct Look {
     double time = 0;  // [s]
     Magnitudes of{};
+    Magnitudes slope{};  ///< by time; of jerks not known and 0
   };
 
   Look look(RotaryWalk& walk, double time);
+  void narrow_between(RotaryWalk& walk, const Look& from, const Look& to);
+  void search(RotaryWalk& walk, std::size_t quantity, double low, double high);
   void narrow(RotaryWalk& walk, const Look& before, const Look& at, const Look& behind);
   void narrow_at_end(RotaryWalk& walk, const Look& end, const Look& next);
   void look_closer();

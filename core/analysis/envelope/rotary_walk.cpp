@@ -1,17 +1,53 @@
 #include "core/analysis/envelope/rotary_walk.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/base/roots.h"
+#include "core/base/units.h"
 #include "core/toolpath/turn_course.h"
 
 namespace feedscope {
 
+namespace {
+
+constexpr double turn_between_looks = units::from_deg(5);
+
+/// By all axes together [rad].
+double turned_between(const std::array<double, 3>& from, const std::array<double, 3>& to) {
+  double sum = 0;
+  for (std::size_t i = 0; i < to.size(); ++i) {
+    sum += std::isnan(to[i]) ? 0 : std::abs(to[i] - from[i]);  // not a number: no such axis
+  }
+  return sum;
+}
+
+}  // namespace
+
+RotaryLooks::RotaryLooks(const Trajectory& trajectory, const Part& part, const ElementCurve& curve,
+                         double turned)
+    : motion_(trajectory, part, curve),
+      start_(part.time),
+      duration_(part.duration),
+      waits_(is_pause(part.cause.kind)) {
+  constexpr double least_at_rest = 24;
+  const double steps = turned / turn_between_looks;
+  between_ = static_cast<int>(
+      std::ceil(waits_ ? std::max(steps, least_at_rest) : std::max(steps / (motion_.count() - 1), 1.0)));
+}
+
+double RotaryLooks::at(int i) const {
+  const double from = motion_at(i / between_);
+  const int steps = i % between_;
+  return steps == 0 ? from : from + (motion_at(i / between_ + 1) - from) * steps / between_;
+}
+
 int RotaryLooks::first_after(double time) const {
-  if (!waits_) {
+  if (!waits_ && between_ == 1) {
     return motion_.first_after(time);
   }
-  int i = 0;
+  int i = waits_ ? 0 : std::max(motion_.first_after(time) - 1, 0) * between_;
   while (i < count() && at(i) <= time) {
     ++i;
   }
@@ -38,6 +74,23 @@ void RotaryWalk::add(Band& band, double time) {
   const State state = motion().state(time - begin());
   const RotarySample sample = course_.at(state);
   band.add(Instant(state, nullptr, nullptr, &sample));
+}
+
+/// 0 where the whole segment turns less than what lies between two looks anyway.
+double RotaryWalk::turned() {
+  const Toolpath& programmed = *course_.trajectory().path().programmed();
+  const std::uint32_t segment = course_.trajectory().path().segment(walk_.part().element);
+  if (is_pause(walk_.part().cause.kind)) {
+    const auto turn = std::ranges::lower_bound(programmed.rotary_turns, segment, {}, &RotaryTurn::segment);
+    return turn != programmed.rotary_turns.end() && turn->segment == segment
+               ? turned_between(turn->from, turn->to)
+               : 0;
+  }
+  const SegmentTurn* turn = programmed.segment_turn(segment);
+  if (turn == nullptr || turned_between(turn->from, turn->to) < turn_between_looks) {
+    return 0;
+  }
+  return turned_between(sample(begin()).angles(), sample(end()).angles());
 }
 
 RotarySample RotaryWalk::sample(double time) {

@@ -12,24 +12,24 @@
 namespace feedscope {
 
 /// Instants of a part at which its rotary axes are looked at: those of its motion; where the axes of an
-/// indexing machine turn, evenly spaced ones.
+/// indexing machine turn, evenly spaced ones; more where they turn far, since all axes of the machine go up
+/// and down with the angles.
 class RotaryLooks {
  public:
-  RotaryLooks(const Trajectory& trajectory, const Part& part, const ElementCurve& curve)
-      : motion_(trajectory, part, curve),
-        start_(part.time),
-        duration_(part.duration),
-        waits_(is_pause(part.cause.kind)) {}
-  int count() const { return waits_ ? looks_at_rest + 1 : motion_.count(); }
-  double at(int i) const { return waits_ ? start_ + duration_ * i / looks_at_rest : motion_.at(i); }
+  /// `turned`: by all rotary axes together in the part [rad].
+  RotaryLooks(const Trajectory& trajectory, const Part& part, const ElementCurve& curve, double turned);
+  int count() const { return (waits_ ? 1 : motion_.count() - 1) * between_ + 1; }
+  double at(int i) const;
   int first_after(double time) const;
 
  private:
-  static constexpr int looks_at_rest = 24;
+  double motion_at(int i) const { return waits_ ? start_ + duration_ * i : motion_.at(i); }
+
   PartLooks motion_;
   double start_;     ///< [s]
   double duration_;  ///< [s]
   bool waits_;
+  int between_;  ///< steps from one instant of the motion, or end of a turn of its own, to the next
 };
 
 /// The rotary axes of a run part by part, for a SpanEnvelope.
@@ -53,7 +53,7 @@ class RotaryWalk {
   bool done() const { return walk_.done(); }
   double begin() const { return walk_.part().time; }
   double end() const { return begin() + walk_.part().duration; }
-  RotaryLooks looks() { return {course_.trajectory(), walk_.part(), motion().curve()}; }
+  RotaryLooks looks() { return {course_.trajectory(), walk_.part(), motion().curve(), turned()}; }
   void add(Band& band, double time);
   /// At an instant of the part [s].
   RotarySample sample(double time);
@@ -65,6 +65,7 @@ class RotaryWalk {
 
  private:
   const PartMotion& motion();
+  double turned();
 
   const RotaryCourse& course_;
   PartWalk walk_;

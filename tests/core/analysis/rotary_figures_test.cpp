@@ -46,6 +46,28 @@ AxisPeaks seen_of(const TurnedRun& run, std::size_t axis) {
 /// But for the rounding of an instant.
 constexpr double nearly = 1 - 1e-6;
 
+/// Of the axes of the machine, which go up and down with the angles, in one block that the feed limits.
+TEST(RotaryPeaks, AreThoseOfEveryTurnOfALongBlock) {
+  for (const char* model : {"essid", "ward"}) {
+    const TurnedRun run =
+        turned("TRAORI\nG0 X60 Y0 Z5\nG1 F300 X-60 C3000\n", model,
+               {"tool_length_mm=100", "part_zero_x_mm=150", "part_zero_y_mm=-120", "part_zero_z_mm=-300"});
+    constexpr int looks = 40'000;
+    AxisPeaks seen;
+    for (int i = 0; i <= looks; ++i) {
+      const AxisState x = at(run, run.trajectory->duration() * i / looks).linear[0];
+      seen.add(x.velocity, x.acceleration, x.jerk);
+    }
+    ASSERT_TRUE(run.summary.rotary->linear);
+    const AxisPeaks& peaks = (*run.summary.rotary->linear)[0];
+    SCOPED_TRACE(model);
+    EXPECT_GE(peaks.velocity, seen.velocity * nearly);
+    EXPECT_LE(peaks.velocity, seen.velocity * 1.001);
+    EXPECT_GE(peaks.acceleration, seen.acceleration * nearly);
+    EXPECT_LE(peaks.acceleration, seen.acceleration * 1.001);
+  }
+}
+
 /// Blocks of unequal length, whose joints reach over a part of the longer ones alone: jerk jumps there,
 /// within a piece of the motion.
 TEST(RotaryPeaks, AreWhatTheInstantsOfAShortProgramShow) {
