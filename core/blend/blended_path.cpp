@@ -95,6 +95,10 @@ void BlendedPath::shrink() {
 }
 
 std::uint32_t BlendedPath::add(ElementKind kind, std::uint32_t block, double length, std::uint32_t index) {
+  if (kind == ElementKind::line && !entries_.empty() && entries_.back().kind == kind &&
+      entries_.back().block == block) {
+    index = entries_.back().index + 1;
+  }
   Entry& entry = entries_.emplace_back();
   entry.s = length_;
   entry.block = block;
@@ -148,10 +152,12 @@ std::size_t BlendedPath::base_segment(std::uint32_t block) const {
   return static_cast<std::size_t>(std::upper_bound(first.begin(), first.end(), block) - first.begin()) - 1;
 }
 
-/// Where line element `i` begins on its segment of the base [mm].
 double BlendedPath::line_offset(std::size_t i) const {
   if (executed_) {
     return 0;
+  }
+  if (const std::size_t parts = entries_[i].index; parts > 0) {
+    return line_offset(i - parts) + entries_[i].s - entries_[i - parts].s;
   }
   if (i > 0 && in_corner(i - 1)) {
     return transitions_[entries_[i - 1].index];

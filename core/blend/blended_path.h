@@ -26,7 +26,8 @@ struct PathElement {
   double length = 0;          ///< [mm]; 0 for a dwell
   std::uint32_t segment = 0;  ///< of the programmed path; for a blend the one that ends at its corner
   std::uint32_t index = 0;    ///< blends and connecting arcs: of the corner; filtered: of the motion;
-                              ///< fitted and curves: of the first knot
+                              ///< fitted and curves: of the first knot; lines: how many parts of the same
+                              ///< line are before it
   ElementKind kind = ElementKind::line;
 };
 
@@ -69,6 +70,8 @@ class BlendedPath {
   std::uint32_t index(std::size_t i) const { return entries_[i].index; }
   double s(std::size_t i) const { return i < size() ? entries_[i].s : length_; }
   double length(std::size_t i) const { return s(i + 1) - entries_[i].s; }
+  /// Where line element `i` begins on its segment of base() [mm].
+  double line_offset(std::size_t i) const;
   bool in_corner(std::size_t i) const {
     return kind(i) == ElementKind::blend || kind(i) == ElementKind::connecting_arc;
   }
@@ -120,7 +123,8 @@ class BlendedPath {
   void append(const BlendedPath& part, std::uint32_t motions, double done);
   void reserve(std::size_t elements);
   void shrink();  ///< gives back room that is not needed
-  /// Appends an element of `length` [mm] of programmed segment `block`; index as PathElement::index.
+  /// Appends an element of `length` [mm] of programmed segment `block`; index as PathElement::index. A line
+  /// may follow one of the same block: then they are parts of it.
   std::uint32_t add(ElementKind kind, std::uint32_t block, double length, std::uint32_t index = 0);
   /// Appends the curve that begins `transition` [mm] before the end of `block` and ends as much after it.
   std::uint32_t add_corner(ElementKind kind, std::uint32_t block, double transition, double length);
@@ -149,7 +153,6 @@ class BlendedPath {
     Vec3 point, in, out;
   };
 
-  double line_offset(std::size_t i) const;
   std::uint32_t knot_count() const { return static_cast<std::uint32_t>(knots_.size()); }
   std::span<const CourseKnot> course(std::size_t i) const;
   CornerPlan plan_of(std::size_t corner) const;

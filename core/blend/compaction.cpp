@@ -85,6 +85,8 @@ CompactedPath compact(const Toolpath& toolpath, double longest, const PathRules&
   result.path.bounds = toolpath.bounds;
   result.path.path_controls = toolpath.path_controls;
   result.path.spindles = toolpath.spindles;
+  result.path.part = toolpath.part;
+  result.path.turn_ceiling = toolpath.turn_ceiling;
   for (std::size_t i = 0; i < toolpath.segments.size();) {
     const std::size_t count = compactor.count_from(i);
     Segment segment = toolpath.segments[i];
@@ -96,6 +98,10 @@ CompactedPath compact(const Toolpath& toolpath, double longest, const PathRules&
     if (const SegmentTurn* turn = toolpath.segment_turn(i)) {
       result.path.segment_turns.push_back(*turn);
       result.path.segment_turns.back().segment = result.path.segments.size();
+    }
+    for (const TurnPart& part : toolpath.turn_parts_of(i)) {
+      result.path.turn_parts.push_back(part);
+      result.path.turn_parts.back().segment = result.path.segments.size();
     }
     if (const TurnJoint* joint = toolpath.turn_joint(i + count - 1)) {
       result.path.turn_joints.push_back(*joint);

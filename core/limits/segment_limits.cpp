@@ -1,10 +1,13 @@
 #include "core/limits/segment_limits.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/base/units.h"
+#include "core/blend/junction.h"
 #include "core/toolpath/joint_shape.h"
+#include "core/toolpath/turn_ceiling.h"
 
 namespace feedscope {
 namespace {
@@ -82,9 +85,27 @@ SpeedBound programmed_speed(const Toolpath& toolpath, std::size_t i, const Vec3&
 }
 
 SpeedBound feed_ceiling(const Toolpath& toolpath, std::size_t i, const Vec3& velocity) {
+  return feed_ceiling(toolpath, i, velocity, nullptr);
+}
+
+SpeedBound feed_ceiling(const Toolpath& toolpath, std::size_t i, const Vec3& velocity, const TurnPart* part) {
   SpeedBound bound = programmed_speed(toolpath, i, velocity);
-  if (const SegmentTurn* turn = toolpath.segment_turn(i)) {
-    bound.lower(turn->limit.speed, cause_of(turn->limit));
+  const SpeedBound turning = turning_ceiling(toolpath, i, part);
+  bound.lower(turning.value, turning.cause);
+  return bound;
+}
+
+SpeedBound turning_ceiling(const Toolpath& toolpath, std::size_t i, const TurnPart* part) {
+  SpeedBound bound{std::numeric_limits<double>::infinity(), {}};
+  const auto lower_by = [&](const TurnLimit& limit) { bound.lower(limit.speed, cause_of(limit)); };
+  if (part != nullptr) {
+    lower_by(part->limit);
+  } else if (const SegmentTurn* turn = toolpath.segment_turn(i)) {
+    lower_by(turn->limit);
+  } else {
+    for (const TurnPart& of : toolpath.turn_parts_of(i)) {
+      lower_by(of.limit);
+    }
   }
   return bound;
 }
@@ -101,8 +122,12 @@ Cause stop_cause(const Toolpath& toolpath, std::size_t i) {
 }
 
 SpeedBound corner_ceiling(const Toolpath& toolpath, std::size_t i, const Vec3& velocity) {
-  SpeedBound bound = feed_ceiling(toolpath, i, velocity);
-  for (const SpeedBound& other : {feed_ceiling(toolpath, i + 1, velocity), turn_ceiling(toolpath, i)}) {
+  const std::span<const TurnPart> before = toolpath.turn_parts_of(i);
+  const std::span<const TurnPart> behind = toolpath.turn_parts_of(i + 1);
+  SpeedBound bound = feed_ceiling(toolpath, i, velocity, before.empty() ? nullptr : &before.back());
+  for (const SpeedBound& other :
+       {feed_ceiling(toolpath, i + 1, velocity, behind.empty() ? nullptr : &behind.front()),
+        turn_ceiling(toolpath, i)}) {
     bound.lower(other.value, other.cause);
   }
   return bound;
@@ -124,7 +149,17 @@ Cause cause_of(const TurnLimit& limit) {
 SpeedBound element_ceiling(const BlendedPath& path, std::size_t element, const Vec3& velocity) {
   const std::size_t i = path.segment(element);
   return path.in_corner(element) ? corner_ceiling(*path.programmed(), i, velocity)
-                                 : feed_ceiling(*path.programmed(), i, velocity);
+                                 : feed_ceiling(*path.programmed(), i, velocity, turn_part(path, element));
+}
+
+const TurnPart* turn_part(const BlendedPath& path, std::size_t element) {
+  const std::span<const TurnPart> parts = path.programmed()->turn_parts_of(path.segment(element));
+  if (parts.empty() || path.kind(element) != ElementKind::line || path.is_executed()) {
+    return nullptr;
+  }
+  const double middle = path.line_offset(element) + path.length(element) / 2;
+  const auto found = std::ranges::lower_bound(parts, middle, std::less(), &TurnPart::end);
+  return found != parts.end() ? &*found : &parts.back();
 }
 
 SpeedBound programmed_speed_of_span(const BlendedPath& path, std::size_t element, const Vec3& velocity) {
@@ -147,8 +182,9 @@ SpeedBound programmed_speed_of_span(const BlendedPath& path, std::size_t element
   return bound;
 }
 
-MotionLimits segment_limits(const Toolpath& toolpath, std::size_t i, const AxisVectors& axes) {
-  MotionLimits limits{feed_ceiling(toolpath, i, axes.velocity), {}, {}};
+MotionLimits segment_limits(const Toolpath& toolpath, std::size_t i, const AxisVectors& axes,
+                            const TurnPart* part) {
+  MotionLimits limits{feed_ceiling(toolpath, i, axes.velocity, part), {}, {}};
   if (toolpath.segments[i].kind == SegmentKind::line) {
     const Vec3 direction = direction_of(toolpath, i);
     const AxisBound velocity = axis_share(axes.velocity, direction);
@@ -157,6 +193,10 @@ MotionLimits segment_limits(const Toolpath& toolpath, std::size_t i, const AxisV
     limits.jerk = axis_share(axes.jerk, direction);
   } else {
     limits = arc_limits(arc_of(toolpath, i), limits.speed, axes);
+  }
+  if (part != nullptr) {
+    lower_ramp(limits, part->ramp);
+    return limits;
   }
   return with_turns(limits, toolpath, i, i);
 }
@@ -190,6 +230,27 @@ MotionLimits with_joints(MotionLimits limits, const Toolpath& toolpath, std::siz
   return limits;
 }
 
+namespace {
+
+/// Calls use(limit, ramp) of what turns on either side of a corner within `transition` of it [mm].
+template <typename Use>
+void for_turns_in_corner(const Toolpath& toolpath, std::size_t i, double transition, const Use& use) {
+  const double whole = toolpath.segments[i].length;
+  const auto on = [&](std::size_t segment, double from, double to) {
+    for_turn_parts(toolpath, segment, from, to, [&](const TurnPart* part, double, double) {
+      if (part != nullptr) {
+        use(part->limit, part->ramp);
+      } else if (const SegmentTurn* turn = toolpath.segment_turn(segment)) {
+        use(turn->limit, turn->ramp);
+      }
+    });
+  };
+  on(i, whole - transition, whole);
+  on(i + 1, 0, transition);
+}
+
+}  // namespace
+
 MotionLimits with_turns_in_corner(MotionLimits limits, const Toolpath& toolpath, std::size_t i,
                                   std::size_t first, std::size_t last, double transition, double length) {
   if (toolpath.segment_turns.empty() || !(length > 0)) {
@@ -197,7 +258,8 @@ MotionLimits with_turns_in_corner(MotionLimits limits, const Toolpath& toolpath,
   }
   const double faster = std::max(1.0, 2 * transition / length);  // than along the way that is replaced
   const MotionLimits unturned = limits;
-  limits = with_turns(limits, toolpath, i, i + 1);
+  for_turns_in_corner(toolpath, i, transition,
+                      [&](const TurnLimit& /*limit*/, const TurnRamp& ramp) { lower_ramp(limits, ramp); });
   limits = with_joints(limits, toolpath, i, first, i + 1);
   limits = with_joints(limits, toolpath, i + 1, i + 1, last);
   if (const TurnJoint* joint = toolpath.turn_joint(i)) {
@@ -209,14 +271,31 @@ MotionLimits with_turns_in_corner(MotionLimits limits, const Toolpath& toolpath,
   if (limits.jerk.value < unturned.jerk.value) {
     limits.jerk.value /= faster;
   }
-  for (const SegmentTurn* turn : {toolpath.segment_turn(i), toolpath.segment_turn(i + 1)}) {
-    if (turn != nullptr) {
-      limits.speed.lower(turn->limit.speed / faster, cause_of(turn->limit));
-    }
-  }
+  for_turns_in_corner(toolpath, i, transition, [&](const TurnLimit& limit, const TurnRamp& /*ramp*/) {
+    limits.speed.lower(limit.speed / faster, cause_of(limit));
+  });
   const SpeedBound joint = turn_ceiling(toolpath, i);
   limits.speed.lower(joint.value / faster, joint.cause);
   return limits;
+}
+
+SpeedBound turning_speed_in_corner(const BlendedPath& path, std::size_t element) {
+  constexpr int least = 4;
+  constexpr double step = 0.1;  // of the tip's turn [rad]
+  if (path.base().turn_ceiling == nullptr || !(path.length(element) > 0)) {
+    return {std::numeric_limits<double>::infinity(), {}};
+  }
+  const ElementCurve curve = path.curve(element);
+  const double turn = turn_angle(curve.at(0).d1, curve.at(curve.length).d1);
+  const int half = least + static_cast<int>(turn / step);
+  std::vector<CurvePoint> tips;
+  for (int k = 0; k <= 2 * half; ++k) {
+    tips.push_back(curve.at(curve.length * k / (2 * half)));
+  }
+  const TurnLimit limit =
+      path.base().turn_ceiling->on_corner(path.base(), path.base_segment_of(element),
+                                          path.corner_transition(path.index(element)), tips, curve.length);
+  return {limit.speed, cause_of(limit)};
 }
 
 MotionLimits arc_limits(const Arc& arc, const SpeedBound& programmed, const AxisVectors& axes) {

@@ -66,8 +66,34 @@ Cause stop_cause(const Toolpath& toolpath, std::size_t i);
 /// turn_ceiling() [mm/s].
 SpeedBound corner_ceiling(const Toolpath& toolpath, std::size_t i, const Vec3& velocity);
 
-/// feed_ceiling() of the segment of an element, on one in a corner corner_ceiling() [mm/s].
+/// The same on a part of the segment (Toolpath::turn_parts); null: on all of it.
+SpeedBound feed_ceiling(const Toolpath& toolpath, std::size_t i, const Vec3& velocity, const TurnPart* part);
+
+/// What the axes of the machine allow there where rotary axes turn [mm/s]; infinite where none does.
+SpeedBound turning_ceiling(const Toolpath& toolpath, std::size_t i, const TurnPart* part);
+
+/// Calls use(part, from, to) for the parts of segment `i` between `from` and `to` from its start [mm], in
+/// order: once, with null, where its limits are the same along all of it.
+template <typename Use>
+void for_turn_parts(const Toolpath& toolpath, std::size_t i, double from, double to, const Use& use) {
+  constexpr double least = 1e-9;  // a shorter one goes with the next [mm]
+  for (const TurnPart& part : toolpath.turn_parts_of(i)) {
+    const double end = part.end > to - least ? to : part.end;
+    if (end > from + least) {
+      use(&part, from, end);
+      from = end;
+    }
+  }
+  if (from < to) {
+    use(static_cast<const TurnPart*>(nullptr), from, to);
+  }
+}
+
+/// feed_ceiling() of the part of a segment that an element is, on one in a corner corner_ceiling() [mm/s].
 SpeedBound element_ceiling(const BlendedPath& path, std::size_t element, const Vec3& velocity);
+
+/// The part of a segment that an element runs on; null where its limits are those of the whole segment.
+const TurnPart* turn_part(const BlendedPath& path, std::size_t element);
 
 /// feed_ceiling() of a span of a smooth curve, the lowest of the blocks along it.
 SpeedBound programmed_speed_of_span(const BlendedPath& path, std::size_t element, const Vec3& velocity);
@@ -77,7 +103,10 @@ SpeedBound programmed_speed_of_span(const BlendedPath& path, std::size_t element
 /// Line: programmed feed and limit_j / |d_j|. Arc or helix of curvature k (Tapie 2007, section 4;
 /// models/tapie/README.md): besides, the radial acceleration v^2 k |n_j| <= A_j and the jerk v^3 k^2 |t_j| <=
 /// J_j of running round at constant speed.
-MotionLimits segment_limits(const Toolpath& toolpath, std::size_t i, const AxisVectors& axes);
+///
+/// `part`: of a part of it; null: least along all of it.
+MotionLimits segment_limits(const Toolpath& toolpath, std::size_t i, const AxisVectors& axes,
+                            const TurnPart* part = nullptr);
 
 /// `limits` whose ramps the rotary axes allow that turn along the segments from `first` to `last`, of a curve
 /// that stands for parts of them (Toolpath::segment_turns).
@@ -91,6 +120,10 @@ MotionLimits with_joints(MotionLimits limits, const Toolpath& toolpath, std::siz
 /// end [mm]: the axes turn there as along the way that the curve replaces, which is longer.
 MotionLimits with_turns_in_corner(MotionLimits limits, const Toolpath& toolpath, std::size_t i,
                                   std::size_t first, std::size_t last, double transition, double length);
+
+/// How fast the curve in a corner, an element of `path`, lets the tip go for the axes of the machine to keep
+/// their velocity along it.
+SpeedBound turning_speed_in_corner(const BlendedPath& path, std::size_t element);
 
 /// The same for an arc that need not stand in the program, run at `programmed` at most.
 MotionLimits arc_limits(const Arc& arc, const SpeedBound& programmed, const AxisVectors& axes);

@@ -124,6 +124,12 @@ std::string continuity_sentence(Continuity continuity) {
   return "Velocity and acceleration are continuous everywhere.";
 }
 
+std::string turning_sentence(const Guarantees& g) {
+  return fmt::format(
+      "Where rotary axes turn{}, every axis of the machine stays within {} times its velocity.",
+      g.turning_rapids_only ? " in rapids" : "", g.turning_velocity);
+}
+
 std::string stop_sentence(const Guarantees& g) {
   std::vector<std::string> places;
   if (g.stops_at_line_corners) {
@@ -165,6 +171,9 @@ std::vector<std::string> sentences(const Guarantees& g) {
   }
   if (g.lays_curves) {
     text.push_back(place_sentence("On smooth curves", g.curves));
+  }
+  if (g.turning_velocity < Guarantees::unbounded) {
+    text.push_back(turning_sentence(g));
   }
   text.push_back(continuity_sentence(g.continuity));
   if (g.continuity != Continuity::position) {

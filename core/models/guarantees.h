@@ -84,6 +84,10 @@ struct Guarantees {
   /// Ramps along blocks in which rotary axes turn stay within their acceleration and jerk, but for the share
   /// of a place where blocks meet.
   bool holds_rotary_ramps = false;
+  /// Largest velocity of any axis of the machine, linear or rotary, where rotary axes turn, as a multiple of
+  /// its limit; of X, Y and Z where tool length and part zero are known.
+  double turning_velocity = unbounded;
+  bool turning_rapids_only = false;  ///< of rapids alone
 };
 
 /// All three limits of every axis kept in whole.

@@ -45,8 +45,28 @@ void AxisCourses::add(std::size_t axis, const Series& course) {
   of.third = std::max(of.third, std::abs(course.d3()));
 }
 
+void AxisCourses::add(const AxisCourses& other) {
+  for (std::size_t i = 0; i < count; ++i) {
+    axes_[i].first = std::max(axes_[i].first, other.axes_[i].first);
+    axes_[i].second = std::max(axes_[i].second, other.axes_[i].second);
+    axes_[i].third = std::max(axes_[i].third, other.axes_[i].third);
+  }
+}
+
+void AxisCourses::reach_between(double step) {
+  for (Course& axis : axes_) {
+    axis.first += step * step / 8 * axis.third;
+  }
+}
+
 TurnLimit AxisCourses::speed() const {
   TurnLimit least = speed_of_bend();
+  lower(least, speed_of_velocity());
+  return least;
+}
+
+TurnLimit AxisCourses::speed_of_velocity() const {
+  TurnLimit least;
   for (std::size_t i = 0; i < count; ++i) {
     if (axes_[i].first > 0) {
       lower(least, limit(axes_[i].velocity / axes_[i].first, TurnLimit::By::velocity, axes_[i].first, i));

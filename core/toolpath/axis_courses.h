@@ -26,9 +26,16 @@ class AxisCourses {
   /// Takes up the derivatives of an axis, a place in cause_axes, at a place of the part.
   void add(std::size_t axis, const Series& course);
 
+  /// Takes up those of another part of the same machine.
+  void add(const AxisCourses& other);
+  /// Raises the first derivatives to what they can be between the places taken up, which are `step` apart
+  /// along the path [mm]: by step^2/8 of the third ones, which bend them.
+  void reach_between(double step);
+
   /// The speed at which velocity and the shares of acceleration and jerk are taken by the first terms.
   TurnLimit speed() const;
-  /// The same without the velocity.
+  /// The same of the velocity alone, and without it.
+  TurnLimit speed_of_velocity() const;
   TurnLimit speed_of_bend() const;
   /// What turning at `speed` leaves for ramps, over `reach` of which the speed may grow [mm/s, mm].
   TurnRamp ramp(double speed, double reach) const;

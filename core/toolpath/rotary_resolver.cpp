@@ -13,6 +13,7 @@
 #include "core/toolpath/rotary_notes.h"
 #include "core/toolpath/rotary_positions.h"
 #include "core/toolpath/tip_swing.h"
+#include "core/toolpath/turn_ceiling.h"
 #include "core/toolpath/turn_course.h"
 #include "core/toolpath/turn_limiter.h"
 
@@ -216,14 +217,6 @@ class RotaryResolver {
     if (some_stop) {  // those beside it are rounded without it
       set_limits();
     }
-    for (std::size_t k = 0; k < joints.size(); ++k) {
-      if (between[k].before != nullptr) {
-        limiter_.hold_beside(path_, joints[k], true, *between[k].before);
-      }
-      if (between[k].behind != nullptr) {
-        limiter_.hold_beside(path_, joints[k], false, *between[k].behind);
-      }
-    }
     if (limiter_.is_bound()) {
       for (SegmentTurn& turn : path_.segment_turns) {
         limiter_.set_bound(path_, turn);
@@ -232,6 +225,8 @@ class RotaryResolver {
         limiter_.set_bound(path_, between[k].before, between[k].behind, joints[k]);
       }
     }
+    path_.turn_ceiling = std::make_shared<const TurnCeiling>(machine_, chain_);
+    path_.turn_ceiling->divide(path_, limiter_.is_bound());
   }
 
   RotaryTurn turn_of(const RotaryMove& move) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/units.h"
 #include "core/machine/rotary_axis.h"
 #include "core/toolpath/axis_courses.h"
 #include "core/toolpath/turn_course.h"
@@ -14,9 +15,14 @@ namespace {
 
 constexpr std::size_t first_rotary = coordinate_names.size();
 
-/// Shares of a turn at which its derivatives are looked at.
-std::vector<double> shares_of(const TurnCourse& course, double way) {
-  constexpr int even = 64;
+/// Shares of a turn at which its derivatives are looked at: X, Y and Z go up and down with the angles.
+std::vector<double> shares_of(const TurnCourse& course, const RotaryTurn& turn, double way) {
+  constexpr double most_between = units::from_deg(2.5);
+  double turned = 0;
+  for (std::size_t i = 0; i < turn.to.size(); ++i) {
+    turned += std::abs(turn.to[i] - turn.from[i]);
+  }
+  const int even = std::max(64, static_cast<int>(std::ceil(turned / most_between)));
   std::vector<double> shares;
   for (int i = 0; i <= even; ++i) {
     shares.push_back(i / static_cast<double>(even));
@@ -80,7 +86,7 @@ void TipSwing::set_law(const Vec3& tip, double feed, double time, RotaryTurn& tu
   place.d1 = place.d2 = place.d3 = Vec3::Zero();
   const std::array<Series, 3> held = tip_on_machine(part_, place);
   AxisCourses courses(machine_);
-  for (const double share : shares_of(course, way)) {
+  for (const double share : shares_of(course, turn, way)) {
     const std::vector<Series> angles = course.at(share * way);
     const std::vector<Series> all = chain_.courses(held, angles, part_.tool_length);
     for (std::size_t k = 0; k < angles.size(); ++k) {

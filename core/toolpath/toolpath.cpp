@@ -85,6 +85,20 @@ const TurnJoint* Toolpath::turn_joint(std::size_t i) const {
   return of_segment(turn_joints, i);
 }
 
+std::span<const TurnPart> Toolpath::turn_parts_of(std::size_t i) const {
+  return std::ranges::equal_range(turn_parts, i, std::less(), &TurnPart::segment);
+}
+
+CurvePoint Toolpath::place_on(std::size_t i, double s) const {
+  const Segment& segment = segments[i];
+  if (segment.kind == SegmentKind::arc) {
+    return arc_of(segment).at(s);
+  }
+  const Vec3& from = start_of(i);
+  const Vec3 direction = (segment.end - from) / segment.length;
+  return {from + s * direction, direction, Vec3::Zero(), Vec3::Zero()};
+}
+
 Vec3 Toolpath::tangent_at_start(std::size_t i) const {
   return tangent(*this, i, false);
 }

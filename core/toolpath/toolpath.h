@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,8 @@
 #include "core/toolpath/curve.h"
 
 namespace feedscope {
+
+class TurnCeiling;
 
 enum class SegmentKind : std::uint8_t { line, arc, dwell };
 
@@ -94,12 +97,21 @@ struct SegmentTurn {
   std::size_t segment = 0;
   std::array<double, 3> from{};  ///< angles of A, B and C [rad]
   std::array<double, 3> to{};
-  TurnLimit limit;
+  TurnLimit limit;      ///< of its slowest place
   double tilt = -1;     ///< of the tool to the first of two rotary axes, in the middle [rad]; -1: only one
   TurnRamp ramp;        ///< along it, at the speed of `limit` or at its feed if that is less
   bool at_tip = false;  ///< tool centre point control is on
   /// The tool's direction goes along a great circle, else the axes go linearly.
   bool great_circle = false;
+};
+
+/// A part of a segment along which, or beside which, rotary axes turn: its ceiling and ramps are those of its
+/// slowest place (TurnCeiling). It begins where the part before it in the segment ends.
+struct TurnPart {
+  std::size_t segment = 0;
+  double end = 0;  ///< from the start of the segment [mm]
+  TurnLimit limit;
+  TurnRamp ramp;  ///< at the speed of `limit` or at its feed if that is less
 };
 
 /// Where the part is on a machine with rotary axes all at zero, and how long the tool is.
@@ -156,9 +168,11 @@ struct Toolpath {
   std::vector<std::string> cutting_axes;                  ///< as Program::cutting_axes
   /// As Program::rotary_moves with segments for motions; none once a machine has made pauses of them.
   std::vector<RotaryMove> rotary_moves;
-  std::vector<SegmentTurn> segment_turns;  ///< in which rotary axes turn, by segment
-  std::vector<TurnJoint> turn_joints;      ///< by segment
-  PartOnMachine part;                      ///< rotary_turns and segment_turns are worked out with it
+  std::vector<SegmentTurn> segment_turns;           ///< in which rotary axes turn, by segment
+  std::vector<TurnJoint> turn_joints;               ///< by segment
+  std::vector<TurnPart> turn_parts;                 ///< of segments whose limits differ along them, by place
+  std::shared_ptr<const TurnCeiling> turn_ceiling;  ///< that made them; null where no rotary axis turns
+  PartOnMachine part;                               ///< rotary_turns and segment_turns are worked out with it
   /// The path of the program that on_machine() made this one of; null: this is it.
   std::shared_ptr<const Toolpath> programmed;
   std::vector<RotaryTurn> rotary_turns;        ///< what they came to on the machine
@@ -195,6 +209,10 @@ struct Toolpath {
   const SegmentTurn* segment_turn(std::size_t i) const;
   /// At the end of segment `i`; null where no rotary axis changes its slope.
   const TurnJoint* turn_joint(std::size_t i) const;
+  /// Of segment `i`, in order; none where the limits of SegmentTurn are those of all of it.
+  std::span<const TurnPart> turn_parts_of(std::size_t i) const;
+  /// On a line or an arc, with derivatives by path length; `s` from the start of segment `i` [mm].
+  CurvePoint place_on(std::size_t i, double s) const;
   Vec3 tangent_at_start(std::size_t i) const;  ///< unit; zero for a dwell
   Vec3 tangent_at_end(std::size_t i) const;    ///< unit; zero for a dwell
   double length() const;                       ///< sum of the segments [mm]

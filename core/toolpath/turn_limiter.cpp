@@ -27,19 +27,6 @@ std::size_t linear_place(char name) {
   return static_cast<std::size_t>(name - 'X');
 }
 
-CurvePoint point_at(const Toolpath& path, std::size_t i, double along) {
-  const Segment& segment = path.segments[i];
-  if (segment.kind == SegmentKind::arc) {
-    return path.arc_of(segment).at(along * segment.length);
-  }
-  CurvePoint at;
-  const Vec3& start = path.start_of(i);
-  at.d1 = (segment.end - start) / segment.length;
-  at.position = start + along * segment.length * at.d1;
-  at.d2 = at.d3 = Vec3::Zero();
-  return at;
-}
-
 /// Of a turn along a segment, at its end or its start; zero for none.
 Angles slopes_of(const Toolpath& path, const KinematicChain& chain, const SegmentTurn* turn, bool at_end) {
   Angles slopes{};
@@ -57,7 +44,13 @@ Angles slopes_of(const Toolpath& path, const KinematicChain& chain, const Segmen
 /// Shares of a segment at which the derivatives along it are looked at: even ones, and on a great circle
 /// those about the place nearest to the pole, where the first axis is fastest.
 std::vector<double> places_along(const TurnCourse& course, const SegmentTurn& turn, double length) {
-  const int even = turn.great_circle ? 17 : 5;
+  constexpr double most_between = units::from_deg(7.5);
+  double turned = 0;
+  for (std::size_t k = 0; k < turn.to.size(); ++k) {
+    turned += std::abs(turn.to[k] - turn.from[k]);
+  }
+  const int even =
+      std::max(turn.great_circle ? 17 : 5, 1 + static_cast<int>(std::ceil(turned / most_between)));
   std::vector<double> places;
   for (int i = 0; i < even; ++i) {
     places.push_back(i / (even - 1.0));
@@ -135,7 +128,7 @@ void TurnLimiter::add_turn(const Toolpath& path, const SegmentTurn& turn, AxisCo
       courses.add(linear_count + rotary_place(axes_[k]->name), angles[k]);
     }
     if (turn.at_tip && part_.known) {
-      add_linear(point_at(path, turn.segment, along), angles, courses);
+      add_linear(path.place_on(turn.segment, along * length), angles, courses);
     }
   }
 }
@@ -191,7 +184,7 @@ TurnLimiter::Meeting TurnLimiter::meeting_of(const Toolpath& path, const Segment
     side.length = path.segments[side.segment].length;
     side.turn = comes ? before : behind;
     side.slopes = slopes_of(path, chain_, side.turn, comes);
-    const CurvePoint place = point_at(path, side.segment, comes ? 1 : 0);
+    const CurvePoint place = path.place_on(side.segment, comes ? side.length : 0);
     side.speed_up = speed_up(place, side.turn);
     side.ramp_up = ramp_up(place, side.turn);
     side.held_from = least_shaping_reach(side.length);
@@ -262,23 +255,6 @@ bool TurnLimiter::stops(const Toolpath& path, const SegmentTurn* before, const S
   return stop_is_faster(joint, sides, blend);
 }
 
-void TurnLimiter::hold_beside(const Toolpath& path, const TurnJoint& joint, bool at_end,
-                              SegmentTurn& turn) const {
-  const double reach = at_end ? joint.before : joint.behind;
-  if (joint.stops || !shapes_segment(reach, path.segments[turn.segment].length)) {
-    return;
-  }
-  const Angles own = slopes_of(path, chain_, &turn, at_end);
-  for (const RotaryAxis* axis : axes_) {
-    const std::size_t i = rotary_place(axis->name);
-    const double slope = std::abs(own[i] + joint_turn(joint, i, at_end ? -0.0 : 0.0).d1());
-    if (slope > std::abs(own[i])) {
-      lower(turn.limit, {axis->velocity / slope, slope, TurnLimit::By::velocity,
-                         static_cast<std::int8_t>(linear_count + i)});
-    }
-  }
-}
-
 void TurnLimiter::set_bound(const Toolpath& path, SegmentTurn& turn) const {
   AxisCourses courses(machine_, of_bound);
   add_turn(path, turn, courses);
@@ -303,7 +279,7 @@ void TurnLimiter::set_bound(const Toolpath& path, const SegmentTurn* before, con
     courses.add(linear_count + axis, angles[k]);
   }
   if (meeting.at_tip && part_.known) {
-    add_linear(point_at(path, joint.segment, 1), angles, courses);
+    add_linear(path.place_on(joint.segment, path.segments[joint.segment].length), angles, courses);
   }
   joint.limit = courses.speed();
 }
@@ -355,7 +331,7 @@ AxisCourses TurnLimiter::bend_of(const Toolpath& path, const Meeting& meeting, c
         courses.add(linear_count + axis, angles[k]);
       }
       if (meeting.at_tip && part_.known) {
-        add_linear(point_at(path, side.segment, s / side.length), angles, courses);
+        add_linear(path.place_on(side.segment, s), angles, courses);
       }
     };
     const double reach = reach_of(joint, i);
@@ -433,7 +409,7 @@ double TurnLimiter::speed_for_velocity(const Meeting& meeting, const TurnJoint& 
   const auto slope_at = [&](double away) {
     return std::abs(flat.slopes[i] + joint_turn(joint, i, to_side(k, away)).d1());
   };
-  if (flat.turn != nullptr && reach >= flat.held_from) {  // hold_beside()
+  if (flat.turn != nullptr && reach >= flat.held_from) {  // TurnCeiling
     return slope_at(0) > 0 ? velocity / slope_at(0) : HUGE_VAL;
   }
   double least = HUGE_VAL;  // square of the speed
@@ -461,7 +437,8 @@ TurnLimit TurnLimiter::jump_limit(const Toolpath& path, const Meeting& meeting,
     hold(linear_count + i, axis->acceleration, std::abs(joint.step[i]));
   }
   if (meeting.at_tip && part_.known) {
-    const std::array<Series, 3> tip = tip_on_machine(part_, point_at(path, joint.segment, 1));
+    const std::array<Series, 3> tip =
+        tip_on_machine(part_, path.place_on(joint.segment, path.segments[joint.segment].length));
     const auto axes_on = [&](const Side& side) {
       return chain_.courses(tip, angles_at(meeting.angles, side.slopes), part_.tool_length);
     };

@@ -67,10 +67,6 @@ class TurnLimiter {
   /// Whether the tip had better stop at a joint whose limit and ramp are set (stop_is_faster()).
   bool stops(const Toolpath& path, const SegmentTurn* before, const SegmentTurn* behind,
              const TurnJoint& joint) const;
-  /// Lowers the limit of a turn by the velocity that its axes still have where a joint at its end or start
-  /// (`at_end`) shapes its course (shapes_segment()): there the axis turns more than on the rest.
-  void hold_beside(const Toolpath& path, const TurnJoint& joint, bool at_end, SegmentTurn& turn) const;
-
   /// The model asks what no control can beat: velocities and accelerations are taken whole, jerks are not
   /// limited (`jerk=off` of a bound). Then the limits that were set last are replaced by those.
   bool is_bound() const { return is_bound_; }

@@ -33,20 +33,29 @@ CornerPlace corner_behind(const Toolpath& toolpath, const PathRules& rules, std:
   return place;
 }
 
-/// `laid_segment(index, block, length)` and `laid_corner(index, block, piece)` are told of every element;
-/// `lay_curve(curve)` lays each of `curves`, smooth ones in their order.
+/// `laid_segment(index, block, length, part)` of each part of a segment and `laid_corner(index, block,
+/// piece)` are told of every element; `lay_curve(curve)` lays each of `curves`, smooth ones in their order.
 template <typename LaidSegment, typename LaidCorner, typename LayCurve>
 void lay_elements(const Toolpath& toolpath, const StretchRange& range, const Vec3& axis_velocity,
                   const PathRules& rules, const std::vector<SmoothCurve>& curves, TrajectoryBuilder& builder,
                   const BlendCorner& blend, const LaidSegment& laid_segment, const LaidCorner& laid_corner,
                   const LayCurve& lay_curve) {
+  const auto lay_segment = [&](std::uint32_t block, double begin, double length) {
+    if (toolpath.segments[block].kind == SegmentKind::arc || toolpath.turn_parts_of(block).empty()) {
+      laid_segment(builder.add_segment(block, length), block, length, nullptr);
+      return;
+    }
+    for_turn_parts(toolpath, block, begin, begin + length, [&](const TurnPart* part, double from, double to) {
+      laid_segment(builder.add_segment(block, to - from), block, to - from, part);
+    });
+  };
   auto curve = curves.begin();
   double cut_before = 0;
   for (std::size_t i = range.first; i < range.last; ++i) {
     for (; curve != curves.end() && curve->run.first == i; ++curve) {
       const auto block = static_cast<std::uint32_t>(i);
       if (const double length = curve->run.begin - cut_before; length > min_line) {
-        laid_segment(builder.add_segment(block, length), block, length);
+        lay_segment(block, cut_before, length);
       }
       lay_curve(*curve);
       i = curve->run.last;
@@ -63,7 +72,7 @@ void lay_elements(const Toolpath& toolpath, const StretchRange& range, const Vec
     }
     const double length = segment.length - cut_before - piece.transition;
     if (length > min_line) {
-      laid_segment(builder.add_segment(block, length), block, length);
+      lay_segment(block, cut_before, length);
     }
     if (corner) {
       laid_corner(builder.add_corner(piece.kind, block, piece.transition, piece.length), block, piece);
@@ -127,14 +136,16 @@ void lay_blended_stretch(const Toolpath& toolpath, const StretchRange& range, co
   stretch.reserve(most_elements(range, curves));
   lay_elements(
       toolpath, range, axes.velocity, rules, curves, builder, blend,
-      [&](std::uint32_t index, std::uint32_t block, double length) {
-        const MotionLimits limits =
-            with_joints(segment_limits(toolpath, block, axes), toolpath, block, range.first, range.last);
+      [&](std::uint32_t index, std::uint32_t block, double length, const TurnPart* part) {
+        const MotionLimits limits = with_joints(segment_limits(toolpath, block, axes, part), toolpath, block,
+                                                range.first, range.last);
         stretch.add({length, limits}, index, block);
       },
       [&](std::uint32_t index, std::uint32_t block, const CornerPiece& piece) {
-        const MotionLimits limits = with_turns_in_corner(piece.limits, toolpath, block, range.first,
-                                                         range.last, piece.transition, piece.length);
+        MotionLimits limits = with_turns_in_corner(piece.limits, toolpath, block, range.first, range.last,
+                                                   piece.transition, piece.length);
+        const SpeedBound turning = turning_speed_in_corner(builder.path(), index);
+        limits.speed.lower(turning.value, turning.cause);
         stretch.add({piece.length, limits}, index, block, true);
       },
       [&](const SmoothCurve& curve) { add_smooth_curve(curve, toolpath, axes, builder, stretch); });

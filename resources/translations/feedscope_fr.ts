@@ -4256,6 +4256,14 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>Là où le programme demande BRISK, aucun jerk n’est borné le long de la trajectoire&#xa0;: l’accélération y change en une période d’interpolation.</translation>
     </message>
     <message>
+        <source>Where rotary axes turn, every axis of the machine stays within %1 times its velocity.</source>
+        <translation>Là où des axes rotatifs tournent, chaque axe de la machine reste en deçà de %1 fois sa vitesse maximale.</translation>
+    </message>
+    <message>
+        <source>Where rotary axes turn in rapids, every axis of the machine stays within %1 times its velocity.</source>
+        <translation>Là où des axes rotatifs tournent en rapide, chaque axe de la machine reste en deçà de %1 fois sa vitesse maximale.</translation>
+    </message>
+    <message>
         <source>BRISK of the program is not followed.</source>
         <translation>Le BRISK du programme n’est pas suivi.</translation>
     </message>

@@ -1,11 +1,13 @@
 #include "tests/contract/contract.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <iterator>
 #include <map>
+#include <utility>
 
 #include "core/analysis/run.h"
 #include "tests/contract/hand_cases.h"
@@ -167,8 +169,46 @@ TEST_P(ModelContract, HoldsOnRandomFiveAxisPrograms) {
   }
 }
 
+TEST_P(ModelContract, HoldsOnRandomTurnsFarFromThePartZero) {
+  const bool slow = GetParam() == "optimal";
+  const std::uint64_t programs = test::random_cases((slow ? 8 : 80) / fewer);
+  constexpr std::uint64_t seed = 2029;
+  for (std::uint64_t number = 0; number < programs && !HasFailure(); ++number) {
+    found_.check(far_turn_case(GetParam(), seed, number), "far-turn-" + std::to_string(number));
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Models, ModelContract, ::testing::ValuesIn(model_ids()),
                          [](const auto& model) { return model.param; });
+
+/// One block from rest to rest, turning far, cut into many: the feed of each is its own.
+TEST(TurnCeilingContract, LosesAtMostTwoPercentAgainstManyShortBlocks) {
+  constexpr int pieces = 400;
+  const auto place = [](double share, double far) {
+    return fmt::format("X{:.6f} Y{:.6f} C{:.6f}", 60 - 120 * share, 30 * share, far * share);
+  };
+  Machine machine = shipped_machines().load("five-axis-table-ac");
+  machine.kinematics.tool_length = 100;
+  for (const auto& [key, value] : {std::pair("part_zero_x_mm", 150.0), std::pair("part_zero_y_mm", -120.0),
+                                   std::pair("part_zero_z_mm", -300.0), std::pair("lookahead_blocks", 1e4)}) {
+    machine.settings.set(key, value);
+  }
+  const auto time = [&](const std::string& model, double far, int blocks) {
+    std::string text = "G43.4 H1\nG0 X60 Y0 Z5 C0\nG4 P100\nG1 F20000\n";
+    for (int i = 1; i <= blocks; ++i) {
+      text += place(static_cast<double>(i) / blocks, far) + "\n";
+    }
+    const Program program =
+        read_program(std::make_shared<const SourceText>("far.nc", text), nullptr, reading_on({}, machine));
+    const ControlModel& run = find_model(model);
+    return run.simulate(build_toolpath(program), machine, complete_settings(run, machine)).duration();
+  };
+  for (const char* model : {"essid", "gassara", "tapie", "msaddek"}) {
+    for (const double far : {-90.0, -430.0, -2000.0}) {
+      EXPECT_LE(time(model, far, 1), 1.02 * time(model, far, pieces)) << model << ", " << far;
+    }
+  }
+}
 
 /// Random programs, in shares that ctest runs side by side.
 class RandomContract : public ::testing::TestWithParam<std::tuple<std::string, int>> {};

@@ -33,6 +33,9 @@ class Turns {
   Turns(Random& random, const MachineKinematics& kinematics)
       : random_(random), kinematics_(kinematics), size_(random.spread(1e-4, 100)) {}
 
+  Turns(Random& random, const MachineKinematics& kinematics, double size)
+      : random_(random), kinematics_(kinematics), size_(size) {}
+
   std::string words() {
     std::string words;
     for (const RotaryAxis& axis : kinematics_.rotary) {
@@ -57,6 +60,34 @@ class Turns {
 };
 
 }  // namespace
+
+Case far_turn_case(const std::string& model, std::uint64_t seed, std::uint64_t number) {
+  Random random(seed + 2, number);
+  Case made;
+  made.model = model;
+  made.machine = rotary_machines()[random.below(rotary_machines().size())];
+  made.machine.model = model;
+  made.machine.kinematics.tool_length = random.between(20, 300);
+  for (const char axis : {'x', 'y', 'z'}) {
+    made.machine.settings.set(fmt::format("part_zero_{}_mm", axis), random.between(-600, 600));
+  }
+  made.machine.settings.set("contour_tolerance_mm", random.chance(0.3) ? 0 : random.spread(1e-3, 1));
+  made.machine.settings.set("orientation_tolerance_deg", random.spread(1e-3, 5));
+  for (RotaryAxis& axis : made.machine.kinematics.rotary) {
+    axis.velocity *= random.between(0.3, 2);
+  }
+  Turns turns(random, made.machine.kinematics, random.spread(1, 5000));
+  made.lines = {"G43.4 H1", "G0 X0 Y0 Z0"};
+  const std::size_t blocks = 1 + random.below(8);
+  const double length = random.spread(2, 300);
+  for (std::size_t i = 0; i < blocks; ++i) {
+    const auto place = [&] { return random.between(-1, 1) * length; };
+    made.lines.push_back(fmt::format("{} X{:.3f} Y{:.3f} Z{:.3f}{} F{:.0f}",
+                                     random.chance(0.15) ? "G0" : "G1", place(), place(), place(),
+                                     random.chance(0.8) ? turns.words() : "", random.spread(500, 30000)));
+  }
+  return made;
+}
 
 Case rotary_case(const std::string& model, std::uint64_t seed, std::uint64_t number) {
   Case made = random_case(model, seed, number);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/analysis/rotary_course.h"
+#include "core/analysis/rotary_figures.h"
 #include "core/toolpath/joint_shape.h"
 #include "tests/contract/checks.h"
 
@@ -57,23 +59,107 @@ Result check_slope(const Motion& motion, const RotaryCourse& course, const Part&
   return {};
 }
 
+/// Which axis is above its velocity at an instant, and by what factor.
+Result check_turning_velocity(const RotarySample& sample, double most, const Machine& machine,
+                              std::uint32_t line, double time) {
+  const auto check = [&](char name, double velocity, double limit) -> Result {
+    if (std::abs(velocity) <= most * limit) {  // not a number: the axis does not hold the tip
+      return {};
+    }
+    return std::isnan(velocity) ? Result()
+                                : Finding{"turning-velocity",
+                                          fmt::format("axis {} at {} times its velocity in line {} at {} s",
+                                                      name, std::abs(velocity) / limit, line, time)};
+  };
+  for (std::size_t i = 0; i < axes; ++i) {
+    const AxisLimits* linear = machine.axes.find(coordinate_names[i]);
+    const RotaryAxis* rotary = machine.kinematics.find(rotary_names[i]);
+    Result wrong = linear != nullptr ? check(coordinate_names[i], sample.linear[i].velocity, linear->velocity)
+                                     : Result();
+    if (!wrong && rotary != nullptr) {
+      wrong = check(rotary->name, sample.rotary[i].velocity, rotary->velocity);
+    }
+    if (wrong) {
+      return wrong;
+    }
+  }
+  return {};
+}
+
+/// The largest velocities at the instants looked at, which the figures of the run are not below.
+class Seen {
+ public:
+  void add(const RotarySample& sample) {
+    for (std::size_t i = 0; i < axes; ++i) {
+      for (const auto& [state, largest] :
+           {std::pair(&sample.linear[i], &linear_[i]), std::pair(&sample.rotary[i], &rotary_[i])}) {
+        *largest = std::isnan(state->velocity) ? *largest : std::max(*largest, std::abs(state->velocity));
+      }
+    }
+  }
+
+  Result check(const RotaryFigures& figures) const {
+    constexpr double rounding = 1e-6;
+    for (std::size_t i = 0; i < axes; ++i) {
+      const double linear = figures.linear ? (*figures.linear)[i].velocity : 0;
+      const double rotary = figures.rotary[i].velocity;
+      if (linear < linear_[i] * (1 - rounding) - rounding ||
+          rotary < rotary_[i] * (1 - rounding) - rounding) {
+        return Finding{"rotary-peak",
+                       fmt::format("largest velocities {} of {} and {} of {}, seen {} and {}", linear,
+                                   coordinate_names[i], rotary, rotary_names[i], linear_[i], rotary_[i])};
+      }
+    }
+    return {};
+  }
+
+ private:
+  std::array<double, axes> linear_{};
+  std::array<double, axes> rotary_{};
+};
+
+/// How many even instants of a part show the axes go up and down with the angles.
+int samples_of(const Motion& motion, const RotaryCourse& course, const Part& part) {
+  constexpr double least = 12;
+  constexpr double step = 0.05;  // [rad]
+  const auto from = course.at(motion.at(part, 0)).angles();
+  const auto to = course.at(motion.at(part, 1)).angles();
+  double turned = 0;
+  for (std::size_t i = 0; i < axes; ++i) {
+    turned += std::isnan(to[i]) ? 0 : std::abs(to[i] - from[i]);
+  }
+  return static_cast<int>(std::max(least, turned / step));
+}
+
 }  // namespace
 
 Result check_rotary(const Motion& motion, const Guarantees& promised, const Machine& machine) {
   const auto run = std::make_shared<const Trajectory>(motion.run());
   const std::shared_ptr<const RotaryCourse> course = rotary_course_of(run, machine);
-  if (!course || motion.lags() || run->path().is_executed()) {
+  if (!course || run->path().is_executed()) {
     return {};
   }
   const Toolpath& path = *run->path().programmed();
   const double rounding = 1e-7 * size_of(path);
+  Seen seen;
   RotarySample last;
   bool was_curve = false;
   for (const Part& part : motion.parts()) {
-    constexpr int samples = 12;
+    const int samples = samples_of(motion, *course, part);
     for (int k = 0; k <= samples; ++k) {
       const State state = motion.at(part, static_cast<double>(k) / samples);
       const RotarySample sample = course->at(state);
+      const Segment& block = path.segments[part.segment];
+      if (block.rapid || !promised.turning_rapids_only) {
+        if (Result wrong =
+                check_turning_velocity(sample, promised.turning_velocity, machine, block.line, state.time)) {
+          return wrong;
+        }
+      }
+      seen.add(sample);
+      if (motion.lags()) {
+        continue;
+      }
       for (const RotaryAxis& axis : machine.kinematics.rotary) {
         const std::size_t i = rotary_names.find(axis.name);
         const bool turns = path.segment_turn(part.segment) != nullptr;
@@ -117,14 +203,14 @@ Result check_rotary(const Motion& motion, const Guarantees& promised, const Mach
       last = sample;
     }
     was_curve = part.place == Place::curve;
-    if (was_curve) {
+    if (was_curve || motion.lags()) {
       continue;  // its places on the programmed lines are the nearest ones
     }
     if (Result wrong = check_slope(motion, *course, part, machine)) {
       return wrong;
     }
   }
-  return {};
+  return seen.check(rotary_figures(course, promised.limits_jerk));
 }
 
 }  // namespace feedscope::contract

@@ -32,6 +32,7 @@ Toolpath part_of(const Toolpath& whole, std::size_t first, std::size_t last) {
                        whole.segments.begin() + static_cast<std::ptrdiff_t>(last));
   part.segment_turns = items_of(whole.segment_turns, first, last);
   part.turn_joints = items_of(whole.turn_joints, first, last);
+  part.turn_parts = items_of(whole.turn_parts, first, last);
   part.rotary_turns = items_of(whole.rotary_turns, first, last);
   return part;
 }

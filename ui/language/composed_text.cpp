@@ -336,6 +336,11 @@ constexpr std::array clauses{
     QT_TRANSLATE_NOOP("core", "acceleration"),
     QT_TRANSLATE_NOOP("core", "jerk"),
     QT_TRANSLATE_NOOP("core", "jerk (blend_jerk)"),
+    QT_TRANSLATE_NOOP(
+        "core", "Where rotary axes turn, every axis of the machine stays within %1 times its velocity."),
+    QT_TRANSLATE_NOOP(
+        "core",
+        "Where rotary axes turn in rapids, every axis of the machine stays within %1 times its velocity."),
     QT_TRANSLATE_NOOP("core", "The speed jumps along the path."),
     QT_TRANSLATE_NOOP(
         "core", "The speed is continuous; the acceleration jumps where the curvature of the path does."),

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/analysis/explanation/reason_search.h"
 #include "core/analysis/explanation/reason_source.h"
 #include "core/analysis/explanation/turn_formula.h"
+#include "core/limits/segment_limits.h"
 
 namespace feedscope {
 namespace {
@@ -18,6 +20,16 @@ double shortening(const BlendedPath& path, std::uint32_t element) {
   }
   const double replaced = 2 * path.corner_transition(path.index(element));
   return std::max(1.0, replaced / path.length(element));
+}
+
+/// The part of segment `i`, which the element runs on or meets in a corner, that the element is on or next
+/// to; null where the limits are those of all of it.
+const TurnPart* part_near(const BlendedPath& path, std::uint32_t element, std::size_t i) {
+  if (!path.in_corner(element) && path.segment(element) == i) {
+    return turn_part(path, element);
+  }
+  const std::span<const TurnPart> parts = path.programmed()->turn_parts_of(i);
+  return parts.empty() ? nullptr : path.segment(element) == i ? &parts.back() : &parts.front();
 }
 
 TurnLimit shortened(TurnLimit limit, double by) {
@@ -70,8 +82,10 @@ Reason TurnReasons::find(const State& state, Cause cause) const {
     }
   };
   for (std::size_t i = segment; i < std::min(segment + 2, programmed.segments.size()); ++i) {
-    if (const SegmentTurn* turn = programmed.segment_turn(i)) {
-      consider(turn->limit, turn->tilt, i);
+    const SegmentTurn* turn = programmed.segment_turn(i);
+    const TurnPart* part = part_near(path, state.element, i);
+    if (part != nullptr || turn != nullptr) {
+      consider(part != nullptr ? part->limit : turn->limit, turn != nullptr ? turn->tilt : -1, i);
     }
   }
   for (std::size_t i = segment > 0 ? segment - 1 : 0; i <= segment; ++i) {
@@ -120,7 +134,10 @@ Reason TurnReasons::on_ramp(const State& state, Cause cause) const {
     const std::size_t behind = std::min(segment + 2, programmed.segments.size());
     for (std::size_t i = segment; i < behind && best.formula.empty(); ++i) {
       if (const SegmentTurn* turn = programmed.segment_turn(i)) {
-        consider(shortened(turn->ramp, shorter), turn->tilt, i, fastest_on(i, turn->limit.speed) / shorter);
+        const TurnPart* part = part_near(path, element, i);
+        const TurnRamp& ramp = part != nullptr ? part->ramp : turn->ramp;
+        const double limit = part != nullptr ? part->limit.speed : turn->limit.speed;
+        consider(shortened(ramp, shorter), turn->tilt, i, fastest_on(i, limit) / shorter);
       }
     }
     for (std::size_t i = segment > 0 ? segment - 1 : 0; i < behind && best.formula.empty(); ++i) {

@@ -22,6 +22,8 @@ const ModelInfo& CamModel::info() const {
 
 Guarantees CamModel::guarantees(const Settings&) const {
   Guarantees promised;
+  promised.turning_velocity = 1.01;
+  promised.turning_rapids_only = true;
   promised.continuity = Continuity::position;
   promised.limits_jerk = false;
   promised.stops_at_reversals = promised.stops_at_rapids = false;
@@ -40,11 +42,17 @@ Trajectory CamModel::do_simulate(const std::shared_ptr<const Toolpath>& shared, 
     if (segment.kind == SegmentKind::dwell) {
       builder.add_pause(static_cast<std::uint32_t>(i));
     } else {
-      const SpeedBound programmed =
-          segment.rapid ? feed_ceiling(toolpath, i, velocity) : programmed_speed(toolpath, i, velocity);
-      const std::uint32_t index = builder.add_segment(static_cast<std::uint32_t>(i));
-      builder.add_piece({0, 0, programmed.value, 0, 0, index, programmed.cause},
-                        segment.length / programmed.value);
+      const auto run = [&](const SpeedBound& speed, double length) {
+        const std::uint32_t index = builder.add_segment(static_cast<std::uint32_t>(i), length);
+        builder.add_piece({0, 0, speed.value, 0, 0, index, speed.cause}, length / speed.value);
+      };
+      if (segment.rapid) {
+        for_turn_parts(toolpath, i, 0, segment.length, [&](const TurnPart* part, double from, double to) {
+          run(feed_ceiling(toolpath, i, velocity, part), to - from);
+        });
+      } else {
+        run(programmed_speed(toolpath, i, velocity), segment.length);
+      }
     }
     steps.at(i);
   }

@@ -70,6 +70,7 @@ Guarantees EssidModel::guarantees(const Settings& settings) const {
   using Of = KeptLimit::Of;
   Guarantees promised;
   promised.holds_rotary_ramps = !strict;
+  promised.turning_velocity = sampled;
   promised.covered = Covered::lines;
   promised.feed = strict ? 1 : sampled;
   promised.lines = all_kept();

@@ -120,6 +120,7 @@ const ModelInfo& GassaraModel::info() const {
 Guarantees GassaraModel::guarantees(const Settings& settings) const {
   Guarantees promised;
   promised.holds_rotary_ramps = true;
+  promised.turning_velocity = 1.01;
   promised.covered = Covered::lines;
   promised.lines = promised.blends = all_kept();
   promised.blends.of_blend_jerk = true;

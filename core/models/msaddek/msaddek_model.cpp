@@ -70,6 +70,7 @@ Guarantees MsaddekModel::guarantees(const Settings& settings) const {
   const bool compacts = settings.number("compaction_mm") > 0;
   Guarantees promised;
   promised.holds_rotary_ramps = settings.text("law") != "static";
+  promised.turning_velocity = 1.01;
   promised.covered = Covered::lines;
   promised.meets_tangent_ends = !compacts;
   promised.follows_compaction = compacts;

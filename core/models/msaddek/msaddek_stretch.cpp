@@ -53,7 +53,7 @@ void MsaddekRunner::lay_path(const StretchRange& chords) {
   double cut_before = 0;
   for (std::size_t i = chords.first; i < chords.last; ++i) {
     for (; curve != curves.end() && curve->run.first == i; ++curve) {
-      add_line(i, cut_before, path.segments[i].length - curve->run.begin, static_limits(i, chords));
+      add_line(i, cut_before, path.segments[i].length - curve->run.begin, static_limits(i, chords), chords);
       add_curve(*curve);
       i = curve->run.last;
       cut_before = curve->run.end;
@@ -71,7 +71,7 @@ void MsaddekRunner::lay_path(const StretchRange& chords) {
       connection = connecting_arc(path.segments[i].end, path.tangent_at_end(i), path.tangent_at_start(i + 1),
                                   shorter, rules_.corner_tolerance(i));
     }
-    add_line(i, cut_before, connection.transition, limits);
+    add_line(i, cut_before, connection.transition, limits, chords);
     if (connection.transition > 0) {
       add_connection(i, chords, connection);
     }
@@ -79,10 +79,11 @@ void MsaddekRunner::lay_path(const StretchRange& chords) {
   }
 }
 
-MotionLimits MsaddekRunner::static_limits(std::size_t segment, const StretchRange& chords) const {
+MotionLimits MsaddekRunner::static_limits(std::size_t segment, const StretchRange& chords,
+                                          const TurnPart* part) const {
   const Toolpath& path = compacted_.path;
   MotionLimits limits =
-      with_joints(segment_limits(path, segment, axes_), path, segment, chords.first, chords.last);
+      with_joints(segment_limits(path, segment, axes_, part), path, segment, chords.first, chords.last);
   limits.speed.lower(path.segments[segment].length / settings_.period, {CauseKind::interpolation_period});
   if (path.segments[segment].kind == SegmentKind::arc) {
     const Arc& arc = path.arc_of(path.segments[segment]);
@@ -96,7 +97,7 @@ void MsaddekRunner::lower_by_curvature(SpeedBound& speed, double k) const {
 }
 
 void MsaddekRunner::add_line(std::size_t segment, double cut_before, double cut_after,
-                             const MotionLimits& limits) {
+                             const MotionLimits& limits, const StretchRange& chords) {
   const Toolpath& path = compacted_.path;
   const Vec3& start = path.start_of(segment);
   const Vec3 direction = path.tangent_at_start(segment);
@@ -110,8 +111,12 @@ void MsaddekRunner::add_line(std::size_t segment, double cut_before, double cut_
     if (to - from <= min_line) {
       continue;
     }
-    stretch_.add({to - from, limits}, builder_.add_segment(block, to - from),
-                 static_cast<std::uint32_t>(segment));
+    for_turn_parts(path, segment, from, to, [&](const TurnPart* part, double begin, double part_end) {
+      const MotionLimits of_part = part != nullptr ? static_limits(segment, chords, part) : limits;
+      const double length = part != nullptr ? part_end - begin : to - from;
+      stretch_.add({length, of_part}, builder_.add_segment(block, length),
+                   static_cast<std::uint32_t>(segment));
+    });
     from = to;
   }
 }
@@ -144,6 +149,8 @@ void MsaddekRunner::add_connection(std::size_t segment, const StretchRange& chor
   lower_by_curvature(limits.speed, arc.curvature());
   limits =
       with_turns_in_corner(limits, path, segment, chords.first, chords.last, connection.transition, length);
+  const SpeedBound turning = turning_speed_in_corner(builder_.path(), index);
+  limits.speed.lower(turning.value, turning.cause);
   stretch_.add({length, limits}, index, static_cast<std::uint32_t>(segment));
 }
 

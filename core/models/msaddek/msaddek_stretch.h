@@ -37,8 +37,12 @@ class MsaddekRunner {
 
  private:
   void lay_path(const StretchRange& chords);
-  MotionLimits static_limits(std::size_t segment, const StretchRange& chords) const;
-  void add_line(std::size_t segment, double cut_before, double cut_after, const MotionLimits& limits);
+  /// `part`: of a part of it; null: of all of it.
+  MotionLimits static_limits(std::size_t segment, const StretchRange& chords,
+                             const TurnPart* part = nullptr) const;
+  /// `limits`: of all of it.
+  void add_line(std::size_t segment, double cut_before, double cut_after, const MotionLimits& limits,
+                const StretchRange& chords);
   void add_arc(std::size_t segment, const MotionLimits& limits);
   void add_curve(const SmoothCurve& curve);
   void add_connection(std::size_t segment, const StretchRange& chords, const ConnectingArc& connection);

@@ -32,13 +32,15 @@ LawCells::LawCells(const AxisVectors& axes, int fineness)
 void LawCells::add_element(const BlendedPath& path, std::uint32_t index) {
   const SpeedBound programmed = element_ceiling(path, index, axes_.velocity);
   rule_.speed = programmed.value;
+  const TurnPart* part = turn_part(path, index);
   const SegmentTurn* turn = path.programmed()->segment_turn(path.segment(index));
+  const TurnRamp* ramp = part != nullptr ? &part->ramp : turn != nullptr ? &turn->ramp : nullptr;
   path_cells_.clear();
   append_cells(path, index, rule_, path_cells_);
   for (std::size_t i = 0; i < path_cells_.size(); ++i) {
     const PathCell& cell = path_cells_[i];
     if (cell.straight) {
-      add_straight(cell, programmed, turn);
+      add_straight(cell, programmed, ramp);
       continue;
     }
     const PathCell* before = i > 0 ? &path_cells_[i - 1] : nullptr;
@@ -48,7 +50,7 @@ void LawCells::add_element(const BlendedPath& path, std::uint32_t index) {
   }
 }
 
-void LawCells::add_straight(const PathCell& cell, const SpeedBound& programmed, const SegmentTurn* turn) {
+void LawCells::add_straight(const PathCell& cell, const SpeedBound& programmed, const TurnRamp* ramp) {
   const Vec3 t = cell.from.t.cwiseProduct(share_of_acceleration_);
   const AccelerationRange range(cell.from.t, t, Vec3::Zero());
   LawCell& added = cells_.emplace_back();
@@ -57,9 +59,9 @@ void LawCells::add_straight(const PathCell& cell, const SpeedBound& programmed, 
   added.ceiling = ceiling_of(programmed, {&cell.from});
   added.acceleration = range.highest(0);
   added.axis = static_cast<std::int8_t>(range.axis_of_highest(0));
-  if (turn != nullptr && turn->ramp.acceleration < added.acceleration) {
-    added.acceleration = turn->ramp.acceleration;
-    added.axis = turn->ramp.acceleration_axis;
+  if (ramp != nullptr && ramp->acceleration < added.acceleration) {
+    added.acceleration = ramp->acceleration;
+    added.axis = ramp->acceleration_axis;
   }
   added.element = cell.element;
   added.straight = true;

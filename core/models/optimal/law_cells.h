@@ -83,8 +83,8 @@ class LawCells {
     Vec3 c;  ///< curvature vector over it [s2/mm2]
   };
 
-  /// `turn`: of rotary axes along it; null for none.
-  void add_straight(const PathCell& cell, const SpeedBound& programmed, const SegmentTurn* turn);
+  /// `ramp`: of rotary axes that turn along it; null for none.
+  void add_straight(const PathCell& cell, const SpeedBound& programmed, const TurnRamp* ramp);
   void add_curved(const PathCell& cell, const SpeedBound& programmed, bool goes_on);
   void add_place(const PathPoint& at);
   SpeedBound ceiling_of(const SpeedBound& programmed, std::initializer_list<const PathPoint*> places) const;

@@ -98,9 +98,9 @@ SteadyPlace steady_place(const Arc& arc, const AxisVectors& axes, double control
   return place;
 }
 
-MotionLimits SetPointRule::limits(const Toolpath& toolpath, std::size_t i) const {
+MotionLimits SetPointRule::limits(const Toolpath& toolpath, std::size_t i, const TurnPart* part) const {
   const Segment& segment = toolpath.segments[i];
-  MotionLimits limits = segment_limits(toolpath, i, axes);
+  MotionLimits limits = segment_limits(toolpath, i, axes, part);
   if (segment.kind == SegmentKind::arc) {
     const SteadyPlace place = steady_place(toolpath.arc_of(segment), axes, control_jerk);
     const AxisBound drive = axis_speed(toolpath, i, axes.velocity);

@@ -32,7 +32,8 @@ struct SetPointRule {
   double period;        ///< t_cy [s]
 
   /// Limits of segment `i`, its speed the set point.
-  MotionLimits limits(const Toolpath& toolpath, std::size_t i) const;
+  /// `part`: as of segment_limits().
+  MotionLimits limits(const Toolpath& toolpath, std::size_t i, const TurnPart* part = nullptr) const;
 };
 
 }  // namespace feedscope

@@ -31,6 +31,7 @@ const ModelInfo& TapieModel::info() const {
 Guarantees TapieModel::guarantees(const Settings&) const {
   Guarantees promised;
   promised.holds_rotary_ramps = true;
+  promised.turning_velocity = 1.01;
   promised.covered = Covered::arcs;
   promised.lines = all_kept();
   promised.follows_brisk = true;
@@ -55,9 +56,17 @@ Trajectory TapieModel::do_simulate(const std::shared_ptr<const Toolpath>& shared
       stretch->clear();
       for (std::size_t i = range.first; i < range.last; ++i) {
         const auto block = static_cast<std::uint32_t>(i);
-        const MotionLimits limits =
-            with_joints(rule.limits(toolpath, i), toolpath, i, range.first, range.last);
-        stretch->add({toolpath.segments[i].length, limits}, part.add_segment(block), block);
+        const auto add = [&](const TurnPart* turn, double from, double to) {
+          const MotionLimits limits =
+              with_joints(rule.limits(toolpath, i, turn), toolpath, i, range.first, range.last);
+          stretch->add({to - from, limits}, part.add_segment(block, to - from), block);
+        };
+        const Segment& segment = toolpath.segments[i];
+        if (segment.kind == SegmentKind::arc) {
+          add(nullptr, 0, segment.length);
+        } else {
+          for_turn_parts(toolpath, i, 0, segment.length, add);
+        }
       }
       follow_acceleration_mode(*stretch, part.path(), rules, rule.period);
       set_junction_ceilings(*stretch, part.path(), rule.axes.jerk, rule.period, lookahead);

