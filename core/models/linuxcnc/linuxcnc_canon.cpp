@@ -201,8 +201,8 @@ void LinuxCncCanon::send_line(const Vec3& from, const Vec3& to, double feed, boo
   move.largest = velocity.value;
   move.acceleration = acceleration.value;
   move.acceleration_axis = acceleration.axis;
-  move.requested = rapid ? move.largest : std::min(feed, move.largest);
-  const bool of_axis = rapid || feed > move.largest;
+  const bool of_axis = rapid || feed == 0 || feed > move.largest;
+  move.requested = of_axis ? move.largest : feed;
   move.speed_cause = !of_axis ? Cause{CauseKind::programmed_feed}
                               : Cause{rapid ? CauseKind::rapid : CauseKind::axis_velocity, velocity.axis};
   move.tolerance = mode_.tolerance;

@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
 LoadedProgram loaded(const std::string& text) {
-  return load_program(std::make_shared<const SourceText>(SourceText::from_string("part.nc", text)));
+  return load_program(std::make_shared<const SourceText>(SourceText("part.nc", text)));
 }
 
 /// "line: message" of the error; empty: there is none.

@@ -113,6 +113,16 @@ TEST(LinuxCncModel, TakesItsModeFromTheSettingsWhereTheProgramHasNone) {
   EXPECT_GT(run("G21 G90\n" + moves, "G61.1").duration(), run("G21 G90\n" + moves, "G61").duration() + 0.04);
 }
 
+/// Flat arcs of a spline become lines, which run as fast as the axes allow where the program gives no feed.
+TEST(LinuxCncModel, RunsAsFastAsTheAxesAllowWithoutAFeed) {
+  for (const std::string motion : {"G1 X40 Y10", "G2 X40 Y0 I20 J0", "G5 X40 Y0 I5 J10 P-5 Q10"}) {
+    const std::string start = "G21 G90 G17 G64 P0.1 Q0.1\nG0 X0 Y0 Z0\n";
+    EXPECT_NEAR(run(start + motion + "\nM2\n").duration(),
+                run(start + "F100000\n" + motion + "\nM2\n").duration(), 2e-3)
+        << motion;
+  }
+}
+
 /// Words behind a loop of another dialect are run once, those in it at every turn, as if it were unrolled.
 TEST(LinuxCncModel, WaitsForWordsOfALoopAsOftenAsTheyAreRun) {
   const std::string turn = "G1 X10\nM8\nX0\nM9\n";
