@@ -35,10 +35,6 @@ class Reach {
     if (segment.kind == SegmentKind::dwell) {
       return wait(segment);
     }
-    if (segment.length > longest_motion) {
-      return fault(segment.line,
-                   fmt::format("a motion of {:.4g} km is longer than any machine makes", km(segment.length)));
-    }
     for (int axis = 0; axis < 3; ++axis) {
       const double at = segment.end[axis];
       least_[axis] = std::min(least_[axis], at);
@@ -47,6 +43,10 @@ class Reach {
         return fault(segment.line, fmt::format("{} goes to {:.4g} km, beyond the travel of any machine",
                                                coordinate_names[static_cast<std::size_t>(axis)], km(at)));
       }
+    }
+    if (segment.length > longest_motion) {
+      return fault(segment.line,
+                   fmt::format("a motion of {:.4g} km is longer than any machine makes", km(segment.length)));
     }
     return segment.feed > 0 ? pass(segment, segment.length / segment.feed) : std::nullopt;
   }
@@ -58,7 +58,7 @@ class Reach {
 
   std::optional<Diagnostic> pass(const Segment& segment, double time) {
     time_ += time;
-    if (time_ <= longest_time) {
+    if (!(time_ > longest_time)) {
       return std::nullopt;
     }
     const double days = time_ / day;

@@ -5752,6 +5752,10 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>0 est utilisé&#xa0;; donnez-le comme option de lecture (--tool %1=RADIUS) ou dans une table d’outils, ou programmez un TOOL DEF avec R avant l’appel d’outil</translation>
     </message>
     <message>
+        <source>0 is used; give it as an import option (--tool =RADIUS) or in a tool table, or write a TOOL DEF with R before the tool call</source>
+        <translation>0 est utilisé&#xa0;; donnez-le comme option de lecture (--tool =RADIUS) ou dans une table d’outils, ou programmez un TOOL DEF avec R avant l’appel d’outil</translation>
+    </message>
+    <message>
         <source>%1 has no value</source>
         <translation>%1 n’a pas de valeur</translation>
     </message>

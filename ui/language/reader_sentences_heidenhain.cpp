@@ -115,6 +115,10 @@ constexpr std::array heidenhain_patterns{
         "core",
         "0 is used; give it as an import option (--tool %1=RADIUS) or in a tool table, or write a TOOL "
         "DEF with R before the tool call"),
+    QT_TRANSLATE_NOOP(
+        "core",
+        "0 is used; give it as an import option (--tool =RADIUS) or in a tool table, or write a TOOL "
+        "DEF with R before the tool call"),
     QT_TRANSLATE_NOOP("core", "%1 has no value"),
     QT_TRANSLATE_NOOP("core", "0 is used; the control may still have another value, assign one first"),
     QT_TRANSLATE_NOOP("core", "%1 is not valid in %2"),

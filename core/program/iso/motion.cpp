@@ -102,12 +102,14 @@ void Motions::report_no_motion_word() const {
   const bool is_refused = dialect() == Dialect::linuxcnc || (dialect() == Dialect::grbl && modal_.after_g80);
   report(is_refused ? Severity::error : Severity::warning, "motion-mode", is_refused ? 1 : 0,
          words_.first_column("XYZ"), [&] {
-           const std::string_view place = modal_.after_g80
-                                              ? "position words after G80 without a new G0, G1, G2 or G3"
-                                              : "position words before the first G0, G1, G2 or G3";
-           return Text{is_refused
-                           ? fmt::format("{}: {} stops here with an error", place, info_of(dialect()).title)
-                           : std::string(place),
+           const char* const refused =
+               modal_.after_g80
+                   ? "position words after G80 without a new G0, G1, G2 or G3: {} stops here with an error"
+                   : "position words before the first G0, G1, G2 or G3: {} stops here with an error";
+           const char* const assumed = modal_.after_g80
+                                           ? "position words after G80 without a new G0, G1, G2 or G3"
+                                           : "position words before the first G0, G1, G2 or G3";
+           return Text{is_refused ? fmt::format(fmt::runtime(refused), info_of(dialect()).title) : assumed,
                        "G0 is used; write the G word"};
          });
 }

@@ -247,7 +247,7 @@ TEST(SlowGroups, RapidsAreApartFromTheCutsBesideThem) {
   // Cuts in lines 2 and 5, rapids in lines 3 and 4: at rest in between, without a peak of the feed there.
   const std::string program = "G21 G90 G61 F6000\nG1 X50\nG0 Z20\nG0 X0\nG1 X30\nM30\n";
   // Also where the times of their ends have few digits left behind the point.
-  for (const char* const pause : {"", "G4 P200000000 "}) {
+  for (const char* const pause : {"", "G4 P20000000 "}) {
     for (const ControlModel* model : all_models()) {
       SCOPED_TRACE(pause + std::string(model->info().id));
       if (model->info().id == "klipper") {  // knows no rapids: G0 is G1

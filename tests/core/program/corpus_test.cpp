@@ -79,7 +79,7 @@ const std::vector<CorpusCase>& corpus_cases() {
       {"grbl_hobby/vilemduha__Parallel.gcode"},
       {"grbl_hobby/vilemduha__RampIn.gcode"},
       {"grbl_hobby/winder__Gates_combined_R12.nc"},
-      {"grbl_hobby/winder__Helix.input.nc"},
+      {"grbl_hobby/winder__Helix.input.nc", {}, "no F", true},
       {"grbl_hobby/winder__arc_rword_test.gcode"},
       {"grbl_hobby/winder__comments.gcode"},
       {"grbl_hobby/winder__no_spaces.gcode", {0, 0, 0, 1}, "one G4"},

@@ -196,7 +196,7 @@ TEST_F(MainWindowTest, AWrongMachineValueIsRefusedInPlace) {
   type_jerk("-3");
   EXPECT_FALSE(model.busy());
   EXPECT_EQ(duration(), before);
-  EXPECT_THAT(window.part<SetupView>().message().toStdString(), testing::HasSubstr("X.jerk"));
+  EXPECT_THAT(window.part<SetupView>().message().toStdString(), testing::HasSubstr("X Jerk"));
   EXPECT_EQ(window.part<SetupView>().axes()->model()->index(2, 0).data().toString(), "15");
 }
 
