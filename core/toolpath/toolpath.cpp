@@ -86,7 +86,9 @@ const TurnJoint* Toolpath::turn_joint(std::size_t i) const {
 }
 
 std::span<const TurnPart> Toolpath::turn_parts_of(std::size_t i) const {
-  return std::ranges::equal_range(turn_parts, i, std::less(), &TurnPart::segment);
+  const auto first = std::ranges::lower_bound(turn_parts, i, std::less(), &TurnPart::segment);
+  const auto last = std::ranges::upper_bound(first, turn_parts.end(), i, std::less(), &TurnPart::segment);
+  return {first, last};
 }
 
 CurvePoint Toolpath::place_on(std::size_t i, double s) const {

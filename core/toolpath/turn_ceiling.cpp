@@ -39,8 +39,8 @@ std::vector<std::size_t> turning_segments(const Toolpath& path) {
     segments.push_back(joint.segment + 1);
   }
   std::ranges::sort(segments);
-  const auto again = std::ranges::unique(segments);
-  segments.erase(again.begin(), again.end());
+  const auto again = std::unique(segments.begin(), segments.end());
+  segments.erase(again, segments.end());
   return segments;
 }
 
