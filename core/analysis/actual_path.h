@@ -12,7 +12,7 @@ struct ActualSample {
   ActualMotion motion;
   double contour_error = 0;  ///< distance of the actual position from the nearest programmed point [mm]
   /// Whether that is an error of a cut: a feed motion is commanded, and the nearest programmed point is not
-  /// one of a rapid, on which the axes may still be behind.
+  /// on a rapid, where the axes may still lag.
   bool cuts = true;
 };
 

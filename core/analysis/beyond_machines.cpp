@@ -26,14 +26,14 @@ Diagnostic fault(std::uint32_t line, std::string message) {
   return {Severity::error, line, 0, "beyond-machines", std::move(message), not_simulated};
 }
 
-/// What a path comes to, element by element.
+/// Follows a path and finds the first element beyond a bound.
 class Reach {
  public:
   explicit Reach(const Toolpath& path) : path_(path) {}
 
   std::optional<Diagnostic> add(const Segment& segment) {
     if (segment.kind == SegmentKind::dwell) {
-      return wait(segment);
+      return pass(segment, path_.dwell_of(segment));
     }
     for (int axis = 0; axis < 3; ++axis) {
       const double at = segment.end[axis];
@@ -53,8 +53,6 @@ class Reach {
 
  private:
   static double km(double mm) { return mm / units::from_m(1000); }
-
-  std::optional<Diagnostic> wait(const Segment& segment) { return pass(segment, path_.dwell_of(segment)); }
 
   std::optional<Diagnostic> pass(const Segment& segment, double time) {
     time_ += time;

@@ -76,7 +76,7 @@ double distance_of(const BlendedPath& path, std::size_t element, const Vec3& poi
   return ElementDistance(curve, point).least();
 }
 
-/// How far along the path a corner is looked for.
+/// Part of the path that is searched for the point nearest to a corner.
 struct Search {
   double reach = 0;        ///< and twice the distance, from where it is expected [mm]
   std::size_t blocks = 0;  ///< at least so many after that

@@ -8,7 +8,7 @@ namespace feedscope {
 /// point [mm]: no farther along it, from where one segment gives way to the next, than twice the distance, so
 /// that another pass does not count; where a control joins segments, as far as both are long besides.
 /// Measured: of corners that are rounded, of points that the control leaves out or rounds to its steps, and
-/// of filtered motion alike. Cost in the order of the segments.
+/// of filtered motion alike. Linear in the number of segments.
 double largest_corner_distance(const Trajectory& trajectory);
 
 }  // namespace feedscope

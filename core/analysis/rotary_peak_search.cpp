@@ -13,9 +13,9 @@ double AxisPeaks::*const peak_of[per_axis] = {&AxisPeaks::velocity, &AxisPeaks::
 
 /// By how much the largest value of the parabola through three places is above the middle one, which is the
 /// largest of the three.
-double rise_of_parabola(double before, double at, double behind, double from, double middle, double to) {
+double rise_of_parabola(double before, double at, double after, double from, double middle, double to) {
   const double left = (middle - before) / (at - from);
-  const double right = (behind - middle) / (to - at);
+  const double right = (after - middle) / (to - at);
   const double bend = (right - left) / (to - from);
   if (!(bend < 0)) {
     return 0;
@@ -59,22 +59,22 @@ double RotaryPeakSearch::found(std::size_t quantity) const {
 }
 
 /// By golden sections, of each quantity that can rise above what was found.
-void RotaryPeakSearch::narrow(RotaryWalk& walk, const Look& before, const Look& at, const Look& behind) {
+void RotaryPeakSearch::narrow(RotaryWalk& walk, const Look& before, const Look& at, const Look& after) {
   constexpr double doubt = 4;  // a peak may be narrower than the parabola
   for (std::size_t q = 0; q < count; ++q) {
-    if (!(at.of[q] >= before.of[q] && at.of[q] >= behind.of[q] && at.of[q] > 0)) {
+    if (!(at.of[q] >= before.of[q] && at.of[q] >= after.of[q] && at.of[q] > 0)) {
       continue;
     }
     const double rise =
-        rise_of_parabola(before.of[q], at.time, behind.of[q], before.time, at.of[q], behind.time);
+        rise_of_parabola(before.of[q], at.time, after.of[q], before.time, at.of[q], after.time);
     if (at.of[q] + doubt * rise <= found(q)) {
       continue;
     }
-    search(walk, q, before.time, behind.time);
+    search(walk, q, before.time, after.time);
   }
 }
 
-/// The magnitude rises behind `from` and falls before `to`: two tangents bound what it comes to between them.
+/// The magnitude rises at `from` and falls at `to`: the tangents at both bound it in between.
 void RotaryPeakSearch::narrow_between(RotaryWalk& walk, const Look& from, const Look& to) {
   const double time = to.time - from.time;
   for (std::size_t q = 0; q < count; ++q) {

@@ -10,10 +10,10 @@
 
 namespace feedscope {
 
-/// The largest magnitudes of all axes of a machine while its rotary axes turn. A part of the motion is looked
-/// at at some instants; between two of them from which a velocity or an acceleration rises towards the other,
-/// and about one that is larger than those beside it, the largest magnitude is narrowed down, where it can be
-/// above what was found before.
+/// The largest magnitudes of all axes of a machine while its rotary axes turn. A part of the motion is
+/// sampled at some instants. Between two samples from which a velocity or an acceleration rises towards the
+/// other one, and around a sample larger than its neighbours, the peak is narrowed down if it can exceed what
+/// was found before.
 class RotaryPeakSearch {
  public:
   /// Takes up the part where `walk` is.
@@ -36,7 +36,7 @@ class RotaryPeakSearch {
   Look look(RotaryWalk& walk, double time);
   void narrow_between(RotaryWalk& walk, const Look& from, const Look& to);
   void search(RotaryWalk& walk, std::size_t quantity, double low, double high);
-  void narrow(RotaryWalk& walk, const Look& before, const Look& at, const Look& behind);
+  void narrow(RotaryWalk& walk, const Look& before, const Look& at, const Look& after);
   void narrow_at_end(RotaryWalk& walk, const Look& end, const Look& next);
   void look_closer();
   double found(std::size_t quantity) const;

@@ -71,7 +71,7 @@ class ActualWalk {
   /// The same without going on to another span.
   ActualMotion within_span(double time);
 
-  /// What lies between motors and slides, at the instant of the span that was asked for last.
+  /// State between motors and slides at the instant that was asked for last.
   struct Slides {
     std::array<Reversal, 3> slides;
     double seen = 0;  ///< after the start of the span [s]

@@ -123,10 +123,10 @@ Cause stop_cause(const Toolpath& toolpath, std::size_t i) {
 
 SpeedBound corner_ceiling(const Toolpath& toolpath, std::size_t i, const Vec3& velocity) {
   const std::span<const TurnPart> before = toolpath.turn_parts_of(i);
-  const std::span<const TurnPart> behind = toolpath.turn_parts_of(i + 1);
+  const std::span<const TurnPart> after = toolpath.turn_parts_of(i + 1);
   SpeedBound bound = feed_ceiling(toolpath, i, velocity, before.empty() ? nullptr : &before.back());
   for (const SpeedBound& other :
-       {feed_ceiling(toolpath, i + 1, velocity, behind.empty() ? nullptr : &behind.front()),
+       {feed_ceiling(toolpath, i + 1, velocity, after.empty() ? nullptr : &after.front()),
         turn_ceiling(toolpath, i)}) {
     bound.lower(other.value, other.cause);
   }

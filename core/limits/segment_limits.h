@@ -69,7 +69,8 @@ SpeedBound corner_ceiling(const Toolpath& toolpath, std::size_t i, const Vec3& v
 /// The same on a part of the segment (Toolpath::turn_parts); null: on all of it.
 SpeedBound feed_ceiling(const Toolpath& toolpath, std::size_t i, const Vec3& velocity, const TurnPart* part);
 
-/// What the axes of the machine allow there where rotary axes turn [mm/s]; infinite where none does.
+/// Feed that the axes of the machine allow on the part while rotary axes turn [mm/s]; infinite where none
+/// does.
 SpeedBound turning_ceiling(const Toolpath& toolpath, std::size_t i, const TurnPart* part);
 
 /// Calls use(part, from, to) for the parts of segment `i` between `from` and `to` from its start [mm], in

@@ -166,7 +166,7 @@ class KlipperReader {
     return {};
   }
 
-  /// What the line extrudes [mm]; less than 0: draws back.
+  /// Filament that the line extrudes [mm]; negative: it retracts.
   double extrude() {
     const std::optional<double> value = line_.number("E");
     const double before = extruder_;
