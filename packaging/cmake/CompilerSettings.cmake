@@ -11,9 +11,11 @@ if(FEEDSCOPE_FAST_TOOLS)
   find_program(CCACHE ccache)
   find_program(MOLD mold)
 endif()
+# Without CCACHE_DEPEND a precompiled header is found again although a comment in it changed: preprocessed they are equal.
+# GCC then does not know the changed file for the one of the precompiled header, and reads it twice.
 if(FEEDSCOPE_FAST_TOOLS AND CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER
-    ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1
+    ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1 CCACHE_DEPEND=1
     CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${CCACHE})
 endif()
 if(FEEDSCOPE_FAST_TOOLS AND MOLD)
