@@ -44,6 +44,29 @@ BlendedPath BlendedPath::without_elements() const {
   return path;
 }
 
+BlendedPath BlendedPath::cut(std::shared_ptr<const Toolpath> programmed,
+                             std::shared_ptr<const CompactedPath> compacted,
+                             std::span<const ElementPart> parts) const {
+  BlendedPath path(std::move(programmed), std::move(compacted));
+  path.transitions_ = transitions_;
+  path.corners_ = corners_;
+  path.knots_ = knots_;
+  path.curves_ = curves_;
+  path.length_ = length_;
+  path.alpha_ = alpha_;
+  path.entries_.reserve(parts.size());
+  for (const ElementPart& part : parts) {
+    Entry entry = entries_[part.element];
+    entry.s += part.q;
+    entry.block = part.block;
+    if (in_corner(part.element)) {
+      path.corners_[entry.index] = static_cast<std::uint32_t>(path.entries_.size());
+    }
+    path.entries_.push_back(entry);
+  }
+  return path;
+}
+
 void BlendedPath::append(const BlendedPath& part, std::uint32_t motions, double done) {
   make_room(entries_, part.entries_.size(), done);
   make_room(transitions_, part.transitions_.size(), done);

@@ -50,6 +50,13 @@ class ElementCurve {
   bool is_arc() const { return kind == ElementKind::arc || kind == ElementKind::connecting_arc; }
 };
 
+/// What of an element lies on one block of the program: from `q` [mm] on its way to the next part.
+struct ElementPart {
+  std::uint32_t element = 0;
+  std::uint32_t block = 0;
+  double q = 0;  ///< 0 for the first part of an element [mm]
+};
+
 /// The executed geometry: programmed segments, shortened where corner blends are inserted. Keeps the
 /// programmed path and of every element only what that does not say: 16 bytes an element, 12 more a corner.
 class BlendedPath {
@@ -102,6 +109,11 @@ class BlendedPath {
   /// The segment of base() that programmed segment `block` became, or became a part of; without an executed
   /// path.
   std::size_t base_segment(std::uint32_t block) const;
+  /// The first programmed segment of those that became segment `i` of base(), without an executed path.
+  std::size_t first_block(std::size_t i) const { return compacted_ ? compacted_->first[i] : i; }
+  /// How many they are.
+  std::size_t blocks_of_base(std::size_t i) const { return first_block(i + 1) - first_block(i); }
+  const std::shared_ptr<const CompactedPath>& compacted() const { return compacted_; }  ///< null: none
 
   /// Corners that the control rounds in a way of its own, in order of their elements.
   std::size_t rounded_count() const { return executed_ ? executed_->corners.size() : 0; }
@@ -116,6 +128,10 @@ class BlendedPath {
   double min_radius(std::size_t corner) const;         ///< [mm]
   const Vec3& corner_point(std::size_t corner) const;  ///< programmed [mm]
 
+  /// The same course on blocks of `programmed`, of which `compacted` was made: an element for each of
+  /// `parts`, in order; only lines and filtered elements may have several.
+  BlendedPath cut(std::shared_ptr<const Toolpath> programmed, std::shared_ptr<const CompactedPath> compacted,
+                  std::span<const ElementPart> parts) const;
   /// Another path of the same program and blend weight, without elements.
   BlendedPath without_elements() const;
   /// Appends the elements of `part`, made without_elements() of this one; `motions`: what the numbers of its

@@ -1,15 +1,43 @@
 #include "core/blend/compaction.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 namespace feedscope {
 namespace {
 
+/// Which lines may be taken together.
+class ChordRule {
+ public:
+  ChordRule(double longest, const PathRules& rules) : longest_(longest), rules_(&rules) {}
+  ChordRule(const Toolpath& toolpath, double tolerance) : toolpath_(&toolpath), tolerance_(tolerance) {}
+
+  double longest() const { return longest_; }  ///< a chord, and more than any of its blocks [mm]
+  double tolerance(std::size_t first) const {
+    return rules_ != nullptr ? rules_->tolerance(first) : tolerance_;
+  }
+  bool joins(std::size_t first, std::size_t i) const {
+    if (rules_ != nullptr) {
+      return rules_->may_compact(first, i);
+    }
+    const Segment& a = toolpath_->segments[first];
+    const Segment& b = toolpath_->segments[i];
+    return a.path_control == b.path_control && a.spindle == b.spindle && !a.on_curve && !b.on_curve &&
+           toolpath_->path_control_of(first).mode != PathMode::exact_stop;
+  }
+
+ private:
+  double longest_ = std::numeric_limits<double>::infinity();
+  const PathRules* rules_ = nullptr;  ///< null: collinear lines only
+  const Toolpath* toolpath_ = nullptr;
+  double tolerance_ = 0;
+};
+
 class Compactor {
  public:
-  Compactor(const Toolpath& toolpath, double longest, const PathRules& rules)
-      : toolpath_(toolpath), longest_(longest), rules_(rules) {}
+  Compactor(const Toolpath& toolpath, const ChordRule& rule)
+      : toolpath_(toolpath), longest_(rule.longest()), rule_(rule) {}
 
   /// How many segments from `first` on become one; 1 for none.
   std::size_t count_from(std::size_t first) const {
@@ -45,14 +73,14 @@ class Compactor {
     for (std::size_t i = first; i < first + count; ++i) {
       const Segment& segment = toolpath_.segments[i];
       length += segment.length;
-      if (!is_short(i) || !rules_.may_compact(first, i) || segment.feed != toolpath_.segments[first].feed ||
+      if (!is_short(i) || !rule_.joins(first, i) || segment.feed != toolpath_.segments[first].feed ||
           length > longest_ * rounding) {
         return std::nullopt;
       }
       const Vec3 way = segment.end - start;
       const double along = way.dot(direction);
       const double away = (way - along * direction).norm();
-      if (away > rules_.tolerance(first) || along - before < min_cosine * segment.length) {
+      if (away > rule_.tolerance(first) || along - before < min_cosine * segment.length) {
         return std::nullopt;
       }
       largest = std::max(largest, away);
@@ -71,13 +99,11 @@ class Compactor {
 
   const Toolpath& toolpath_;
   double longest_;
-  const PathRules& rules_;
+  const ChordRule& rule_;
 };
 
-}  // namespace
-
-CompactedPath compact(const Toolpath& toolpath, double longest, const PathRules& rules) {
-  const Compactor compactor(toolpath, longest, rules);
+CompactedPath with_chords(const Toolpath& toolpath, const ChordRule& rule) {
+  const Compactor compactor(toolpath, rule);
   CompactedPath result;
   result.path.start = toolpath.start;
   result.path.arcs = toolpath.arcs;
@@ -113,6 +139,16 @@ CompactedPath compact(const Toolpath& toolpath, double longest, const PathRules&
   }
   result.first.push_back(static_cast<std::uint32_t>(toolpath.segments.size()));
   return result;
+}
+
+}  // namespace
+
+CompactedPath compact(const Toolpath& toolpath, double longest, const PathRules& rules) {
+  return with_chords(toolpath, {longest, rules});
+}
+
+CompactedPath merge_collinear(const Toolpath& toolpath, double tolerance) {
+  return with_chords(toolpath, {toolpath, tolerance});
 }
 
 }  // namespace feedscope

@@ -7,7 +7,7 @@
 
 namespace feedscope {
 
-/// A programmed path in which runs of short lines are replaced by their chords.
+/// A programmed path in which runs of lines are replaced by their chords.
 struct CompactedPath {
   Toolpath path;                     ///< a chord has the line number and feed of its first block
   std::vector<std::uint32_t> first;  ///< per segment of `path` and one beyond: the programmed segment
@@ -20,5 +20,10 @@ struct CompactedPath {
 /// 2011, section 3.3.4; how the control of the paper decides is not printed). Takes as many blocks together
 /// as it can find by doubling and halving: cost n log n at worst.
 CompactedPath compact(const Toolpath& toolpath, double longest, const PathRules& rules);
+
+/// Replaces consecutive cutting lines of one feed, path control, spindle and direction by one line each,
+/// where every point between them stays within `tolerance` [mm] of it. Nothing is replaced across an exact
+/// stop, a rapid, a dwell or an arc, nor where rotary axes turn. Blocks are taken together as by compact().
+CompactedPath merge_collinear(const Toolpath& toolpath, double tolerance);
 
 }  // namespace feedscope

@@ -27,11 +27,6 @@ bool is_period(const SettingSpec& spec) {
   return spec.key.find("period") != std::string::npos;
 }
 
-bool is_of_machine(const SettingSpec& spec) {
-  return std::ranges::any_of(machine_settings(),
-                             [&](const SettingSpec& other) { return other.key == spec.key; });
-}
-
 }  // namespace
 
 std::vector<FitParameter> fit_parameters(const Setup& setup) {
@@ -42,7 +37,7 @@ std::vector<FitParameter> fit_parameters(const Setup& setup) {
     }
   }
   for (const SettingSpec& spec : settings_of(*setup.model)) {
-    if (is_number(spec) && !is_of_machine(spec)) {
+    if (is_number(spec) && !spec.optional) {
       all.push_back(parameter_of(spec, spec.key));
     }
   }

@@ -16,6 +16,9 @@ inline constexpr const char* blend_tolerance_key = "blend_tolerance_mm";
 /// The least contour tolerance and blend distance above 0 [mm], far below what any control resolves: with
 /// smaller ones rounding would decide where a blend begins.
 inline constexpr double least_tolerance = 1e-6;
+/// Setting that asks for collinear blocks to be merged: how far points may lie from the block that takes
+/// their place [mm]; without it none are.
+inline constexpr const char* merge_collinear_key = "merge_collinear_mm";
 /// Setting that says whether the program's own tolerances and blend distances go before it: "on", "off".
 inline constexpr const char* program_tolerance_key = "program_tolerance";
 

@@ -33,6 +33,14 @@ SettingSpec number_spec(std::string key, std::string title, std::string unit, do
   return spec;
 }
 
+SettingSpec optional_spec(std::string key, std::string title, std::string unit, std::string explanation) {
+  SettingSpec spec =
+      number_spec(std::move(key), std::move(title), std::move(unit), 0, std::move(explanation));
+  spec.minimum_allowed = true;
+  spec.optional = true;
+  return spec;
+}
+
 std::vector<SettingSpec> make_common_settings() {
   SettingSpec tolerance = number_spec(
       "contour_tolerance_mm", QT_TRANSLATE_NOOP("core", "Contour tolerance"), "mm", 0.01,
@@ -92,18 +100,18 @@ std::vector<SettingSpec> make_common_settings() {
                         "Share of the curvilinear jerk used in the tangential direction; the rest is used in "
                         "the normal direction."));
   tangential.maximum = 1;
-  std::vector<SettingSpec> specs{tolerance,          own,        period,      lookahead,
-                                 acceleration_share, jerk_share, curvilinear, tangential};
+  SettingSpec merge = optional_spec(
+      merge_collinear_key, QT_TRANSLATE_NOOP("core", "Merge collinear blocks"), "mm",
+      QT_TRANSLATE_NOOP("core",
+                        "Successive lines of one feed and one direction are planned as one block if every "
+                        "point between them lies within this distance of it, so that corner blends are not "
+                        "limited by half of a part of a line. Without it, or 0, every line is a block."));
+  merge.maximum = 0.001;
+  merge.least_above_zero = 1e-9;
+  std::vector<SettingSpec> specs{tolerance,  own,         period,     lookahead, acceleration_share,
+                                 jerk_share, curvilinear, tangential, merge};
   specs.insert(specs.end(), machine_settings().begin(), machine_settings().end());
   return specs;
-}
-
-SettingSpec optional_spec(std::string key, std::string title, std::string unit, std::string explanation) {
-  SettingSpec spec =
-      number_spec(std::move(key), std::move(title), std::move(unit), 0, std::move(explanation));
-  spec.minimum_allowed = true;
-  spec.optional = true;
-  return spec;
 }
 
 std::vector<SettingSpec> make_machine_settings() {

@@ -32,8 +32,8 @@ struct SettingSpec {
 };
 
 /// Settings that every model may read: contour_tolerance_mm, program_tolerance, interpolation_period_s,
-/// lookahead_blocks, radial_acceleration_share, radial_jerk_share, curvilinear_jerk_m_s3, tangential_share;
-/// and those of machine_settings(), which hold for every model.
+/// lookahead_blocks, radial_acceleration_share, radial_jerk_share, curvilinear_jerk_m_s3, tangential_share,
+/// merge_collinear_mm, which is optional; and those of machine_settings(), which hold for every model.
 const std::vector<SettingSpec>& common_settings();
 /// What of a machine no model of its control needs, each optional: tool_change_time_s, spindle_start_time_s,
 /// feed_override_percent, of every axis home_x_mm, tool_change_x_mm, part_zero_x_mm, cutting_feed_x_m_min,

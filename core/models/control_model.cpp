@@ -8,7 +8,10 @@
 
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
+#include "core/blend/compaction.h"
+#include "core/machine/contour_tolerance.h"
 #include "core/toolpath/machine_toolpath.h"
+#include "core/trajectory/program_blocks.h"
 
 namespace feedscope {
 namespace {
@@ -45,7 +48,9 @@ Trajectory ControlModel::simulate(std::shared_ptr<const Toolpath> toolpath, cons
   const std::shared_ptr<const Toolpath> run =
       on_machine(read(std::move(toolpath), settings).path, machine, settings);
   check_axes(*run, machine);
-  return do_simulate(run, machine, settings, progress);
+  return on_merged(run, settings, [&](const std::shared_ptr<const Toolpath>& path) {
+    return do_simulate(path, machine, settings, progress);
+  });
 }
 
 Trajectory ControlModel::simulate(const Toolpath& toolpath, const Machine& machine, const Settings& settings,
@@ -58,7 +63,22 @@ Trajectory ControlModel::lay_path(std::shared_ptr<const Toolpath> toolpath, cons
   const std::shared_ptr<const Toolpath> run =
       on_machine(read(std::move(toolpath), settings).path, machine, settings);
   check_axes(*run, machine);
-  return do_lay_path(run, machine, settings, progress);
+  return on_merged(run, settings, [&](const std::shared_ptr<const Toolpath>& path) {
+    return do_lay_path(path, machine, settings, progress);
+  });
+}
+
+Trajectory ControlModel::on_merged(std::shared_ptr<const Toolpath> path, const Settings& settings,
+                                   const Run& run) const {
+  const double tolerance = settings.has(merge_collinear_key) ? settings.number(merge_collinear_key) : 0;
+  if (!(tolerance > 0) || takes_path_of_another()) {
+    return run(path);
+  }
+  const auto merged = std::make_shared<const CompactedPath>(merge_collinear(*path, tolerance));
+  if (merged->path.segments.size() == path->segments.size()) {
+    return run(path);
+  }
+  return on_program_blocks(run({merged, &merged->path}), std::move(path), merged);
 }
 
 const ControlModel& find_model(std::string_view id) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -58,12 +59,17 @@ class ControlModel {
                       const Settings& settings, Progress* progress = nullptr) const;
 
  private:
+  using Run = std::function<Trajectory(const std::shared_ptr<const Toolpath>& path)>;
+  /// `run` of `path`, collinear blocks merged if merge_collinear_mm asks for it, on the blocks of `path`.
+  Trajectory on_merged(std::shared_ptr<const Toolpath> path, const Settings& settings, const Run& run) const;
   virtual ControlReading do_read(const std::shared_ptr<const Toolpath>& toolpath,
                                  const Settings& /*settings*/) const {
     return {toolpath, {}};
   }
   virtual Trajectory do_simulate(const std::shared_ptr<const Toolpath>& toolpath, const Machine& machine,
                                  const Settings& settings, Progress* progress) const = 0;
+  /// Whether do_simulate() has another model run the path, which then merges its blocks.
+  virtual bool takes_path_of_another() const { return false; }
   /// For models whose path does not hang on the motion.
   virtual Trajectory do_lay_path(const std::shared_ptr<const Toolpath>& toolpath, const Machine& machine,
                                  const Settings& settings, Progress* progress) const {

@@ -195,7 +195,7 @@ BlendRecord Trajectory::blend(std::size_t i, FilterWalk& filters) const {
   if (!content_.filtered_corners.empty()) {
     const std::uint32_t before = content_.filtered_corners[i];
     const PulseTrain& train = motion_of(before).train();
-    BlendRecord rounded = filtered_corner(filters, train, path().segment(before) + 1 - train.first);
+    BlendRecord rounded = filtered_corner(filters, train, path().base_segment_of(before) + 1 - train.first);
     rounded.element = before;
     return rounded;
   }

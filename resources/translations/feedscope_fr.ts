@@ -2888,6 +2888,14 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>Écart permis à la commande par rapport aux angles programmés&#xa0;; plus il est grand, moins elle y ralentit. 0&#xa0;: elle s’arrête à chaque angle.</translation>
     </message>
     <message>
+        <source>Merge collinear blocks</source>
+        <translation>Réunir les blocs alignés</translation>
+    </message>
+    <message>
+        <source>Successive lines of one feed and one direction are planned as one block if every point between them lies within this distance of it, so that corner blends are not limited by half of a part of a line. Without it, or 0, every line is a block.</source>
+        <translation>Des droites successives de même avance et de même direction sont planifiées comme un seul bloc si chaque point entre elles en est à cette distance au plus, de sorte que les raccords ne sont pas limités à la moitié d’un morceau de droite. Sans valeur, ou 0, chaque droite est un bloc.</translation>
+    </message>
+    <message>
         <source>Tolerance of the program</source>
         <translation>Tolérance du programme</translation>
     </message>

@@ -254,11 +254,13 @@ std::optional<std::size_t> ContourCourse::block_seen(std::uint32_t element, doub
   }
   const FilteredMotion& motion = trajectory_.motion_of(element);
   const std::optional<std::size_t> block = only_block(motion, from, to);
-  return block ? std::optional(motion.train().first + *block) : std::nullopt;
+  return block ? std::optional(trajectory_.path().first_block(motion.train().first + *block)) : std::nullopt;
 }
 
 bool ContourCourse::is_on_one_line(std::uint32_t element, double from, double to) const {
-  return trajectory_.path().kind(element) == ElementKind::filtered &&
+  const BlendedPath& path = trajectory_.path();
+  return path.kind(element) == ElementKind::filtered &&
+         path.blocks_of_base(path.base_segment_of(element)) == 1 &&
          sees_one_line(trajectory_.motion_of(element), from, to);
 }
 

@@ -54,7 +54,7 @@ Reason filtered_reason(const Trajectory& run, const Settings& settings, const El
   };
   const FilteredMotion& motion = run.motion_of(state.element);
   const PulseTrain& train = motion.train();
-  const std::size_t block = run.path().segment(state.element) - train.first;
+  const std::size_t block = run.path().base_segment_of(state.element) - train.first;
   switch (cause.kind) {
     case CauseKind::velocity_filter:
     case CauseKind::ramp_down:
@@ -64,7 +64,7 @@ Reason filtered_reason(const Trajectory& run, const Settings& settings, const El
                   motion.delay());
     case CauseKind::contour_tolerance: {
       const PathRules rules(*run.path().programmed(), settings);
-      const double tolerance = rules.tolerance(train.first + block);
+      const double tolerance = rules.tolerance(run.path().segment(state.element));
       return made(filtered_corner(motion, block, state.time - motion.start()), tolerance);
     }
     default:

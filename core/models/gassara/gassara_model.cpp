@@ -105,7 +105,7 @@ const ModelInfo& GassaraModel::info() const {
           "junctions keep the static limits of Tapie 2007."),
       {used_tolerance_setting()},
       {"contour_tolerance_mm", "program_tolerance", "interpolation_period_s", "lookahead_blocks",
-       "radial_acceleration_share", "radial_jerk_share"},
+       "radial_acceleration_share", "radial_jerk_share", "merge_collinear_mm"},
       {QT_TRANSLATE_NOOP(
           "core",
           "On blends the shares of the least acceleration and jerk of the axes are kept: of the acceleration "

@@ -21,6 +21,7 @@ class OptimalModel : public ControlModel {
   Guarantees guarantees(const Settings& settings) const override;
 
  private:
+  bool takes_path_of_another() const override { return true; }
   Trajectory do_simulate(const std::shared_ptr<const Toolpath>& shared, const Machine& machine,
                          const Settings& settings, Progress* progress) const override;
 };

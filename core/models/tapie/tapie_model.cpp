@@ -18,7 +18,8 @@ const ModelInfo& TapieModel::info() const {
           "where it is reached; speed is lost at every change of curvature; jerk-limited ramps in between. "
           "Corners are exact stops: the paper states that the control rounds them, but not how."),
       {},
-      {"interpolation_period_s", "lookahead_blocks", "curvilinear_jerk_m_s3", "tangential_share"},
+      {"interpolation_period_s", "lookahead_blocks", "curvilinear_jerk_m_s3", "tangential_share",
+       "merge_collinear_mm"},
       {QT_TRANSLATE_NOOP("core",
                          "On arcs the tangential and the radial acceleration each keep the axis limits at "
                          "the place where the steady feed is reached, and so do the two parts of the jerk "

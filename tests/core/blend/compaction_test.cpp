@@ -101,5 +101,72 @@ TEST(Compaction, KeepsEveryReplacedPointWithinTheTolerance) {
   }
 }
 
+TEST(MergeCollinear, TakesAStraightRunTogetherWhateverItsLength) {
+  std::vector<Vec3> points;
+  for (int i = 0; i <= 1000; ++i) {
+    points.push_back(Vec3(1, 2, -2) * (0.1 * i));
+  }
+  const CompactedPath merged = merge_collinear(testing::polyline(points, 50), 1e-9);
+  EXPECT_EQ(merged.first, (std::vector<std::uint32_t>{0, 1000}));
+  EXPECT_NEAR(merged.path.segments.front().length, 300, 1e-9);
+}
+
+TEST(MergeCollinear, KeepsWhatIsNotOneMotionApart) {
+  const auto straight = [] {
+    return testing::polyline({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}}, 50);
+  };
+  const auto firsts = [](const Toolpath& path) { return merge_collinear(path, 1e-6).first; };
+  using Firsts = std::vector<std::uint32_t>;
+  ASSERT_EQ(firsts(straight()), (Firsts{0, 4}));
+  Toolpath feeds = straight();
+  feeds.segments[2].feed = 60;
+  EXPECT_EQ(firsts(feeds), (Firsts{0, 2, 3, 4}));
+  Toolpath rapids = straight();
+  rapids.segments[0].rapid = rapids.segments[1].rapid = true;
+  EXPECT_EQ(firsts(rapids), (Firsts{0, 1, 2, 4})) << "every rapid is a motion from rest to rest";
+  Toolpath spindles = straight();
+  spindles.spindles.push_back({});
+  spindles.segments[3].spindle = 1;
+  EXPECT_EQ(firsts(spindles), (Firsts{0, 3, 4}));
+  Toolpath stops = straight();
+  stops.path_controls.push_back({});
+  stops.path_controls.back().mode = PathMode::exact_stop;
+  stops.segments[0].path_control = stops.segments[1].path_control = 1;
+  EXPECT_EQ(firsts(stops), (Firsts{0, 1, 2, 4}));
+  Toolpath curves = straight();
+  curves.segments[0].on_curve = curves.segments[1].on_curve = true;
+  EXPECT_EQ(firsts(curves), (Firsts{0, 1, 2, 4}));
+  Toolpath dwells = testing::polyline({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, 50);
+  testing::append_dwell(dwells, 1);
+  testing::append_line(dwells, {3, 0, 0}, 50);
+  testing::append_line(dwells, {2, 0, 0}, 50);
+  testing::append_arc(dwells, {2, 1, 0}, 1, 50);
+  EXPECT_EQ(firsts(dwells), (Firsts{0, 2, 3, 4, 5, 6})) << "dwell, reversal, arc";
+}
+
+TEST(MergeCollinear, LeavesNoPointOutThatIsOffTheLine) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> off(-1, 1);
+  constexpr double tolerance = 1e-4;
+  for (int i = 0; i < 50; ++i) {
+    std::vector<Vec3> points{Vec3::Zero()};
+    for (int k = 1; k <= 100; ++k) {
+      const double noise = k % 10 == 0 ? 20 * tolerance : 0.5 * tolerance;
+      points.push_back({0.1 * k, noise * off(random), noise * off(random)});
+    }
+    const Toolpath path = testing::polyline(points, 50);
+    const CompactedPath merged = merge_collinear(path, tolerance);
+    EXPECT_LT(merged.path.segments.size(), path.segments.size());
+    EXPECT_LE(merged.deviation, tolerance);
+    for (std::size_t line = 0; line < merged.path.segments.size(); ++line) {
+      const Vec3& start = merged.path.start_of(line);
+      const Vec3 direction = merged.path.tangent_at_start(line);
+      for (std::uint32_t block = merged.first[line]; block < merged.first[line + 1]; ++block) {
+        EXPECT_LE((path.segments[block].end - start).cross(direction).norm(), tolerance * (1 + 1e-9));
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace feedscope
