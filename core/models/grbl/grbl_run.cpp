@@ -1,6 +1,8 @@
 #include "core/models/grbl/grbl_run.h"
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/limits/axis_share.h"
 
@@ -262,14 +264,22 @@ void GrblRun::lay(const GrblBlock& block, const GrblSegment& segment) {
   moved_ = true;
   const bool as_planned = !settings_.step_timing || !settings_.has_steps();
   const double slower = segment.time / (minute * static_cast<double>(segment.planned));
-  for (const GrblSpan& span : steps_.spans()) {
+  std::span<const GrblSpan> spans = steps_.spans();
+  GrblSpan whole = spans.front();
+  if (!as_planned && std::ranges::any_of(spans, [](const GrblSpan& span) { return span.time < 0; })) {
+    whole.to = spans.back().to;
+    whole.after = spans.back().after;
+    whole.time = segment.planned;
+    spans = {&whole, 1};
+  }
+  for (const GrblSpan& span : spans) {
     Ramp ramp = ramp_of(span);
     if (as_planned) {
       collect(ramp);
       continue;
     }
     ramp.time *= slower;
-    if (segment.ends_block && &span == &steps_.spans().back()) {
+    if (segment.ends_block && &span == &spans.back()) {
       ramp.way = length - laid_;
     }
     add(ramp);

@@ -16,7 +16,7 @@ struct GrblSpan {
   float to = 0;      ///< at its end [mm]
   float before = 0;  ///< speed at its beginning [mm/min]
   float after = 0;   ///< at its end [mm/min]
-  float time = 0;    ///< as planned [min]
+  float time = 0;    ///< as planned; negative where GrblSteps goes back [min]
   GrblPhase phase = GrblPhase::cruises;
 };
 
@@ -28,7 +28,9 @@ struct GrblSegment {
   bool ends_block = false;
 };
 
-/// Cuts planned blocks into segments of about 10 ms (README.md, "Segments").
+/// Cuts planned blocks into segments of about 10 ms (README.md, "Segments"). As in the control, a ramp that
+/// ends in a segment of several times 10 ms counts from the segment's beginning, and the next one goes back
+/// by what is counted twice.
 class GrblSteps {
  public:
   GrblSteps(const GrblSettings& settings, GrblPlanner& planner);

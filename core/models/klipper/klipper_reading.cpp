@@ -12,6 +12,7 @@
 
 #include "core/models/klipper/klipper_limits.h"
 #include "core/models/klipper/klipper_line.h"
+#include "core/program/path/arc_solver.h"
 
 namespace feedscope {
 namespace {
@@ -237,13 +238,17 @@ class KlipperReader {
     double angle = std::atan2(x * end_y - y * end_x, x * end_x + y * end_y);
     angle += angle < 0 ? full_turn : 0;
     angle -= clockwise ? full_turn : 0;
-    const bool closed = target[a] == place_[a] && target[b] == place_[b];
-    if (angle == 0 && closed) {
+    if (angle == 0 && target[a] == place_[a] && target[b] == place_[b]) {
       angle = full_turn;
     }
-    const double length = std::hypot(angle * std::hypot(x, y), target[third] - place_[third]);
-    if (std::abs(angle) * std::hypot(x, y) <= same_point || length <= same_point) {
+    const double radius = std::hypot(x, y);
+    const bool closed = std::hypot(target[a] - place_[a], target[b] - place_[b]) <= same_point;
+    if (std::abs(angle) * radius <= same_point || (closed && std::abs(angle) < full_turn / 2)) {
       append(Motion::line, target);
+      return;
+    }
+    if (!closed && std::abs(std::hypot(end_x, end_y) - radius) > ArcTolerance().of(radius)) {
+      append_chords(target, center, angle, axes);
       return;
     }
     ArcWords words;
@@ -255,6 +260,26 @@ class KlipperReader {
     MotionBlock& block = append(Motion::arc, target);
     block.arc = static_cast<std::int32_t>(program_.arcs.size());
     program_.arcs.push_back(words);
+  }
+
+  /// Of an arc whose end is not on its circle, which Klipper does not ask for: about the centre by `angle`
+  /// with the radius of the start, the last chord to the end.
+  void append_chords(const Vec3& target, const Vec3& center, double angle, const std::array<int, 3>& axes) {
+    const auto [a, b, third] = axes;
+    const Vec3 spoke = place_ - center;
+    const double rise = target[third] - place_[third];
+    const double length = std::hypot(angle * std::hypot(spoke[a], spoke[b]), rise);
+    const double chords = std::max(1.0, std::floor(length / limits_.arc_resolution));
+    for (double i = 1; i < chords; ++i) {
+      const double cosine = std::cos(angle * i / chords);
+      const double sine = std::sin(angle * i / chords);
+      Vec3 end = center;
+      end[a] += spoke[a] * cosine - spoke[b] * sine;
+      end[b] += spoke[a] * sine + spoke[b] * cosine;
+      end[third] += rise * i / chords;
+      append(Motion::line, end);
+    }
+    append(Motion::line, target);
   }
 
   Refusal dwell() {

@@ -42,6 +42,16 @@ bool ControlTables::has_corpus() {
   return fs::is_directory(shared / "corpus");
 }
 
+std::vector<WitnessRow> witness_rows(const std::string& control) {
+  const fs::path file =
+      fs::path(FEEDSCOPE_SOURCE_DIR) / "tests" / "core" / "models" / "witness" / (control + ".json");
+  std::vector<WitnessRow> rows;
+  for (const nlohmann::json& row : nlohmann::json::parse(std::ifstream(file))) {
+    rows.push_back({row.at("configuration"), row.at("program"), row.at("seconds")});
+  }
+  return rows;
+}
+
 ControlTables::ControlTables(const std::string& control) {
   std::ifstream table(folder() / (control + ".tsv"));
   std::ifstream configurations(folder() / (control + "_configurations.json"));

@@ -17,6 +17,16 @@ struct ControlRow {
   std::string text;            ///< the row, for messages
 };
 
+/// A random program and what tests/oracle/witness makes of it.
+struct WitnessRow {
+  nlohmann::json configuration;  ///< as in ControlTables::configurations()
+  std::string program;
+  double seconds = 0;
+};
+
+/// Recorded by `compare.py --record`. `control`: "grbl", "klipper".
+std::vector<WitnessRow> witness_rows(const std::string& control);
+
 /// The results of controls that lie beside the project, where they do.
 class ControlTables {
  public:

@@ -75,5 +75,19 @@ TEST(GrblTables, PlannedTimesAreThoseOfTheControl) {
   }
 }
 
+/// Random programs, by a second program of the same rules that agrees with the control's results.
+TEST(GrblTables, RandomProgramsTakeAsLongAsByTheWitness) {
+  const ControlModel& grbl = find_model("grbl");
+  const std::vector<testing::WitnessRow> rows = testing::witness_rows("grbl");
+  EXPECT_EQ(rows.size(), 40U);
+  for (const testing::WitnessRow& row : rows) {
+    const Machine machine = machine_of(row.configuration.at("settings"));
+    const LoadedProgram program =
+        load_program(std::make_shared<const SourceText>(SourceText("random.nc", row.program)));
+    const Trajectory run = grbl.simulate(program.toolpath, machine, complete_settings(grbl, machine));
+    EXPECT_NEAR(run.duration(), row.seconds, 1e-5) << row.configuration << "\n" << row.program;
+  }
+}
+
 }  // namespace
 }  // namespace feedscope

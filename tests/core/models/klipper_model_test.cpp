@@ -239,6 +239,34 @@ TEST(KlipperReading, WaitsInMilliseconds) {
   EXPECT_DOUBLE_EQ(read.path->dwell_of(read.path->segments[1]), 0.25);
 }
 
+/// By the direction from the centre the end is where the arc starts: clockwise -2 pi, of which 6 chords of
+/// 1 mm with the last one to the end; anticlockwise 0, the way to the end.
+TEST(KlipperReading, AnArcWhoseEndIsOffItsCircleIsChordsAndAWayToTheEnd) {
+  for (const double end : {9.0, 10.6}) {
+    const std::string words = " X" + std::to_string(end) + " Y0 I1 J0\n";
+    const auto clockwise = reading("G1 X10 F600\nG2" + words).path->segments;
+    ASSERT_EQ(clockwise.size(), 7U) << end;
+    for (std::size_t i = 1; i < 6; ++i) {
+      EXPECT_NEAR(clockwise[i].length, 1, 1e-9) << end;
+      EXPECT_EQ(clockwise[i].line, 2U);
+    }
+    EXPECT_DOUBLE_EQ(clockwise[6].end.x(), end);
+    const auto anticlockwise = reading("G1 X10 F600\nG3" + words).path->segments;
+    ASSERT_EQ(anticlockwise.size(), 2U) << end;
+    EXPECT_NEAR(anticlockwise[1].length, std::abs(end - 10), 1e-9);
+  }
+}
+
+/// No direction leads from the centre to itself; atan2() of Klipper's two zeros is pi.
+TEST(KlipperReading, AnArcToItsOwnCentreHasALength) {
+  for (const char* command : {"G2", "G3"}) {
+    const Toolpath path = *reading(std::string("G1 X10 F600\n") + command + " X11 Y0 I1 J0\n").path;
+    ASSERT_EQ(path.segments.size(), 4U);
+    EXPECT_NEAR(path.length(), 10 + 3, 1e-9) << "chords of 60 degrees, and from the circle to its centre";
+    EXPECT_GT(run(path).duration(), 0);
+  }
+}
+
 TEST(KlipperReading, MovesOriginAndSpeed) {
   const ControlReading read = reading("G1 X10 F600\nG92 X0\nM220 S200\nG1 X5\nG91\nG1 X1 F600\n");
   ASSERT_EQ(read.path->segments.size(), 3U);

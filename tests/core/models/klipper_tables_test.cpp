@@ -59,5 +59,19 @@ TEST(KlipperTables, TotalTimesAreThoseOfTheControl) {
   EXPECT_EQ(compared, 184U);
 }
 
+/// Random programs, by a second program of the same rules that agrees with the control's results.
+TEST(KlipperTables, RandomProgramsTakeAsLongAsByTheWitness) {
+  const ControlModel& klipper = find_model("klipper");
+  const std::vector<testing::WitnessRow> rows = testing::witness_rows("klipper");
+  EXPECT_EQ(rows.size(), 40U);
+  for (const testing::WitnessRow& row : rows) {
+    const Machine machine = machine_of(row.configuration);
+    const LoadedProgram program =
+        load_program(std::make_shared<const SourceText>(SourceText("random.nc", row.program)));
+    const Trajectory run = klipper.simulate(program.toolpath, machine, complete_settings(klipper, machine));
+    EXPECT_NEAR(run.duration(), row.seconds, 1e-6) << row.configuration << "\n" << row.program;
+  }
+}
+
 }  // namespace
 }  // namespace feedscope
