@@ -138,8 +138,8 @@ std::vector<CircularRequest> requests_of(const CircularOptions& options) {
 
 /// Writes what was asked for: `json` and `csv` make the texts, `tests` are drawn.
 template <class Json, class Csv>
-void write_outputs(const CircularOptions& options, const Setup& setup, Json json, Csv csv,
-                   const std::vector<CircularTest>& tests, const std::string& program) {
+void write_outputs(const CircularOptions& options, [[maybe_unused]] const Setup& setup, Json json, Csv csv,
+                   [[maybe_unused]] const std::vector<CircularTest>& tests, const std::string& program) {
   OutputFiles files;
   if (!options.json.empty()) {
     files.add(options.json) << json();
