@@ -205,6 +205,42 @@ std::string operations_text(const Study& study, const StudyRun& run) {
   return table.text("rlrrrrrl");
 }
 
+std::vector<std::string> names_among(const Study& study) {
+  const std::vector<StudyRun>& runs = study.runs;
+  const auto differs = [&](const auto& of) {
+    return std::ranges::any_of(runs, [&](const StudyRun& run) { return of(run) != of(runs.front()); });
+  };
+  const auto machine = [](const StudyRun& run) { return run.setup.machine.name; };
+  const auto tolerance = [](const StudyRun& run) { return describe(run.tolerance); };
+  const auto model = [](const StudyRun& run) { return run.setup.model->info().id; };
+  const bool machines_differ = differs(machine);
+  const bool models_differ = differs(model);
+  const bool tolerances_differ = study.sweeps.empty() && differs(tolerance);
+  std::vector<std::string> names;
+  for (const StudyRun& run : runs) {
+    std::vector<std::string> parts;
+    if (machines_differ) {
+      parts.push_back(machine(run));
+    }
+    if (models_differ) {
+      parts.push_back(model(run));
+    }
+    if (!study.sweeps.empty()) {
+      parts.push_back(setting_text(study, run));
+    } else if (tolerances_differ || !(machines_differ || models_differ)) {
+      parts.push_back(tolerance(run));
+    }
+    names.push_back(fmt::format("{}", fmt::join(parts, ", ")));
+  }
+  const std::vector<std::string> plain = names;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (std::ranges::count(plain, plain[i]) > 1) {
+      names[i] += fmt::format(" (run {})", i + 1);
+    }
+  }
+  return names;
+}
+
 std::string fastest_text(const Study& study) {
   if (none_possible(study.runs)) {
     return fmt::format("{}\n", none_possible_text(study.runs));

@@ -17,6 +17,10 @@ std::string study_text(const LoadedProgram& program, const Study& study,
 /// Which of the runs is the fastest within the bound that the study has.
 std::string fastest_text(const Study& study);
 
+/// What the runs are called among each other: by machine, model, swept values or tolerance, whatever differs;
+/// by their number where that tells them not apart.
+std::vector<std::string> names_among(const Study& study);
+
 /// The operations of one run as a table.
 std::string operations_text(const Study& study, const StudyRun& run);
 

@@ -11,6 +11,7 @@
 #include "app/commands/command.h"
 #include "app/comparison_text.h"
 #include "app/exit_codes.h"
+#include "app/headline_text.h"
 #include "app/merge_text.h"
 #include "app/output_file.h"
 #include "app/print.h"
@@ -162,10 +163,14 @@ StudyRequest request_of(const CompareOptions& options, const AskedProgram& asked
 }
 
 std::string text_of(const CompareOptions& options, const LoadedProgram& program, const Study& study) {
-  if (!study.sweeps.empty()) {
-    return study_text(program, study, options.set);
+  std::string text = headline_text(plain_runs(study), names_among(study), study.within);
+  if (!text.empty()) {
+    text = wrapped(text, 0) + "\n\n";
   }
-  std::string text = comparison_text(program, plain_runs(study), options.set);
+  if (!study.sweeps.empty()) {
+    return text + study_text(program, study, options.set);
+  }
+  text += comparison_text(program, plain_runs(study), options.set);
   if (study.within) {
     text += "\n" + fastest_text(study);
   }

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
 #include <map>
 #include <memory>
 #include <optional>
@@ -20,7 +21,9 @@
 #include "app/picture_size.h"
 #include "app/session_runs.h"
 #include "app/trace_files.h"
+#include "core/analysis/lens.h"
 #include "core/base/error.h"
+#include "core/base/typed_number.h"
 #include "ui/report/pictures.h"
 #include "ui/scene/colourings.h"
 #include "ui/theme/offscreen_application.h"
@@ -36,6 +39,7 @@ struct RenderOptions {
   SeveralRunsOptions runs;
   TraceFiles traces;
   std::string view = "3d";
+  std::string lens;  ///< a line, or a time such as 1.25s, as typed
   std::string size;  ///< as typed
   std::optional<double> dpi;
   double scale = 1;
@@ -111,10 +115,11 @@ void check_film_use(const RenderOptions& options) {
 ui::PictureRequest request_of(const RenderOptions& options) {
   const ui::PictureFormat format = options.film.asked() ? ui::PictureFormat::png : format_of(options);
   const bool sheet = views.at(options.view) == View::sheet;
-  const std::string size = !options.size.empty()  ? options.size
-                           : sheet                ? "A4"
-                           : options.film.asked() ? "1280x720"
-                                                  : "1280x960";
+  const std::string size = !options.size.empty()   ? options.size
+                           : sheet                 ? "A4"
+                           : options.film.asked()  ? "1280x720"
+                           : !options.lens.empty() ? "640x640"
+                                                   : "1280x960";
   const double dpi = options.dpi.value_or(default_dpi);
   const PageSize page = parse_page_size(size, dpi);
   if (page.paper && options.film.asked()) {
@@ -159,6 +164,47 @@ void check_runs(const RenderOptions& options, const std::vector<AskedRun>& runs)
   }
 }
 
+void check_lens_use(const RenderOptions& options) {
+  if (options.lens.empty()) {
+    return;
+  }
+  const std::vector<GivenOption> others{{"--view", views.at(options.view) != View::scene},
+                                        {"--camera", !options.camera.empty()},
+                                        {"--colour", !options.colour.empty()},
+                                        {"--reference", options.reference.has_value()},
+                                        {"--trace", !options.traces.files.empty()},
+                                        {"--film", options.film.asked()}};
+  for (const auto& [name, given] : others) {
+    if (given) {
+      throw InputError(fmt::format("{} has no effect with --lens; omit one of them", name));
+    }
+  }
+}
+
+/// The instant of a run that --lens asks for [s]. Throws InputError for one that it does not have.
+double lens_instant(const std::string& asked, const Run& run) {
+  const double duration = run.trajectory->duration();
+  if (asked.ends_with('s')) {
+    const std::optional<double> time = typed_number(asked.substr(0, asked.size() - 1)).value;
+    if (!time || !(*time >= 0) || *time > duration) {
+      throw InputError(fmt::format(
+          "--lens {}: a time is a number of seconds from 0 to the cycle time, {:.3f}s", asked, duration));
+    }
+    return *time;
+  }
+  std::uint32_t line = 0;
+  const auto [end, error] = std::from_chars(asked.data(), asked.data() + asked.size(), line);
+  if (error != std::errc() || end != asked.data() + asked.size()) {
+    throw InputError(
+        fmt::format("--lens {}: give the number of a line, such as 20, or a time, such as 1.25s", asked));
+  }
+  const std::optional<double> time = lens_time(run, line);
+  if (!time) {
+    throw InputError(fmt::format("--lens {}: line {} moves nothing; give a line with a motion", asked, line));
+  }
+  return *time;
+}
+
 std::string window_file(const ui::ReportInput& input, const RenderOptions& options,
                         const std::optional<ui::Session>& session, const ui::PictureRequest& request) {
   ui::WindowLook look{camera_of(options), request.theme};
@@ -186,6 +232,9 @@ std::string picture_file(ui::ReportInput& input, const RenderOptions& options,
   }
   const ui::OffscreenApplication application(request.theme);
   speak_in(options.language, input, session);
+  if (!options.lens.empty()) {
+    return ui::lens_file(input, lens_instant(options.lens, input.run().shown->run), request);
+  }
   return view == View::scene    ? ui::scene_file(input, request)
          : view == View::charts ? ui::charts_file(input, request)
                                 : ui::sheet_file(input, request);
@@ -237,6 +286,7 @@ QString command_of(const RenderOptions& options) {
     text += value.empty() ? "" : fmt::format(" {} {}", name, in_quotes(value));
   };
   text += command_text(options.traces);
+  add("--lens", options.lens);
   add("--size", options.size);
   add("--title", options.title);
   add("--camera", options.camera == "iso" ? "" : options.camera);
@@ -255,6 +305,7 @@ QString command_of(const RenderOptions& options) {
 
 int render(const RenderOptions& options) {
   check_film_use(options);
+  check_lens_use(options);
   std::optional<ui::Session> session = asked_session(options.runs);
   if (session) {
     session->load = asked_load(options.runs.load, std::move(session->load));
@@ -312,7 +363,8 @@ void add_size_options(CLI::App& command, RenderOptions& options) {
       .add_option(
           "--size", options.size,
           "Width and height in pixels, or a sheet of paper: A4 (landscape), A4-portrait, A2 to A6, Letter; a "
-          "--view sheet smaller than A4 needs a --scale below 1 [1280x960; 1280x720 for a film; A4 for a "
+          "--view sheet smaller than A4 needs a --scale below 1 [1280x960; 1280x720 for a film; 640x640 for "
+          "--lens; A4 for a "
           "sheet]")
       ->type_name("WxH|PAPER");
   add_number_option(
@@ -339,6 +391,12 @@ Command add_render_command(CLI::App& app) {
       ->check(CLI::IsMember(views))
       ->type_name("VIEW")
       ->capture_default_str();
+  command
+      ->add_option(
+          "--lens", options->lens,
+          "Draw all runs over each other at a corner, stretched across the path: at the sharpest corner of a "
+          "line, or where the first run is at a time, such as 1.25s")
+      ->type_name("LINE|TIME");
   add_size_options(*command, *options);
   command
       ->add_option("--camera", options->camera,

@@ -6,6 +6,7 @@
 #include "core/analysis/contour/contour_report.h"
 #include "core/analysis/not_counted.h"
 #include "core/analysis/program_facts.h"
+#include "core/analysis/recommendation.h"
 #include "core/analysis/refused_lines.h"
 #include "core/analysis/run_notes.h"
 #include "core/analysis/slower_tolerance.h"
@@ -427,6 +428,20 @@ Json slower_json(std::span<const ToleranceRun> runs) {
   return list;
 }
 
+/// `run` and `against`: places in the list of runs. null: there is none.
+Json recommendation_json(std::span<const ComparedRun> runs, std::optional<double> within) {
+  const std::optional<Recommendation> taken = recommend(runs, within);
+  if (!taken) {
+    return nullptr;
+  }
+  return {{"run", taken->run},
+          {"reason", to_string(taken->reason)},
+          {"against", taken->against},
+          {"gain_s", finite(taken->gain)},
+          {"gain_percent", finite(100 * taken->gain_share)},
+          {"max_contour_error_mm", rounded_length(taken->contour_error)}};
+}
+
 Json limits_json(const StudyRun& run) {
   Json causes = Json::object();
   for (const CauseShare& cause : limiting_causes(run.summary)) {
@@ -445,6 +460,7 @@ std::string comparison_json(const LoadedProgram& program, std::span<const Compar
     times.push_back(run.simulate_time);
   }
   Json json = with_runs("comparison", program, std::move(list));
+  json["recommendation"] = recommendation_json(runs, std::nullopt);
   json["slower_with_wider_tolerance"] = slower_json(tolerance_runs(runs));
   json["elapsed"] = elapsed_json(program, times);
   return text_of(json);
@@ -479,6 +495,8 @@ std::string study_json(const LoadedProgram& program, const Study& study) {
   }
   json["sweeps"] = std::move(sweeps);
   json["within_mm"] = study.within ? Json(*study.within) : Json(nullptr);
+  json["recommendation"] =
+      recommendation_json(std::vector<ComparedRun>(study.runs.begin(), study.runs.end()), study.within);
   std::vector<ToleranceRun> tolerances;
   for (const StudyRun& run : study.runs) {
     tolerances.push_back({&run.setup, &run.summary});

@@ -15671,4 +15671,58 @@ Ensemble&#xa0;: %4</translation>
         <translation>La ligne %1 demande une avance de %2&#xa0;; tous les axes de cette machine ensemble atteignent %3&#xa0;: ce qui est perdu par rapport à l’avance programmée n’y dit pas grand-chose.</translation>
     </message>
 </context>
+<context>
+    <name>LensOverlay</name>
+    <message>
+        <source>&amp;Lens at the cursor</source>
+        <translation>&amp;Loupe au curseur</translation>
+    </message>
+    <message>
+        <source>What the ticked runs do at the cursor, over each other, stretched across the path</source>
+        <translation>Ce que font les simulations cochées au curseur, l’une sur l’autre, étirées en travers de la trajectoire</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>The ticked runs at the cursor; click to enlarge</source>
+        <translation>Les simulations cochées au curseur ; cliquer pour agrandir</translation>
+    </message>
+    <message>
+        <source>Lens at the cursor</source>
+        <translation>Loupe au curseur</translation>
+    </message>
+</context>
+<context>
+    <name>LensPicture</name>
+    <message>
+        <source>across × %1</source>
+        <translation>en travers × %1</translation>
+    </message>
+    <message>
+        <source>no run deviates here</source>
+        <translation>aucun écart ici</translation>
+    </message>
+    <message>
+        <source>Lens: line %1</source>
+        <translation>Loupe : ligne %1</translation>
+    </message>
+    <message>
+        <source>%1 along</source>
+        <translation>%1 en long</translation>
+    </message>
+    <message>
+        <source>%1 across</source>
+        <translation>%1 en travers</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>erreur</translation>
+    </message>
+    <message>
+        <source>feed</source>
+        <translation>avance</translation>
+    </message>
+</context>
 </TS>

@@ -38,6 +38,34 @@ TEST_F(CompareCommand, SumsUpForPeople) {
   }
 }
 
+TEST_F(CompareCommand, SaysFirstWhichRunToTake) {
+  write("corners.nc", "G21 G1 X20 F3000\nY20\nX0\nY0\n");
+  const std::string arguments =
+      "compare corners.nc --model essid --tolerance 0.01 --tolerance 0.05 --tolerance 0.2";
+  const json written = json::parse(run(arguments + " --json -").out);
+  const json& taken = written["recommendation"];
+  ASSERT_EQ(taken["run"], 2);
+  EXPECT_EQ(taken["reason"], "fastest");
+  EXPECT_EQ(taken["against"], 0);
+  const auto time = [&](std::size_t i) { return written["runs"][i]["cycle_time_s"].get<double>(); };
+  EXPECT_NEAR(taken["gain_s"].get<double>(), time(0) - time(2), 1e-9);
+  EXPECT_NEAR(taken["gain_percent"].get<double>(), 100 * (time(0) - time(2)) / time(0), 1e-9);
+  EXPECT_EQ(taken["max_contour_error_mm"], written["runs"][2]["max_contour_error_cutting_mm"]);
+  EXPECT_THAT(run(arguments).out,
+              AllOf(StartsWith("0.2 mm: "), HasSubstr(" less than 0.01 mm, contour error ")));
+  const std::string within = run(arguments + " --within 0.1").out;
+  EXPECT_THAT(within, StartsWith("0.05 mm: "));
+  EXPECT_THAT(run(arguments + " --within 0.0001").out, StartsWith("No run keeps a contour error of 0.1 um."));
+}
+
+TEST_F(CompareCommand, ChoosesBetweenSettingsOfTheControlThatTheMachineHas) {
+  const json taken = json::parse(run("compare corner.nc --tolerance 0.01 --tolerance 0.2 --json -").out);
+  const json& run_taken = taken["runs"][taken["recommendation"]["run"].get<std::size_t>()];
+  EXPECT_EQ(run_taken["model"], "essid") << "of the Spinner";
+  EXPECT_EQ(json::parse(run("compare corner.nc --model cam --model tapie --json -").out)["recommendation"],
+            nullptr);
+}
+
 TEST_F(CompareCommand, RefusesASessionBesideAnotherProgram) {
   write("a.feedscope", "{}");
   expect_wrong_use("compare a.feedscope corner.nc", "'a.feedscope' is a session");

@@ -4,12 +4,15 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "core/analysis/lens.h"
 #include "core/base/error.h"
 #include "ui/report/charts_page.h"
 #include "ui/report/scene_picture.h"
 #include "ui/report/sheet.h"
 #include "ui/scene/picture.h"
+#include "ui/shared/lens_picture.h"
 #include "ui/theme/theme.h"
+#include "ui/workbench/run_list.h"
 
 namespace feedscope::ui {
 
@@ -57,6 +60,28 @@ std::string charts_file(const ReportInput& input, const PictureRequest& request)
   }
   return make_picture(spec_of(request, input.heading()),
                       [&](QPainter& painter) { page.draw(painter, !request.transparent); });
+}
+
+std::string lens_file(const ReportInput& input, double time, const PictureRequest& request) {
+  std::vector<const Run*> runs;
+  std::vector<LensLook> looks;
+  std::size_t shown = 0;
+  for (std::size_t i = 0; i < input.runs.size(); ++i) {
+    const ReportRun& run = input.runs[i];
+    if (run.shown->run.trajectory->path().empty()) {
+      continue;  // the control runs nothing of it
+    }
+    shown = i == input.current ? runs.size() : shown;
+    runs.push_back(&run.shown->run);
+    looks.push_back({run.name, run.colour, run_dashes(i)});
+  }
+  const Lens lens = lens_at(runs, shown, time);
+  const QSize whole = request.size.toSize();
+  const double scale = request.paper ? 1 : scale_for({whole.width(), whole.height()});
+  return make_picture(spec_of(request, input.heading()), [&](QPainter& painter) {
+    painter.setFont(QApplication::font());
+    LensPicture(lens, looks, scale).paint(painter, QRectF(QPointF(), request.size), QApplication::palette());
+  });
 }
 
 std::string sheet_file(const ReportInput& input, const PictureRequest& request) {

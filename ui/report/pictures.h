@@ -25,6 +25,8 @@ struct PictureRequest {
 std::string scene_file(const ReportInput& input, const PictureRequest& request);
 /// Charts of the current run as vectors, the other runs behind.
 std::string charts_file(const ReportInput& input, const PictureRequest& request);
+/// All runs through the lens, where the current one is at `time` [s] (LensPicture).
+std::string lens_file(const ReportInput& input, double time, const PictureRequest& request);
 /// paint_sheet().
 std::string sheet_file(const ReportInput& input, const PictureRequest& request);
 /// A picture that is there already: of the window.

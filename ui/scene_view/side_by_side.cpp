@@ -12,6 +12,7 @@
 
 #include "core/analysis/programmed_place.h"
 #include "ui/annotations/annotation_overlay.h"
+#include "ui/scene_view/lens_overlay.h"
 #include "ui/scene_view/split_overlay.h"
 #include "ui/shared/panel_action.h"
 #include "ui/workbench/reading_faults.h"
@@ -52,7 +53,8 @@ SideBySide::SideBySide(Workbench& workbench, SceneView& first, RenderBackend bac
       comparison_(workbench.runs()),
       first_run_(first, workbench.runs(), comparison_),
       splitter_(new QSplitter(this)),
-      references_(new QMenu(tr("Compare &with"), this)) {
+      references_(new QMenu(tr("Compare &with"), this)),
+      lens_(new LensOverlay(workbench, first)) {
   splitter_->setChildrenCollapsible(false);
   splitter_->addWidget(&first_);
   auto* layout = new QHBoxLayout(this);
@@ -141,6 +143,7 @@ void SideBySide::make_actions() {
            QKeySequence(tr("Ctrl+Shift+Left")), -1);
   add_step(tr("Dividing line ri&ght"), tr("Move the dividing line to the right"),
            QKeySequence(tr("Ctrl+Shift+Right")), 1);
+  actions_.append(lens_->action());
 }
 
 QAction* SideBySide::add_mode(ScenesMode mode, const QString& text, const QString& tip,

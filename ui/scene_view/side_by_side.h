@@ -15,6 +15,7 @@ class QSplitter;
 
 namespace feedscope::ui {
 
+class LensOverlay;
 class SplitOverlay;
 
 /// The 3D view of the current run and, if wanted, that of another one: beside it, or over the right part of
@@ -40,6 +41,8 @@ class SideBySide : public QWidget {
   SceneView* second() { return second_; }
   /// Null unless the view is split.
   SplitOverlay* split() { return split_.get(); }
+  /// In the view of the current run.
+  LensOverlay& lens() { return *lens_; }
   /// Which run stands beside the current one.
   QComboBox* choice() { return choice_; }
   RunComparison& comparison() { return comparison_; }
@@ -79,6 +82,7 @@ class SideBySide : public QWidget {
   SceneRun first_run_;
   QSplitter* splitter_;
   QMenu* references_;
+  LensOverlay* lens_;
   QList<QAction*> actions_;
   QAction* beside_ = nullptr;
   QAction* across_ = nullptr;

@@ -33,6 +33,12 @@ QColor run_colour(std::size_t number) {
   return QColor(run_colours[number % run_colours.size()]);
 }
 
+QList<qreal> run_dashes(std::size_t number) {
+  static const std::array<QList<qreal>, 8> dashes{
+      {{}, {6, 3}, {1.5, 1.5}, {8, 2, 1.5, 2}, {3, 2}, {8, 2, 1.5, 2, 1.5, 2}, {12, 4}, {4, 2, 4, 6}}};
+  return dashes[number % dashes.size()];
+}
+
 namespace {
 
 /// What was changed of a setup, one text each; the same limit of several axes is one: "X Y Z Jerk 20 m/s³",

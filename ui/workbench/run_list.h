@@ -33,6 +33,8 @@ enum class RunStatus { waiting, simulated, cancelled, failed };
 
 /// Colours of runs that nobody has coloured, by their number: told apart with every kind of colour vision.
 QColor run_colour(std::size_t number);
+/// Dashes of their lines, in line widths, told apart in grey print; empty: a whole line.
+QList<qreal> run_dashes(std::size_t number);
 
 /// The name of a run, or else model, tolerance in force and what is changed: "essid, 0.05 mm, X Jerk 20
 /// m/s³"; of more than two changes their number. `feed_controls`: LoadedProgram::feed_controls. `left_out`: a

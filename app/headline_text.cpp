@@ -1,0 +1,72 @@
+#include "app/headline_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+#include <vector>
+
+#include "app/print.h"
+#include "core/analysis/recommendation.h"
+#include "core/base/short_text.h"
+
+namespace feedscope {
+namespace {
+
+std::string error_text(const ComparedRun& run) {
+  return fmt::format("{}contour error {}", run.summary.actual ? "actual " : "",
+                     short_length(deciding_error(run.summary)));
+}
+
+/// Of runs of which one can be chosen without the bound.
+std::string none_keeps_text(std::span<const ComparedRun> runs, std::span<const std::string> names,
+                            const std::vector<bool>& can, double within) {
+  std::size_t least = 0;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const auto rank = [&](std::size_t of) {
+      return std::tuple(!can[of], runs[of].lines_not_run, deciding_error(runs[of].summary));
+    };
+    least = rank(i) < rank(least) ? i : least;
+  }
+  return fmt::format("No run keeps a contour error of {}. The smallest is {}, with {}.", short_length(within),
+                     short_length(deciding_error(runs[least].summary)), names[least]);
+}
+
+}  // namespace
+
+std::string headline_text(std::span<const ComparedRun> runs, std::span<const std::string> names,
+                          std::optional<double> within) {
+  const std::vector<bool> can = can_be_chosen(runs);
+  const auto choices = std::ranges::count(can, true);
+  if (choices == 0 || (choices == 1 && !within)) {
+    return "";
+  }
+  const std::optional<Recommendation> taken = recommend(runs, within);
+  if (!taken) {
+    return none_keeps_text(runs, names, can, *within);
+  }
+  const ComparedRun& run = runs[taken->run];
+  const std::string& name = names[taken->run];
+  const std::string time = short_time(run.summary.cycle_time);
+  const auto text = [&]() -> std::string {
+    switch (taken->reason) {
+      case Recommendation::Reason::only:
+        return fmt::format("{}: {}, {}. No other run can be taken.", name, time, error_text(run));
+      case Recommendation::Reason::no_difference:
+        return fmt::format("{}: {}, {}, the smallest. The others differ by less than 1 %.", name, time,
+                           error_text(run));
+      case Recommendation::Reason::fastest:
+      case Recommendation::Reason::smallest_error:
+        break;
+    }
+    const std::string gain =
+        fmt::format("{}: {}, {} less than {}, {}.", name, time, short_percent(taken->gain_share),
+                    names[taken->against], error_text(run));
+    return taken->reason == Recommendation::Reason::fastest
+               ? gain
+               : gain + " Others gain less than 1 % with a larger error.";
+  };
+  return text() + not_run_text(run.lines_not_run);
+}
+
+}  // namespace feedscope

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "core/analysis/compare.h"
+
+namespace feedscope {
+
+/// The decision between runs in one or two sentences: which to take, what it gains and its contour error, or
+/// that none keeps the bound `within` [mm] (recommendation.h). `names`: what the runs are called among each
+/// other. "" where there is nothing to choose: none or one that can be, without a bound.
+std::string headline_text(std::span<const ComparedRun> runs, std::span<const std::string> names,
+                          std::optional<double> within);
+
+}  // namespace feedscope

@@ -1,0 +1,57 @@
+#include "core/base/short_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/clock_text.h"
+#include "core/base/units.h"
+
+namespace feedscope {
+namespace {
+
+constexpr double nanometre = 1e-6;  // [mm]; less is shown as none
+
+/// Three significant figures without a power of ten, without zeros at the end.
+std::string three_figures(double value) {
+  if (!(std::abs(value) > 0) || !std::isfinite(value)) {
+    return fmt::format("{}", value);
+  }
+  const int decimals = 2 - static_cast<int>(std::floor(std::log10(std::abs(value))));
+  std::string text = fmt::format("{:.{}f}", value, std::max(decimals, 0));
+  if (text.find('.') != std::string::npos) {
+    text.erase(text.find_last_not_of('0') + 1);
+    text.erase(text.find_last_not_of('.') + 1);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string short_time(double seconds) {
+  constexpr double minute = 60;
+  constexpr double hour = 3600;
+  const double tenths = std::round(10 * seconds) / 10;
+  if (tenths < minute) {
+    return three_figures(seconds) + " s";
+  }
+  if (tenths >= hour) {
+    return clock_text(seconds);
+  }
+  const double minutes = std::floor(tenths / minute);
+  return fmt::format("{:.0f}:{:04.1f}", minutes, tenths - minute * minutes);
+}
+
+std::string short_length(double mm) {
+  constexpr double in_um = 0.1;  // [mm]
+  const double shown = mm < nanometre ? 0 : mm;
+  return shown < in_um ? three_figures(units::to_um(shown)) + " um" : three_figures(shown) + " mm";
+}
+
+std::string short_percent(double share) {
+  const double percent = 100 * share;
+  return std::abs(percent) >= 1 ? fmt::format("{:.0f} %", percent) : fmt::format("{:.1g} %", percent);
+}
+
+}  // namespace feedscope

@@ -1,0 +1,81 @@
+#include "core/analysis/recommendation.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace feedscope {
+namespace {
+
+std::optional<Recommendation> recommended(const std::vector<RunTime>& runs,
+                                          std::optional<double> within = std::nullopt) {
+  return recommend(std::span<const RunTime>(runs), within);
+}
+
+TEST(Recommendation, IsTheSmallestErrorThatTakesAsLongAsTheFastest) {
+  const auto taken = recommended({{118.1, 0.008}, {108.5, 0.0113}, {108.4, 0.0283}, {108.4, 0.0566}});
+  ASSERT_TRUE(taken);
+  EXPECT_EQ(taken->run, 1u);
+  EXPECT_EQ(taken->reason, Recommendation::Reason::smallest_error);
+  EXPECT_EQ(taken->against, 0u);
+  EXPECT_NEAR(taken->gain, 9.6, 1e-9);
+  EXPECT_NEAR(taken->gain_share, 9.6 / 118.1, 1e-12);
+  EXPECT_EQ(taken->contour_error, 0.0113);
+}
+
+TEST(Recommendation, IsTheFastestWhereItIsFasterByMoreThanOnePercent) {
+  const auto taken = recommended({{100, 0.01}, {90, 0.02}, {80, 0.05}});
+  ASSERT_TRUE(taken);
+  EXPECT_EQ(taken->run, 2u);
+  EXPECT_EQ(taken->reason, Recommendation::Reason::fastest);
+}
+
+TEST(Recommendation, KeepsTheBoundThatTheFastestDoesNot) {
+  const std::vector<RunTime> runs{{100, 0.01}, {90, 0.02}, {80, 0.05}};
+  EXPECT_EQ(recommended(runs, 0.02)->run, 1u);
+  EXPECT_EQ(recommended(runs, 0.01)->reason, Recommendation::Reason::only);
+  EXPECT_FALSE(recommended(runs, 0.005));
+}
+
+TEST(Recommendation, SaysThatNothingIsGained) {
+  const auto taken = recommended({{100, 0.02}, {100.9, 0.01}, {100.2, 0.05}});
+  ASSERT_TRUE(taken);
+  EXPECT_EQ(taken->run, 1u);
+  EXPECT_EQ(taken->reason, Recommendation::Reason::no_difference);
+}
+
+TEST(Recommendation, NeverTakesWhatTheControlRefuses) {
+  EXPECT_EQ(recommended({{1, 0, 3}, {5, 0, 0}, {0, 0, 0, false}})->run, 1u);
+  EXPECT_FALSE(recommended({{0, 0, 0, false}}));
+  EXPECT_FALSE(recommended({}));
+}
+
+TEST(Recommendation, HoldsItsRuleOnRandomRuns) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> any(0, 1);
+  for (int n = 0; n < 2000; ++n) {
+    std::vector<RunTime> runs(1 + random() % 8);
+    for (RunTime& run : runs) {
+      run = {10 + 0.3 * any(random), 0.01 * any(random), random() % 2, random() % 8 != 0};
+    }
+    const double within = 0.01 * any(random);
+    const std::vector<std::size_t> places = runs_to_choose_from(runs, within);
+    const auto taken = recommended(runs, within);
+    ASSERT_EQ(taken.has_value(), !places.empty());
+    if (!taken) {
+      continue;
+    }
+    const RunTime& best = runs[taken->run];
+    ASSERT_LE(best.contour_error, within + 1e-9);
+    for (const std::size_t place : places) {
+      ASSERT_LE(best.cycle_time, (1 + worthwhile_share) * runs[place].cycle_time);
+      ASSERT_LE(runs[place].cycle_time, runs[taken->against].cycle_time);
+      const bool more_exact = runs[place].contour_error < best.contour_error;
+      const double fastest = runs[fastest_runs(runs, within).front()].cycle_time;
+      ASSERT_FALSE(more_exact && runs[place].cycle_time <= (1 + worthwhile_share) * fastest) << n;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace feedscope

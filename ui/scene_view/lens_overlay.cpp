@@ -1,0 +1,127 @@
+#include "ui/scene_view/lens_overlay.h"
+
+#include <QEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <algorithm>
+
+#include "ui/shared/panel_action.h"
+#include "ui/theme/type_size.h"
+
+namespace feedscope::ui {
+namespace {
+
+constexpr int side = 212;  // [pixels] at the usual size of type
+constexpr int margin = 10;
+
+}  // namespace
+
+LensOverlay::LensOverlay(Workbench& workbench, SceneView& view)
+    : QWidget(&view),
+      workbench_(workbench),
+      view_(view),
+      action_(
+          make_action(this, tr("&Lens at the cursor"),
+                      tr("What the ticked runs do at the cursor, over each other, stretched across the path"),
+                      QKeySequence(tr("L")))) {
+  setToolTip(tr("The ticked runs at the cursor; click to enlarge"));
+  setAccessibleName(tr("Lens at the cursor"));
+  action_->setCheckable(true);
+  connect(action_, &QAction::triggered, this, [this](bool on) {
+    wanted_ = on;
+    follow();
+  });
+  const RunList& runs = workbench_.runs();
+  for (const auto signal : {&RunList::list_changed, &RunList::current_changed}) {
+    connect(&runs, signal, this, &LensOverlay::follow);
+  }
+  for (const auto signal : {&RunList::item_changed, &RunList::result_changed}) {
+    connect(&runs, signal, this, &LensOverlay::follow);
+  }
+  connect(&workbench_, &Workbench::run_changed, this, &LensOverlay::follow);
+  connect(&workbench_.cursor(), &Cursor::changed, this, &LensOverlay::follow);
+  view_.canvas().installEventFilter(this);
+  follow();
+}
+
+QSize LensOverlay::sizeHint() const {
+  const QSize room = view_.canvas().size();
+  const int usual = type_pixels(side);
+  const int largest = std::min(room.width(), room.height()) - 2 * margin;
+  const int wanted = large_ ? std::max(room.width(), room.height()) / 2 : usual;
+  return QSize(1, 1) * std::max(1, std::min(wanted, largest));
+}
+
+void LensOverlay::list_runs() {
+  runs_.clear();
+  looks_.clear();
+  const RunList& runs = workbench_.runs();
+  const auto add = [&](std::size_t row) {
+    const RunItem& item = runs.items()[row];
+    const auto result = runs.result(row);
+    if (result != nullptr && result->run.trajectory->path_length() > 0) {
+      runs_.push_back(result);
+      looks_.push_back({runs.title(item), item.colour, run_dashes(row)});
+    }
+  };
+  add(runs.current());
+  for (std::size_t row = 0; row < runs.items().size(); ++row) {
+    if (row != runs.current() && runs.items()[row].visible) {
+      add(row);
+    }
+  }
+}
+
+void LensOverlay::follow() {
+  list_runs();
+  const Cursor& cursor = workbench_.cursor();
+  const bool current = workbench_.shown() != nullptr && !runs_.empty() && runs_.front() == workbench_.shown();
+  const bool shown = wanted_.value_or(runs_.size() > 1) && current && cursor.valid();
+  action_->setChecked(wanted_.value_or(runs_.size() > 1));
+  if (shown) {
+    std::vector<const Run*> runs;
+    for (const auto& run : runs_) {
+      runs.push_back(&run->run);
+    }
+    lens_ = lens_at(runs, 0, cursor.state().time);
+    place();
+  }
+  setVisible(shown);
+  update();
+}
+
+void LensOverlay::place() {
+  const QRect canvas = view_.canvas().geometry();
+  const QSize size = sizeHint();
+  setGeometry(QRect(canvas.bottomRight() - QPoint(size.width() + margin, size.height() + margin), size));
+  raise();
+}
+
+void LensOverlay::paintEvent(QPaintEvent*) {
+  if (!lens_) {
+    return;
+  }
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QRectF frame = QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5);
+  painter.setPen(palette().color(QPalette::Mid));
+  painter.setBrush(palette().color(QPalette::Base));
+  painter.drawRoundedRect(frame, 4, 4);
+  LensPicture(*lens_, looks_, static_cast<double>(type_pixels(side)) / side).paint(painter, frame, palette());
+}
+
+void LensOverlay::mousePressEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) {
+    large_ = !large_;
+    place();
+  }
+}
+
+bool LensOverlay::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize || event->type() == QEvent::Move) {
+    place();
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace feedscope::ui

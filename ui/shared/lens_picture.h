@@ -1,0 +1,52 @@
+#pragma once
+
+#include <QColor>
+#include <QCoreApplication>
+#include <QList>
+#include <QPalette>
+#include <QRectF>
+#include <QString>
+#include <vector>
+
+#include "core/analysis/lens.h"
+
+class QPainter;
+
+namespace feedscope::ui {
+
+/// How a run is drawn in the lens.
+struct LensLook {
+  QString name;
+  QColor colour;
+  QList<qreal> dashes;  ///< of a pen, in line widths; empty: a whole line
+};
+
+/// Draws a lens: the programmed path thin and grey, the tolerance in force as two pale lines, the runs over
+/// each other with a dot where each is at the cursor; how far it is stretched, a scale in either direction,
+/// and where there is room for it, a table of errors and feeds.
+class LensPicture {
+  Q_DECLARE_TR_FUNCTIONS(LensPicture)
+
+ public:
+  /// `looks`: of the runs. `scale`: size of texts and lines, 1 on screen.
+  LensPicture(const Lens& lens, std::vector<LensLook> looks, double scale = 1);
+
+  /// Fills `area`, which is square but for a title above; the colours of `palette`, its window transparent if
+  /// it is `transparent`.
+  void paint(QPainter& painter, const QRectF& area, const QPalette& palette) const;
+
+ private:
+  struct View;
+
+  void draw_title(QPainter& painter, const View& view) const;
+  void draw_paths(QPainter& painter, const View& view) const;
+  void draw_tolerance(QPainter& painter, const View& view) const;
+  void draw_scales(QPainter& painter, const View& view) const;
+  void draw_table(QPainter& painter, const View& view) const;
+
+  const Lens& lens_;
+  std::vector<LensLook> looks_;
+  double scale_;
+};
+
+}  // namespace feedscope::ui
