@@ -10,6 +10,7 @@
 #include "app/print.h"
 #include "core/base/units.h"
 #include "core/identification/recordings.h"
+#include "core/machine/undetermined.h"
 
 namespace feedscope {
 namespace {
@@ -37,17 +38,23 @@ std::string parameters_text(const Identification& found) {
                            : "(...): not told; what comes closest, and in no machine file\n");
 }
 
+/// "2 ms (servo period of the machine)"; "-" for times of sections.
+std::string rate_text(const SamplingRate& rate) {
+  return rate.period > 0 ? fmt::format("{:.4g} ms ({})", units::to_ms(rate.period), title_of(rate.clock))
+                         : "-";
+}
+
 std::string traces_text(const Identification& found, const std::vector<std::string>& traces) {
   TextTable table;
-  table.add({"trace", "measured", "simulated", "difference", "feed rms mm/min"});
+  table.add({"trace", "one sample each", "measured", "simulated", "difference", "feed rms mm/min"});
   for (std::size_t i = 0; i < found.agreements.size(); ++i) {
     const Agreement& agreement = found.agreements[i];
     table.add(
-        {traces[i], time_text(agreement.measured_time), time_text(agreement.simulated_time),
-         signed_text(100 * agreement.time_error(), 2) + " %",
+        {traces[i], rate_text(agreement.rate), time_text(agreement.measured_time),
+         time_text(agreement.simulated_time), signed_text(100 * agreement.time_error(), 2) + " %",
          found.sections[i].empty() ? fmt::format("{:.1f}", units::to_mm_min(agreement.feed_rms)) : "-"});
   }
-  return table.text("lrrrr");
+  return table.text("llrrrr");
 }
 
 /// Drives that were looked for, and what of the following errors they explain.
@@ -118,6 +125,20 @@ std::string unexplained_text(const Identification& found) {
 }
 
 }  // namespace
+
+std::string undetermined_text(const Identification& found) {
+  std::vector<std::string> keys;
+  for (const auto& [key, source] : found.setup.machine.provenance) {
+    if (is_undetermined(source)) {
+      keys.push_back(key);
+    }
+  }
+  return keys.empty() ? ""
+                      : fmt::format(
+                            "not determined, and said so in the file: {}; a simulation that they limit "
+                            "says how much of its time\n",
+                            fmt::join(keys, ", "));
+}
 
 std::string identification_text(const std::vector<Identification>& models,
                                 const std::vector<std::string>& traces,

@@ -12,5 +12,7 @@ namespace feedscope {
 std::string identification_text(const std::vector<Identification>& models,
                                 const std::vector<std::string>& traces,
                                 const std::vector<UnfittedModel>& unfitted = {});
+/// Which numbers the machine file keeps without being determined, on a line of its own; "" for none.
+std::string undetermined_text(const Identification& found);
 
 }  // namespace feedscope

@@ -12,6 +12,7 @@
 #include "core/analysis/refused_lines.h"
 #include "core/analysis/run_notes.h"
 #include "core/analysis/tolerance_in_force.h"
+#include "core/analysis/undetermined_limits.h"
 #include "core/analysis/unreachable_feed.h"
 #include "core/base/clock_text.h"
 #include "core/base/units.h"
@@ -359,6 +360,9 @@ std::string figure_notes_text(const Run& run) {
   }
   if (const auto feed = feed_beyond_machine(run.input, *run.input.toolpath, run.setup)) {
     text += "  " + wrapped(describe(*feed), 2) + "\n";
+  }
+  for (const UndeterminedLimit& limit : undetermined_limits(run)) {
+    text += "  " + wrapped(describe(limit), 2) + "\n";
   }
   return text;
 }

@@ -17,7 +17,9 @@ void add_columns_option(CLI::App& command, std::string& columns) {
           "What the columns of a table are, such as time=1:ms,x=2:mm,y=3:-mm,z=4:mm:-12.5,line=5 (column by "
           "number or name, unit, minus for a mirrored axis, what is added to a position; also feed, number, "
           "rate, separator, decimal, skip); a preset (" +
-              presets + "); or a file that holds such a line [found from the table]")
+              presets +
+              "), also with more of these, as linuxcnc,rate=500; or a file that holds such a line [found "
+              "from the table]")
       ->type_name("SPEC|PRESET|FILE");
 }
 

@@ -5,6 +5,7 @@
 #include "app/option_text.h"
 #include "app/print.h"
 #include "app/trace_columns_option.h"
+#include "core/analysis/agreement/servo_period.h"
 #include "core/base/error.h"
 #include "core/trace/read_trace.h"
 #include "ui/shared/paths.h"
@@ -15,8 +16,9 @@ namespace feedscope {
 namespace {
 
 std::shared_ptr<const ui::ShownTrace> beside_run(const ui::ReportInput& input,
-                                                 const std::filesystem::path& file,
-                                                 const TraceColumns& columns, Watch& watch) {
+                                                 const std::filesystem::path& file, TraceColumns columns,
+                                                 Watch& watch) {
+  columns.machine_period = servo_period_of(input.run().shown->run.setup);
   const auto trace = std::make_shared<const Trace>(read_trace(file, columns, watch.stage("reading a trace")));
   auto shown = ui::lay_beside(trace, input.run().shown, watch.stage("comparing with it"));
   print_diagnostics(ui::messages_on(*trace, shown->found), file.string());

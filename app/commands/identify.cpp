@@ -14,6 +14,7 @@
 #include "app/run_options.h"
 #include "app/trace_columns_option.h"
 #include "app/watch.h"
+#include "core/analysis/agreement/servo_period.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/export/identification.h"
@@ -91,8 +92,9 @@ void check(const IdentifyCommandOptions& options) {
 /// The recordings and their programs as the command line names them.
 class Work {
  public:
+  /// Throws InputError for a file that cannot be read or a model that is not known.
   Work(const IdentifyCommandOptions& options, Watch& watch) : options_(options), watch_(watch) {
-    const TraceColumns columns = asked_columns(options.columns);
+    TraceColumns columns = asked_columns(options.columns);
     ReadOptions reading;
     if (!options.dialect.empty()) {
       reading.dialect = dialect_of_id(options.dialect);
@@ -100,6 +102,11 @@ class Work {
     for (const std::string& file : options.programs) {
       programs_.push_back(load_program(std::make_shared<const SourceText>(SourceText::from_file(file)),
                                        watch.stage("programs"), reading));
+    }
+    for (const std::string& model : options.models.empty() ? std::vector<std::string>{""} : options.models) {
+      starts_.push_back(start_of(model));
+      columns.machine_period =
+          columns.machine_period > 0 ? columns.machine_period : servo_period_of(starts_.back());
     }
     traces_.resize(options.traces.size());
     tables_.resize(options.traces.size());
@@ -118,15 +125,8 @@ class Work {
     }
   }
 
-  /// What each model that was asked for begins with. Throws InputError for one that is not known.
-  std::vector<Setup> starts() const {
-    std::vector<Setup> starts;
-    for (const std::string& model :
-         options_.models.empty() ? std::vector<std::string>{""} : options_.models) {
-      starts.push_back(start_of(model));
-    }
-    return starts;
-  }
+  /// What each model that was asked for begins with.
+  const std::vector<Setup>& starts() const { return starts_; }
 
   Identification fit(const Setup& start) {
     IdentifyOptions how;
@@ -163,6 +163,7 @@ class Work {
   Watch& watch_;
   std::vector<std::pair<std::string, std::vector<Diagnostic>>> notes_;
   std::vector<LoadedProgram> programs_;
+  std::vector<Setup> starts_;
   std::vector<std::shared_ptr<const Trace>> traces_;
   std::vector<std::vector<SectionTime>> tables_;
   Recordings recordings_;
@@ -344,7 +345,8 @@ int identify_machine(const IdentifyCommandOptions& options) {
   if (options.out != "-" && options.json != "-" && options.report != "-") {
     fmt::print("{}", identification_text(found.models, options.traces, found.unfitted));
     if (!options.out.empty()) {
-      fmt::print("{}: machine file; see: feedscope machines {}\n", options.out, options.out);
+      fmt::print("{}: machine file; see: feedscope machines {}\n{}", options.out, options.out,
+                 undetermined_text(found.models.front()));
     }
   }
   return wrong_programs || !found.models.front().explains ? exit_code::program_errors : exit_code::done;

@@ -15,6 +15,7 @@
 #include "app/watch.h"
 #include "core/analysis/agreement/feed_share.h"
 #include "core/analysis/agreement/held_stretches.h"
+#include "core/analysis/agreement/servo_period.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/export/trace.h"
@@ -31,8 +32,9 @@ struct TraceOptions {
 };
 
 std::string trace_text(const Trace& trace) {
-  std::string text = fmt::format("{}: {}, {} samples, {:.6g} s, one each {:.4g} ms\n", trace.name,
-                                 trace.format, trace.size(), trace.duration(), units::to_ms(trace.period));
+  std::string text =
+      fmt::format("{}: {}, {} samples, {:.6g} s, one each {:.4g} ms ({})\n", trace.name, trace.format,
+                  trace.size(), trace.duration(), units::to_ms(trace.period), title_of(trace.clock));
   for (const std::string& column : trace.columns) {
     text += fmt::format("  {}\n", column);
   }
@@ -132,8 +134,9 @@ std::optional<Beside> beside(const TraceOptions& options) {
 int show_trace(const TraceOptions& options) {
   check_outputs(options.trace, {options.json}, "the trace itself");
   check_outputs(options.run.file, {options.json});
-  const TraceColumns columns = asked_columns(options.columns);
+  TraceColumns columns = asked_columns(options.columns);
   const std::optional<Beside> program = beside(options);
+  columns.machine_period = program ? servo_period_of(program->setup) : 0;
   OutputFiles files;
   std::ostream* json = options.json.empty() ? nullptr : &files.add(options.json);
   Trace trace;

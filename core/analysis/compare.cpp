@@ -66,7 +66,8 @@ ComparedRun figures_of(const Run& run) {
           tolerance_in_force(run.input.feed_controls, run.setup),
           is_refused(run),
           run.input.lines_not_run.size(),
-          is_out_of_reach(run)};
+          is_out_of_reach(run),
+          undetermined_limits(run)};
 }
 
 std::vector<Setup> setups_to_compare(const std::vector<std::string>& machines,

@@ -6,6 +6,7 @@
 
 #include "core/analysis/run.h"
 #include "core/analysis/tolerance_in_force.h"
+#include "core/analysis/undetermined_limits.h"
 
 namespace feedscope {
 
@@ -22,6 +23,7 @@ struct ComparedRun {
   std::size_t lines_not_run = 0;  ///< that the control refuses: the figures are those of the others
   /// is_out_of_reach(): the figures are those of axes that stay, or go beyond their travel.
   bool out_of_reach = false;
+  std::vector<UndeterminedLimit> undetermined = {};  ///< undetermined_limits()
 
   /// Control and machine run the program: its figures may be set beside those of others.
   bool is_possible() const { return !refused && !out_of_reach; }

@@ -9,7 +9,7 @@ namespace {
 constexpr double turn_per_span = 0.25;        // rad of an arc
 constexpr double parameter_per_span = 0.125;  // of a blend that is run by its parameter, or of a curve
 constexpr double spread_per_span = 0.4;       // of a blend by path length, as BlendSpread
-constexpr double spans_per_filter_time = 16;  // where turning pulses change
+constexpr double looks_per_filter_time = 16;  // where turning pulses change
 constexpr double most_spans = 1e6;            // of a part
 
 /// By the chain rule: `d` by the parameter of a course, `u` of the parameter by time, the first to the
@@ -284,7 +284,7 @@ void PeakSearch::add_filtered(const Part& part, const FilteredMotion& motion) {
     } else if (filters_.is_settled()) {
       search(at, time, next, 2 + filters_.settled_part().rate * (next - time) / turn_per_span);
     } else {
-      search(at, time, next, 2 + (next - time) / train.filter_time * spans_per_filter_time);
+      search(at, time, next, 2 + (next - time) / train.filter_time * looks_per_filter_time);
     }
   }
 }

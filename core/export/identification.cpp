@@ -32,7 +32,10 @@ Json drives_json(const Identification& found) {
 }
 
 Json agreement_json(const Agreement& agreement) {
-  return {{"cycle_time_s", finite(agreement.simulated_time)},
+  const bool sampled = agreement.rate.period > 0;
+  return {{"period_s", sampled ? Json(agreement.rate.period) : Json()},
+          {"period_from", sampled ? Json(to_string(agreement.rate.clock)) : Json()},
+          {"cycle_time_s", finite(agreement.simulated_time)},
           {"measured_s", finite(agreement.measured_time)},
           {"feed_rms_mm_min", finite(units::to_mm_min(agreement.feed_rms))},
           {"distance_mm", finite(agreement.distance)},

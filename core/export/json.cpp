@@ -259,6 +259,15 @@ Json actual_json(const Summary& summary) {
             {"of_control_mm", rounded_length(actual.worst.of_control)}}}};
 }
 
+/// run_notes() and undetermined_limits() as sentences.
+std::vector<std::string> notes_of(const LoadedProgram& program, const ComparedRun& run) {
+  std::vector<std::string> notes = run_notes(program, run.setup);
+  for (const UndeterminedLimit& limit : run.undetermined) {
+    notes.push_back(describe(limit));
+  }
+  return notes;
+}
+
 /// What a run is and what came out of it: the same keys whichever command ran it, null for times, feeds and
 /// errors of a run without `figures`.
 Json run_json(const LoadedProgram& program, const ComparedRun& run, bool figures) {
@@ -272,7 +281,7 @@ Json run_json(const LoadedProgram& program, const ComparedRun& run, bool figures
           {"limits", machine_limits(machine)},
           {"tolerance_in_force_mm", tolerance_json(run.tolerance)},
           {"tolerance_set_by", run.tolerance ? Json(to_string(run.tolerance->set_by)) : Json()},
-          {"notes", run_notes(program, run.setup)},
+          {"notes", notes_of(program, run)},
           {"lines_not_run", run.lines_not_run},
           {"out_of_reach", run.out_of_reach},
           {"cycle_time_s", figure(finite(summary.cycle_time))},

@@ -35,6 +35,7 @@ Json head_of(const Trace& trace) {
                    {"samples", trace.size()},
                    {"duration_s", finite(trace.duration())},
                    {"period_s", finite(trace.period)},
+                   {"period_from", to_string(trace.clock)},
                    {"jitter_s", finite(trace.jitter)},
                    {"gaps", trace.gaps},
                    {"lost_s", finite(trace.lost)},
@@ -75,7 +76,9 @@ Json agreement_json(const TraceOnProgram& found, const Agreement& agreement) {
                           {"measured_s", finite(operation.measured_time)},
                           {"simulated_s", finite(operation.simulated_time)}});
   }
-  return {{"cycle_time_s", finite(agreement.simulated_time)},
+  return {{"period_s", finite(agreement.rate.period)},
+          {"period_from", to_string(agreement.rate.clock)},
+          {"cycle_time_s", finite(agreement.simulated_time)},
           {"measured_s", finite(agreement.measured_time)},
           {"whole", agreement.whole},
           {"path_share", finite(found.share)},

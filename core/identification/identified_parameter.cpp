@@ -2,7 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+
+#include "core/machine/undetermined.h"
+
 namespace feedscope {
+namespace {
+
+constexpr const char* kept_from = "kept from before: ";
+
+}  // namespace
 
 Provenance identified_source(const IdentifiedParameter& parameter, const std::string& from) {
   const std::string& unit = parameter.parameter.unit;
@@ -11,12 +20,20 @@ Provenance identified_source(const IdentifiedParameter& parameter, const std::st
           false};
 }
 
-Provenance untold_source(const IdentifiedParameter& parameter, const std::string& from) {
-  return {parameter.at_least
-              ? fmt::format("not told by {}: at least {:.4g} {}, this explains them as well as others", from,
-                            *parameter.at_least, parameter.parameter.unit)
-              : fmt::format("not told by {}: this explains them as well as others", from),
-          true};
+Provenance undetermined_source(const IdentifiedParameter& parameter, const std::string& from,
+                               const Provenance& before) {
+  std::string text = fmt::format("{}{}: ", undetermined_by, from);
+  if (parameter.at_least) {
+    text += fmt::format("at least {:.4g} {}, ", *parameter.at_least, parameter.parameter.unit);
+  }
+  if (parameter.value != parameter.start) {
+    return {text + "this explains them as well as others", true};
+  }
+  const auto kept = before.source.find(kept_from);  // of an identification before
+  const std::string origin = kept == std::string::npos
+                                 ? before.source
+                                 : before.source.substr(kept + std::string_view(kept_from).size());
+  return {text + kept_from + origin, true};
 }
 
 }  // namespace feedscope

@@ -20,9 +20,11 @@ struct IdentifiedParameter {
   std::string told_by;             ///< not told: the part of the test program that tells it; "" if none does
 };
 
-/// Sources for machine files: of a number that is told, and of another one that stays in use. `from`: names
-/// of the traces and the date.
+/// Sources for machine files: of a number that is told, and of another one that stays in use, by which
+/// is_undetermined() knows it. `from`: names of the traces and the date; `before`: source of the value that
+/// was begun with.
 Provenance identified_source(const IdentifiedParameter& parameter, const std::string& from);
-Provenance untold_source(const IdentifiedParameter& parameter, const std::string& from);
+Provenance undetermined_source(const IdentifiedParameter& parameter, const std::string& from,
+                               const Provenance& before);
 
 }  // namespace feedscope

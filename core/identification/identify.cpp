@@ -322,6 +322,7 @@ void write_sources(Setup& setup, const Setup& start, const std::vector<Identifie
                    bool explains, const std::string& from) {
   setup.machine.model = setup.model->info().id;
   const Provenance set_by_hand{"set by hand", false};
+  const Provenance usual_value{"usual value of the model", true};
   const Settings known = complete_settings(*setup.model, start.machine);
   for (const auto& [key, value] : setup.settings.values()) {
     if (known.value(key) != value) {
@@ -336,17 +337,12 @@ void write_sources(Setup& setup, const Setup& start, const std::vector<Identifie
     }
     const auto before = start.machine.provenance.find(key);
     const bool was_set = start.settings.has(key) && known.value(key) != start.settings.value(key);
-    if (one.told) {
-      setup.machine.provenance.insert_or_assign(key, identified_source(one, from));
-    } else if (one.value != one.start && explains) {
-      setup.machine.provenance.insert_or_assign(key, untold_source(one, from));
-    } else if (was_set) {
-      setup.machine.provenance.insert_or_assign(key, set_by_hand);
-    } else if (before != start.machine.provenance.end()) {
-      setup.machine.provenance.insert_or_assign(key, before->second);
-    } else {
-      setup.machine.provenance.insert_or_assign(key, Provenance{"usual value of the model", true});
-    }
+    const Provenance of_start = was_set                                    ? set_by_hand
+                                : before != start.machine.provenance.end() ? before->second
+                                                                           : usual_value;
+    setup.machine.provenance.insert_or_assign(key, one.told   ? identified_source(one, from)
+                                                   : explains ? undetermined_source(one, from, of_start)
+                                                              : of_start);
   }
 }
 

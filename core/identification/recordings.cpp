@@ -118,8 +118,8 @@ void doubt_steps(Identification& found, const Setup& start, const std::string& f
       one.reason = QT_TRANSLATE_NOOP(
           "core", "It changes with the steps a millimetre, which are assumed: give those of the machine.");
     }
-    found.setup.machine.provenance.insert_or_assign(
-        one.parameter.key, one.told ? identified_source(one, from) : untold_source(one, from));
+    Provenance& source = found.setup.machine.provenance[one.parameter.key];
+    source = one.told ? identified_source(one, from) : undetermined_source(one, from, source);
   }
   if (taken != 1) {
     for (const auto& [name, kind] : start.machine.axes.axes()) {
@@ -250,7 +250,7 @@ void Recordings::add_drive(Identification& found, const DriveFit& drive, const s
     if (one.told) {
       sources.insert_or_assign(one.parameter.key, identified_source(one, from));
     } else if (drive.explains && one.value > 0) {
-      sources.insert_or_assign(one.parameter.key, untold_source(one, from));
+      sources.insert_or_assign(one.parameter.key, undetermined_source(one, from, sources[one.parameter.key]));
     }
     found.parameters.push_back(one);
     if (!one.told && !drive.of_first_order) {

@@ -31,9 +31,9 @@ class Recordings {
   /// The `parameters` of `start` with which its model explains all of them best; those of drives by
   /// fit_drive(). If its model does not explain them, a tolerance that may be zero, for no limit, is tried
   /// so. If all traces run at one share of the programmed feed, that is taken as the feed override. Throws
-  /// InputError for a recording that is not of its program or holds too little of it, for section times that
-  /// no machine takes (SectionCase::check_times()), for a drive without set and actual positions, and what
-  /// identify() throws.
+  /// InputError for a recording that is not of its program, holds too little of it or has a wrong rate, for
+  /// section times that no machine takes (SectionCase::check_times()), for a drive without set and actual
+  /// positions, and what identify() throws.
   Identification fit(const Setup& start, const std::vector<FitParameter>& parameters,
                      const IdentifyOptions& options = {}, const Stage& stage = {});
   /// What is wrong with each of them on its program: known after fit(), of tables nothing.

@@ -58,6 +58,10 @@ TraceCase::TraceCase(std::shared_ptr<const Trace> trace, const LoadedProgram& pr
   } catch (const InputError&) {
     // The machine to begin with does not come along the path: the search tells more.
   }
+  if (const Diagnostic* wrong = wrong_rate_of(*trace_, found_)) {
+    throw InputError(fmt::format("{}: no limits can be found from this trace: {}; {}", trace_->name,
+                                 wrong->message, wrong->hint));
+  }
   const double duration = found_.law.times().back() - found_.law.times().front();
   borders_ = cell_borders(found_.law, std::max(samples_a_stretch * trace_->period, duration / most_stretches),
                           std::max(least_length, 20 * found_.noise));

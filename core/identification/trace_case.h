@@ -17,7 +17,8 @@ namespace feedscope {
 /// of what noise and sampling make of them.
 class TraceCase : public FitCase {
  public:
-  /// `start`: a setup of the model. Throws InputError if the trace is nowhere on the path.
+  /// `start`: a setup of the model. Throws InputError if the trace is nowhere on the path or its rate is
+  /// wrong (wrong_rate_of()).
   TraceCase(std::shared_ptr<const Trace> trace, const LoadedProgram& program, const Setup& start,
             Progress* progress = nullptr);
 

@@ -7,13 +7,20 @@ namespace {
 
 Trace read(TraceText& text, const TraceColumns& columns) {
   const std::string_view head = text.head();
-  if (is_sinumerik_trace(head)) {
-    return read_sinumerik_trace(text, columns);
+  const bool sinumerik = is_sinumerik_trace(head);
+  if (!sinumerik && !is_twincat_scope(head)) {
+    return read_table_trace(text, columns);
   }
-  if (is_twincat_scope(head)) {
-    return read_twincat_scope(text, columns);
+  Trace trace = sinumerik ? read_sinumerik_trace(text, columns) : read_twincat_scope(text, columns);
+  if (columns.period > 0) {
+    trace.notes.push_back({.severity = Severity::warning,
+                           .line = 0,
+                           .column = 0,
+                           .code = "trace-rate-unused",
+                           .message = "traces of this kind have times of their own: the rate is not used",
+                           .hint = "leave out rate= and period="});
   }
-  return read_table_trace(text, columns);
+  return trace;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
 #include "core/base/typed_number.h"
+#include "core/base/units.h"
 
 namespace feedscope {
 namespace {
@@ -110,7 +111,7 @@ class ColumnFinder {
   FoundColumns find() {
     found_.period = asked_.period;
     for (std::size_t q = 0; q < trace_quantity_count; ++q) {
-      if (asked_.columns[q]) {
+      if (asked_.columns[q] && !is_replaced(static_cast<TraceQuantity>(q))) {
         take_asked(static_cast<TraceQuantity>(q), *asked_.columns[q]);
       }
     }
@@ -124,6 +125,11 @@ class ColumnFinder {
   }
 
  private:
+  /// A rate that is given stands for the times of the file.
+  bool is_replaced(TraceQuantity quantity) const {
+    return quantity == TraceQuantity::time && asked_.period > 0;
+  }
+
   void take(TraceQuantity quantity, std::size_t place, double factor, const std::string& unit,
             std::string_view why, double offset = 0) {
     found_.columns[static_cast<std::size_t>(quantity)] =
@@ -207,9 +213,7 @@ class ColumnFinder {
     for (std::size_t q = 0; q < trace_quantity_count; ++q) {
       const auto quantity = static_cast<TraceQuantity>(q);
       const bool is_place = is_position(quantity);
-      const bool time_asked =
-          quantity == TraceQuantity::time && (asked_.period > 0 || asked_.of(TraceQuantity::number));
-      if (!best[q] || found_.columns[q] || (is_place && places_asked) || time_asked) {
+      if (!best[q] || found_.columns[q] || (is_place && places_asked) || is_replaced(quantity)) {
         continue;
       }
       const std::string& unit = best[q]->named.unit;
@@ -247,7 +251,7 @@ class ColumnFinder {
     const std::vector<double> first = values_of(head_, 0);
     if (are_whole(first) && median_step(first) == 1) {
       take(TraceQuantity::number, next++, 1, "", ", it rises by one");
-    } else if (rises_evenly(first)) {
+    } else if (asked_.period == 0 && rises_evenly(first)) {
       take(TraceQuantity::time, next++, 1, "", ", it rises");
     }
     std::size_t axis = 0;
@@ -283,11 +287,23 @@ class ColumnFinder {
       }
       return;
     }
-    if (found_.period == 0) {
+    found_.clock = found_.period > 0           ? TraceClock::option
+                   : asked_.machine_period > 0 ? TraceClock::machine
+                                               : TraceClock::assumed;
+    if (found_.clock == TraceClock::machine) {
+      found_.period = asked_.machine_period;
+      builder_.note(Severity::info, 0, "trace-period",
+                    fmt::format("the trace has no times: one sample each {:.6g} ms is taken from the servo "
+                                "period of the machine",
+                                units::to_ms(found_.period)),
+                    "if it was recorded at another rate, say it in samples a second, as --columns "
+                    "linuxcnc,rate=1000");
+    } else if (found_.clock == TraceClock::assumed) {
       found_.period = usual_period;
       builder_.note(Severity::warning, 0, "trace-period",
                     "the trace has no times: one sample each millisecond is assumed",
-                    "say the rate in samples a second: --columns linuxcnc, or ...,rate=1000");
+                    "say the rate in samples a second, as --columns linuxcnc,rate=1000; or give the machine "
+                    "its servo period");
     }
   }
 

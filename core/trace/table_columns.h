@@ -23,7 +23,8 @@ struct FoundColumn {
 /// Which column of a table is what.
 struct FoundColumns {
   std::array<std::optional<FoundColumn>, trace_quantity_count> columns;
-  double period = 0;  ///< of tables without times [s]
+  double period = 0;  ///< of tables whose times are not used [s]
+  TraceClock clock = TraceClock::times;
 
   const std::optional<FoundColumn>& of(TraceQuantity quantity) const {
     return columns[static_cast<std::size_t>(quantity)];

@@ -29,6 +29,7 @@ class TableReader {
         builder_.has(quantity);
       }
     }
+    builder_.set_clock(found_.clock);
     if (!builder_.has_place() && !head_.titles.empty()) {
       throw InputError(fmt::format(
           "'{}' has no column that is known as the position of X, Y or Z; it has {}; say which, as --columns "

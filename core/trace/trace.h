@@ -8,6 +8,7 @@
 
 #include "core/base/diagnostic.h"
 #include "core/base/geometry.h"
+#include "core/trace/trace_clock.h"
 
 namespace feedscope {
 
@@ -23,9 +24,10 @@ struct Trace {
   std::array<std::vector<double>, 3> place;  ///< of X, Y, Z [mm]; empty: the axis is not recorded
   /// What encoders measured of X, Y, Z where `place` is what the control set [mm]; empty: not recorded.
   std::array<std::vector<double>, 3> actual;
-  std::vector<float> feed;           ///< along the path, as the control says it [mm/s]
-  std::vector<std::uint32_t> line;   ///< of the program, as the control says it
-  double period = 0;                 ///< between two samples: the median [s]
+  std::vector<float> feed;               ///< along the path, as the control says it [mm/s]
+  std::vector<std::uint32_t> line;       ///< of the program, as the control says it
+  double period = 0;                     ///< between two samples: the median [s]
+  TraceClock clock = TraceClock::times;  ///< where `time` comes from
   double jitter = 0;                 ///< root mean square of what steps differ from `period`, gaps apart [s]
   std::size_t gaps = 0;              ///< stretches without samples
   double lost = 0;                   ///< time of those together [s]
@@ -33,6 +35,7 @@ struct Trace {
   std::vector<Diagnostic> notes;     ///< what is wrong or was assumed, with its line in the file
 
   std::size_t size() const { return time.size(); }
+  SamplingRate rate() const { return {period, clock}; }
   double duration() const { return time.empty() ? 0 : time.back() - time.front(); }  ///< [s]
   bool has(std::size_t axis) const { return !place[axis].empty(); }
   /// Whether both set and actual position of the axis are recorded.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/base/error.h"
@@ -74,6 +75,48 @@ Filled fill_between(const std::vector<double>& time, std::vector<Number>& values
     }
   }
   return filled;
+}
+
+/// The speed of the positions over the recorded feed where that is steady; 0 where it differs from place to
+/// place or hardly any place shows it. Some controls record the feed a few samples ahead of the positions.
+double steady_feed_ratio(const Trace& trace) {
+  constexpr std::size_t reach = 8;  // samples
+  constexpr float steady = 0.005F;
+  constexpr std::size_t least = 100;
+  constexpr double same = 0.03;
+  constexpr double nearly_all = 0.8;
+  constexpr std::size_t most = 20'000;
+  const std::size_t stride = 1 + trace.size() / most;
+  std::vector<double> ratios;
+  for (std::size_t i = reach; i + reach < trace.size(); i += stride) {
+    const float feed = trace.feed[i];
+    const auto is_steady = [&](std::size_t other) {
+      return std::abs(trace.feed[other] - feed) <= steady * feed;
+    };
+    const double time = trace.time[i + reach / 2] - trace.time[i - reach / 2];
+    if (feed > 0 && time < gap_share * reach * trace.period && is_steady(i - reach) && is_steady(i + reach)) {
+      const double way = (trace.place_at(i + reach / 2) - trace.place_at(i - reach / 2)).norm();
+      ratios.push_back(way / time / static_cast<double>(feed));
+    }
+  }
+  if (ratios.size() < least) {
+    return 0;
+  }
+  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+  std::nth_element(ratios.begin(), middle, ratios.end());
+  const double median = *middle;
+  const auto like_it =
+      std::ranges::count_if(ratios, [&](double ratio) { return std::abs(ratio - median) <= same * median; });
+  return static_cast<double>(like_it) >= nearly_all * static_cast<double>(ratios.size()) ? median : 0;
+}
+
+/// Whether it is that of two units of feeds rather than of two rates.
+bool is_ratio_of_units(double ratio) {
+  constexpr double same = 0.03;
+  constexpr std::array factors{60.0, 25.4, 1000.0, 1000.0 / 60, 25.4 * 60};
+  return std::ranges::any_of(factors, [&](double factor) {
+    return std::abs(ratio / factor - 1) < same || std::abs(ratio * factor - 1) < same;
+  });
 }
 
 template <class Number>
@@ -384,6 +427,27 @@ void TraceBuilder::look_at_jumps() {
   }
 }
 
+/// Of traces without times: whether the feed that the control says is that of the positions.
+void TraceBuilder::look_at_feed() {
+  constexpr double about_one = 0.05;
+  const bool all_axes = std::ranges::none_of(trace_.place, &std::vector<double>::empty);
+  if (trace_.clock == TraceClock::times || trace_.feed.empty() || !all_axes) {
+    return;
+  }
+  const double ratio = steady_feed_ratio(trace_);
+  if (ratio == 0 || std::abs(ratio - 1) < about_one || is_ratio_of_units(ratio)) {
+    return;
+  }
+  note(Severity::warning, 0, "trace-rate",
+       fmt::format(
+           "the positions of the trace move at {:.3g} % of the feed that it records: its sampling rate "
+           "is wrong",
+           100 * ratio),
+       fmt::format("give the right rate, {0:.0f} samples a second, as --columns linuxcnc,rate={0:.0f}; or "
+                   "leave the column of the feed out",
+                   1 / (trace_.period * ratio)));
+}
+
 Trace TraceBuilder::finish() {
   if (skipped_ > 0) {
     note(Severity::warning, first_skipped_, "trace-row",
@@ -419,6 +483,7 @@ Trace TraceBuilder::finish() {
   }
   look_at_times();
   look_at_jumps();
+  look_at_feed();
   const double first = trace_.time.front();
   for (double& time : trace_.time) {
     time -= first;

@@ -35,6 +35,7 @@ class TraceBuilder {
   void has(TraceQuantity quantity) { has_[static_cast<std::size_t>(quantity)] = true; }
   /// Whether a position of any axis is among them.
   bool has_place() const;
+  void set_clock(TraceClock clock) { trace_.clock = clock; }
   void note_column(std::string text) { trace_.columns.push_back(std::move(text)); }
 
   /// `source_line`: of the file, for messages. Throws InputError beyond 200 million samples.
@@ -62,6 +63,7 @@ class TraceBuilder {
   void drop_unknown_ends();
   void look_at_times();
   void look_at_jumps();
+  void look_at_feed();
   double longest_jitter() const;
   std::uint32_t line_of(std::size_t sample) const;
 

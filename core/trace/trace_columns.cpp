@@ -161,8 +161,8 @@ void apply(TraceColumns& columns, std::string_view key, std::string_view value) 
   }
 }
 
-TraceColumns parse_assignments(std::string_view specification) {
-  TraceColumns columns;
+/// Puts them into `columns`.
+TraceColumns parse_assignments(std::string_view specification, TraceColumns columns = {}) {
   while (!specification.empty()) {
     const auto end = specification.find(',');
     const std::string_view part = trimmed(specification.substr(0, end));
@@ -256,8 +256,8 @@ bool TraceColumns::any() const {
 
 const std::vector<TracePreset>& trace_presets() {
   static const std::vector<TracePreset> presets{
-      {"linuxcnc", "number=1,x=2:mm,y=3:mm,z=4:mm,line=5,feed=6:mm/s,period=0.001,separator=blank"},
-      {"linuxcnc-xyz", "number=1,x=2:mm,y=3:mm,z=4:mm,period=0.001,separator=blank"},
+      {"linuxcnc", "number=1,x=2:mm,y=3:mm,z=4:mm,line=5,feed=6:mm/s,separator=blank"},
+      {"linuxcnc-xyz", "number=1,x=2:mm,y=3:mm,z=4:mm,separator=blank"},
       {"feedscope", "time=time_s:s,x=x_mm:mm,y=y_mm:mm,z=z_mm:mm,line=line,feed=feed_mm_min:mm/min"},
       {"feedscope-actual", "time=time_s:s,x=actual_x_mm:mm,y=actual_y_mm:mm,z=actual_z_mm:mm,line=line"},
   };
@@ -265,21 +265,23 @@ const std::vector<TracePreset>& trace_presets() {
 }
 
 TraceColumns parse_trace_columns(const std::string& specification) {
+  const std::string_view all = specification;
+  const auto end = std::min(all.find(','), all.size());
+  const std::string_view first = trimmed(all.substr(0, end));
+  if (first.find('=') != std::string_view::npos) {
+    return parse_assignments(all);
+  }
+  std::vector<std::string_view> names;
   for (const TracePreset& preset : trace_presets()) {
-    if (specification == preset.name) {
-      return parse_assignments(preset.specification);
+    if (first == preset.name) {
+      return parse_assignments(all.substr(std::min(end + 1, all.size())),
+                               parse_assignments(preset.specification));
     }
+    names.push_back(preset.name);
   }
-  if (specification.find('=') == std::string::npos) {
-    std::vector<std::string> names;
-    for (const TracePreset& preset : trace_presets()) {
-      names.emplace_back(preset.name);
-    }
-    throw InputError(fmt::format(
-        "'{}' is no preset of columns; known: {}; or write a specification such as time=1:ms,x=2:mm,y=3:mm",
-        specification, fmt::join(names, ", ")));
-  }
-  return parse_assignments(specification);
+  throw InputError(fmt::format(
+      "'{}' is no preset of columns; known: {}; or write a specification such as time=1:ms,x=2:mm,y=3:mm",
+      first, fmt::join(names, ", ")));
 }
 
 std::optional<double> trace_unit(TraceQuantity quantity, std::string_view unit) {

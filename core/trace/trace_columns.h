@@ -37,9 +37,11 @@ struct TraceColumn {
 /// How a table of samples is read; what is not given is found from the file.
 struct TraceColumns {
   std::array<std::optional<TraceColumn>, trace_quantity_count> columns;
-  char separator = 0;    ///< 0: found; ' ' stands for any number of blanks and tabs
-  char decimal = 0;      ///< '.' or ','; 0: found
-  double period = 0;     ///< of files without times [s]; 0: not given
+  char separator = 0;  ///< 0: found; ' ' stands for any number of blanks and tabs
+  char decimal = 0;    ///< '.' or ','; 0: found
+  double period = 0;   ///< as given, before times of the file [s]; 0: not given
+  /// Servo period of the machine that ran, for files without times where `period` is not given [s]; 0: none.
+  double machine_period = 0;
   std::size_t skip = 0;  ///< lines in front of the table
 
   const std::optional<TraceColumn>& of(TraceQuantity quantity) const {
@@ -58,7 +60,7 @@ struct TracePreset {
 };
 const std::vector<TracePreset>& trace_presets();
 
-/// Reads the name of a preset, or
+/// Reads the name of a preset, which assignments may follow as in "linuxcnc,rate=500", or
 /// "time=1:ms,x=2,y=3:-mm,line=Block,feed=6:mm/min,separator=tab,decimal=comma, rate=1000,skip=2": of each
 /// quantity the number or the name of its column, its unit, a minus sign where the axis is mirrored, and of a
 /// position what is added to it in this unit: "x=2:mm:-12.5". Throws InputError naming what is wrong, with

@@ -1806,6 +1806,10 @@
         <translation>Les lignes que la commande refuse ne sont pas exécutées&#xa0;: %1.</translation>
     </message>
     <message>
+        <source>%1 limits %2 s of the cycle time (%3 %), but the recordings that the machine was identified from do not determine it.</source>
+        <translation>%1 limite %2 s du temps de cycle (%3 %), mais les enregistrements dont la machine a été identifiée ne déterminent pas cette valeur.</translation>
+    </message>
+    <message>
         <source>%1 to %2</source>
         <translation>%1 à %2</translation>
     </message>
@@ -2335,8 +2339,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>La trace a été déplacée de X %1 Y %2 Z %3 sur le programme.</translation>
     </message>
     <message>
-        <source>Read as %1: one sample each %2 ms, noise %3. Its feeds are means over %4 ms, accelerations over %5 ms.</source>
-        <translation>Lue comme %1&#xa0;: un échantillon toutes les %2 ms, bruit %3. Ses avances sont des moyennes sur %4 ms, ses accélérations sur %5 ms.</translation>
+        <source>Read as %1: one sample each %2 ms (%3), noise %4. Its feeds are means over %5 ms, accelerations over %6 ms.</source>
+        <translation>Lue comme %1&#xa0;: un échantillon toutes les %2 ms (%3), bruit %4. Ses avances sont des moyennes sur %5 ms, ses accélérations sur %6 ms.</translation>
     </message>
     <message>
         <source>The trace covers %1 % of the path. %2 there (%3 and %4).</source>
@@ -4600,8 +4604,48 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>la trace n’a pas de temps&#xa0;: un échantillon par milliseconde est supposé</translation>
     </message>
     <message>
-        <source>say the rate in samples a second: --columns linuxcnc, or ...,rate=1000</source>
-        <translation>indiquer la cadence en échantillons par seconde&#xa0;: --columns linuxcnc, ou ...,rate=1000</translation>
+        <source>the trace has no times: one sample each %1 ms is taken from the servo period of the machine</source>
+        <translation>la trace n’a pas de temps&#xa0;: un échantillon toutes les %1 ms, d’après la période d’asservissement de la machine</translation>
+    </message>
+    <message>
+        <source>if it was recorded at another rate, say it in samples a second, as --columns linuxcnc,rate=1000</source>
+        <translation>si elle a été enregistrée à une autre cadence, indiquez-la en échantillons par seconde, comme --columns linuxcnc,rate=1000</translation>
+    </message>
+    <message>
+        <source>traces of this kind have times of their own: the rate is not used</source>
+        <translation>les traces de ce type ont leurs propres temps&#xa0;: la cadence n’est pas utilisée</translation>
+    </message>
+    <message>
+        <source>leave out rate= and period=</source>
+        <translation>omettez rate= et period=</translation>
+    </message>
+    <message>
+        <source>the positions of the trace move at %1 % of the feed that it records: its sampling rate is wrong</source>
+        <translation>les positions de la trace avancent à %1 % de l’avance qu’elle enregistre&#xa0;: sa cadence d’échantillonnage est fausse</translation>
+    </message>
+    <message>
+        <source>give the right rate, %1 samples a second, as --columns linuxcnc,rate=%2; or leave the column of the feed out</source>
+        <translation>donnez la bonne cadence, %1 échantillons par seconde, comme --columns linuxcnc,rate=%2&#xa0;; ou omettez la colonne de l’avance</translation>
+    </message>
+    <message>
+        <source>times of the trace</source>
+        <translation>temps de la trace</translation>
+    </message>
+    <message>
+        <source>rate as given</source>
+        <translation>cadence donnée</translation>
+    </message>
+    <message>
+        <source>servo period of the machine</source>
+        <translation>période d’asservissement de la machine</translation>
+    </message>
+    <message>
+        <source>assumed rate</source>
+        <translation>cadence supposée</translation>
+    </message>
+    <message>
+        <source>say the rate in samples a second, as --columns linuxcnc,rate=1000; or give the machine its servo period</source>
+        <translation>indiquez la cadence en échantillons par seconde, comme --columns linuxcnc,rate=1000&#xa0;; ou donnez à la machine sa période d’asservissement</translation>
     </message>
     <message>
         <source>the XML ends early: %1</source>
@@ -9378,6 +9422,38 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>where the simulation runs at the programmed feed, the trace runs at %1 % of it</source>
         <translation>là où la simulation suit l’avance programmée, la trace va à %1 % de celle-ci</translation>
+    </message>
+    <message>
+        <source>the trace runs at %1 % of the programmed feed: its sampling rate is wrong, or a feed override was set</source>
+        <translation>la trace va à %1 % de l’avance programmée&#xa0;: sa cadence d’échantillonnage est fausse, ou une correction d’avance était réglée</translation>
+    </message>
+    <message>
+        <source>give the right rate, at most %1 samples a second, as --columns linuxcnc,rate=%2; or set the feed override of the simulation</source>
+        <translation>donnez la bonne cadence, au plus %1 échantillons par seconde, comme --columns linuxcnc,rate=%2&#xa0;; ou réglez la correction d’avance de la simulation</translation>
+    </message>
+    <message>
+        <source>the trace runs at %1 % of the simulated feed at even speed and where the machine speeds up or slows down: its sampling rate is wrong</source>
+        <translation>la trace va à %1 % de l’avance simulée, à vitesse constante comme là où la machine accélère ou ralentit&#xa0;: sa cadence d’échantillonnage est fausse</translation>
+    </message>
+    <message>
+        <source>the trace stands still for %1 % of the time of the dwells of the program: its sampling rate is wrong</source>
+        <translation>la trace reste immobile pendant %1 % du temps des temporisations du programme&#xa0;: sa cadence d’échantillonnage est fausse</translation>
+    </message>
+    <message>
+        <source>give the right rate or unit of its times; else limits that are found from the trace are wrong</source>
+        <translation>donnez la bonne cadence ou la bonne unité de ses temps&#xa0;; sinon les limites trouvées d’après la trace sont fausses</translation>
+    </message>
+    <message>
+        <source>give the right rate, %1 samples a second, as --columns linuxcnc,rate=%2; else limits that are found from the trace are wrong</source>
+        <translation>donnez la bonne cadence, %1 échantillons par seconde, comme --columns linuxcnc,rate=%2&#xa0;; sinon les limites trouvées d’après la trace sont fausses</translation>
+    </message>
+    <message>
+        <source>%1: no limits can be found from this trace: %2; %3</source>
+        <translation>%1&#xa0;: aucune limite ne peut être trouvée d’après cette trace&#xa0;: %2&#xa0;; %3</translation>
+    </message>
+    <message>
+        <source>%1 limits %2 s of the cycle time (%3 %), but the recordings that the machine was identified from do not determine it.</source>
+        <translation>%1 limite %2 s du temps de cycle (%3 %), mais les enregistrements dont la machine a été identifiée ne déterminent pas cette valeur.</translation>
     </message>
     <message>
         <source>a feed override, or times of another rate: set the feed override of the simulation to it, or give the right rate; else limits that are found from the trace are those of the override</source>
@@ -14928,6 +15004,10 @@ Ensemble&#xa0;: %4</translation>
         <translation>Un échantillon toutes les %1 ms</translation>
     </message>
     <message>
+        <source>One sample each servo period of the machine</source>
+        <translation>Un échantillon par période d’asservissement de la machine</translation>
+    </message>
+    <message>
         <source>%1 from %2 to %3</source>
         <translation>%1 de %2 à %3</translation>
     </message>
@@ -14963,12 +15043,12 @@ Ensemble&#xa0;: %4</translation>
         <translation>point</translation>
     </message>
     <message>
-        <source>from the times</source>
-        <translation>selon les temps</translation>
+        <source>from the times or the machine</source>
+        <translation>selon les temps ou la machine</translation>
     </message>
     <message>
-        <source>Samples a second of a table without times</source>
-        <translation>Échantillons par seconde d’un tableau sans temps</translation>
+        <source>Samples a second, in place of the times of the file</source>
+        <translation>Échantillons par seconde, au lieu des temps du fichier</translation>
     </message>
     <message>
         <source>Lines before the table that are not read</source>

@@ -11,6 +11,7 @@ namespace {
 
 using nlohmann::json;
 using testing::HasSubstr;
+using testing::Not;
 
 class IdentifyCommand : public CommandLine {
  protected:
@@ -43,6 +44,14 @@ TEST_F(IdentifyCommand, WritesAMachineFileWithTheSourceOfEachNumber) {
   EXPECT_NEAR(report["agreement"]["cycle_time_s"].get<double>(),
               report["agreement"]["measured_s"].get<double>(), 5e-3);
   EXPECT_THAT(run("machines mine.toml").out, HasSubstr("identified from trace.csv"));
+  EXPECT_THAT(run("machines mine.toml").out, HasSubstr("not determined by trace.csv"));
+  EXPECT_THAT(result.out, HasSubstr("not determined, and said so in the file: Z.acceleration;"));
+  write("lift.nc", "G21 G90 G61\nG1 X10 F3000\nG1 Z20 F2000\nZ0\nM30\n");
+  const Result lift = run("simulate lift.nc --machine mine.toml --json lift.json");
+  EXPECT_THAT(lift.out, HasSubstr("Z.acceleration limits "));
+  EXPECT_THAT(json::parse(contents(folder_ / "lift.json"))["notes"].dump(),
+              HasSubstr("Z.acceleration limits "));
+  EXPECT_THAT(run("simulate moves.nc --machine mine.toml").out, Not(HasSubstr("Z.acceleration limits ")));
   EXPECT_THAT(run("trace trace.csv moves.nc --machine mine.toml").out, HasSubstr("cycle time"));
 }
 

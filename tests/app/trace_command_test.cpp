@@ -1,4 +1,8 @@
+#include <fmt/format.h>
+
+#include <array>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/app/command_line.h"
 
@@ -98,6 +102,50 @@ TEST_F(TraceCommand, TakesColumnsFromAFileToo) {
   write("spec.txt", "time=1:s,x=x_mm:-mm\n");
   const Result result = run("trace trace.csv --columns spec.txt");
   EXPECT_THAT(result.out, HasSubstr("[-mm]"));
+}
+
+/// Every second sample of a control that samples each millisecond, without times.
+TEST_F(TraceCommand, SaysWhereItsRateComesFromAndWhenThatIsWrong) {
+  write("moves.nc", "G21 G90 G61\nG1 X60 F6000\nY60\nX0\nY0\nX5\nX10\nX15\nX20\nX60 Y60\nM30\n");
+  run("simulate moves.nc --machine linuxcnc-mill --csv moves.csv --step 0.002");
+  std::istringstream rows(contents(folder_ / "moves.csv"));
+  std::string sampler;
+  std::string row;
+  std::getline(rows, row);
+  for (int number = 0; std::getline(rows, row); ++number) {
+    std::array<std::string, 6> fields;
+    std::istringstream in(row);
+    for (std::string& field : fields) {
+      std::getline(in, field, ',');
+    }
+    sampler += fmt::format("{} {} {} {}\n", number, fields[3], fields[4], fields[5]);
+  }
+  write("sampler.txt", sampler);
+  const std::string beside =
+      "trace sampler.txt moves.nc --machine linuxcnc-mill --json - --columns linuxcnc-xyz";
+  const auto expect = [&](const std::string& options, double period, const std::string& from, double error) {
+    const json report = json::parse(run(beside + options).out);
+    EXPECT_EQ(report["trace"]["period_from"], from) << options;
+    EXPECT_EQ(report["agreement"]["period_from"], from) << options;
+    EXPECT_NEAR(report["trace"]["period_s"].get<double>(), period, 1e-12) << options;
+    const json& agreement = report["agreement"];
+    EXPECT_NEAR(agreement["cycle_time_s"].get<double>() / agreement["measured_s"].get<double>() - 1, error,
+                0.02)
+        << options;
+  };
+  expect(",rate=500", 2e-3, "option", 0);
+  expect(" --set servo_period_s=0.002", 2e-3, "machine", 0);
+  expect("", 1e-3, "machine", 1);
+  EXPECT_EQ(json::parse(run("trace sampler.txt --json - --columns linuxcnc-xyz").out)["trace"]["period_from"],
+            "assumed");
+  EXPECT_THAT(run("trace sampler.txt --columns linuxcnc-xyz,rate=500").out,
+              HasSubstr("one each 2 ms (rate as given)"));
+  EXPECT_THAT(run("trace sampler.txt moves.nc --machine linuxcnc-mill --columns linuxcnc-xyz").err,
+              HasSubstr("warning: the trace runs at 200 % of the simulated feed"));
+  const std::string identify = "identify sampler.txt --program moves.nc --model linuxcnc --fit acceleration ";
+  expect_wrong_use(identify + "--out mine.toml --columns linuxcnc-xyz", "give the right rate");
+  EXPECT_FALSE(fs::exists(folder_ / "mine.toml"));
+  EXPECT_THAT(run(identify + "--columns linuxcnc-xyz,rate=500").out, HasSubstr("2 ms (rate as given)"));
 }
 
 TEST_F(TraceCommand, RefusesWhatItCannotRead) {

@@ -47,6 +47,9 @@ constexpr std::array sentences{
         "Line %1 asks for a feed of %2 mm/min; all axes of this machine together reach %3 mm/min: "
         "what is lost against the programmed feed tells little there."),
     QT_TRANSLATE_NOOP("core", "No drive is given for %1: followed exactly."),
+    QT_TRANSLATE_NOOP("core",
+                      "%1 limits %2 s of the cycle time (%3 %), but the recordings that the machine was "
+                      "identified from do not determine it."),
     QT_TRANSLATE_NOOP("core", "1 line of the program is refused by the control and not run (line %1)."),
     QT_TRANSLATE_NOOP("core", "%1 lines of the program are refused by the control and not run (lines %2)."),
     QT_TRANSLATE_NOOP("core", "Rotary axes: line %1: %2."),
@@ -129,6 +132,28 @@ constexpr std::array sentences{
         "a feed override, or times of another rate: set the feed override of the simulation to it, or "
         "give the right rate; else limits that are found from the trace are those of the override"),
     QT_TRANSLATE_NOOP("core",
+                      "the trace runs at %1 % of the programmed feed: its sampling rate is wrong, or a feed "
+                      "override was set"),
+    QT_TRANSLATE_NOOP(
+        "core",
+        "give the right rate, at most %1 samples a second, as --columns linuxcnc,rate=%2; or set the feed "
+        "override of the simulation"),
+    QT_TRANSLATE_NOOP(
+        "core",
+        "the trace runs at %1 % of the simulated feed at even speed and where the machine speeds "
+        "up or slows down: its sampling rate is wrong"),
+    QT_TRANSLATE_NOOP(
+        "core",
+        "the trace stands still for %1 % of the time of the dwells of the program: its sampling "
+        "rate is wrong"),
+    QT_TRANSLATE_NOOP(
+        "core",
+        "give the right rate or unit of its times; else limits that are found from the trace are wrong"),
+    QT_TRANSLATE_NOOP(
+        "core",
+        "give the right rate, %1 samples a second, as --columns linuxcnc,rate=%2; else limits that are "
+        "found from the trace are wrong"),
+    QT_TRANSLATE_NOOP("core",
                       "a feed hold, or a stop that the simulation does not know; half a second before it and "
                       "behind it is not "
                       "compared, and its time not counted"),
@@ -159,6 +184,7 @@ constexpr std::array sentences{
         "%3 mm, and along %4 % of it; give the program that was recorded, with the zero point it "
         "ran with"),
     QT_TRANSLATE_NOOP("core", "%1: the trace holds too little of its program to find anything from it"),
+    QT_TRANSLATE_NOOP("core", "%1: no limits can be found from this trace: %2; %3"),
     QT_TRANSLATE_NOOP("core",
                       "%1:%2: not a table of section times; the first row must have the titles, such as "
                       "section,seconds"),
@@ -214,7 +240,26 @@ constexpr std::array sentences{
     QT_TRANSLATE_NOOP("core", "the time has no unit and rises by %1 a sample: milliseconds are assumed"),
     QT_TRANSLATE_NOOP("core", "say it: --columns time=%1:ms"),
     QT_TRANSLATE_NOOP("core", "the trace has no times: one sample each millisecond is assumed"),
-    QT_TRANSLATE_NOOP("core", "say the rate in samples a second: --columns linuxcnc, or ...,rate=1000"),
+    QT_TRANSLATE_NOOP(
+        "core",
+        "say the rate in samples a second, as --columns linuxcnc,rate=1000; or give the machine "
+        "its servo period"),
+    QT_TRANSLATE_NOOP("core",
+                      "the trace has no times: one sample each %1 ms is taken from the servo period of the "
+                      "machine"),
+    QT_TRANSLATE_NOOP(
+        "core",
+        "if it was recorded at another rate, say it in samples a second, as --columns linuxcnc,rate=1000"),
+    QT_TRANSLATE_NOOP("core", "traces of this kind have times of their own: the rate is not used"),
+    QT_TRANSLATE_NOOP("core", "leave out rate= and period="),
+    QT_TRANSLATE_NOOP(
+        "core",
+        "the positions of the trace move at %1 % of the feed that it records: its sampling rate "
+        "is wrong"),
+    QT_TRANSLATE_NOOP("core",
+                      "give the right rate, %1 samples a second, as --columns linuxcnc,rate=%2; or leave the "
+                      "column of the feed "
+                      "out"),
     QT_TRANSLATE_NOOP("core", "the trace has no set positions of %1: the actual ones are used instead"),
     QT_TRANSLATE_NOOP(
         "core",

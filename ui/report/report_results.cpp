@@ -5,6 +5,7 @@
 #include "core/analysis/not_counted.h"
 #include "core/analysis/refused_lines.h"
 #include "core/analysis/run_notes.h"
+#include "core/analysis/undetermined_limits.h"
 #include "core/base/units.h"
 #include "ui/charts/cause_strip.h"
 #include "ui/language/composed_text.h"
@@ -210,11 +211,16 @@ QString causes_table(const ReportInput& input, const std::vector<std::size_t>& c
   return table.html();
 }
 
-/// What run_notes() say of the runs, each once, with the runs that it is said of where those are not all.
+/// What run_notes() and undetermined_limits() say of the runs, each once, with the runs that it is said of
+/// where those are not all.
 QString run_notes_text(const ReportInput& input) {
   std::vector<std::pair<std::string, QStringList>> notes;
   for (const ReportRun& run : input.runs) {
-    for (const std::string& note : run_notes(run.shown->run.input, run.shown->run.setup)) {
+    std::vector<std::string> all = run_notes(run.shown->run.input, run.shown->run.setup);
+    for (const UndeterminedLimit& limit : undetermined_limits(run.shown->run)) {
+      all.push_back(describe(limit));
+    }
+    for (const std::string& note : all) {
       auto same = std::ranges::find(notes, note, &std::pair<std::string, QStringList>::first);
       if (same == notes.end()) {
         same = notes.insert(notes.end(), {note, {}});

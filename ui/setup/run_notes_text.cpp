@@ -8,9 +8,12 @@
 #include "core/analysis/refused_lines.h"
 #include "core/analysis/run_notes.h"
 #include "core/analysis/unadvised_tolerance.h"
+#include "core/analysis/undetermined_limits.h"
 #include "ui/language/composed_text.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
+#include "ui/language/significant.h"
+#include "ui/language/texts.h"
 #include "ui/language/unreachable_feed_text.h"
 #include "ui/workbench/reading_faults.h"
 
@@ -75,6 +78,13 @@ QStringList run_note_texts(const Run& run) {
   }
   if (const auto feed = feed_beyond_machine(run.input, *run.input.toolpath, run.setup)) {
     sentences.append(unreachable_feed_text(*feed));
+  }
+  for (const UndeterminedLimit& limit : undetermined_limits(run)) {
+    sentences.append(
+        RunNotes::tr("%1 limits %2 s of the cycle time (%3 %), but the recordings that the machine was "
+                     "identified from do not determine it.")
+            .arg(setting_title(limit.key), significant_number(limit.time, 3),
+                 significant_number(100 * limit.share, 2)));
   }
   for (const PoorDamping& drive : poorly_damped(run.setup.machine)) {
     sentences.append(

@@ -215,7 +215,10 @@ void TraceImportDialog::refresh() {
       const Trace trace = parse_trace(
           head_, name_, chosen.isEmpty() ? TraceColumns() : parse_trace_columns(chosen.toStdString()));
       const QLocale locale;
-      QStringList parts{tr("One sample each %1 ms").arg(locale.toString(1000 * trace.period, 'g', 4))};
+      const bool has_rate = trace.clock == TraceClock::times || trace.clock == TraceClock::option;
+      QStringList parts{has_rate
+                            ? tr("One sample each %1 ms").arg(locale.toString(1000 * trace.period, 'g', 4))
+                            : tr("One sample each servo period of the machine")};
       for (std::size_t axis = 0; axis < trace.place.size(); ++axis) {
         if (trace.has(axis)) {
           const auto [low, high] = std::ranges::minmax_element(trace.place[axis]);

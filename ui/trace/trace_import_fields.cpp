@@ -44,9 +44,9 @@ TraceImportFields::TraceImportFields(QWidget* parent)
       skip_(new WholeNumberBox(this)) {
   rate_->setRange(0, fastest_rate);
   rate_->setDecimals(3);
-  rate_->setSpecialValueText(tr("from the times"));
+  rate_->setSpecialValueText(tr("from the times or the machine"));
   rate_->setSuffix(QStringLiteral(" Hz"));
-  rate_->setToolTip(tr("Samples a second of a table without times"));
+  rate_->setToolTip(tr("Samples a second, in place of the times of the file"));
   skip_->setRange(0, most_skipped);
   skip_->setToolTip(tr("Lines before the table that are not read"));
   connect(rate_, &NumberBox::valueChanged, this, &TraceImportFields::changed);

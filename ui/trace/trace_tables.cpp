@@ -227,10 +227,11 @@ QStringList remarks_of(const ShownTrace& shown) {
                             number_text(offset.y(), Dimension::length),
                             amount_text(offset.z(), Dimension::length)));
   }
-  remarks.append(TraceTables::tr("Read as %1: one sample each %2 ms, noise %3. Its feeds are means over %4 "
-                                 "ms, accelerations over %5 ms.")
+  remarks.append(TraceTables::tr("Read as %1: one sample each %2 ms (%3), noise %4. Its feeds are means over "
+                                 "%5 ms, accelerations over %6 ms.")
                      .arg(core_text(shown.trace->format),
                           locale.toString(units::to_ms(shown.trace->period), 'g', digits),
+                          core_text(std::string(title_of(shown.trace->clock))),
                           amount_text(shown.found.noise, Dimension::error),
                           locale.toString(units::to_ms(shown.motion.feed_window()), 'g', digits),
                           locale.toString(units::to_ms(shown.motion.acceleration_window()), 'g', digits)));

@@ -6,6 +6,7 @@
 
 #include "core/analysis/agreement/feed_share.h"
 #include "core/analysis/agreement/held_stretches.h"
+#include "core/analysis/agreement/servo_period.h"
 #include "core/base/error.h"
 #include "core/trace/read_trace.h"
 #include "ui/language/failure_text.h"
@@ -18,6 +19,18 @@ namespace {
 
 /// Colours of runs that these come to last.
 constexpr std::array<std::size_t, 4> colour_numbers{5, 7, 6, 4};
+
+/// Whatever the machine.
+bool has_rate_of_its_own(const Trace& trace) {
+  return trace.clock == TraceClock::times || trace.clock == TraceClock::option;
+}
+
+std::shared_ptr<const Trace> read(const std::filesystem::path& file, const std::string& columns,
+                                  double machine_period, Progress* progress) {
+  TraceColumns asked = columns.empty() ? TraceColumns() : parse_trace_columns(columns);
+  asked.machine_period = machine_period;
+  return std::make_shared<const Trace>(read_trace(file, asked, progress));
+}
 
 }  // namespace
 
@@ -214,14 +227,15 @@ void TraceList::work_on() {
     const TraceItem& item = items_[row];
     under_way_ = item.id;
     const std::string columns = item.columns;
+    const double period = run_ == nullptr ? 0 : servo_period_of(run_->run.setup);
+    const bool is_current =
+        known != nullptr && (has_rate_of_its_own(*known) || states_[item.id].machine_period == period);
     job_.start(
-        [file = item.file, columns, known, run = run_](JobControl& control) -> Result {
+        [file = item.file, columns, known = is_current ? known : nullptr, period,
+         run = run_](JobControl& control) -> Result {
           Result result;
-          result.trace = known != nullptr
-                             ? known
-                             : std::make_shared<const Trace>(read_trace(
-                                   file, columns.empty() ? TraceColumns() : parse_trace_columns(columns),
-                                   &control.progress));
+          result.machine_period = period;
+          result.trace = known != nullptr ? known : read(file, columns, period, &control.progress);
           if (run != nullptr) {
             try {
               result.shown = lay_beside(result.trace, run, &control.progress);

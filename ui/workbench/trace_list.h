@@ -43,8 +43,8 @@ enum class TraceStatus {
   failed
 };
 
-/// The traces of the program, each laid beside the current run: read once, compared again with every other
-/// run. One at a time, on another thread.
+/// The traces of the program, each laid beside the current run: read once, or where the file has no times for
+/// each servo period of a machine, and compared again with every other run. One at a time, on another thread.
 class TraceList : public QObject {
   Q_OBJECT
 
@@ -102,6 +102,7 @@ class TraceList : public QObject {
     bool given_up = false;
     QString failure = {};
     bool was_compared = false;  ///< with this run or one before
+    double machine_period = 0;  ///< TraceColumns::machine_period that it was read with
   };
   using Result = State;
 

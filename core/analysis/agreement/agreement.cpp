@@ -227,6 +227,7 @@ Agreement agreement_of(const TraceOnProgram& trace, const ProgrammedCourse& cour
     throw InputError("trace and run have no part of the path in common");
   }
   Agreement agreement;
+  agreement.rate = trace.rate;
   agreement.whole = !trace.pass_times.empty() && trace.belongs() && reaches_ends(trace, course, margin);
   agreement.measured_time = trace.law.at(part.to) - trace.law.at(part.from);
   agreement.simulated_time = simulated.at(part.to) - simulated.at(part.from);

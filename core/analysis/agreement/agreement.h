@@ -43,6 +43,7 @@ struct OperationAgreement {
 
 /// How well a run says what a trace shows, over the part of the program that the trace covers.
 struct Agreement {
+  SamplingRate rate;              ///< of the trace; of section times none
   double measured_time = 0;       ///< from the first to the last motion [s]
   double simulated_time = 0;      ///< of the same part [s]
   bool whole = false;             ///< the trace covers the program: the times are cycle times

@@ -199,6 +199,7 @@ TraceOnProgram find_on_program(const Trace& trace, const ProgrammedCourse& cours
                                const SourceText* source, Progress* progress) {
   constexpr double surely = 0.9;
   TraceOnProgram found;
+  found.rate = trace.rate();
   const MotionRecord recorded = record_of(trace);
   const double noise = noise_of(recorded);
   const auto options_at = [&](const TracePose& pose) {

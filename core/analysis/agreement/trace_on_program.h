@@ -32,6 +32,7 @@ struct LostStretch {
 
 /// A trace found on the path of its program.
 struct TraceOnProgram {
+  SamplingRate rate;
   TracePose pose;
   double tolerance = 0;             ///< that was allowed from the programmed path [mm]
   double noise = 0;                 ///< of its places [mm]

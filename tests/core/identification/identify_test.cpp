@@ -16,6 +16,7 @@
 #include "core/identification/identification_program.h"
 #include "core/identification/section_case.h"
 #include "core/identification/trace_case.h"
+#include "core/machine/undetermined.h"
 #include "tests/support/folders.h"
 #include "tests/support/random_cases.h"
 
@@ -109,8 +110,15 @@ TEST(Identify, SaysOfALimitThatIsNeverReachedWhatItIsAtLeast) {
   EXPECT_LE(*velocity.at_least, 12.1);
   EXPECT_GT(*velocity.at_least, 8);
   EXPECT_EQ(axis_limit(found.setup.machine, 'X', "velocity"), 15) << "what explains the trace as well stays";
-  EXPECT_EQ(found.setup.machine.provenance.at("X.velocity").source,
-            truth.machine.provenance.at("X.velocity").source);
+  const Provenance kept = found.setup.machine.provenance.at("X.velocity");
+  EXPECT_TRUE(is_undetermined(kept));
+  EXPECT_THAT(kept.source, HasSubstr("not determined by t.csv: at least "));
+  EXPECT_THAT(kept.source, HasSubstr("m/min, kept from before: set by hand"));
+  EXPECT_EQ(parse_machine(write_machine(found.setup.machine), "m.toml", machine_file_settings()).provenance,
+            found.setup.machine.provenance);
+  const Identification again =
+      identify({one}, found.setup, fit_parameters_of(found.setup, {"X.velocity", "X.acceleration"}));
+  EXPECT_EQ(again.setup.machine.provenance.at("X.velocity"), kept) << "its origin is not told twice";
 
   const auto slow = setup_of("linuxcnc-mill", {"X.velocity=5", "max_linear_velocity_m_min=60"});
   const Identification risen =
@@ -120,7 +128,9 @@ TEST(Identify, SaysOfALimitThatIsNeverReachedWhatItIsAtLeast) {
   EXPECT_GE(reached.value, *reached.at_least) << "what is too slow becomes what explains the trace";
   EXPECT_NEAR(axis_limit(risen.setup.machine, 'X', "velocity"), reached.value, 1e-6);
   EXPECT_THAT(risen.setup.machine.provenance.at("X.velocity").source,
-              HasSubstr("not told by t.csv: at least "));
+              HasSubstr("not determined by t.csv: at least "));
+  EXPECT_TRUE(is_undetermined(risen.setup.machine.provenance.at("X.velocity")));
+  EXPECT_FALSE(is_undetermined(risen.setup.machine.provenance.at("X.acceleration")));
   EXPECT_NEAR(risen.agreements[0].time_error(), found.agreements[0].time_error(), 1e-4);
   expect_truth(found, "X.acceleration", 0.75);
 }

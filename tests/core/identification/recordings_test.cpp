@@ -195,6 +195,35 @@ TEST(Recordings, OfOneFeedOverrideAreExplainedWithIt) {
   EXPECT_EQ(recordings.remarks()[0].front().code, "trace-override");
 }
 
+/// At 2 ms, read as 1 ms: the limits would be 2 and 4 times those of the machine.
+TEST(Recordings, WithAWrongRateAreRefusedWithTheRightOne) {
+  const LoadedProgram program = moves();
+  Trace trace = *trace_of(simulate_run(program, mill(truth)));
+  for (double& time : trace.time) {
+    time /= 2;
+  }
+  trace.period /= 2;
+  const auto refusal = [&](TraceClock clock) {
+    trace.clock = clock;
+    Recordings recordings;
+    recordings.add(std::make_shared<const Trace>(trace), program);
+    const auto start = mill({});
+    try {
+      recordings.fit(start, fit_parameters_of(start, {"X.acceleration"}));
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("fitted");
+  };
+  for (const TraceClock clock : {TraceClock::option, TraceClock::machine, TraceClock::assumed}) {
+    EXPECT_THAT(refusal(clock),
+                HasSubstr("scope.csv: no limits can be found from this trace: the trace runs at "
+                          "200 % of the programmed feed"));
+    EXPECT_THAT(refusal(clock), HasSubstr("rate=1000"));
+  }
+  EXPECT_EQ(refusal(TraceClock::times), "fitted") << "that may be an override";
+}
+
 /// Drives are looked for once; a trace that is added later counts all the same, and so does another start.
 TEST(Recordings, TellTheSameDriveWithEveryModelAndAnotherOneFromMoreTraces) {
   const LoadedProgram program = moves();

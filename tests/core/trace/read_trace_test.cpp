@@ -189,6 +189,56 @@ TEST(ReadTrace, TakesThePeriodAndColumnsThatAreGiven) {
   EXPECT_THAT(trace.notes, IsEmpty());
 }
 
+TraceColumns on_machine(const std::string& specification, double period) {
+  TraceColumns columns = specification.empty() ? TraceColumns() : parse_trace_columns(specification);
+  columns.machine_period = period;
+  return columns;
+}
+
+TEST(ReadTrace, TakesTheRateFromTheOptionTheFileOrTheMachineInThisOrder) {
+  const std::string timed = table("time_s,x_mm,y_mm\n", "{t},{x},{y}\n");
+  const std::string untimed = table("", "{n} {x} {y} 0.5 7 12.5\n");
+  const auto expect = [](const Trace& trace, double period, TraceClock clock, const std::string& said) {
+    EXPECT_NEAR(trace.period, period, 1e-12);
+    EXPECT_EQ(trace.clock, clock);
+    EXPECT_EQ(codes(trace), said);
+  };
+  expect(parse_trace(timed, "t.csv", on_machine("rate=200", 4e-3)), 5e-3, TraceClock::option, "");
+  expect(parse_trace(timed, "t.csv", on_machine("time=1:s,x=2,period=0.005", 4e-3)), 5e-3, TraceClock::option,
+         "");
+  expect(parse_trace(timed, "t.csv", on_machine("", 4e-3)), 1e-3, TraceClock::times, "");
+  expect(parse_trace(untimed, "t.txt", on_machine("linuxcnc,rate=500", 4e-3)), 2e-3, TraceClock::option, "");
+  expect(parse_trace(untimed, "t.txt", on_machine("linuxcnc", 4e-3)), 4e-3, TraceClock::machine,
+         "trace-period:0 ");
+  expect(parse_trace(untimed, "t.txt", on_machine("linuxcnc", 0)), 1e-3, TraceClock::assumed,
+         "trace-period:0 ");
+}
+
+/// Rows of a halsampler: number, X, Y, Z, line and feed [mm/s]; around a circle at 50 mm/s, with stops.
+std::string circle(double period, double feed_unit = 1) {
+  std::string text;
+  for (int i = 0; i < 2000; ++i) {
+    const double s = 50 * period * (900 * (i / 1000) + std::min(i % 1000, 900));
+    text += fmt::format("{} {:.6f} {:.6f} 0 7 {:.6f}\n", i, 20 * std::cos(s / 20), 20 * std::sin(s / 20),
+                        feed_unit * (i % 1000 < 900 ? 50 : 0));
+  }
+  return text;
+}
+
+TEST(ReadTrace, SaysThatARateIsWrongThatItsFeedContradicts) {
+  const auto columns = parse_trace_columns("linuxcnc,rate=1000");
+  const Trace wrong = parse_trace(circle(2e-3), "t.txt", columns);
+  ASSERT_EQ(codes(wrong), "trace-rate:0 ");
+  EXPECT_THAT(wrong.notes[0].message, HasSubstr("move at 200 % of the feed"));
+  EXPECT_THAT(wrong.notes[0].hint, HasSubstr("--columns linuxcnc,rate=500;"));
+  const Trace slow = parse_trace(circle(0.5e-3), "t.txt", columns);
+  ASSERT_EQ(codes(slow), "trace-rate:0 ");
+  EXPECT_THAT(slow.notes[0].hint, HasSubstr("rate=2000;"));
+  EXPECT_EQ(codes(parse_trace(circle(1e-3), "t.txt", columns)), "");
+  EXPECT_EQ(codes(parse_trace(circle(1e-3, 60), "t.txt", columns)), "")
+      << "a feed in mm/min is no other rate";
+}
+
 TEST(ReadTrace, ReportsGapsWithTheirLine) {
   const Trace trace = parse_trace(table("time_s,x_mm\n", "{t},{x}\n", "0.050,1\n0.051,2\n"), "t.csv");
   EXPECT_EQ(trace.gaps, 1U);

@@ -1,5 +1,6 @@
 #include "core/trace/trace_columns.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "core/base/error.h"
@@ -51,6 +52,19 @@ TEST(TraceColumns, KnowsItsPresets) {
   for (const TracePreset& preset : trace_presets()) {
     EXPECT_TRUE(parse_trace_columns(std::string(preset.name)).any()) << preset.name;
   }
+}
+
+TEST(TraceColumns, MoreMayFollowAPreset) {
+  for (const TracePreset& preset : trace_presets()) {
+    const TraceColumns columns = parse_trace_columns(fmt::format("{}, rate=500,z=7:um", preset.name));
+    EXPECT_DOUBLE_EQ(columns.period, 0.002) << preset.name;
+    EXPECT_EQ(columns.of(TraceQuantity::z)->column, "7");
+    EXPECT_EQ(columns.of(TraceQuantity::x)->column,
+              parse_trace_columns(std::string(preset.name)).of(TraceQuantity::x)->column);
+  }
+  EXPECT_EQ(parse_trace_columns("linuxcnc").period, 0) << "the machine may say it";
+  EXPECT_THAT(refused("linuxnc,rate=500"), HasSubstr("'linuxnc' is no preset of columns; known: linuxcnc"));
+  EXPECT_THAT(refused("linuxcnc,500"), HasSubstr("'500' is not KEY=VALUE"));
 }
 
 TEST(TraceColumns, RefusesWhatItDoesNotKnowAndSaysWhatItDoes) {

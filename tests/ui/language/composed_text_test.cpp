@@ -86,6 +86,17 @@ TEST_F(ComposedText, SaysInFrenchWhatIsWrongWithATrace) {
   const Trace actual = parse_trace(reached, "t.csv");
   EXPECT_EQ(actual.notes.front().code, "trace-actual");
   messages.insert(messages.end(), actual.notes.begin(), actual.notes.end());
+  for (const bool on_machine : {false, true}) {
+    TraceColumns columns = parse_trace_columns("linuxcnc");
+    columns.machine_period = on_machine ? 1e-3 : 0;
+    std::string rows;
+    for (int i = 0; i < 500; ++i) {
+      rows += std::to_string(i) + ' ' + std::to_string(0.1 * i) + " 0 0 7 50\n";  // at 100 mm/s
+    }
+    const Trace sampled = parse_trace(rows, "t.txt", columns);
+    EXPECT_EQ(sampled.notes.size(), 2U);
+    messages.insert(messages.end(), sampled.notes.begin(), sampled.notes.end());
+  }
   for (const Diagnostic& message : messages) {
     expect_french(message.message);
     if (!message.hint.empty()) {

@@ -249,6 +249,84 @@ TEST(FeedShare, IsThatOfAnOverrideAndNoneOfTheProgramAsItIs) {
   EXPECT_FALSE(share(trace_of(run_of(text, {"X.velocity=1.5"}), 1e-3))) << "one slow axis is no override";
 }
 
+/// As a trace without times whose rate is wrong: each `period` is counted as a millisecond.
+Trace counted(Trace trace, double period, TraceClock clock = TraceClock::machine) {
+  for (double& time : trace.time) {
+    time *= 1e-3 / period;
+  }
+  trace.period = 1e-3;
+  trace.clock = clock;
+  return trace;
+}
+
+TraceOnProgram remarked(const Trace& trace, const Run& run) {
+  const ProgrammedCourse course(*run.input.toolpath, {true, true, true});
+  TraceOnProgram found = find_on_program(trace, course, deviation_of(*run.trajectory, course, 1e-3));
+  add_feed_remark(found, agreement_of(found, course, run), course, *run.input.toolpath);
+  return found;
+}
+
+/// Neither an override nor other limits make the same ratio at even speed and on ramps.
+TEST(PaceRatio, IsThatOfAWrongRateAlone) {
+  const std::string text =
+      "G21 G90 G17 G61\nF6000\nG1 X60\nY60\nX0\nY0\nX5\nX10\nX15\nX20\nX60 Y60\nG0 X0 Y0\nM30\n";
+  const auto run = run_of(text);
+  for (const double period : {2e-3, 0.5e-3, 1.25e-3}) {
+    const Trace trace = counted(trace_of(run, period), period);
+    const auto ratio = pace_ratio(compare(trace, run).agreement);
+    ASSERT_TRUE(ratio) << period;
+    EXPECT_NEAR(*ratio, period / 1e-3, 0.01 * period / 1e-3);
+    const TraceOnProgram found = remarked(trace, run);
+    EXPECT_THAT(found.remarks, has_remark("trace-rate", fmt::format("runs at {:.3g} %", period * 1e5)));
+    ASSERT_NE(wrong_rate_of(trace, found), nullptr);
+    EXPECT_THAT(wrong_rate_of(trace, found)->hint, HasSubstr("linuxcnc,rate="));
+  }
+  const auto none = [&](const std::vector<std::string>& settings) {
+    return !pace_ratio(compare(trace_of(run_of(text, settings), 1e-3), run).agreement);
+  };
+  EXPECT_TRUE(none({}));
+  EXPECT_TRUE(none({"feed_override_percent=50"}));
+  EXPECT_TRUE(none({"X.acceleration=3", "Y.acceleration=3"}));
+  EXPECT_TRUE(none({"X.velocity=3", "Y.velocity=3"}));
+}
+
+/// On a machine that has other limits than those of the simulation, which never come to the feed.
+TEST(FeedShare, AboveOneIsFoundWhereTheTraceExceedsTheFeed) {
+  const std::string text = "G21 G90 G17 G61\nF3000\nG1 X60\nY60\nX0\nY0\nX60 Y60\nM30\n";
+  const auto run = run_of(text, {"X.velocity=1.5", "Y.velocity=1.5"});
+  const Trace trace = counted(trace_of(run_of(text), 2e-3), 2e-3);
+  const TraceOnProgram found = remarked(trace, run);
+  EXPECT_THAT(found.remarks, has_remark("trace-rate", "runs at 200 % of the programmed feed"));
+  ASSERT_NE(wrong_rate_of(trace, found), nullptr);
+  EXPECT_THAT(wrong_rate_of(trace, found)->hint, HasSubstr("rate=500; or set the feed override"));
+  const Trace timed = counted(trace_of(run_of(text), 2e-3), 2e-3, TraceClock::times);
+  EXPECT_THAT(remarked(timed, run).remarks, has_remark("trace-override", "200 % of it"));
+  EXPECT_EQ(wrong_rate_of(timed, remarked(timed, run)), nullptr);
+}
+
+/// On a machine with other limits than those of the simulation, whose feed is never reached: dwells alone say
+/// it, and they do whatever the feed override.
+TEST(DwellRatio, IsThatOfAWrongRateWhateverMachineAndFeed) {
+  std::string text = "G21 G90 G17\nF60000\n";
+  for (int i = 1; i <= 6; ++i) {
+    text += fmt::format("G1 X{} Y{}\nG4 P0.2\n", 3 * i, i % 2);
+  }
+  const auto run = run_of(text + "M30\n");
+  const auto ratio = [&](const Trace& trace) {
+    const ProgrammedCourse course(*run.input.toolpath, {true, true, true});
+    const Compared compared = compare(trace, run);
+    return dwell_ratio(compared.found.law, compared.agreement.simulated, course, *run.input.toolpath);
+  };
+  const std::vector<std::string> other{"X.acceleration=1.3", "Y.acceleration=0.3", "X.velocity=20"};
+  const auto fast = ratio(counted(trace_of(run_of(text + "M30\n", other), 2e-3), 2e-3));
+  ASSERT_TRUE(fast);
+  EXPECT_NEAR(*fast, 2, 0.1);
+  EXPECT_FALSE(ratio(trace_of(run_of(text + "M30\n", other), 1e-3)));
+  EXPECT_FALSE(ratio(trace_of(run_of(text + "M30\n", {"feed_override_percent=50"}), 1e-3)));
+  const Trace trace = counted(trace_of(run_of(text + "M30\n", other), 2e-3), 2e-3);
+  EXPECT_THAT(remarked(trace, run).remarks, has_remark("trace-rate", "% of the time of the dwells"));
+}
+
 TEST(Agreement, LearnsFromOneAxis) {
   const auto run = run_of(program_text);
   Trace trace = trace_of(run, 1e-3);
