@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "ui/scene/path/sampler.h"
+#include "ui/scene/path/shown_extent.h"
 
 namespace feedscope::ui {
 SampledPath sample_programmed(const Toolpath& toolpath, std::size_t max_points) {
@@ -23,7 +24,7 @@ SampledPath sample_programmed(const Toolpath& toolpath, std::size_t max_points) 
   }
   const double spacing = spacing_for(wanted, max_points, toolpath.length());
 
-  path.origin = toolpath.start;
+  path.origin = local_origin(toolpath);
   path.zero_points = toolpath.zero_points;
   path.positions.reserve(std::min(wanted, max_points) + 1);
   path.kinds.reserve(std::min(wanted, max_points) + 1);
@@ -88,8 +89,13 @@ PathLevel thinned(const SampledPath& path, const PathLevel& level, double spacin
 
 std::vector<PathLevel> levels_of(const SampledPath& path) {
   std::vector<PathLevel> levels{{0, path.size(), {}}};
-  const double extent = path.bounds.empty() ? 0.0 : (path.bounds.max - path.bounds.min).maxCoeff();
-  if (path.size() <= many_points || !(extent > 0)) {
+  if (path.size() <= many_points) {
+    return levels;
+  }
+  const Bounds cut = cut_bounds(path);
+  const Bounds& around = cut.empty() ? path.bounds : cut;
+  const double extent = around.empty() ? 0.0 : (around.max - around.min).maxCoeff();
+  if (!(extent > 0)) {
     return levels;
   }
   for (double across = points_across; across >= coarsest_points_across && levels.back().size() > quick_points;

@@ -1,5 +1,6 @@
 #include "ui/scene/path_scene.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
@@ -430,6 +431,85 @@ TEST_F(PathSceneTest, AMarkedRangeNeverCoversThePath) {
   EXPECT_GT(path, 10000U);
   EXPECT_GT(underlaid, path / 4) << "it is to be seen";
   EXPECT_LT(1000 * covered, path) << "but for the mixed colours of edges";
+}
+
+/// A part of 20 um with its lower left corner at a place, to which the tool comes from the zero point.
+std::string small_part_at(const Vec3& place) {
+  const auto at = [&](double x, double y) {
+    return fmt::format(" X{:.3f} Y{:.3f}", place.x() + x, place.y() + y);
+  };
+  return fmt::format("G21 G90 G94 F600\nG0{0} Z0.02\nG1 Z0\nG1{1}\n{2}\nG3{3} I-0.01 J0\nG1{0}\nG0 Z0.02\n",
+                     at(0, 0), at(0.02, 0), at(0.02, 0.01), at(0.01, 0.02));
+}
+
+/// Far from the zero point pictures are those of a part near it, but for the numbers at the axes.
+class FarPartTest : public PathSceneTest {
+ protected:
+  FarPartTest() {
+    scene_.set_colouring(Colouring::run);
+    scene_.set_run_colour({0, 0.8, 0});
+    scene_.set_rapids_shown(false);
+  }
+
+  static bool is_path(const unsigned char* pixel) { return pixel[1] > pixel[0] + 40; }
+  static inline const Vec3 near_place{16, 12, 0};
+  static inline const std::array far_places{Vec3(8000, 6000, 0), Vec3(500'000, 420'000, 0),
+                                            Vec3(500'000, 4'200'000, 0)};
+};
+
+TEST_F(FarPartTest, IsDrawnAsNearTheZeroPoint) {
+  const auto near = simulate_text(small_part_at(near_place));
+  for (const Vec3& place : far_places) {
+    const auto far = simulate_text(small_part_at(place));
+    for (const bool perspective : {false, true}) {
+      for (const StandardView view : {StandardView::iso, StandardView::top, StandardView::front}) {
+        scene_.set_perspective(perspective);
+        show(far, view);
+        CameraState camera = scene_.camera();
+        const auto drawn = pixels_of(*window_, width, height);
+        camera.fitted = false;
+        camera.focal += near_place - place;
+        show(near, view);
+        scene_.set_camera(camera);
+        const auto wanted = pixels_of(*window_, width, height);
+        std::size_t path = 0;
+        std::size_t other = 0;
+        for (std::size_t i = 0; i < drawn.size(); i += 4) {
+          const bool shown = is_path(&wanted[i]) || is_path(&drawn[i]);
+          path += shown ? 1 : 0;
+          other += shown && std::abs(wanted[i + 1] - drawn[i + 1]) > 16 ? 1 : 0;
+        }
+        EXPECT_GT(path, 1500U) << place.transpose();
+        EXPECT_LE(50 * other, path) << "but for edges; " << place.transpose() << ", view "
+                                    << static_cast<int>(view);
+      }
+    }
+  }
+}
+
+TEST_F(FarPartTest, IsPickedWhereItIsDrawnAndAtItsPlaces) {
+  for (const Vec3& place : far_places) {
+    const auto run = simulate_text(small_part_at(place));
+    show(run, StandardView::iso);
+    const auto drawn = pixels_of(*window_, width, height);
+    const double pixel_mm = scene_.camera().height / height;
+    const double begin = run.trajectory->state_at_path(place.norm() + 0.03).time;
+    for (int i = 0; i <= 100; ++i) {
+      const double time = begin + (run.trajectory->duration() - begin) * i / 100;
+      const State state = run.trajectory->state(time);
+      const Vec3 position = state.position;
+      if (run.trajectory->is_rapid(state.element)) {
+        break;
+      }
+      const Pixel pixel = scene_.pixel_of(position);
+      const auto x = static_cast<std::size_t>(pixel[0]);
+      const auto y = static_cast<std::size_t>(height - pixel[1]);
+      EXPECT_TRUE(is_path(&drawn[4 * (y * width + x)])) << place.transpose() << " at " << time << " s";
+      const auto picked = scene_.pick_time(pixel);
+      ASSERT_TRUE(picked);
+      EXPECT_LT((run.trajectory->state(*picked).position - position).norm(), 4 * pixel_mm) << time;
+    }
+  }
 }
 
 /// In a low view they gave way to the cube, and nothing told what the colours mean.

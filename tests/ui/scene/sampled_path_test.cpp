@@ -108,6 +108,27 @@ TEST(SampledExecuted, LiesOnTheTrajectoryAtItsTimes) {
   }
 }
 
+/// Single precision is that of the part, however far the part is from the zero point.
+TEST(SampledExecuted, IsAsExactFarFromTheZeroPoint) {
+  const auto run = simulate_text(
+      "G21 G90 G94 F600\nG0 X500000 Y420000 Z0.02\nG1 Z0\nX500000.02\nY420000.02\nX500000 Y420000\nG0 X0\n");
+  const auto is_cut = [](SpanKind kind) { return kind != SpanKind::rapid && kind != SpanKind::gap; };
+  constexpr double exact = 2e-9;  // [mm] 1e-7 of 20 um
+  std::size_t count = 0;
+  const SampledPath executed = sample_executed(*run.trajectory);
+  for (std::size_t i = 0; i < executed.size(); ++i) {
+    if (is_cut(executed.kinds[i])) {
+      const State state = run.trajectory->state(executed.times[i]);
+      EXPECT_LT((executed.position(i) - state.position).norm(), exact) << i;
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 20U);
+  const SampledPath programmed = sample_programmed(*run.input.toolpath);
+  EXPECT_LT((programmed.position(4) - Vec3(500'000.02, 420'000.02, 0)).norm(), exact);
+  EXPECT_LT(programmed.position(0).norm(), 0.1) << "the start is as exact as its distance";
+}
+
 TEST(SampledExecuted, ColoursChangeInSmallSteps) {
   const auto run = simulate_text(random_program(2, 60));
   const SampledPath path = sample_executed(*run.trajectory);
@@ -343,6 +364,19 @@ TEST(Levels, HalveAtLeastAndKeepEndsAndTheBeginningsOfLongSpans) {
     }
   }
   EXPECT_LT(levels.back().size(), 25'000);
+}
+
+/// A rapid from far away takes no points from the part while the view turns.
+TEST(Levels, AreThoseOfWhatIsCut) {
+  std::vector<float> places{500'000.0F};
+  for (int i = 0; i < 300'000; ++i) {
+    places.push_back(static_cast<float>(i % 1000) / 1000);
+  }
+  SampledPath path = points_at(places);
+  path.kinds.front() = SpanKind::rapid;
+  const auto levels = levels_of(path);
+  ASSERT_GE(levels.size(), 2U);
+  EXPECT_LE(levels.back().spacing, 1.0 / 100);
 }
 
 TEST(Boxes, HoldTheirSpans) {

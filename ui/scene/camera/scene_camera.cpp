@@ -214,6 +214,12 @@ void SceneCamera::set_state(const CameraState& state, const SceneFrame& frame) {
 }
 
 void SceneCamera::set_clipping(double front, double behind) {
+  // Depths have 24 bits: from one end to the other they must not be coarser than the distances of layers.
+  constexpr double deepest = 1000;  // times the height of the view
+  if (!perspective_) {
+    front = std::min(front, deepest * 2 * half_height_);
+    behind = std::min(behind, deepest * 2 * half_height_);
+  }
   const Projection view = projection(1, 1);
   const double eye = perspective_ ? view.eye_distance : parallel_eye_distance;
   const double to_centre = focal_.dot(view.towards) + eye;

@@ -82,7 +82,7 @@ void draw_path_marks(Canvas& canvas, const SampledPath* programmed, const Sample
   }
   const SampledPath* path = executed != nullptr ? executed : programmed;
   if (path != nullptr && path->size() > 0) {
-    draw_start_mark(canvas, place_of(path->origin), style);
+    draw_start_mark(canvas, place_of(path->position(0)), style);
   }
 }
 

@@ -89,14 +89,16 @@ vtkSmartPointer<vtkPolyData> rapid_dashes(const SampledPath& path, double dash) 
       left = step;
       continue;
     }
-    const Eigen::Vector3f span = path.positions[i + 1] - path.positions[i];
-    const double span_length = static_cast<double>(span.norm());
+    // In double precision: a rapid may come from far away to a small part.
+    const Eigen::Vector3d from = path.positions[i].cast<double>();
+    const Eigen::Vector3d span = path.positions[i + 1].cast<double>() - from;
+    const double span_length = span.norm();
     double done = 0;
     while (done < span_length) {
       const double advance = std::min(left, span_length - done);
       if (drawing) {
         const auto at = [&](double s) -> Eigen::Vector3f {
-          return path.positions[i] + span * static_cast<float>(s / span_length);
+          return (from + s / span_length * span).cast<float>();
         };
         add(at(done), at(done + advance));
       }

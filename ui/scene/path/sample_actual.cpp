@@ -81,7 +81,7 @@ SampledPath sample_actual(const ActualPath& actual, std::size_t max_points, Prog
   for (SetWalk walk(trajectory); !walk.done(); walk.next()) {
     wanted += static_cast<std::size_t>(SpanLooks(walk.span(), rigid).count());
   }
-  path.origin = trajectory.path().element(0).start;
+  path.origin = local_origin(*trajectory.path().programmed());
   const double spacing = spacing_for(wanted, max_points, trajectory.path_length());
   ActualSampling sampling(path, actual, spacing);
   for (std::size_t spans = 0; !sampling.done(); ++spans) {

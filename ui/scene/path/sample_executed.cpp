@@ -51,7 +51,11 @@ struct Chunk {
 class ExecutedSampling {
  public:
   ExecutedSampling(const Trajectory& trajectory, std::span<const double> also_at, const RunSources& sources)
-      : trajectory_(trajectory), also_at_(also_at), sources_(sources), deviation_(programmed_of(trajectory)) {
+      : trajectory_(trajectory),
+        origin_(local_origin(programmed_of(trajectory))),
+        also_at_(also_at),
+        sources_(sources),
+        deviation_(programmed_of(trajectory)) {
     for (PartWalk walk(trajectory); !walk.done(); walk.next()) {
       const Part& part = walk.part();
       cause_times_[static_cast<std::size_t>(part.cause.kind)] += part.duration;
@@ -92,7 +96,7 @@ class ExecutedSampling {
   /// Once.
   SampledPath run(const Chunk& chunk, double spacing) {
     SampledPath path;
-    path.origin = trajectory_.path().element(0).start;
+    path.origin = origin_;
     reserve(path, spacing > 0 ? 0 : chunk.wanted + 2,
             [this](std::size_t sample) { return sources_.has(source_of_sample(sample)); });
     Sampler sampler(path, spacing);
@@ -315,6 +319,7 @@ class ExecutedSampling {
   std::uint32_t segment_of(const Part& part) const { return trajectory_.path().segment(part.element); }
 
   const Trajectory& trajectory_;
+  Vec3 origin_;                      ///< [mm]
   std::span<const double> also_at_;  ///< those that are still to come [s]
   const RunSources& sources_;
   std::optional<InstantSampler> instants_;

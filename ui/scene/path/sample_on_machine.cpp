@@ -54,19 +54,28 @@ SampledPath sample_on_machine(const RunSources& sources, Progress* progress) {
   Progress& watched = progress != nullptr ? *progress : unwatched;
   SampledPath path =
       sample_motion(trajectory, most_machine_points, times_of_turns(trajectory), watched, 0.5, sources);
-  path.origin = course.slides(trajectory.state(0));
+  std::vector<Vec3> places(path.size());
   const std::size_t tasks = (path.size() + points_a_task - 1) / points_a_task;
   in_parallel(tasks, [&](std::size_t task) {
     const std::size_t end = std::min(path.size(), (task + 1) * points_a_task);
     for (std::size_t i = task * points_a_task; i < end; ++i) {
-      path.positions[i] = (course.slides(trajectory.state(path.times[i])) - path.origin).cast<float>();
+      places[i] = course.slides(trajectory.state(path.times[i]));
     }
     watched.report(0.5);  // which throws if it is cancelled
   });
   path.bounds = {};
+  Bounds cut;
   for (std::size_t i = 0; i < path.size(); ++i) {
-    path.bounds.add(path.position(i));
+    path.bounds.add(places[i]);
+    if (path.kinds[i] != SpanKind::rapid && path.kinds[i] != SpanKind::gap) {
+      cut.add(places[i]);
+    }
   }
+  const Bounds& around = cut.empty() ? path.bounds : cut;
+  path.origin = (around.min + around.max) / 2;
+  std::ranges::transform(places, path.positions.begin(), [&](const Vec3& place) -> Eigen::Vector3f {
+    return (place - path.origin).cast<float>();
+  });
   path.deviations.clear();
   path.rotary = sources.rotary;
   path.levels = levels_of(path);

@@ -33,7 +33,7 @@ SampledPath sample_recorded(const TraceOnProgram& trace, const ProgrammedCourse&
   if (matched.empty()) {
     return path;
   }
-  path.origin = toolpath.start;
+  path.origin = local_origin(toolpath);
   Sampler sampler(path, spacing_for(matched.end - matched.first, max_points, course.length()));
   FollowedFoot foot(toolpath);
   Vec3 last = Vec3::Zero();

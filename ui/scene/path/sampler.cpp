@@ -24,6 +24,23 @@ bool Sampler::add(const Vec3& position, SpanKind kind, double span) {
   return true;
 }
 
+Vec3 local_origin(const Toolpath& toolpath) {
+  Bounds cut;
+  Bounds all;
+  for (std::size_t i = 0; i < toolpath.segments.size(); ++i) {
+    const Segment& segment = toolpath.segments[i];
+    const bool cuts = segment.kind != SegmentKind::dwell && !segment.rapid;
+    for (const Vec3& end : {toolpath.start_of(i), segment.end}) {
+      all.add(end);
+      if (cuts) {
+        cut.add(end);
+      }
+    }
+  }
+  const Bounds& around = cut.empty() ? all : cut;
+  return around.empty() ? toolpath.start : Vec3((around.min + around.max) / 2);
+}
+
 std::size_t spans(double wanted, double length, double spacing) {
   const double possible = spacing > 0 ? std::ceil(length / spacing) : wanted;
   return static_cast<std::size_t>(std::max(1.0, std::ceil(std::min(wanted, possible))));

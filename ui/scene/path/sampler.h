@@ -27,6 +27,9 @@ SampledPath sample_motion(const Trajectory& trajectory, std::size_t max_points,
                           std::span<const double> also_at, Progress& progress, double share,
                           const RunSources& sources);
 
+/// The middle of the ends of feed motions, of all ends where nothing is cut [mm]: SampledPath::origin.
+Vec3 local_origin(const Toolpath& toolpath);
+
 /// Into how many spans to cut `length`: as many as `wanted`, as long as they are `spacing` or more [mm].
 std::size_t spans(double wanted, double length, double spacing);
 /// One every 3 degrees.

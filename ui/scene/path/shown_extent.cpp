@@ -4,16 +4,6 @@ namespace feedscope::ui {
 
 namespace {
 
-/// Where the path is not rapid.
-void add_cutting(const SampledPath& path, Bounds& bounds) {
-  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-    if (path.kinds[i] != SpanKind::rapid && path.kinds[i] != SpanKind::gap) {
-      bounds.add(path.position(i));
-      bounds.add(path.position(i + 1));
-    }
-  }
-}
-
 Bounds near_cutting(const Bounds& cutting, const Bounds& all) {
   constexpr double close = 0.2;  // of the largest extent of what is cut
   const double reach = cutting.empty() ? 0 : close * (cutting.max - cutting.min).maxCoeff();
@@ -28,6 +18,17 @@ Bounds near_cutting(const Bounds& cutting, const Bounds& all) {
 
 }  // namespace
 
+Bounds cut_bounds(const SampledPath& path) {
+  Bounds bounds;
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    if (path.kinds[i] != SpanKind::rapid && path.kinds[i] != SpanKind::gap) {
+      bounds.add(path.position(i));
+      bounds.add(path.position(i + 1));
+    }
+  }
+  return bounds;
+}
+
 double ShownExtent::beyond() const {
   return all.empty() ? 0 : (fitted.min - all.min).cwiseMax(all.max - fitted.max).norm();
 }
@@ -39,7 +40,10 @@ ShownExtent shown_extent(std::initializer_list<std::shared_ptr<const SampledPath
     if (path && !path->bounds.empty()) {
       extent.all.add(path->bounds.min);
       extent.all.add(path->bounds.max);
-      add_cutting(*path, cutting);
+      if (const Bounds cut = cut_bounds(*path); !cut.empty()) {
+        cutting.add(cut.min);
+        cutting.add(cut.max);
+      }
     }
   }
   extent.fitted = near_cutting(cutting, extent.all);

@@ -17,6 +17,9 @@ struct ShownExtent {
   double beyond() const;
 };
 
+/// Around what is not rapid [mm]; empty: nothing is cut.
+Bounds cut_bounds(const SampledPath& path);
+
 /// Of the paths that are there; null ones and empty ones are skipped. Rapids high above a part would leave
 /// little of the picture to it, so that `fitted` ends a fifth of its size away from what is cut.
 ShownExtent shown_extent(std::initializer_list<std::shared_ptr<const SampledPath>> paths);
