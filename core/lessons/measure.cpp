@@ -4,10 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "core/analysis/line_times.h"
+#include "core/analysis/peak_search.h"
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
 #include "core/base/roots.h"
@@ -128,36 +130,84 @@ struct Range {
   double largest = -std::numeric_limits<double>::infinity();
 };
 
-/// Of `value(motion, tau)` at 17 instants of every part on the lines of `measure`, of all lines if it names
-/// none; dwells apart.
-template <typename Value>
-Range range_of(const Measure& measure, const Trajectory& trajectory, Value value) {
-  constexpr int steps = 16;
-  Range range;
+/// Calls `use(walk)` for every part on the lines of `measure`, of all lines if it names none; dwells apart.
+template <typename Use>
+void for_parts_on_lines(const Measure& measure, const Trajectory& trajectory, Use use) {
   for (PartWalk walk(trajectory); !walk.done(); walk.next()) {
     const Part& part = walk.part();
     const std::uint32_t line = trajectory.line_of(part.element);
     const bool elsewhere = measure.first_line > 0 && (line < measure.first_line || line > measure.last_line);
-    if (elsewhere || trajectory.path().kind(part.element) == ElementKind::dwell) {
-      continue;
-    }
-    const PartMotion motion = walk.motion();
-    for (int i = 0; i <= steps; ++i) {
-      const double at = value(motion, part.duration * i / steps);
-      range = {std::min(range.least, at), std::max(range.largest, at)};
+    if (!elsewhere && trajectory.path().kind(part.element) != ElementKind::dwell) {
+      use(walk);
     }
   }
+}
+
+constexpr int looks_a_part = 17;
+
+/// The least of `value(tau)` between the neighbours of the look where it is least. `before`: found elsewhere;
+/// parts that cannot be below it by their looks are not searched.
+template <typename Value>
+double least_near_looks(const std::array<double, looks_a_part>& looks, double duration, double before,
+                        Value value) {
+  constexpr double width = 1e-6;  // of the distance of looks
+  constexpr int most_steps = 40;
+  const auto at = static_cast<int>(std::ranges::min_element(looks) - looks.begin());
+  const int low = std::max(at - 1, 0);
+  const int high = std::min(at + 1, looks_a_part - 1);
+  const auto look = [&](int i) { return looks[static_cast<std::size_t>(i)]; };
+  const double reach = std::max(look(low), look(high)) - look(at);
+  if (look(at) - reach >= before) {
+    return std::min(look(at), before);
+  }
+  const double step = duration / (looks_a_part - 1);
+  const double found = least_place({step * low, step * high}, width * step, most_steps, value).value;
+  return std::min({look(at), found, before});
+}
+
+/// Of `value(motion, tau)` on the lines of `measure`: narrowed down between looks at equal distances.
+template <typename Value>
+Range range_of(const Measure& measure, const Trajectory& trajectory, Value value) {
+  Range range;
+  for_parts_on_lines(measure, trajectory, [&](PartWalk& walk) {
+    const double duration = walk.part().duration;
+    const PartMotion motion = walk.motion();
+    std::array<double, looks_a_part> looks;
+    for (int i = 0; i < looks_a_part; ++i) {
+      looks[static_cast<std::size_t>(i)] = value(motion, duration * i / (looks_a_part - 1));
+    }
+    range.least =
+        least_near_looks(looks, duration, range.least, [&](double tau) { return value(motion, tau); });
+    for (double& look : looks) {
+      look = -look;
+    }
+    range.largest =
+        -least_near_looks(looks, duration, -range.largest, [&](double tau) { return -value(motion, tau); });
+  });
   return range;
 }
 
-Range feeds_on_lines(const Measure& measure, const Trajectory& trajectory) {
+double least_feed_on_lines(const Measure& measure, const Trajectory& trajectory) {
   const Range range = range_of(measure, trajectory, [](const PartMotion& motion, double tau) {
     return motion.kinematics(tau).velocity.norm();
   });
   if (range.least > range.largest) {
     fail_without_motion(measure);
   }
-  return range;
+  return range.least;
+}
+
+double largest_feed_on_lines(const Measure& measure, const Trajectory& trajectory) {
+  PeakSearch search;
+  bool moves = false;
+  for_parts_on_lines(measure, trajectory, [&](PartWalk& walk) {
+    search.add(trajectory, walk.part());
+    moves = true;
+  });
+  if (!moves) {
+    fail_without_motion(measure);
+  }
+  return search.speed();
 }
 
 /// Of the absolute value; 0 where nothing moves.
@@ -332,9 +382,9 @@ double on_lines(const Measure& measure, const Run& run) {
     case corner_feed:
       return feed_in_corner(measure, *run.trajectory);
     case min_feed:
-      return feeds_on_lines(measure, *run.trajectory).least;
+      return least_feed_on_lines(measure, *run.trajectory);
     default:
-      return feeds_on_lines(measure, *run.trajectory).largest;
+      return largest_feed_on_lines(measure, *run.trajectory);
   }
 }
 

@@ -72,6 +72,45 @@ TEST_F(LessonRunsTest, MeasuresAreThoseOfClosedForms) {
   EXPECT_GT(value(jerk), 0);
 }
 
+/// They are at least what any instant on the lines has, and hardly more: between looks 10 us apart a value
+/// rises by little.
+TEST_F(LessonRunsTest, PeaksAreFoundBetweenLooks) {
+  struct Peak {
+    const char* key;
+    double (*of)(const State&);
+  };
+  const std::array peaks{
+      Peak{"peak_feed_mm_min", [](const State& s) { return s.velocity.norm() * 60; }},
+      Peak{"peak_tangential_acceleration_m_s2",
+           [](const State& s) { return std::abs(s.tangential_acceleration) / 1000; }},
+      Peak{"peak_acceleration_across_m_s2",
+           [](const State& s) {
+             return s.velocity.cross(s.acceleration).norm() / std::max(s.velocity.norm(), 1e-9) / 1000;
+           }},
+  };
+  for (const char* model : {"essid", "tapie", "ward"}) {
+    const Lesson lesson =
+        lesson_on("G1 X7 F6000\nX9 Y4\nG3 X9 Y10 I0 J3\nG1 X1 Y12\nX0 Y0.5\n", "spinner-mvc850", model);
+    LessonRuns runs(lesson);
+    const feedscope::Run& run = runs.run({});
+    for (const Peak& peak : peaks) {
+      double seen = 0;
+      constexpr double step = 1e-5;  // [s]
+      for (double time = 0; time < run.trajectory->duration(); time += step) {
+        const State state = run.trajectory->state(time);
+        if (state.line >= 2 && state.line <= 4) {
+          seen = std::max(seen, peak.of(state));
+        }
+      }
+      Measure measure = of(peak.key, 2);
+      measure.last_line = 4;
+      const double found = measured(measure, run);
+      EXPECT_GE(found, seen * (1 - 1e-9)) << model << " " << peak.key;
+      EXPECT_LE(found, seen * 1.002) << model << " " << peak.key;
+    }
+  }
+}
+
 /// Tapie 2007: from a line into an arc of 20 mm at sqrt(J t R); the speed at the end of the line is also that
 /// at the end of the full circle behind it.
 TEST_F(LessonRunsTest, CornerFeedIsThatAtTheEndOfTheLine) {
