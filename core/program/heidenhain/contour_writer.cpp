@@ -115,7 +115,7 @@ void ContourWriter::compensate(const ContourElement& element) {
     path_.end_compensation();
   } else {
     path_.set_compensation(element.side > 0 ? ToolSide::left : ToolSide::right, *element.tool_radius,
-                           OutsideCorner::arc, plane_, element.place.place.column);
+                           {.corner = OutsideCorner::arc}, plane_, element.place.place.column);
   }
 }
 

@@ -87,9 +87,13 @@ void Compensation::follow_block() {
 
 void Compensation::begin(std::uint32_t column) {
   const bool right = code_ >= first_right;
-  const bool on_lines = dialect() == Dialect::fanuc;
-  path().set_compensation(right ? ToolSide::right : ToolSide::left, radius_,
-                          on_lines ? OutsideCorner::lines : OutsideCorner::arc, modal_.plane, column);
+  CompensationRule rule;
+  if (is_linuxcnc()) {
+    rule = linuxcnc_compensation;
+  } else if (dialect() == Dialect::fanuc) {
+    rule.corner = OutsideCorner::lines;
+  }
+  path().set_compensation(right ? ToolSide::right : ToolSide::left, radius_, rule, modal_.plane, column);
 }
 
 void Compensation::set_radius(int kind, std::uint32_t column) {

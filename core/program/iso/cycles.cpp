@@ -16,6 +16,7 @@ namespace {
 
 constexpr int fine_boring = 760;
 constexpr int back_boring = 870;
+constexpr int boring_with_dwell = 890;
 /// Lift of a chip break, and distance at which a peck begins; a parameter of the control [mm].
 constexpr double clearance = 0.254;
 constexpr double max_pecks = 100000;
@@ -37,7 +38,7 @@ DrillingMotion motion_of(int code) {
     case 843:
       return DrillingMotion::tap;
     case 850:
-    case 890:
+    case boring_with_dwell:
       return DrillingMotion::feed_out;
     default:
       return DrillingMotion::rapid_out;
@@ -217,6 +218,7 @@ std::optional<DrillingCycle> Cycles::drilling_cycle(std::uint32_t column, double
         series_.aside.isZero() ? Vec3(series_.peck * Vec3::Unit(first_axis(modal_.plane))) : series_.aside;
   }
   cycle.to_initial = modal_.to_initial_level;
+  cycle.feeds_to_the_end = is_linuxcnc() && modal_.cycle_code == boring_with_dwell;
   const bool too_fine = peck_count(cycle) * repeats > max_pecks;
   if (too_fine || (needs_peck(modal_.cycle_code) && cycle.peck == 0)) {
     report(Severity::error, "cycle-words", 4, words_.column_or('Q', column), [&] {

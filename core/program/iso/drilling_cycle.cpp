@@ -56,10 +56,11 @@ class Drill {
   }
 
   void out(bool at_feed) {
+    const double end = cycle_.to_initial ? std::max(cycle_.initial, cycle_.retract) : cycle_.retract;
     if (at_feed) {
-      plan_.feed(cycle_.retract);
+      plan_.feed(cycle_.feeds_to_the_end ? end : cycle_.retract);
     }
-    plan_.rapid(cycle_.to_initial ? std::max(cycle_.initial, cycle_.retract) : cycle_.retract);
+    plan_.rapid(end);
   }
 
   void pecks() {

@@ -32,6 +32,8 @@ struct DrillingCycle {
   double dwell = 0;       ///< at the bottom [s]
   Vec3 aside = Vec3::Zero();  ///< off the wall [mm]
   bool to_initial = true;     ///< ends at the initial level, else at the retract level
+  /// `feed_out` feeds as far as the cycle ends, else to the retract level and goes on with a rapid.
+  bool feeds_to_the_end = false;
 };
 
 /// Feeds down that the cycle needs at most; of use as long as it is small.

@@ -41,6 +41,13 @@ bool is_inside_corner(const PlaneElement& last, const PlaneElement& next, double
   return reverses ? bends * left < 0 : sine * left >= 0;
 }
 
+/// Of the direction from `last` to `next`, in [0, pi] [rad].
+double turn_of(const PlaneElement& last, const PlaneElement& next) {
+  const Vec2 before = last.tangent_at_end();
+  const Vec2 after = next.tangent_at_start();
+  return std::atan2(std::abs(cross(before, after)), before.dot(after));
+}
+
 bool is_point(const PlaneElement& path) {
   return path.is_arc() && path.radius <= allowed_cut;
 }
@@ -77,7 +84,7 @@ void CutterCompensation::switch_on(const Compensation& compensation, const Vec3&
     if (!same_normal(compensation, compensation_)) {
       report_plane(place);
     } else if (compensation.side == compensation_.side && compensation.radius == compensation_.radius) {
-      compensation_.corner = compensation.corner;
+      compensation_.rule = compensation.rule;
       return;
     }
   }
@@ -202,7 +209,8 @@ void CutterCompensation::watch_contour(const PathMotion& motion, const PlaneElem
   const double to = compensation_.plane.normal.dot(motion.block.target);
   for (const ContourWatch::Cut& cut : watch_.add_contour(contour, {std::min(from, to), std::max(from, to)},
                                                          std::abs(left_), allowed_cut_further_on)) {
-    log_.add(Severity::error, "compensation-gouge", 2, cut.beside, [&] {
+    const Severity severity = compensation_.rule.looks_ahead ? Severity::error : Severity::warning;
+    log_.add(severity, "compensation-gouge", 2, cut.beside, [&] {
       return DiagnosticLog::Text{
           fmt::format("at this block a tool of radius {:.4f} mm cuts {:.4f} mm into the contour of line {}",
                       std::abs(left_), cut.depth, motion.place.line),
@@ -229,8 +237,10 @@ void CutterCompensation::join(const PathMotion& motion, const PlaneElement& next
   const Vec2 from = path_beside(last).end;
   const Vec2 to = path_beside(next).start;
   const bool at_point = is_point(path_beside(last)) || is_point(path_beside(next));
-  if (held_->is_entry) {
+  if (held_->is_entry && !compensation_.rule.enters_beside_itself) {
     release(to);
+  } else if (is_no_corner(next)) {
+    release(from);
   } else if ((to - from).norm() <= (at_point ? join_gap_at_point : join_gap)) {
     release(next.is_arc() && !last.is_arc() ? to : from);
   } else if (is_inside_corner(last, next, left_)) {
@@ -239,6 +249,10 @@ void CutterCompensation::join(const PathMotion& motion, const PlaneElement& next
     go_around(next, motion);
   }
   hold(motion, next, false);
+}
+
+bool CutterCompensation::is_no_corner(const PlaneElement& next) const {
+  return turn_of(held_->contour, next) < compensation_.rule.smallest_corner;
 }
 
 Vec2 CutterCompensation::inside_corner(const PlaneElement& last, const PlaneElement& next) {
@@ -264,9 +278,14 @@ Vec2 CutterCompensation::inside_corner(const PlaneElement& last, const PlaneElem
 
 void CutterCompensation::go_around(const PlaneElement& next, const PathMotion& motion) {
   const bool rapid = motion.block.motion == Motion::rapid;
+  if (rapid && compensation_.rule.corner == OutsideCorner::arc_at_feed) {
+    release(path_beside(held_->contour).end);
+    write(as_line(motion), in_space(path_beside(next).start, tool_));
+    return;
+  }
   PathMotion linking = as_line(rapid ? held_->motion : motion);
   linking.block.line = motion.block.line;
-  if (compensation_.corner == OutsideCorner::lines || linking.block.motion == Motion::rapid) {
+  if (compensation_.rule.corner == OutsideCorner::lines || linking.block.motion == Motion::rapid) {
     go_around_on_lines(next, linking);
     return;
   }
@@ -283,10 +302,8 @@ void CutterCompensation::go_around(const PlaneElement& next, const PathMotion& m
 /// Where OutsideCorner::meeting goes on to: the nearest meeting of both paths. None: an arc leads around.
 std::optional<Vec2> CutterCompensation::outside_meeting(const PlaneElement& next) const {
   constexpr double rounding = 1e-9;  // [rad]
-  const Vec2 before = held_->contour.tangent_at_end();
-  const Vec2 after = next.tangent_at_start();
-  const double turn = std::atan2(std::abs(cross(before, after)), before.dot(after));
-  if (compensation_.corner != OutsideCorner::meeting || turn > largest_meeting_turn + rounding) {
+  if (compensation_.rule.corner != OutsideCorner::meeting ||
+      turn_of(held_->contour, next) > largest_meeting_turn + rounding) {
     return std::nullopt;
   }
   const PlaneElement path = path_beside(held_->contour);
@@ -368,8 +385,10 @@ void CutterCompensation::write_arc(const PlaneElement& path, const Vec2& end) {
     return;
   }
   const double turns = std::ceil((sweep - same_point / path.radius) / (2 * std::numbers::pi)) - 1;
-  const ArcSolution solution =
-      solve_center_arc(tool_, target, in_space(path.center, target), motion.arc.axis, std::max(0.0, turns));
+  ArcTolerance tolerance;  // the tool may be off the arc by what a corner that is none leaves
+  tolerance.least = std::max(tolerance.least, compensation_.rule.smallest_corner * std::abs(left_));
+  const ArcSolution solution = solve_center_arc(tool_, target, in_space(path.center, target), motion.arc.axis,
+                                                std::max(0.0, turns), tolerance);
   if (solution.fault != ArcFault::none) {
     write(as_line(motion), target);
   }

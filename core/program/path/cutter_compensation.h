@@ -23,28 +23,48 @@ enum class ToolSide : std::uint8_t { left, right };
 enum class OutsideCorner : std::uint8_t {
   arc,    ///< on an arc about the corner
   lines,  ///< straight on to where the paths beside both blocks meet; above a quarter turn the tip is cut off
-  meeting,  ///< on along both paths to where they meet; on an arc if they do not, or above
-            ///< largest_meeting_turn
+  meeting,      ///< on along both paths to where they meet; on an arc if they do not, or above
+                ///< largest_meeting_turn
+  arc_at_feed,  ///< on an arc about the corner; before a rapid straight across to its path
 };
 
 /// Largest turn of a corner at which OutsideCorner::meeting goes on along the paths [rad]: the preset
 /// of machine data 20210 ($MC_CUTCOM_CORNER_LIMIT) of a Sinumerik 840D, 100 degrees.
 inline constexpr double largest_meeting_turn = 100 * std::numbers::pi / 180;
 
+/// What a control does beside the contour.
+struct CompensationRule {
+  OutsideCorner corner = OutsideCorner::arc;
+  /// The entry ends square beside the end of its own line, and meets the next element in a corner like any
+  /// other; else square beside the start of that element.
+  bool enters_beside_itself = false;
+  /// Corners that turn by less are no corners: the path of the earlier element runs to its end, and that of
+  /// the later one begins there [rad].
+  double smallest_corner = 0;
+  /// Cuts into what of the contour comes later are errors; else the control runs them, and they are warnings.
+  bool looks_ahead = true;
+
+  bool operator==(const CompensationRule&) const = default;
+};
+
+/// Rule of LinuxCNC, from what its interpreter makes of random contours (tests/oracle).
+inline constexpr CompensationRule linuxcnc_compensation{OutsideCorner::arc_at_feed, true, 0.05, false};
+
 struct Compensation {
   ToolSide side = ToolSide::left;
   double radius = 0;  ///< of the tool [mm]; negative: the other side
-  OutsideCorner corner = OutsideCorner::arc;
+  CompensationRule rule;
   ContourPlane plane;  ///< left is left seen against its normal
 };
 
 /// Turns a contour into the path of the tool's centre beside it.
 ///
 /// Entry: the first motion in the plane is a straight line from where the tool is to the place square beside
-/// the start of the next one. Exit: the contour ends square beside its last point; the next motion in the
-/// plane is a straight line to its programmed end. Inside corners: both paths end where they meet. Outside
-/// corners: as `corner` says; what is put in belongs to the later block. Motions across the plane and dwells
-/// take place where the block before them ends. A motion is ready when the next one in the plane is known.
+/// the start of the next one, or as the rule of the control has it. Exit: the contour ends square beside its
+/// last point; the next motion in the plane is a straight line to its programmed end. Inside corners: both
+/// paths end where they meet. Outside corners: as the rule says; what is put in belongs to the later block.
+/// Motions across the plane and dwells take place where the block before them ends. A motion is ready when
+/// the next one in the plane is known.
 ///
 /// Reported: "compensation-gouge" where the tool is too large for the contour: for two blocks that follow
 /// each other, and as ContourWatch sees it farther along; "compensation-entry" and "compensation-exit" for
@@ -93,6 +113,7 @@ class CutterCompensation {
   void hold(const PathMotion& motion, const PlaneElement& contour, bool is_entry);
   void join(const PathMotion& motion, const PlaneElement& next);
   void go_around(const PlaneElement& next, const PathMotion& motion);
+  bool is_no_corner(const PlaneElement& next) const;
   std::optional<Vec2> outside_meeting(const PlaneElement& next) const;
   void go_around_on_lines(const PlaneElement& next, const PathMotion& linking);
   Vec2 inside_corner(const PlaneElement& last, const PlaneElement& next);

@@ -65,10 +65,10 @@ void PathWriter::set_frame(const CoordinateFrame& frame) {
   }
 }
 
-void PathWriter::set_compensation(ToolSide side, double radius, OutsideCorner corner, Plane plane,
+void PathWriter::set_compensation(ToolSide side, double radius, const CompensationRule& rule, Plane plane,
                                   std::uint32_t column) {
   end_corners();
-  compensation_words_ = {side, radius, corner, {normal_of(plane), Vec3::Unit(first_axis(plane))}};
+  compensation_words_ = {side, radius, rule, {normal_of(plane), Vec3::Unit(first_axis(plane))}};
   if (!places_.all_shown()) {
     compensation_waits_ = true;
     return;

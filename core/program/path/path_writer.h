@@ -128,7 +128,7 @@ class PathWriter {
 
   /// What follows is a contour of which the tool's centre is written, see CutterCompensation; `column` for
   /// messages. Positions stay those of the contour.
-  void set_compensation(ToolSide side, double radius, OutsideCorner corner, Plane plane,
+  void set_compensation(ToolSide side, double radius, const CompensationRule& rule, Plane plane,
                         std::uint32_t column);
   void end_compensation();
   bool is_compensated() const { return compensation_.is_on() || compensation_waits_; }

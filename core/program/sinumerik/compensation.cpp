@@ -60,8 +60,8 @@ void Compensation::begin(std::uint32_t column) {
   }
   const bool left = modes_.side->action == Action::compensation_left;
   path().set_compensation(left ? ToolSide::left : ToolSide::right, *radius,
-                          modes_.corner_meeting ? OutsideCorner::meeting : OutsideCorner::arc, modal_.plane,
-                          column);
+                          {.corner = modes_.corner_meeting ? OutsideCorner::meeting : OutsideCorner::arc},
+                          modal_.plane, column);
 }
 
 void Compensation::report_radius(const std::string& cutter, std::uint32_t column) const {

@@ -92,6 +92,19 @@ INSTANTIATE_TEST_SUITE_P(
                    "rapid -10 0 2 @3", "line -10 0 -5 @3", "rapid -10 0 2 @3"}}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
+/// As rs274 of LinuxCNC has them.
+TEST(IsoCycles, OnLinuxCncG89FeedsAsFarAsTheCycleEnds) {
+  const auto out = [](Dialect dialect, const std::string& cycle) {
+    const Lines all = text_of(read_clean_as(dialect, "G0 Z50\n" + cycle + " X10 Y20 Z-5 R2 F100"));
+    return Lines(all.begin() + 4, all.end());
+  };
+  const Lines rapid_on{"line 10 20 2 @2", "rapid 10 20 50 @2"};
+  EXPECT_EQ(out(Dialect::linuxcnc, "G98 G89"), Lines{"line 10 20 50 @2"});
+  EXPECT_EQ(out(Dialect::linuxcnc, "G99 G89"), Lines{"line 10 20 2 @2"});
+  EXPECT_EQ(out(Dialect::linuxcnc, "G98 G85"), rapid_on);
+  EXPECT_EQ(out(Dialect::fanuc, "G98 G89"), rapid_on);
+}
+
 TEST(IsoCycles, DrillAlongTheNormalOfThePlane) {
   EXPECT_EQ(text_of(read_clean_as(Dialect::linuxcnc, "G18 G0 Y50\nG99 G81 X10 Z20 Y-5 R2 F100")),
             (Lines{"rapid 0 50 0 @1", "rapid 10 50 20 @2", "rapid 10 2 20 @2", "line 10 -5 20 @2",

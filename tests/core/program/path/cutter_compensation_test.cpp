@@ -185,6 +185,67 @@ TEST(CutterCompensation, RapidsAreCompensatedAndMeetOnRapids) {
             (Lines{"rapid 10 1 0 @1", "rapid 21 1 0 @2", "rapid 21 -9 0 @3"}));
 }
 
+/// The motions to four decimals, as rs274 of LinuxCNC prints them.
+Lines as_of_rs274(const Program& program) {
+  constexpr const char* names[] = {"STRAIGHT_TRAVERSE", "STRAIGHT_FEED", "ARC_FEED"};
+  Lines lines;
+  for (const MotionBlock& block : program.motions) {
+    lines.push_back(fmt::format("{}({:.4f}, {:.4f})", names[static_cast<int>(block.motion)], block.target.x(),
+                                block.target.y()));
+  }
+  return lines;
+}
+
+TEST(CutterCompensation, OnLinuxCncTheEntryMeetsTheContourLikeAnyOtherBlock) {
+  LineWriter inside(linuxcnc_compensation);
+  inside.on(ToolSide::left, 1).line({10, 0, 0}).line({10, 10, 0}).off().line({0, 10, 0});
+  EXPECT_EQ(text_of(inside.finish_clean()), (Lines{"line 9 1 0 @1", "line 9 10 0 @2", "line 0 10 0 @3"}));
+  LineWriter outside(linuxcnc_compensation);
+  outside.on(ToolSide::right, 1).line({10, 0, 0}).line({10, 10, 0}).off().line({20, 10, 0});
+  EXPECT_EQ(text_of(outside.finish_clean()),
+            (Lines{"line 10 -1 0 @1", "arc 11 0 0 @2", "line 11 10 0 @2", "line 20 10 0 @3"}));
+}
+
+TEST(CutterCompensation, OnLinuxCncTurnsBelowATwentiethOfARadianAreNoCorners) {
+  LineWriter lines(linuxcnc_compensation);
+  lines.on(ToolSide::right, 10).line({20, 0, 0}).line({30, 0, 0}).line({40, 0.1745, 0});
+  lines.line({50, 0.1745, 0}).off().line({60, 10, 0});
+  EXPECT_EQ(as_of_rs274(lines.finish_clean()),
+            (Lines{"STRAIGHT_FEED(20.0000, -10.0000)", "STRAIGHT_FEED(30.0000, -10.0000)",
+                   "STRAIGHT_FEED(40.1745, -9.8240)", "STRAIGHT_FEED(50.0000, -9.8255)",
+                   "STRAIGHT_FEED(60.0000, 10.0000)"}));
+  for (const double turn : {-0.0499, 0.0499}) {  // an arc that the square end of the line beside is not on
+    LineWriter arc(linuxcnc_compensation);
+    const Vec3 center(30 - 2 * std::sin(turn), 2 * std::cos(turn), 0);
+    const Vec3 end = center + 2 * Vec3(std::sin(turn + 1), -std::cos(turn + 1), 0);
+    arc.on(ToolSide::left, 1.5).line({20, 0, 0}).line({30, 0, 0}).arc(end, center, Vec3::UnitZ());
+    arc.off().line({60, 40, 0});
+    const Program program = arc.finish_clean();
+    EXPECT_EQ(text_of(program).at(1), "line 30 1.5 0 @2");
+    EXPECT_EQ(program.motions.at(2).motion, Motion::arc)
+        << "not the line that takes the place of a wrong arc";
+  }
+}
+
+TEST(CutterCompensation, OnLinuxCncARapidCutsOutsideCornersOff) {
+  LineWriter writer(linuxcnc_compensation);
+  writer.on(ToolSide::left, 1).rapid({10, 0, 0}).line({20, 5, 0}).rapid({30, 0, 0}).rapid({40, -10, 0});
+  writer.off().line({-20, 20, 0});
+  EXPECT_EQ(as_of_rs274(writer.finish_clean()),
+            (Lines{"STRAIGHT_TRAVERSE(9.7639, 1.0000)", "STRAIGHT_FEED(19.5528, 5.8944)",
+                   "STRAIGHT_TRAVERSE(20.4472, 5.8944)", "STRAIGHT_TRAVERSE(30.4472, 0.8944)",
+                   "STRAIGHT_TRAVERSE(30.7071, 0.7071)", "STRAIGHT_TRAVERSE(40.7071, -9.2929)",
+                   "STRAIGHT_FEED(-20.0000, 20.0000)"}));
+}
+
+TEST(CutterCompensation, ACutThatLinuxCncDoesNotLookAheadToIsAWarning) {
+  LineWriter writer(linuxcnc_compensation);
+  const Program program = around_square(writer, ToolSide::left, 3).finish();
+  ASSERT_EQ(program.diagnostics.size(), 1U);
+  EXPECT_EQ(program.diagnostics[0].code, "compensation-gouge");
+  EXPECT_EQ(program.diagnostics[0].severity, Severity::warning) << "an error elsewhere";
+}
+
 TEST(CutterCompensation, WorksInEveryPlane) {
   LineWriter zx;
   zx.on(ToolSide::left, 1, Plane::zx).line({0, 0, 10}).line({0, 0, 20}).line({9, 0, 20});

@@ -11,10 +11,11 @@ namespace feedscope {
 /// A path written line by line, each motion on a line of its own.
 class LineWriter {
  public:
-  explicit LineWriter(OutsideCorner corner = OutsideCorner::arc) : corner_(corner) { path_.set_feed(10); }
+  explicit LineWriter(OutsideCorner corner) : LineWriter(CompensationRule{.corner = corner}) {}
+  explicit LineWriter(const CompensationRule& rule = {}) : rule_(rule) { path_.set_feed(10); }
 
   LineWriter& on(ToolSide side, double radius, Plane plane = Plane::xy) {
-    path_.set_compensation(side, radius, corner_, plane, 1);
+    path_.set_compensation(side, radius, rule_, plane, 1);
     return *this;
   }
   LineWriter& off() {
@@ -75,7 +76,7 @@ class LineWriter {
   Program program_;
   DiagnosticLog log_;
   PathWriter path_{program_, log_};
-  OutsideCorner corner_;
+  CompensationRule rule_;
   std::uint32_t line_ = 0;
 };
 
