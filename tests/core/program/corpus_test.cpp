@@ -162,8 +162,9 @@ const std::vector<CorpusCase>& corpus_cases() {
        false,
        {{'X', 0, 812.8}, {'Y', -25.4, 127}}},
       {"linuxcnc/LinuxCNC__inverse.ngc",
-       {2, 18, 9},
-       "a contour three times, on it and 0.2 inch beside it on both sides, arcs at its outside corners",
+       {2, 18, 10},
+       "a contour three times, on it and 0.2 inch beside it on both sides, arcs at its outside corners and "
+       "at an entry",
        false,
        {{'X', -30.48, 30.48}}},
       {"linuxcnc/LinuxCNC__line-contouring-xz.ngc"},
