@@ -256,7 +256,7 @@ void LinuxCncCanon::arc(std::size_t i) {
   course.spiral = to.norm() - course.radius;
   course.length = course.arc_length();
   constexpr double flat = 1e-9;
-  const bool in_xy = std::abs(std::abs(course.normal.z()) - 1) < flat && std::abs(course.height) < flat;
+  const bool in_xy = std::abs(std::abs(course.normal.z()) - 1) < flat;
   if (in_xy && mode_.blends() && toolpath_.segment_turn(i) == nullptr &&
       course.radius * (1 - std::cos(course.angle / 2)) < mode_.naive) {
     if (chain_.empty()) {

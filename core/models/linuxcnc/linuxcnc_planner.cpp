@@ -106,7 +106,13 @@ LinuxCncPlanner::Blended LinuxCncPlanner::join_by_blend(LinuxCncSegment& t) {
     return Blended::no;
   }
   if (tangent >= arc) {
+    // Where it has computed an arc, the control chooses once more without it. By then the earlier segment is
+    // tangential, and none of its acceleration is kept back.
     p.end = LinuxCncEnd::tangent;
+    if (blend && find_linuxcnc_overlap(p, t, settings_, false).net / 2 >= tangent) {
+      forget_kink();
+      p.end = LinuxCncEnd::parabolic;
+    }
     return Blended::no;
   }
   forget_kink();

@@ -79,6 +79,19 @@ TEST(LinuxCncModel, RoundsASquareCornerByAnArcWithinP) {
 }
 
 /// A helix cannot be shortened for an arc: it begins while the line before it ends.
+/// Of 0.025 mm height over chords of 10 mm, below Q: two lines each, which become one with their neighbours.
+TEST(LinuxCncModel, ShallowArcsAreLinesWhetherTheyRiseOrNot) {
+  for (const char* rise : {"", " Z1"}) {
+    const Trajectory motion =
+        run(std::string("G21 G90 G64 P0.05 Q0.03\nG3 X10 Y0 R500") + rise + " F3000\nM2\n");
+    ASSERT_EQ(motion.path().size(), 1U);
+    EXPECT_EQ(motion.path().kind(0), ElementKind::line);
+    EXPECT_EQ(
+        run(std::string("G21 G90 G64 P0.05 Q0.02\nG3 X10 Y0 R500") + rise + " F3000\nM2\n").path().kind(0),
+        ElementKind::arc);
+  }
+}
+
 TEST(LinuxCncModel, BlocksThatOverlapRoundOneCornerOfUnknownRadius) {
   const Trajectory motion = run("G21 G90 G64 P0.05\nG1 X20 F3000\nG2 X40 Z2 I10 J0\nM2\n");
   ASSERT_EQ(motion.blend_count(), 1U);
