@@ -131,3 +131,12 @@ test_everything() {
   say 'All tests passed'
   tests/summary.py build/test 10
 }
+
+# install_linuxcnc: the package linuxcnc-uspace (some 80 MB) where it is missing.
+install_linuxcnc() {
+  if ! command -v linuxcnc >/dev/null; then
+    say 'Packages: installing linuxcnc-uspace'
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get -q -y --no-install-recommends -o DPkg::Lock::Timeout=300 install linuxcnc-uspace ||
+      fail "linuxcnc-uspace could not be installed; run 'apt-get update' and try again"
+  fi
+}

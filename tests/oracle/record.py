@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Stands for the screen of LinuxCNC: runs programs one after the other and records how they move.
 
-FEEDSCOPE_PROGRAMS: their files, separated by colons. FEEDSCOPE_TRACE: the file to write. A line of it is one servo
+FEEDSCOPE_PROGRAMS: their files, separated by colons. FEEDSCOPE_TRACE: the file to write. FEEDSCOPE_LONGEST_S: what a
+program may last (60 s). A line of it is one servo
 period: what the HAL file of the configuration says, last the number of the program from 1 on, 0 between programs.
 """
 import os
@@ -11,7 +12,7 @@ import time
 
 import linuxcnc
 
-LONGEST_PROGRAM_S = 60
+LONGEST_PROGRAM_S = float(os.environ.get("FEEDSCOPE_LONGEST_S", 60))
 
 command = linuxcnc.command()
 status = linuxcnc.stat()
