@@ -220,7 +220,7 @@ int run_reported(int argc, char** argv) {
   } catch (const InputError& error) {
     return report(error.what(), exit_code::wrong_use);
   } catch (const Cancelled&) {
-    return report("cancelled; no file was written", exit_code::stopped_by(Watch::stopped_by()));
+    return report(Watch::cancelled_message, exit_code::stopped_by(Watch::stopped_by()));
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "{}", out_of_memory);
     return exit_code::failed;

@@ -175,6 +175,11 @@ int StopSignals::latest() {
   return latest_signal;
 }
 
+void StopSignals::end_now() {
+  run_last_action();
+  _exit(exit_code::stopped_by(latest_signal));
+}
+
 void StopSignals::run_before_end(void (*action)()) {
   last_action = action;
   install_handlers();

@@ -21,6 +21,9 @@ class StopSignals {
   void wake();
   /// The latest signal that wait() told, 0 if there was none.
   static int latest();
+  /// Ends the process as that signal asked for, with the exit code of exit_codes.h, whatever its other
+  /// threads do: what run_before_end() named runs, destructors do not.
+  [[noreturn]] static void end_now();
 
   /// Has `action` run before a signal ends the process. It may only do what is safe in a signal handler.
   static void run_before_end(void (*action)());

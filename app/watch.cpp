@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <optional>
 
 #include "core/base/this_process.h"
 
@@ -13,6 +14,7 @@ namespace {
 
 constexpr int redraw_ms = 100;
 constexpr auto quiet_time = std::chrono::seconds(1);
+constexpr auto patience = std::chrono::milliseconds(900);  // with work that was cancelled
 constexpr int bar_width = 40;
 
 }  // namespace
@@ -35,22 +37,36 @@ Progress* Watch::stage(const char* title) {
 }
 
 void Watch::watch() {
-  const auto start = std::chrono::steady_clock::now();
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  std::optional<Clock::time_point> cancelled;
   const bool terminal = is_terminal(stderr);
   for (auto event = StopSignals::Event::none; event != StopSignals::Event::wake;) {
-    event = signals_.wait(terminal || in_lines_ ? redraw_ms : -1);
+    event = signals_.wait(terminal || in_lines_ || cancelled ? redraw_ms : -1);
     if (event == StopSignals::Event::stop) {
       progress_.cancel();
+      cancelled = cancelled.value_or(Clock::now());
+    }
+    if (cancelled && event != StopSignals::Event::wake && Clock::now() - *cancelled > patience) {
+      end();
     }
     if (in_lines_) {
       tell();
-    } else if (terminal && std::chrono::steady_clock::now() - start > quiet_time) {
+    } else if (terminal && Clock::now() - start > quiet_time) {
       draw(false);
     }
   }
   if (drawn_) {
     draw(true);
   }
+}
+
+void Watch::end() {
+  if (drawn_) {
+    draw(true);
+  }
+  fmt::print(stderr, "feedscope: {}\n", cancelled_message);
+  StopSignals::end_now();
 }
 
 void Watch::tell() {

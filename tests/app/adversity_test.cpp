@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdint>
 #include <nlohmann/json.hpp>
@@ -228,6 +229,33 @@ TEST_F(Adversity, LeavesTheOldFileOrTheNewOneWhereItIsKilled) {
     if (instants > few) {
       EXPECT_GT(in_between, instants / 4) << call;
     }
+  }
+}
+
+/// Work is told to end; what does not notice is ended with the process after 0.9 s.
+TEST_F(Adversity, EndsWithinASecondOfASignal) {
+  std::string text = "G21 G1 F6000\n";
+  for (int i = 0; i < 300'000; ++i) {
+    text += "X" + std::to_string(i % 7) + " Y" + std::to_string(i % 5) + "\n";
+  }
+  write("long.nc", text);
+  std::vector<std::string> calls{"simulate long.nc --model optimal --set jerk=on --csv out",
+                                 "explain long.nc --model ward --json out", "compare long.nc --json out"};
+#ifdef FEEDSCOPE_WITH_UI
+  calls.push_back("report long.nc --model essid --format pdf --out out");
+#endif
+  for (const std::string& call : calls) {
+    write("out", "old");
+    const std::vector<std::string> before = files();
+    const auto begin = std::chrono::steady_clock::now();
+    const Result result = run(call, std::string(no_display) + " timeout --preserve-status --signal=TERM 1");
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+    EXPECT_EQ(result.code, 143) << call << "\n" << result.err;
+    EXPECT_THAT(result.err, HasSubstr("feedscope: cancelled; no file was written")) << call;
+    EXPECT_EQ(contents(folder_ / "out"), "old") << call;
+    EXPECT_THAT(files(), UnorderedElementsAreArray(before)) << call;
+    constexpr double busy_machine = 1;  // [s]
+    EXPECT_LT(taken.count(), 1 + 1 + busy_machine) << call;
   }
 }
 

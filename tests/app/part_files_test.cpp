@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "app/stop_signals.h"
+
 namespace feedscope {
 namespace {
 
@@ -30,6 +32,23 @@ TEST(PartFiles, GoWithTheProcessThatASignalEnds) {
     EXPECT_TRUE(fs::exists(finished)) << signal;
     fs::remove(finished);
   }
+}
+
+/// Where work goes on although it was told to end.
+TEST(PartFiles, GoWithTheProcessThatEndsItself) {
+  testing::GTEST_FLAG(death_test_style) = "threadsafe";
+  const fs::path unfinished = fs::temp_directory_path() / "feedscope-given-up.part";
+  std::ofstream(unfinished) << "x";
+  EXPECT_EXIT(
+      {
+        part_files::remember(unfinished);
+        const StopSignals signals;
+        raise(SIGTERM);
+        signals.wait(-1);
+        StopSignals::end_now();
+      },
+      testing::ExitedWithCode(128 + SIGTERM), "");
+  EXPECT_FALSE(fs::exists(unfinished));
 }
 
 TEST(PartFiles, LeaveAnIgnoredSignalIgnored) {
