@@ -34,7 +34,7 @@ LoadedProgram load(const CheckOptions& options, const AskedProgram& asked, Progr
   request.machine = options.machine;
   const Setup setup = make_setup(request);
   LoadedProgram loaded = load_program(asked.source, progress, reading_on(asked.reading, setup.machine));
-  loaded.toolpath = on_machine(loaded.toolpath, setup.machine, setup.settings);
+  loaded.toolpath = on_machine(loaded.toolpath, setup.machine, setup.settings, progress);
   return loaded;
 }
 

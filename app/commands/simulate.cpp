@@ -79,7 +79,7 @@ class Results {
       *json_ << simulation_json(program, figures_of(run), contour ? &*contour : nullptr);
     }
     if (blends_) {
-      write_blends(*blends_, *run.trajectory);
+      write_blends(*blends_, *run.trajectory, watch.stage("writing"));
     }
     files_.commit();
   }

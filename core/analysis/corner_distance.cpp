@@ -106,12 +106,13 @@ double distance_about(const BlendedPath& path, std::size_t element, const Vec3& 
 
 /// Where the elements of both blocks meet the corner is near; a control that joins blocks may pass it
 /// anywhere on them, or in a corner that it counts to the next.
-double largest_of_path(const BlendedPath& path) {
+double largest_of_path(const BlendedPath& path, const Progress* progress) {
   constexpr std::size_t blocks_of_joined = 2;
   const std::vector<Segment>& segments = path.programmed()->segments;
   double largest = 0;
   std::size_t element = 0;
   for (std::size_t i = 0; i + 1 < segments.size(); ++i) {
+    stop_if_cancelled(progress);
     while (element < path.size() && path.segment(element) <= i) {
       ++element;
     }
@@ -125,9 +126,10 @@ double largest_of_path(const BlendedPath& path) {
   return largest;
 }
 
-double largest_of_motion(const PulseTrain& train, FilterWalk& filters) {
+double largest_of_motion(const PulseTrain& train, FilterWalk& filters, const Progress* progress) {
   double largest = 0;
   for (std::size_t block = 1; block < train.size(); ++block) {
+    stop_if_cancelled(progress);
     const double middle = train.blocks[block].start + train.half_delay();
     const Approach nearest = closest_approach(filters, train, train.programmed_point(block), middle);
     largest = std::max(largest, nearest.distance);
@@ -137,17 +139,17 @@ double largest_of_motion(const PulseTrain& train, FilterWalk& filters) {
 
 }  // namespace
 
-double largest_corner_distance(const Trajectory& trajectory) {
+double largest_corner_distance(const Trajectory& trajectory, const Progress* progress) {
   if (trajectory.path().empty()) {
     return 0;
   }
   if (trajectory.motions().empty()) {
-    return largest_of_path(trajectory.path());
+    return largest_of_path(trajectory.path(), progress);
   }
   double largest = 0;
   FilterWalk filters;
   for (const FilteredMotion& motion : trajectory.motions()) {
-    largest = std::max(largest, largest_of_motion(motion.train(), filters));
+    largest = std::max(largest, largest_of_motion(motion.train(), filters, progress));
   }
   return largest;
 }

@@ -76,11 +76,13 @@ class OrientationSearch {
 
 }  // namespace
 
-RotaryFigures rotary_figures(const std::shared_ptr<const RotaryCourse>& course, bool limits_jerk) {
+RotaryFigures rotary_figures(const std::shared_ptr<const RotaryCourse>& course, bool limits_jerk,
+                             const Progress* progress) {
   RotaryFigures figures;
   const RotaryWalk::Source source(course);
   RotaryPeakSearch search;
   for (RotaryWalk walk(source, 0); !walk.done(); walk.next()) {
+    stop_if_cancelled(progress);
     search.add(walk);
   }
   figures.rotary = search.rotary();

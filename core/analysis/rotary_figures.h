@@ -7,6 +7,7 @@
 
 #include "core/analysis/axis_peaks.h"
 #include "core/analysis/rotary_course.h"
+#include "core/base/progress.h"
 
 namespace feedscope {
 
@@ -28,7 +29,8 @@ struct RotaryFigures {
   OrientationError orientation;
 };
 
-/// `limits_jerk`: as RunSources; else jerks are not numbers.
-RotaryFigures rotary_figures(const std::shared_ptr<const RotaryCourse>& course, bool limits_jerk);
+/// `limits_jerk`: as RunSources; else jerks are not numbers. Throws Cancelled when stopped.
+RotaryFigures rotary_figures(const std::shared_ptr<const RotaryCourse>& course, bool limits_jerk,
+                             const Progress* progress = nullptr);
 
 }  // namespace feedscope

@@ -200,14 +200,14 @@ Run simulate_motion(const LoadedProgram& input, Setup setup, Progress* progress)
   Run run;
   run.input = input;
   run.setup = std::move(setup);
-  ControlReading reading = run.setup.model->read(input.toolpath, run.setup.settings);
+  ControlReading reading = run.setup.model->read(input.toolpath, run.setup.settings, progress);
   const bool read_again = reading.path != input.toolpath;
   if (const auto beyond = read_again ? beyond_machines(*reading.path) : std::nullopt) {
     throw_beyond_machines(*input.program, *beyond);
   }
   LoadedProgram loaded = input;
   if (!run.setup.load.empty()) {  // feeds change, and pauses shift the segments
-    loaded.toolpath = on_machine(reading.path, run.setup.machine, run.setup.settings);
+    loaded.toolpath = on_machine(reading.path, run.setup.machine, run.setup.settings, progress);
   }
   std::optional<LoadModel> load = load_model(loaded, run.setup.load);
   run.trajectory = std::make_shared<const Trajectory>(
@@ -215,9 +215,10 @@ Run simulate_motion(const LoadedProgram& input, Setup setup, Progress* progress)
   const Guarantees promised = run.setup.model->guarantees(run.setup.settings);
   const std::shared_ptr<const Toolpath>& ran = run.trajectory->path().programmed();
   const bool same_points = promised.lays_curves || !promised.smooths;
-  run.input.toolpath = same_points && ran && ran->programmed
-                           ? ran  // worked out once: every turn costs its kinematics
-                           : on_machine(std::move(reading.path), run.setup.machine, run.setup.settings);
+  run.input.toolpath =
+      same_points && ran && ran->programmed
+          ? ran  // worked out once: every turn costs its kinematics
+          : on_machine(std::move(reading.path), run.setup.machine, run.setup.settings, progress);
   run.input.lines_not_run = std::move(reading.refused);
   run.sources.limits_jerk = promised.limits_jerk;
   if (has_drives(run.setup.machine)) {
@@ -242,7 +243,7 @@ Run with_load(Run run, LoadSetup load, Progress* progress) {
 void add_summary(Run& run, Progress* progress) {
   const StopWatch watch;
   run.summary = summarise(*run.trajectory, *run.input.toolpath,
-                          axis_limit_vector(run.setup.machine, &AxisLimits::velocity));
+                          axis_limit_vector(run.setup.machine, &AxisLimits::velocity), progress);
   if (!run.sources.limits_jerk) {
     for (std::size_t i = 0; i < run.summary.axes.size(); ++i) {
       run.summary.axes[i].jerk = std::numeric_limits<double>::quiet_NaN();
@@ -255,14 +256,19 @@ void add_summary(Run& run, Progress* progress) {
     run.summary.load = load_figures(*run.sources.load, progress);
   }
   if (run.sources.rotary) {
-    run.summary.rotary = rotary_figures(run.sources.rotary, run.sources.limits_jerk);
+    run.summary.rotary = rotary_figures(run.sources.rotary, run.sources.limits_jerk, progress);
   }
   run.simulate_time += watch.seconds();
 }
 
 Run simulate_run(const LoadedProgram& input, Setup setup, Progress* progress) {
-  Run run = simulate_motion(input, std::move(setup), progress);
-  add_summary(run, progress);
+  constexpr double share_of_motion = 0.8;
+  Progress unwatched;
+  Progress& whole = progress != nullptr ? *progress : unwatched;
+  Progress motion(whole, share_of_motion);
+  Run run = simulate_motion(input, std::move(setup), &motion);
+  Progress figures(whole, 1 - share_of_motion);
+  add_summary(run, &figures);
   return run;
 }
 

@@ -197,8 +197,9 @@ std::vector<std::string> run_notes(const LoadedProgram& program, const Setup& se
   }
   // That of a run is worked out for its setup already.
   const std::shared_ptr<const Toolpath> path =
-      program.toolpath->programmed ? program.toolpath
-                                   : with_rotary_moves(program.toolpath, setup.machine, setup.settings);
+      program.toolpath->programmed
+          ? program.toolpath
+          : with_rotary_moves(program.toolpath, setup.machine, setup.settings, nullptr);
   if (std::string faults = machine_fault_note(path->machine_faults); !faults.empty()) {
     notes.push_back(std::move(faults));
   }

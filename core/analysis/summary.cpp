@@ -68,7 +68,7 @@ class Totals {
 
 /// The pieces in runs of a length that does not depend on the number of processors, on all of them; `also` is
 /// called meanwhile.
-Totals totals_of(const Trajectory& trajectory, const std::function<void()>& also) {
+Totals totals_of(const Trajectory& trajectory, const std::function<void()>& also, const Progress* progress) {
   constexpr std::size_t pieces_a_run = 16384;
   const std::size_t pieces = trajectory.pieces().size();
   const std::size_t runs = (pieces + pieces_a_run - 1) / pieces_a_run;
@@ -77,6 +77,7 @@ Totals totals_of(const Trajectory& trajectory, const std::function<void()>& also
     if (i == 0) {
       also();
     } else {
+      stop_if_cancelled(progress);
       totals[i - 1].add_pieces((i - 1) * pieces_a_run, std::min(i * pieces_a_run, pieces));
     }
   });
@@ -89,23 +90,25 @@ Totals totals_of(const Trajectory& trajectory, const std::function<void()>& also
 
 }  // namespace
 
-Summary summarise(const Trajectory& trajectory, const Toolpath& toolpath, const Vec3& rapid_speed) {
+Summary summarise(const Trajectory& trajectory, const Toolpath& toolpath, const Vec3& rapid_speed,
+                  Progress* progress) {
   Summary summary;
   summary.cycle_time = trajectory.duration();
   summary.programmed_time = programmed_time(toolpath, rapid_speed);
   summary.not_counted = not_counted(toolpath);
 
   ContourErrors errors;
-  const Totals totals = totals_of(trajectory, [&] {
+  const auto measure = [&] {
     ContourRequest worst;
     worst.places = 1;
-    errors = contour_errors(trajectory, worst);
-    summary.max_corner_distance = largest_corner_distance(trajectory);
-  });
+    errors = contour_errors(trajectory, worst, progress);
+    summary.max_corner_distance = largest_corner_distance(trajectory, progress);
+  };
+  const Totals totals = totals_of(trajectory, measure, progress);
   summary.time_by_cause = totals.time_by_cause();
   summary.time_by_slower_place = totals.time_by_slower_place();
   summary.max_contour_error = errors.largest;
-  summary.cutting_contour_error = cutting_contour_error(trajectory, errors);
+  summary.cutting_contour_error = cutting_contour_error(trajectory, errors, {}, progress);
   if (!errors.worst.empty()) {
     summary.worst_place = errors.worst.front();
   }

@@ -8,6 +8,7 @@
 #include "core/analysis/contour/contour_errors.h"
 #include "core/analysis/load/load_figures.h"
 #include "core/analysis/rotary_figures.h"
+#include "core/base/progress.h"
 #include "core/machine/axis_vector.h"
 #include "core/toolpath/machine_toolpath.h"
 #include "core/toolpath/toolpath.h"
@@ -39,7 +40,8 @@ struct Summary {
   std::optional<RotaryFigures> rotary;
 };
 
-/// `toolpath`: that the trajectory runs; `rapid_speed` per axis [mm/s].
-Summary summarise(const Trajectory& trajectory, const Toolpath& toolpath, const Vec3& rapid_speed);
+/// `toolpath`: that the trajectory runs; `rapid_speed` per axis [mm/s]. Throws Cancelled when stopped.
+Summary summarise(const Trajectory& trajectory, const Toolpath& toolpath, const Vec3& rapid_speed,
+                  Progress* progress = nullptr);
 
 }  // namespace feedscope

@@ -77,7 +77,7 @@ bool CompressorSettings::smooths(const Toolpath& toolpath) const {
           }));
 }
 
-std::vector<SmoothCurve> Compressor::compress(std::size_t first, std::size_t last) {
+std::vector<SmoothCurve> Compressor::compress(std::size_t first, std::size_t last, const Progress* progress) {
   std::vector<SmoothCurve> curves;
   if (!is_on()) {
     return curves;
@@ -89,7 +89,7 @@ std::vector<SmoothCurve> Compressor::compress(std::size_t first, std::size_t las
     std::vector<std::size_t> more;
     for (const SmoothingRun& run :
          find_smoothing_runs(toolpath_, first, last, rules_, settings_.rule, corners)) {
-      lay(run, curves, more);
+      lay(run, curves, more, progress);
     }
     if (more.empty()) {
       break;
@@ -127,7 +127,7 @@ void Compressor::set_polyline(const SmoothingRun& run) {
 }
 
 void Compressor::lay(const SmoothingRun& run, std::vector<SmoothCurve>& curves,
-                     std::vector<std::size_t>& corners) {
+                     std::vector<std::size_t>& corners, const Progress* progress) {
   set_polyline(run);
   SmoothingRule rule{curve_tolerance, settings_.smoothing};
   if (!run.on_curve) {
@@ -137,7 +137,7 @@ void Compressor::lay(const SmoothingRun& run, std::vector<SmoothCurve>& curves,
     }
     rule.tolerance *= settings_.tolerance_share;
   }
-  SmoothCourse course = smoother_.smooth(polyline_, rule);
+  SmoothCourse course = smoother_.smooth(polyline_, rule, progress);
   for (const std::size_t point : course.corners) {
     if (!run.on_curve) {  // else it stays arcs
       corners.push_back(segments_[point]);

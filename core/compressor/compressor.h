@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/compressor/smooth_course.h"
 #include "core/compressor/smoothing_run.h"
 #include "core/machine/settings.h"
@@ -52,14 +53,16 @@ class Compressor {
   }
 
   bool is_on() const { return settings_.on || has_curves_; }
-  /// The curves within segments [first, last), which have no stop between them, in order.
-  std::vector<SmoothCurve> compress(std::size_t first, std::size_t last);
+  /// The curves within segments [first, last), which have no stop between them, in order. Throws Cancelled
+  /// when stopped; `progress` may be null.
+  std::vector<SmoothCurve> compress(std::size_t first, std::size_t last, const Progress* progress = nullptr);
 
  private:
   /// The polyline through the points of a run, or along its arcs.
   void set_polyline(const SmoothingRun& run);
   /// Adds the curve of a run, or to `corners` the junctions at which it must be parted.
-  void lay(const SmoothingRun& run, std::vector<SmoothCurve>& curves, std::vector<std::size_t>& corners);
+  void lay(const SmoothingRun& run, std::vector<SmoothCurve>& curves, std::vector<std::size_t>& corners,
+           const Progress* progress);
 
   const Toolpath& toolpath_;
   const PathRules& rules_;

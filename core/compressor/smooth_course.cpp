@@ -122,7 +122,8 @@ void CourseSmoother::level_lengths() {
   }
 }
 
-SmoothCourse CourseSmoother::smooth(const Polyline& polyline, const SmoothingRule& rule) {
+SmoothCourse CourseSmoother::smooth(const Polyline& polyline, const SmoothingRule& rule,
+                                    const Progress* progress) {
   SmoothCourse course;
   set_first_borders(polyline, rule);
   CubicSplineFit fit(polyline, rule.smoothing);
@@ -144,6 +145,7 @@ SmoothCourse CourseSmoother::smooth(const Polyline& polyline, const SmoothingRul
       }
     };
     for (std::size_t k = 0; k < fit.interval_count(); ++k) {
+      stop_if_cancelled(progress);
       const double deviation = fit.deviation(k);
       course.deviation = std::max(course.deviation, deviation);
       if (deviation > slack * rule.tolerance) {

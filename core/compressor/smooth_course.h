@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/blend/fitted_course.h"
 #include "core/compressor/cubic_spline_fit.h"
 
@@ -32,7 +33,8 @@ struct SmoothCourse {
 /// number of fits.
 class CourseSmoother {
  public:
-  SmoothCourse smooth(const Polyline& polyline, const SmoothingRule& rule);
+  SmoothCourse smooth(const Polyline& polyline, const SmoothingRule& rule,
+                      const Progress* progress = nullptr);
 
  private:
   void set_first_borders(const Polyline& polyline, const SmoothingRule& rule);

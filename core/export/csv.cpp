@@ -204,7 +204,7 @@ std::string_view blend_kind(ElementKind kind) {
   }
 }
 
-void write_blends(std::ostream& out, const Trajectory& trajectory) {
+void write_blends(std::ostream& out, const Trajectory& trajectory, const Progress* progress) {
   TextSink sink(out);
   sink.text(
       "line,kind,x_mm,y_mm,z_mm,turn_deg,transition_mm,epsilon_mm,length_mm,min_radius_mm,entry_feed_mm_min,"
@@ -212,6 +212,7 @@ void write_blends(std::ostream& out, const Trajectory& trajectory) {
   sink.end_row();
   FilterWalk filters;
   for (std::size_t i = 0; i < trajectory.blend_count(); ++i) {
+    stop_if_cancelled(progress);
     const BlendRecord blend = trajectory.blend(i, filters);
     const ElementKind kind = trajectory.path().kind(blend.element);
     sink.count(blend.line);

@@ -22,7 +22,7 @@ void write_csv(std::ostream& out, const Trajectory& trajectory, double step, Pro
 void write_csv(std::ostream& out, const Trajectory& trajectory, std::span<const double> times,
                Progress* progress = nullptr, const RunSources& sources = {});
 /// Corner blends as CSV, columns of README.md beside this file.
-void write_blends(std::ostream& out, const Trajectory& trajectory);
+void write_blends(std::ostream& out, const Trajectory& trajectory, const Progress* progress = nullptr);
 
 // JSON, indented, newline at the end; every key is listed in core/export/README.md. Two files of equal
 // commands differ in `elapsed` alone.

@@ -34,15 +34,16 @@ class FitCase {
   virtual const std::string& name() const = 0;  ///< of the file
   virtual const LoadedProgram& program() const = 0;
   virtual std::size_t size() const = 0;  ///< residuals
-  /// Simulated less measured, of a setup; a run that leaves the path altogether gets large ones.
-  virtual std::vector<double> residuals(const Setup& setup) const = 0;
+  /// Simulated less measured, of a setup; a run that leaves the path altogether gets large ones. Throws
+  /// Cancelled when stopped.
+  virtual std::vector<double> residuals(const Setup& setup, Progress* progress) const = 0;
   /// Number of the short stretch that a residual belongs to, of `stretches()`; blocks of them are left out to
   /// see how much a value depends on a part of what was recorded.
   virtual std::size_t stretch_of(std::size_t residual) const = 0;
   virtual bool is_short(std::size_t residual) const = 0;  ///< the time of one short stretch
   virtual std::size_t stretches() const = 0;
   virtual AxisVector<AxisReach> reach() const = 0;  ///< what the axes reach, in mm; zeros: not known
-  virtual FitResult result(const Run& run) const = 0;
+  virtual FitResult result(const Run& run, Progress* progress) const = 0;
 };
 
 using FitCases = std::vector<std::shared_ptr<const FitCase>>;

@@ -164,12 +164,16 @@ void add(std::vector<bool>& some, const std::vector<bool>& others, const std::ve
 }
 
 /// Evaluations of a joint search: as many as short programs allow, fewer of long ones.
-std::size_t searched_together(const FitCases& cases, const Setup& start, std::size_t most) {
+std::size_t searched_together(const FitCases& cases, const Setup& start, std::size_t most,
+                              Progress* progress) {
   constexpr double few = 300;
   constexpr double of_all = 8000;  // [s] of programs
   double seconds = 0;
   for (const auto& one : cases) {
-    seconds += start.model->simulate(one->program().toolpath, start.machine, start.settings).duration();
+    Progress unwatched;
+    Progress part(progress != nullptr ? *progress : unwatched, unseen_share);
+    seconds +=
+        start.model->simulate(one->program().toolpath, start.machine, start.settings, &part).duration();
   }
   const auto limit = static_cast<double>(most);
   return static_cast<std::size_t>(std::clamp(of_all / std::max(seconds, 1e-3), std::min(few, limit), limit));
@@ -347,11 +351,13 @@ void write_sources(Setup& setup, const Setup& start, const std::vector<Identifie
 }
 
 /// Simulates what was found, and lays it beside what was recorded.
-void lay_beside(const FitCases& cases, Identification& found) {
+void lay_beside(const FitCases& cases, Identification& found, Progress* progress) {
   found.explains = true;
   for (const auto& one : cases) {
-    Run run = simulate_run(one->program(), found.setup);
-    FitResult result = one->result(run);
+    Progress unwatched;
+    Progress part(progress != nullptr ? *progress : unwatched, unseen_share);
+    Run run = simulate_run(one->program(), found.setup, &part);
+    FitResult result = one->result(run, &part);
     found.feed_error = std::max(found.feed_error, result.feed_error);
     const double off = std::abs(result.agreement.simulated_time - result.agreement.measured_time);
     const double most = std::max(most_time_error * result.agreement.measured_time, result.resolution);
@@ -382,7 +388,7 @@ Identification identify(const FitCases& cases, const Setup& start,
     Identification found;
     found.setup = start;
     found.residual = residual_of(search);
-    lay_beside(cases, found);
+    lay_beside(cases, found, progress);
     found.simulations = search.simulations();
     return found;
   }
@@ -410,7 +416,7 @@ Identification identify(const FitCases& cases, const Setup& start,
     add(free, influences(search), by_steps);
     search.move_to(scanned);
   }
-  const std::size_t together = searched_together(cases, search.setup(), options.most_searched);
+  const std::size_t together = searched_together(cases, search.setup(), options.most_searched, progress);
   search.stage(together_from, refined_from, 3 * together);
   search_jointly(search, free, reached, together);
   try_likely(search, free, as_it_is, reached, together);
@@ -436,7 +442,7 @@ Identification identify(const FitCases& cases, const Setup& start,
   add_reached_velocities(found.parameters, cases);
   found.setup = search.setup();
   found.residual = residual_of(search);
-  lay_beside(cases, found);
+  lay_beside(cases, found, progress);
   if (found.explains) {
     say_what_tells(found.setup, found.parameters);
   } else {

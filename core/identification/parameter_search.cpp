@@ -97,11 +97,10 @@ std::vector<Eigen::VectorXd> ParameterSearch::evaluate_all(const std::vector<Eig
     const Setup setup = setup_at(clamped(places[i]));
     Eigen::VectorXd residuals(static_cast<Eigen::Index>(count_));
     Eigen::Index next = 0;
+    Progress unwatched;
+    Progress part(progress_ != nullptr ? *progress_ : unwatched, unseen_share);
     for (const auto& one : cases_) {
-      if (progress_ != nullptr && progress_->cancelled()) {
-        throw Cancelled();
-      }
-      for (const double residual : one->residuals(setup)) {
+      for (const double residual : one->residuals(setup, &part)) {
         residuals[next++] = residual;
       }
     }

@@ -8,6 +8,9 @@
 
 namespace feedscope {
 
+/// Share of a search's progress that one simulation reports: it is cancelled with the search, which counts
+/// simulations and not how far one is.
+inline constexpr double unseen_share = 1e-9;
 /// Residuals beyond it count by their absolute value in ParameterSearch::cost().
 inline constexpr double robust_from = 3;
 /// Of a residual in a least-squares step that lowers ParameterSearch::cost().

@@ -73,9 +73,9 @@ std::vector<double> SectionCase::simulated(const Trajectory& run) const {
   return times;
 }
 
-std::vector<double> SectionCase::residuals(const Setup& setup) const {
+std::vector<double> SectionCase::residuals(const Setup& setup, Progress* progress) const {
   std::vector<double> off =
-      simulated(setup.model->simulate(program_.toolpath, setup.machine, setup.settings));
+      simulated(setup.model->simulate(program_.toolpath, setup.machine, setup.settings, progress));
   for (std::size_t i = 0; i < off.size(); ++i) {
     const double rounded = times_[i].resolution / std::sqrt(6.0);  // at both ends
     off[i] = (off[i] - times_[i].seconds) / std::hypot(rounded, clock_share * times_[i].seconds);
@@ -89,7 +89,7 @@ std::size_t SectionCase::stretch_of(std::size_t residual) const {
   return round * (times_.size() / rounds) + std::min(round, times_.size() % rounds) + residual / rounds;
 }
 
-FitResult SectionCase::result(const Run& run) const {
+FitResult SectionCase::result(const Run& run, Progress* /*progress*/) const {
   FitResult result;
   const std::vector<double> times = simulated(*run.trajectory);
   double squares = 0;

@@ -22,14 +22,14 @@ class SectionCase : public FitCase {
   const std::string& name() const override { return name_; }
   const LoadedProgram& program() const override { return program_; }
   std::size_t size() const override { return times_.size(); }
-  std::vector<double> residuals(const Setup& setup) const override;
+  std::vector<double> residuals(const Setup& setup, Progress* progress) const override;
   /// Sections are measured independently: each is a stretch of its own.
   std::size_t stretch_of(std::size_t residual) const override;
   bool is_short(std::size_t) const override { return true; }
   std::size_t stretches() const override { return times_.size(); }
   AxisVector<AxisReach> reach() const override { return {}; }
   /// Errors below the resolution of the clock do not count.
-  FitResult result(const Run& run) const override;
+  FitResult result(const Run& run, Progress* progress) const override;
 
  private:
   std::vector<double> simulated(const Trajectory& run) const;

@@ -31,12 +31,12 @@ TraceCase::TraceCase(std::shared_ptr<const Trace> trace, const LoadedProgram& pr
                      Progress* progress)
     : trace_(std::move(trace)), program_(program) {
   const Run run = simulate_motion(program, start, progress);
-  const auto as_read = start.model->read(program.toolpath, start.settings).path;
+  const auto as_read = start.model->read(program.toolpath, start.settings, progress).path;
   course_ = std::make_shared<const ProgrammedCourse>(
       *as_read, SeenAxes{trace_->has(0), trace_->has(1), trace_->has(2)});
-  found_ =
-      find_on_program(*trace_, *course_, freedom / 2 + deviation_of(*run.trajectory, *course_, coarsest_step),
-                      program.program->source.get(), progress);
+  found_ = find_on_program(*trace_, *course_,
+                           freedom / 2 + deviation_of(*run.trajectory, *course_, coarsest_step, progress),
+                           program.program->source.get(), progress);
   if (found_.law.empty() || !found_.belongs()) {
     const auto likeness = std::ranges::find_if(found_.remarks, says_likeness);
     if (likeness != found_.remarks.end()) {
@@ -50,9 +50,9 @@ TraceCase::TraceCase(std::shared_ptr<const Trace> trace, const LoadedProgram& pr
         trace_->name, 100 * found_.fit.trace_share, found_.tolerance, 100 * found_.fit.path_share));
   }
   step_ = std::clamp(trace_->period / 4, finest_step, coarsest_step);
-  leave_out_holds(law_of(*run.trajectory));
+  leave_out_holds(law_of(*run.trajectory, progress));
   try {
-    const Agreement agreement = agreement_of(found_, *course_, run);
+    const Agreement agreement = agreement_of(found_, *course_, run, progress);
     feed_share_ = feedscope::feed_share(agreement, *course_, *run.input.toolpath);
     add_feed_remark(found_, agreement, *course_, *run.input.toolpath);
   } catch (const InputError&) {
@@ -102,9 +102,9 @@ TraceCase::TraceCase(std::shared_ptr<const Trace> trace, const LoadedProgram& pr
   }
 }
 
-TimeLaw TraceCase::law_of(const Trajectory& run) const {
-  const MotionRecord record = record_of(run, step_);
-  return {record.time, match_record(*course_, record, {found_.tolerance, found_.noise})};
+TimeLaw TraceCase::law_of(const Trajectory& run, Progress* progress) const {
+  const MotionRecord record = record_of(run, step_, progress);
+  return {record.time, match_record(*course_, record, {found_.tolerance, found_.noise}, 0, progress)};
 }
 
 void TraceCase::leave_out_holds(const TimeLaw& run) {
@@ -124,9 +124,9 @@ void TraceCase::add_span(std::size_t first, std::size_t last) {
   stretch_.push_back((first + last) / 2);
 }
 
-std::vector<double> TraceCase::residuals(const Setup& setup) const {
-  const Trajectory run = setup.model->simulate(program_.toolpath, setup.machine, setup.settings);
-  const TimeLaw law = law_of(run);
+std::vector<double> TraceCase::residuals(const Setup& setup, Progress* progress) const {
+  const Trajectory run = setup.model->simulate(program_.toolpath, setup.machine, setup.settings, progress);
+  const TimeLaw law = law_of(run, progress);
   std::vector<double> off(size(), hopeless);
   if (law.empty() || law.last_s() < borders_.back() || law.first_s() > borders_.front()) {
     return off;
@@ -159,9 +159,9 @@ AxisVector<AxisReach> TraceCase::reach() const {
   return reach;
 }
 
-FitResult TraceCase::result(const Run& run) const {
+FitResult TraceCase::result(const Run& run, Progress* progress) const {
   FitResult result;
-  result.agreement = agreement_of(found_, *course_, run);
+  result.agreement = agreement_of(found_, *course_, run, progress);
   const TimeLaw& law = found_.law;
   const TimeLaw& simulated = result.agreement.simulated;
   for (const HeldStretch& one : held_) {  // as if the control had passed there as the run does

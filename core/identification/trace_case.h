@@ -25,12 +25,12 @@ class TraceCase : public FitCase {
   const std::string& name() const override { return trace_->name; }
   const LoadedProgram& program() const override { return program_; }
   std::size_t size() const override { return scale_.size(); }
-  std::vector<double> residuals(const Setup& setup) const override;
+  std::vector<double> residuals(const Setup& setup, Progress* progress) const override;
   std::size_t stretch_of(std::size_t residual) const override { return stretch_[residual]; }
   bool is_short(std::size_t residual) const override { return residual < short_; }
   std::size_t stretches() const override { return borders_.empty() ? 0 : borders_.size() - 1; }
   AxisVector<AxisReach> reach() const override;
-  FitResult result(const Run& run) const override;
+  FitResult result(const Run& run, Progress* progress) const override;
 
   const ProgrammedCourse& course() const { return *course_; }
   const TraceOnProgram& found() const { return found_; }
@@ -43,7 +43,7 @@ class TraceCase : public FitCase {
     std::size_t last = 0;
   };
   void add_span(std::size_t first, std::size_t last);
-  TimeLaw law_of(const Trajectory& run) const;
+  TimeLaw law_of(const Trajectory& run, Progress* progress) const;
   void leave_out_holds(const TimeLaw& run);
 
   std::shared_ptr<const Trace> trace_;

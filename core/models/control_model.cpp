@@ -46,7 +46,7 @@ std::string axis_key(char axis, const SettingSpec& spec) {
 Trajectory ControlModel::simulate(std::shared_ptr<const Toolpath> toolpath, const Machine& machine,
                                   const Settings& settings, Progress* progress) const {
   const std::shared_ptr<const Toolpath> run =
-      on_machine(read(std::move(toolpath), settings).path, machine, settings);
+      on_machine(read(std::move(toolpath), settings, progress).path, machine, settings, progress);
   check_axes(*run, machine);
   return on_merged(run, settings, [&](const std::shared_ptr<const Toolpath>& path) {
     return do_simulate(path, machine, settings, progress);
@@ -61,7 +61,7 @@ Trajectory ControlModel::simulate(const Toolpath& toolpath, const Machine& machi
 Trajectory ControlModel::lay_path(std::shared_ptr<const Toolpath> toolpath, const Machine& machine,
                                   const Settings& settings, Progress* progress) const {
   const std::shared_ptr<const Toolpath> run =
-      on_machine(read(std::move(toolpath), settings).path, machine, settings);
+      on_machine(read(std::move(toolpath), settings, progress).path, machine, settings, progress);
   check_axes(*run, machine);
   return on_merged(run, settings, [&](const std::shared_ptr<const Toolpath>& path) {
     return do_lay_path(path, machine, settings, progress);

@@ -42,9 +42,11 @@ class ControlModel {
   /// What holds of every motion that simulate() makes with `settings`, as complete_settings gives them.
   virtual Guarantees guarantees(const Settings& settings) const = 0;
   /// What the control reads in the text of `toolpath`, where it reads it in a way of its own: its path and
-  /// the lines that it refuses. Else `toolpath` as it is.
-  ControlReading read(std::shared_ptr<const Toolpath> toolpath, const Settings& settings) const {
-    return toolpath->may_be_read() ? do_read(toolpath, settings) : ControlReading{std::move(toolpath), {}};
+  /// the lines that it refuses. Else `toolpath` as it is. Throws Cancelled when stopped.
+  ControlReading read(std::shared_ptr<const Toolpath> toolpath, const Settings& settings,
+                      const Progress* progress = nullptr) const {
+    return toolpath->may_be_read() ? do_read(toolpath, settings, progress)
+                                   : ControlReading{std::move(toolpath), {}};
   }
   /// Deterministic. `settings` as complete_settings gives them; the trajectory shares `toolpath`, or what
   /// read() and on_machine() make of it. Throws
@@ -63,7 +65,7 @@ class ControlModel {
   /// `run` of `path`, collinear blocks merged if merge_collinear_mm asks for it, on the blocks of `path`.
   Trajectory on_merged(std::shared_ptr<const Toolpath> path, const Settings& settings, const Run& run) const;
   virtual ControlReading do_read(const std::shared_ptr<const Toolpath>& toolpath,
-                                 const Settings& /*settings*/) const {
+                                 const Settings& /*settings*/, const Progress* /*progress*/) const {
     return {toolpath, {}};
   }
   virtual Trajectory do_simulate(const std::shared_ptr<const Toolpath>& toolpath, const Machine& machine,

@@ -65,6 +65,7 @@ Program Reader::read() {
 }
 
 bool Reader::within_run_limit() {
+  stop_if_cancelled(progress_);  // one line may run a cycle of a hundred thousand moves
   constexpr std::uint64_t lines_between_reports = 4096;
   const std::uint32_t count = program_.source->line_count();
   const std::uint64_t lines_run = lines_.lines_run();

@@ -231,12 +231,12 @@ std::shared_ptr<const Toolpath> with_cutting_feeds(std::shared_ptr<const Toolpat
 }  // namespace
 
 std::shared_ptr<const Toolpath> on_machine(std::shared_ptr<const Toolpath> path, const Machine& machine,
-                                           const Settings& settings) {
+                                           const Settings& settings, const Progress* progress) {
   if (path->programmed) {
     path = path->programmed;
   }
   path = with_cutting_feeds(with_feed_override(std::move(path), settings), settings);
-  path = with_rotary_moves(std::move(path), machine, settings);
+  path = with_rotary_moves(std::move(path), machine, settings, progress);
   return path->pauses.empty() ? path : Resolver(path, settings).run();
 }
 

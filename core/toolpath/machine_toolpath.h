@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/machine/machine.h"
 #include "core/toolpath/toolpath.h"
 
@@ -15,9 +16,10 @@ namespace feedscope {
 /// moves whose two ends are known become lines, rapids where the program gives no feed. What the settings do
 /// not say stays as it is. Every segment keeps its index but for pauses in which the machine's rotary axes
 /// turn, see with_rotary_moves(). A path that was made for a machine is worked out anew from that of the
-/// program (Toolpath::programmed). Returns `path` itself where nothing changes.
+/// program (Toolpath::programmed). Returns `path` itself where nothing changes. Throws Cancelled when
+/// stopped.
 std::shared_ptr<const Toolpath> on_machine(std::shared_ptr<const Toolpath> path, const Machine& machine,
-                                           const Settings& settings);
+                                           const Settings& settings, const Progress* progress = nullptr);
 
 /// What of a path has no time, since neither program nor machine say it.
 struct NotCounted {

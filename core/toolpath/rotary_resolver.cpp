@@ -36,8 +36,9 @@ Toolpath placed(const std::shared_ptr<const Toolpath>& programmed, const Machine
 class RotaryResolver {
  public:
   RotaryResolver(const std::shared_ptr<const Toolpath>& path, const Machine& machine,
-                 const Settings& settings)
+                 const Settings& settings, const Progress* progress)
       : from_(*path),
+        progress_(progress),
         machine_(machine),
         chain_(chain_of(machine.kinematics)),
         path_(placed(path, machine, settings)),
@@ -51,6 +52,7 @@ class RotaryResolver {
     auto move = from_.rotary_moves.begin();
     for (std::size_t i = 0; i <= from_.segments.size(); ++i) {
       for (; move != from_.rotary_moves.end() && move->motion <= i; ++move) {
+        stop_if_cancelled(progress_);
         const std::array<double, 3> before = positions_.at();
         RotaryTurn turn = turn_of(*move);
         const bool along = (move->with_feed || move->with_rapid) && turn_along(*move, i, before);
@@ -200,16 +202,19 @@ class RotaryResolver {
     // The best reach of a joint depends on those beside it: it knows the final reach of the one before it,
     // and the longest one of the one behind it.
     for (std::size_t k = 0; k < joints.size(); ++k) {
+      stop_if_cancelled(progress_);
       limiter_.choose_reach(path_, between[k].before, between[k].behind, beside(k), joints[k]);
     }
     const auto set_limits = [&] {
       for (std::size_t k = 0; k < joints.size(); ++k) {
+        stop_if_cancelled(progress_);
         limiter_.set_limit(path_, between[k].before, between[k].behind, beside(k), joints[k]);
       }
     };
     set_limits();
     bool some_stop = false;
     for (std::size_t k = 0; k < joints.size(); ++k) {
+      stop_if_cancelled(progress_);
       joints[k].stops = !path_.segments[joints[k].segment].rapid &&  // they stop anyway
                         limiter_.stops(path_, between[k].before, between[k].behind, joints[k]);
       some_stop = some_stop || joints[k].stops;
@@ -219,14 +224,16 @@ class RotaryResolver {
     }
     if (limiter_.is_bound()) {
       for (SegmentTurn& turn : path_.segment_turns) {
+        stop_if_cancelled(progress_);
         limiter_.set_bound(path_, turn);
       }
       for (std::size_t k = 0; k < joints.size(); ++k) {
+        stop_if_cancelled(progress_);
         limiter_.set_bound(path_, between[k].before, between[k].behind, joints[k]);
       }
     }
     path_.turn_ceiling = std::make_shared<const TurnCeiling>(machine_, chain_);
-    path_.turn_ceiling->divide(path_, limiter_.is_bound());
+    path_.turn_ceiling->divide(path_, limiter_.is_bound(), progress_);
   }
 
   RotaryTurn turn_of(const RotaryMove& move) {
@@ -299,6 +306,7 @@ class RotaryResolver {
   }
 
   const Toolpath& from_;
+  const Progress* progress_;
   const Machine& machine_;
   KinematicChain chain_;
   Toolpath path_;
@@ -315,11 +323,12 @@ class RotaryResolver {
 }  // namespace
 
 std::shared_ptr<const Toolpath> with_rotary_moves(std::shared_ptr<const Toolpath> path,
-                                                  const Machine& machine, const Settings& settings) {
+                                                  const Machine& machine, const Settings& settings,
+                                                  const Progress* progress) {
   if (machine.kinematics.empty() || path->rotary_moves.empty()) {
     return path;
   }
-  return RotaryResolver(path, machine, settings).run();
+  return RotaryResolver(path, machine, settings, progress).run();
 }
 
 }  // namespace feedscope

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "core/base/progress.h"
 #include "core/machine/machine.h"
 #include "core/toolpath/toolpath.h"
 
@@ -18,8 +19,10 @@ namespace feedscope {
 /// (TurnLimiter; MODELS.md, section 14).
 ///
 /// What cannot be is in Toolpath::machine_faults.
-/// Returns `path` itself where the machine has no rotary axes or the program moves none.
+/// Returns `path` itself where the machine has no rotary axes or the program moves none. Throws Cancelled
+/// when stopped; `progress` may be null.
 std::shared_ptr<const Toolpath> with_rotary_moves(std::shared_ptr<const Toolpath> path,
-                                                  const Machine& machine, const Settings& settings);
+                                                  const Machine& machine, const Settings& settings,
+                                                  const Progress* progress);
 
 }  // namespace feedscope

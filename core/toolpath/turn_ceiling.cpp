@@ -239,9 +239,10 @@ class TurnCeiling::Division {
   bool by_feed_ = false;  ///< it alone limits the last part
 };
 
-void TurnCeiling::divide(Toolpath& path, bool bound) const {
+void TurnCeiling::divide(Toolpath& path, bool bound, const Progress* progress) const {
   path.turn_parts.clear();
   for (const std::size_t segment : turning_segments(path)) {
+    stop_if_cancelled(progress);
     const std::vector<TurnPart> parts = Division(*this, path, segment, bound).parts();
     const auto turn =
         std::ranges::lower_bound(path.segment_turns, segment, std::less(), &SegmentTurn::segment);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/kinematics/kinematic_chain.h"
 #include "core/machine/machine.h"
 #include "core/toolpath/axis_courses.h"
@@ -76,8 +77,8 @@ class TurnCeiling {
   /// of its fastest one, both not above the feed, and no axis turns by more than 15 degrees on it. Between
   /// two places at a distance h an axis' derivative is above the larger one by h^2/8 of its second derivative
   /// at most, so that no place of a part is slower than its ceiling. `bound`: limits of a bound
-  /// (TurnLimiter::set_bound()) on the same parts.
-  void divide(Toolpath& path, bool bound) const;
+  /// (TurnLimiter::set_bound()) on the same parts. Throws Cancelled when stopped; `progress` may be null.
+  void divide(Toolpath& path, bool bound, const Progress* progress) const;
 
   /// Of a curve that leaves the end of segment `segment` by `transition` [mm] and meets the next one as far
   /// behind its start: the axes turn evenly by the way that it replaces. `tips`: evenly spaced places of the

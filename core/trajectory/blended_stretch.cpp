@@ -131,7 +131,7 @@ void add_smooth_curve(const SmoothCurve& curve, const Toolpath& toolpath, const 
 void lay_blended_stretch(const Toolpath& toolpath, const StretchRange& range, const AxisVectors& axes,
                          const PathRules& rules, Compressor& compressor, TrajectoryBuilder& builder,
                          Stretch& stretch, const BlendCorner& blend) {
-  const std::vector<SmoothCurve> curves = compressor.compress(range.first, range.last);
+  const std::vector<SmoothCurve> curves = compressor.compress(range.first, range.last, builder.progress());
   stretch.clear();
   stretch.reserve(most_elements(range, curves));
   lay_elements(
@@ -158,8 +158,9 @@ void lay_blended_path(const Toolpath& toolpath, const Vec3& axis_velocity, const
     const auto curves = std::make_shared<Compressor>(toolpath, rules, compressor);
     return [&, curves](const StretchRange& range, ProgressSteps& /*steps*/) {
       const auto ignore = [](auto&&...) {};
-      lay_elements(toolpath, range, axis_velocity, rules, curves->compress(range.first, range.last), part,
-                   blend, ignore, ignore, [&](const SmoothCurve& curve) { add_curve_alone(curve, part); });
+      lay_elements(toolpath, range, axis_velocity, rules,
+                   curves->compress(range.first, range.last, part.progress()), part, blend, ignore, ignore,
+                   [&](const SmoothCurve& curve) { add_curve_alone(curve, part); });
     };
   });
 }

@@ -113,6 +113,7 @@ StretchRange next_stretch(const Toolpath& toolpath, const PathRules& rules, std:
 
 void run_stretches(const Toolpath& toolpath, TrajectoryBuilder& builder, Progress* progress,
                    const PathRules& rules, const StretchRunner& runner, bool stop_at_arc_corners) {
+  builder.stop_with(progress);
   const auto run_part = [&](const StretchRange& part, TrajectoryBuilder& into, ProgressSteps steps) {
     const StretchRun run = runner(into);
     for (std::size_t first = part.first; first < part.last;) {

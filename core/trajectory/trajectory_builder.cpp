@@ -79,6 +79,7 @@ TrajectoryBuilder TrajectoryBuilder::part() const {
   TrajectoryBuilder part;
   part.content().path = path().without_elements();
   part.content().axis_velocity = content().axis_velocity;
+  part.stop_with(progress_);
   return part;
 }
 
@@ -110,6 +111,7 @@ void TrajectoryBuilder::append(TrajectoryBuilder part, double done) {
 }
 
 std::uint32_t TrajectoryBuilder::add_segment(std::uint32_t block, double length) {
+  count_addition();
   return content().path.add(element_kind(programmed().segments[block].kind), block, length);
 }
 
@@ -119,10 +121,12 @@ std::uint32_t TrajectoryBuilder::add_segment(std::uint32_t block) {
 
 std::uint32_t TrajectoryBuilder::add_corner(ElementKind kind, std::uint32_t block, double transition,
                                             double length) {
+  count_addition();
   return content().path.add_corner(kind, block, transition, length);
 }
 
 std::uint32_t TrajectoryBuilder::add_filtered(std::uint32_t block, double length, std::uint32_t motion) {
+  count_addition();
   return content().path.add(ElementKind::filtered, block, length, motion);
 }
 
@@ -146,6 +150,7 @@ void TrajectoryBuilder::pass_pause(std::uint32_t element, double time) {
 }
 
 void TrajectoryBuilder::add_piece(Piece piece, double duration) {
+  count_addition();
   if (!(content().duration + duration > content().duration)) {  // nothing, or less than the clock resolves
     return;
   }

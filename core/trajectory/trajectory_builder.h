@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/trajectory/trajectory.h"
 
 namespace feedscope {
@@ -33,6 +34,11 @@ class TrajectoryBuilder {
   /// Appends what a part() holds. `done`: share of the whole program that is run then, by which room is made
   /// for the rest, (0, 1].
   void append(TrajectoryBuilder part, double done);
+  /// From now on adding throws Cancelled soon after `progress` was cancelled, which may be null and outlives
+  /// this and its parts.
+  void stop_with(const Progress* progress) { progress_ = progress; }
+  /// Of stop_with(), for work between what is added.
+  const Progress* progress() const { return progress_; }
   void set_blend_weight(double alpha) { content().path.set_blend_weight(alpha); }
 
   /// Appends programmed segment `block`, a line, an arc or a dwell; `length`: what corners leave of it, or
@@ -53,15 +59,20 @@ class TrajectoryBuilder {
   std::uint32_t add_filtered(std::uint32_t block, double length, std::uint32_t motion);
   /// As BlendedPath::add_fitted.
   std::uint32_t add_fitted(std::uint32_t block, std::span<const CourseKnot> course) {
+    count_addition();
     return content().path.add_fitted(block, course);
   }
   /// As BlendedPath::begin_curve and add_curve.
   void begin_curve(const CourseKnot& knot) { content().path.begin_curve(knot); }
   std::uint32_t add_curve(std::uint32_t block, const CourseKnot& to) {
+    count_addition();
     return content().path.add_curve(block, to);
   }
   /// Appends segment `i` of the executed path. Returns the element's index.
-  std::uint32_t add_executed(std::uint32_t i) { return content().path.add_executed(i); }
+  std::uint32_t add_executed(std::uint32_t i) {
+    count_addition();
+    return content().path.add_executed(i);
+  }
   std::uint32_t add_motion(FilteredMotion motion);
   /// Says that the element added last ends at a corner that the filters round.
   void add_filtered_corner() {
@@ -103,11 +114,19 @@ class TrajectoryBuilder {
  private:
   TrajectoryBuilder() = default;
   void name_slower_places();
+  void count_addition() {
+    constexpr std::uint32_t between_looks = 1024;
+    if (++additions_ % between_looks == 0) {
+      stop_if_cancelled(progress_);
+    }
+  }
 
   Trajectory::Content& content() { return so_far_.content_; }
   const Trajectory::Content& content() const { return so_far_.content_; }
 
   Trajectory so_far_;
+  const Progress* progress_ = nullptr;
+  std::uint32_t additions_ = 0;
 };
 
 }  // namespace feedscope

@@ -45,7 +45,7 @@ std::shared_ptr<const ShownTrace> lay_beside(std::shared_ptr<const Trace> trace,
   const Run& simulated = run->run;
   const SeenAxes seen{trace->has(0), trace->has(1), trace->has(2)};
   const ProgrammedCourse course(*simulated.input.toolpath, seen);
-  shown->found = find_on_program(*trace, course, deviation_of(*simulated.trajectory, course, step),
+  shown->found = find_on_program(*trace, course, deviation_of(*simulated.trajectory, course, step, progress),
                                  simulated.input.program->source.get(), progress);
   shown->agreement = agreement_of(shown->found, course, simulated, progress);
   add_held_remarks(shown->found, course, shown->agreement.simulated);

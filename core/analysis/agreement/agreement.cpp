@@ -132,13 +132,17 @@ double Agreement::corner_rms() const {
   return corners.empty() ? 0 : std::sqrt(squares / static_cast<double>(corners.size()));
 }
 
-MotionRecord record_of(const Trajectory& trajectory, double step) {
+MotionRecord record_of(const Trajectory& trajectory, double step, const Progress* progress) {
+  constexpr std::size_t between_looks = 1024;
   MotionRecord record;
   StateWalk walk(trajectory);
   const auto count = static_cast<std::size_t>(std::ceil(trajectory.duration() / step));
   record.time.reserve(count + 1);
   record.place.reserve(count + 1);
   for (std::size_t i = 0; i <= count; ++i) {
+    if (i % between_looks == 0) {
+      stop_if_cancelled(progress);
+    }
     const double time = std::min(static_cast<double>(i) * step, trajectory.duration());
     record.time.push_back(time);
     record.place.push_back(walk.at_without_length(time).position);
@@ -146,13 +150,14 @@ MotionRecord record_of(const Trajectory& trajectory, double step) {
   return record;
 }
 
-double deviation_of(const Trajectory& trajectory, const ProgrammedCourse& course, double step) {
-  const MotionRecord record = record_of(trajectory, step);
+double deviation_of(const Trajectory& trajectory, const ProgrammedCourse& course, double step,
+                    Progress* progress) {
+  const MotionRecord record = record_of(trajectory, step, progress);
   const double widest = (course.bounds().max - course.bounds().min).norm() / 4 + usual_deviation;
   // With no more tolerance than it takes: a wide one lets the matching take short cuts.
   MatchedRecord matched;
   for (double tolerance = usual_deviation; tolerance <= widest; tolerance *= 2) {
-    matched = match_record(course, record, {tolerance, 0});
+    matched = match_record(course, record, {tolerance, 0}, 0, progress);
     if (!matched.empty() && matched.lost == 0) {
       break;
     }
@@ -213,7 +218,7 @@ Agreement agreement_of(const TraceOnProgram& trace, const ProgrammedCourse& cour
   const double period =
       trace.record.time.back() / static_cast<double>(std::max<std::size_t>(1, trace.record.time.size() - 1));
   const double step = std::max(finest_step, std::min(period, run.trajectory->duration() / 1000));
-  const MotionRecord simulated_record = record_of(*run.trajectory, step);
+  const MotionRecord simulated_record = record_of(*run.trajectory, step, progress);
   const MatchedRecord simulated_match =
       match_record(course, simulated_record, {trace.tolerance, trace.noise}, 0, progress);
   const TimeLaw simulated(simulated_record.time, simulated_match);

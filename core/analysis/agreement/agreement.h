@@ -70,11 +70,13 @@ struct Agreement {
   double time_error() const { return measured_time > 0 ? simulated_time / measured_time - 1 : 0; }
 };
 
-/// The motion of a run, sampled each `step` [s].
-MotionRecord record_of(const Trajectory& trajectory, double step);
+/// The motion of a run, sampled each `step` [s]. Throws Cancelled when stopped.
+MotionRecord record_of(const Trajectory& trajectory, double step, const Progress* progress = nullptr);
 
-/// The largest distance of a run from its programmed path, as the matching measures it [mm].
-double deviation_of(const Trajectory& trajectory, const ProgrammedCourse& course, double step);
+/// The largest distance of a run from its programmed path, as the matching measures it [mm]. Throws
+/// Cancelled when stopped.
+double deviation_of(const Trajectory& trajectory, const ProgrammedCourse& course, double step,
+                    Progress* progress = nullptr);
 
 /// Compares. Throws InputError if the trace is nowhere on the path of the program, saying how far away it is.
 Agreement agreement_of(const TraceOnProgram& trace, const ProgrammedCourse& course, const Run& run,

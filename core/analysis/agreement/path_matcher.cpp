@@ -40,7 +40,7 @@ class Matcher {
     matched_.s.assign(count, MatchedRecord::unmatched);
     matched_.distance.assign(count, 0);
     matched_.first = matched_.end = matched_.arrival = count;
-    const auto start = find_start(from);
+    const auto start = find_start(from, progress);
     if (!start) {
       return std::move(matched_);
     }
@@ -172,7 +172,7 @@ class Matcher {
     return least;
   }
 
-  std::optional<std::size_t> find_start(std::size_t from) {
+  std::optional<std::size_t> find_start(std::size_t from, const Progress* progress) {
     if (course_.size() < 2) {
       return std::nullopt;
     }
@@ -188,6 +188,7 @@ class Matcher {
     double searched = 0;
     Vec3 last = Vec3::Constant(std::numeric_limits<double>::infinity());
     for (std::size_t i = from; i < count && searched < options_.most_searched; ++i) {
+      stop_if_cancelled(progress);
       const Vec3 here = course_.visible(record_.place[i]);
       if ((here - last).norm() < options_.tolerance) {
         continue;

@@ -99,6 +99,7 @@ class Analysis {
     if (search_.course().has_plain_corners()) {
       const std::size_t end = corners_.first_from(last_);
       for (std::size_t i = corners_.first_from(first_); i < end; ++i) {
+        stop_if_cancelled(progress_);
         if (worst.takes(corners_.error_from_legs(i)) &&
             counts_corner(trajectory_.path().segment(corners_.element(i)))) {
           double left = 0;

@@ -135,13 +135,14 @@ Guarantees GrblModel::guarantees(const Settings& settings) const {
   return promised;
 }
 
-ControlReading GrblModel::do_read(const std::shared_ptr<const Toolpath>& toolpath,
-                                  const Settings& settings) const {
+ControlReading GrblModel::do_read(const std::shared_ptr<const Toolpath>& toolpath, const Settings& settings,
+                                  const Progress* progress) const {
   if (settings.text("refuse") == "off") {
     return {toolpath, {}};
   }
-  return reading_of(read_as_grbl(toolpath->source, static_cast<float>(settings.number("arc_tolerance_mm"))),
-                    *toolpath, true);
+  return reading_of(
+      read_as_grbl(toolpath->source, static_cast<float>(settings.number("arc_tolerance_mm")), progress),
+      *toolpath, true);
 }
 
 Trajectory GrblModel::do_simulate(const std::shared_ptr<const Toolpath>& toolpath, const Machine& machine,

@@ -44,10 +44,11 @@ class GrblReader {
     program_.spindles.emplace_back();
   }
 
-  Program read() {
+  Program read(const Progress* progress) {
     const SourceText& text = *program_.source;
     GrblCommands commands;
     for (number_ = 1; number_ <= text.line_count(); ++number_) {
+      stop_if_cancelled(progress);
       Fault fault = read_grbl_line(text.line(number_), line_);
       if (!fault && line_.empty()) {
         continue;
@@ -456,8 +457,9 @@ class GrblReader {
 
 }  // namespace
 
-Program read_as_grbl(std::shared_ptr<const SourceText> source, float arc_tolerance) {
-  return GrblReader(std::move(source), arc_tolerance).read();
+Program read_as_grbl(std::shared_ptr<const SourceText> source, float arc_tolerance,
+                     const Progress* progress) {
+  return GrblReader(std::move(source), arc_tolerance).read(progress);
 }
 
 }  // namespace feedscope

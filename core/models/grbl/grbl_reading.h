@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "core/base/progress.h"
 #include "core/program/program.h"
 
 namespace feedscope {
@@ -10,6 +11,7 @@ namespace feedscope {
 /// not even its feed, and is a note of code "refused". Motions are in machine coordinates, work offsets being
 /// zero until the program sets them. Where grbl waits until all motion has ended, a dwell stands, of no time
 /// of its own but for G4. `arc_tolerance`: $12, which tells what the feed of G93 becomes on arcs [mm].
-Program read_as_grbl(std::shared_ptr<const SourceText> source, float arc_tolerance);
+Program read_as_grbl(std::shared_ptr<const SourceText> source, float arc_tolerance,
+                     const Progress* progress = nullptr);
 
 }  // namespace feedscope

@@ -195,12 +195,12 @@ Guarantees KlipperModel::guarantees(const Settings&) const {
 }
 
 ControlReading KlipperModel::do_read(const std::shared_ptr<const Toolpath>& toolpath,
-                                     const Settings& settings) const {
+                                     const Settings& settings, const Progress* progress) const {
   if (settings.text("refuse") == "off") {
     return {toolpath, {}};
   }
   const KlipperSettings limits(Machine(), settings);
-  return reading_of(read_as_klipper(toolpath->source, limits), *toolpath);
+  return reading_of(read_as_klipper(toolpath->source, limits, progress), *toolpath);
 }
 
 Trajectory KlipperModel::do_simulate(const std::shared_ptr<const Toolpath>& toolpath, const Machine& machine,

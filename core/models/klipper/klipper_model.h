@@ -12,8 +12,8 @@ class KlipperModel : public ControlModel {
   Guarantees guarantees(const Settings& settings) const override;
 
  private:
-  ControlReading do_read(const std::shared_ptr<const Toolpath>& toolpath,
-                         const Settings& settings) const override;
+  ControlReading do_read(const std::shared_ptr<const Toolpath>& toolpath, const Settings& settings,
+                         const Progress* progress) const override;
   Trajectory do_simulate(const std::shared_ptr<const Toolpath>& toolpath, const Machine& machine,
                          const Settings& settings, Progress* progress) const override;
 };

@@ -57,9 +57,10 @@ class KlipperReader {
     program_.spindles.emplace_back();
   }
 
-  Program read() {
+  Program read(const Progress* progress) {
     const SourceText& text = *program_.source;
     for (number_ = 1; number_ <= text.line_count(); ++number_) {
+      stop_if_cancelled(progress);
       line_ = read_klipper_line(text.line(number_));
       if (line_.command.empty()) {
         continue;
@@ -344,8 +345,9 @@ class KlipperReader {
 
 }  // namespace
 
-Program read_as_klipper(std::shared_ptr<const SourceText> source, const KlipperSettings& limits) {
-  return KlipperReader(std::move(source), limits).read();
+Program read_as_klipper(std::shared_ptr<const SourceText> source, const KlipperSettings& limits,
+                        const Progress* progress) {
+  return KlipperReader(std::move(source), limits).read(progress);
 }
 
 }  // namespace feedscope

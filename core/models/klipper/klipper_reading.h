@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "core/base/progress.h"
 #include "core/models/klipper/klipper_settings.h"
 #include "core/program/program.h"
 
@@ -11,6 +12,7 @@ namespace feedscope {
 /// ones and those with errors have no effect and are notes of code "refused". Rapids run at the feed in
 /// force. Moves of the extruder alone become dwells, as long as they take within `limits`, which M204 and
 /// SET_VELOCITY_LIMIT change.
-Program read_as_klipper(std::shared_ptr<const SourceText> source, const KlipperSettings& limits);
+Program read_as_klipper(std::shared_ptr<const SourceText> source, const KlipperSettings& limits,
+                        const Progress* progress = nullptr);
 
 }  // namespace feedscope

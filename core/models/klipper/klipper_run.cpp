@@ -44,6 +44,7 @@ KlipperRun::KlipperRun(std::shared_ptr<const Toolpath> toolpath, const Machine& 
 
 Trajectory KlipperRun::run(Progress* progress) {
   builder_.reserve(toolpath_.segments.size(), toolpath_.segments.size());
+  builder_.stop_with(progress);
   ProgressSteps steps(progress, toolpath_.segments.size());
   for (std::size_t i = 0; i < toolpath_.segments.size(); ++i) {
     const Segment& segment = toolpath_.segments[i];

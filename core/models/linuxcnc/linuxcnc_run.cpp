@@ -109,6 +109,7 @@ Trajectory LinuxCncRun::run(Progress* progress) {
   path.pauses = toolpath_.pauses;
   path.bounds = toolpath_.bounds;
   const std::size_t blocks = toolpath_.segments.size();
+  builder_.stop_with(progress);
   ProgressSteps steps(progress, std::max<std::size_t>(blocks, 1));
   while (take_message() || !planner_.empty()) {
     lay(planner_.run_period(!takes_moves()));

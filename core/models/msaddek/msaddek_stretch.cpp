@@ -48,7 +48,8 @@ void MsaddekRunner::run(const StretchRange& range, ProgressSteps& steps) {
 void MsaddekRunner::lay_path(const StretchRange& chords) {
   const Toolpath& path = compacted_.path;
   stretch_.clear();
-  const std::vector<SmoothCurve> curves = compressor_.compress(chords.first, chords.last);
+  const std::vector<SmoothCurve> curves =
+      compressor_.compress(chords.first, chords.last, builder_.progress());
   auto curve = curves.begin();
   double cut_before = 0;
   for (std::size_t i = chords.first; i < chords.last; ++i) {

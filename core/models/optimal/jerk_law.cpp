@@ -66,6 +66,7 @@ const Vec3& JerkLaw::jerk_of(std::uint32_t index) const {
 }
 
 void JerkLaw::load_element(std::uint32_t index, int fineness) {
+  stop_if_cancelled(builder_.progress());
   rule_.fineness = fineness;
   feed_ = element_ceiling(builder_.path(), index, axes_.velocity);
   rule_.speed = feed_.value;

@@ -102,11 +102,12 @@ double fit_error(double tolerance) {
 
 /// The path of `run`, ready to be passed in another time.
 TrajectoryBuilder path_of(const Trajectory& run, const std::shared_ptr<const Toolpath>& toolpath,
-                          const AxisVectors& axes, double tolerance) {
+                          const AxisVectors& axes, double tolerance, const Progress* progress) {
   if (run.motions().empty()) {
     return TrajectoryBuilder(run);
   }
   TrajectoryBuilder builder(toolpath, axes.velocity);
+  builder.stop_with(progress);
   FilteredPath(run, axes, fit_error(tolerance), builder).lay();
   double contour_error = 0;
   for (const FilteredMotion& motion : run.motions()) {
@@ -165,10 +166,11 @@ Trajectory OptimalModel::do_simulate(const std::shared_ptr<const Toolpath>& shar
   const bool can_be_run =
       model.guarantees(settings).continuity != Continuity::position && model_run.motions().empty();
   const auto lay_path_of = [&](const Trajectory& run) {
-    return path_of(run, shared, axes, settings.number("contour_tolerance_mm"));
+    return path_of(run, shared, axes, settings.number("contour_tolerance_mm"), progress);
   };
   TrajectoryBuilder builder =
       with_jerk ? lay_path_of(model_run) : lay_path_of(model.lay_path(shared, machine, settings, progress));
+  builder.stop_with(progress);
   const SlowedLaw slowed_law(model_run, axes);
   AccelerationLaw acceleration_law(axes, 1, builder);
   JerkLaw jerk_law(axes, builder);

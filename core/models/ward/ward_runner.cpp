@@ -42,7 +42,7 @@ void WardRunner::run(const StretchRange& range, ProgressSteps& steps) {
 }
 
 double WardRunner::keep_tolerance(WardPulses& pulses, ProgressSteps& steps) const {
-  WardTolerance tolerance(pulses, rules_);
+  WardTolerance tolerance(pulses, rules_, builder_.progress());
   if (settings_.enforce) {
     tolerance.enforce(steps);
   } else {
@@ -55,7 +55,7 @@ void WardRunner::smooth_points(const StretchRange& range) {
   if (smoothed_ == nullptr) {
     return;
   }
-  for (const SmoothCurve& curve : compressor_.compress(range.first, range.last)) {
+  for (const SmoothCurve& curve : compressor_.compress(range.first, range.last, builder_.progress())) {
     if (!curve.run.on_curve) {
       move_points(curve, *smoothed_);
     }
@@ -138,6 +138,7 @@ void WardRunner::choose_corner_speeds(WardPulses& pulses) const {
   }
   std::vector<char> moved(train.size(), 1);
   for (int pass = 0; pass < max_passes; ++pass) {
+    stop_if_cancelled(builder_.progress());
     for (std::size_t i = 1; i < train.size(); ++i) {
       if (moved[i - 1] != 0 || moved[i] != 0) {
         alone[i] = corner_speed(settings_.filters, train.filter_time,

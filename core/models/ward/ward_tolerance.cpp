@@ -27,10 +27,11 @@ double lowering_factor(double distance, double tolerance, int pass) {
 
 }  // namespace
 
-WardTolerance::WardTolerance(WardPulses& pulses, const PathRules& rules)
+WardTolerance::WardTolerance(WardPulses& pulses, const PathRules& rules, const Progress* progress)
     : pulses_(pulses),
       train_(pulses.train),
       rules_(rules),
+      progress_(progress),
       distances_(train_.size()),
       check_(train_.size(), due),
       slowed_(train_.size(), 0) {}
@@ -70,6 +71,7 @@ void WardTolerance::look(char wanted) {
     BlockDistances distances(pulses_, rules_);
     for (std::size_t i = part * part_size; i < std::min((part + 1) * part_size, count); ++i) {
       if ((check_[i] & wanted) == wanted) {
+        stop_if_cancelled(progress_);
         distances_[i] = distances.of(i);
       }
     }

@@ -12,8 +12,8 @@ namespace feedscope {
 /// with the same result on any number of them.
 class WardTolerance {
  public:
-  /// Both outlive this.
-  WardTolerance(WardPulses& pulses, const PathRules& rules);
+  /// All outlive this. `progress` may be null; cancelling it ends what this does, with Cancelled.
+  WardTolerance(WardPulses& pulses, const PathRules& rules, const Progress* progress);
 
   /// Until every corner and every arc keeps the tolerance; the pulses have been laid for the speeds they
   /// have.
@@ -36,6 +36,7 @@ class WardTolerance {
   WardPulses& pulses_;
   PulseTrain& train_;
   const PathRules& rules_;
+  const Progress* progress_;
   std::vector<BlockDistance> distances_;  ///< a block, when it was last looked at
   std::vector<char> check_;               ///< a block: due for a look, or lowered at the last one
   std::vector<char> slowed_;              ///< arcs whose feed this pass has lowered

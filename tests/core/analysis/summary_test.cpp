@@ -43,6 +43,14 @@ Trajectory four_phases(double jerk, double h) {
                         {{0, length / 2, 2 * v, -a, -jerk, 0, down, Law::ramp, stop}, 2 * h}});
 }
 
+TEST(Summary, IsGivenUpWhenCancelled) {
+  Progress progress;
+  const Trajectory run = four_phases(8000, 0.05);
+  EXPECT_NO_THROW(summarise(run, {}, rapid_speed, &progress));
+  progress.cancel();
+  EXPECT_THROW(summarise(run, {}, rapid_speed, &progress), Cancelled);
+}
+
 TEST(Summary, OfARestToRestMoveIsTheClosedForm) {
   const double jerk = 8000;
   const double h = 0.05;

@@ -328,5 +328,16 @@ TEST(Compressor, BadPointsFinishWithinTheTolerance) {
   check("reversal", back);
 }
 
+TEST(Compressor, IsGivenUpWhenCancelled) {
+  const Toolpath path = compress(sampled(200, [](double x) { return on_circle(50, x); }), 0.01).path;
+  const PathRules rules(path, settings_within(0.01));
+  Progress progress;
+  progress.cancel();
+  CompressorSettings settings;
+  settings.on = true;
+  settings.rule = {20, units::from_deg(36), true};
+  EXPECT_THROW(Compressor(path, rules, settings).compress(0, path.segments.size(), &progress), Cancelled);
+}
+
 }  // namespace
 }  // namespace feedscope

@@ -495,5 +495,14 @@ TEST(ToolVectors, ThatCannotBeFollowedAreReported) {
                   testing::Field(&Diagnostic::message, HasSubstr("turns by 90 degrees within one block"))));
 }
 
+TEST(SegmentTurns, AreGivenUpWhenCancelled) {
+  const auto path = std::make_shared<const Toolpath>(
+      build_toolpath(read_for("G43.4 H1\nG1 X10 A10 C20 F1000\nX20 A20 C40\n", Dialect::fanuc)));
+  Progress progress;
+  EXPECT_NO_THROW(on_machine(path, trunnion(), Settings(), &progress));
+  progress.cancel();
+  EXPECT_THROW(on_machine(path, trunnion(), Settings(), &progress), Cancelled);
+}
+
 }  // namespace
 }  // namespace feedscope
