@@ -263,10 +263,11 @@ void LinuxCncPlanner::update(LinuxCncSegment& t, const LinuxCncSegment* n, doubl
 }
 
 /// Further periods at its target or at full acceleration, as update() would run them one by one; near the
-/// end of either, and of the segment, they are left to it.
+/// end of either, and of the segment, they are left to it. From a million of even speed on, whose rounding no
+/// control keeps, the others are run at once.
 void LinuxCncPlanner::go_on(LinuxCncSegment& t, const LinuxCncSegment* n) {
   constexpr double margin = 1 + 1e-9;
-  constexpr int most_periods = 1'000'000;  // then it may be cancelled
+  constexpr int most_periods = 1'000'000;  // then, speeding up, it may be cancelled
   LinuxCncStep& step = steps_.back();
   const double time = settings_.period;
   const double a = t.along_acceleration(only_in_overlap());
@@ -297,6 +298,16 @@ void LinuxCncPlanner::go_on(LinuxCncSegment& t, const LinuxCncSegment* n) {
     step.to = t.progress;
     step.after = next;
     step.time = periods * time;
+  }
+  if (cruises) {
+    const double way = target * time;
+    const double enough = (target + k) * margin;
+    const double to_brake = (enough * enough - last * last - k * k) / (2 * a) + way / 2;
+    const double to_end = way + (std::max(target, last) + a * time) * time * margin;
+    const double periods = std::max(std::floor((t.rest() - std::max(to_brake, to_end)) / way), 0.0);
+    t.progress += periods * way;
+    step.to = t.progress;
+    step.time += periods * time;
   }
 }
 

@@ -64,7 +64,10 @@ bool LinuxCncRun::take_message() {
       taken = planner_.empty();
       break;
     case LinuxCncMessage::Kind::dwell:
-      taken = planner_.empty() && wait_for(*message_);
+      taken = planner_.empty();
+      if (taken) {
+        wait_for(*message_);
+      }
       break;
     case LinuxCncMessage::Kind::pause:
       taken = false;  // until all motion has ended
@@ -83,22 +86,13 @@ bool LinuxCncRun::takes_moves() const {
          (message_->kind == Kind::mode || (message_->kind == Kind::move && planner_.size() < queue_room));
 }
 
-/// True: the dwell is over with this period.
-bool LinuxCncRun::wait_for(const LinuxCncMessage& dwell) {
-  dwell_left_ = (dwell_left_ < 0 ? dwell.time : dwell_left_) - settings_.period;
-  if (dwell_left_ > settings_.period / 2) {
-    return false;
-  }
-  dwell_left_ = -1;
-  const double periods = std::round(dwell.time / settings_.period);
-  if (periods > 0) {
-    stand(-(periods - 1) * settings_.period);
-  }
+/// All periods of the dwell, of which the last one is the one under way.
+void LinuxCncRun::wait_for(const LinuxCncMessage& dwell) {
+  const double periods = std::max(std::ceil(dwell.time / settings_.period - 0.5), 0.0);
   standing_.push_back({dwell.block, periods * settings_.period});
   if (periods > 0) {
     stand(-settings_.period);  // which this period is going to add
   }
-  return true;
 }
 
 Trajectory LinuxCncRun::run(Progress* progress) {

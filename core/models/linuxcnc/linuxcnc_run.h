@@ -31,7 +31,7 @@ class LinuxCncRun {
 
   bool take_message();
   bool takes_moves() const;
-  bool wait_for(const LinuxCncMessage& dwell);
+  void wait_for(const LinuxCncMessage& dwell);
   void lay(const std::vector<LinuxCncStep>& steps);
   void extend(const LinuxCncStep& step);
   void close();
@@ -54,7 +54,6 @@ class LinuxCncRun {
   LinuxCncPlanner planner_;
   LinuxCncCanon canon_;
   std::optional<LinuxCncMessage> message_;  ///< that waits to be taken
-  double dwell_left_ = -1;                  ///< of the message under way [s]; < 0: none
   Stretch stretch_;
   Vec3 place_ = Vec3::Zero();  ///< at the end of what is laid [mm]
   /// Time without motion, of a pause or between moves.

@@ -116,6 +116,17 @@ TEST(LinuxCncModel, StopsInTangentialJointsUnderG61Point1Alone) {
 }
 
 /// A mode of the settings is that of the program, but for the period that the word of the program takes.
+/// A dwell of 347 days and a line that takes as long are computed period by period nowhere: each is its own
+/// time, and four periods at most for speeding up and for whole periods at the ends.
+TEST(LinuxCncModel, RunsLongDwellsAndSlowMovesAsQuicklyAsOthers) {
+  constexpr double period = 0.001;
+  constexpr double days = 3e7;  // [s]
+  const std::string short_dwell = "G21 G90 G61\nG1 X10 F1000\nG4 P1\nX20\n";
+  const std::string long_dwell = "G21 G90 G61\nG1 X10 F1000\nG4 P30000000\nX20\n";
+  EXPECT_NEAR(run(long_dwell).duration() - run(short_dwell).duration(), days - 1, 1e-6);
+  EXPECT_NEAR(run("G21 G90 G61\nG1 X500 F0.001\n").duration(), days, 4 * period);
+}
+
 TEST(LinuxCncModel, TakesItsModeFromTheSettingsWhereTheProgramHasNone) {
   const std::string moves = "G1 X20 F3000\nX40\nY20\nM2\n";
   for (const std::string mode : {"G61", "G61.1", "G64"}) {
