@@ -159,11 +159,41 @@ class Focus {
 
   Vec3 place() const { return path_.place_on(foot_.segment, foot_.s).position; }
 
+  /// A control that reads the program in its own way may have others.
+  bool has_same_segments(const Trajectory& run) const {
+    return run.path().programmed()->segments.size() == path_.segments.size();
+  }
+
+  /// Where a run with other segments comes nearest to a point, not far from where it would be with the same
+  /// ones [mm].
+  double nearest_length(const Trajectory& run, const Vec3& point) const {
+    constexpr int looks = 512;
+    constexpr double times = 4;  // of what is drawn and of the segment to either side
+    const double reach = times * (width_ + path_.segments[foot_.segment].length);
+    const double guess = path_length_of(run.path(), place_);
+    const auto distance = [&](double s) { return (run.state_at_path(s).position - point).norm(); };
+    double best = guess;
+    double nearest = distance(guess);
+    for (double step = 2 * reach / looks; step > least_deviation; step /= looks / 8.0) {
+      const double from = best - step * looks / 2;
+      for (int i = 0; i <= looks; ++i) {
+        const double s = std::clamp(from + step * i, 0.0, run.path_length());
+        if (const double away = distance(s); away < nearest) {
+          nearest = away;
+          best = s;
+        }
+      }
+    }
+    return best;
+  }
+
   /// Three halves of the longest rounding of the runs; where none rounds it, of the shorter segment's half.
   double width_at(const LensCorner& corner) const {
     double longest = 0;
     for (const Run* run : runs_) {
-      longest = std::max(longest, rounded_length(*run->trajectory, corner));
+      if (has_same_segments(*run->trajectory)) {
+        longest = std::max(longest, rounded_length(*run->trajectory, corner));
+      }
     }
     const double shorter =
         std::min(path_.segments[corner.segment].length, path_.segments[corner.segment + 1].length);
@@ -255,8 +285,8 @@ class ProgrammedLines {
 
   /// In steps that the width of the lens, or the turn of the arc, has many of.
   void add_arc(std::size_t i, double length) {
-    constexpr double steps_a_width = 64;
-    constexpr int most = 720;
+    constexpr double steps_a_width = 512;
+    constexpr int most = 4096;
     const int steps = std::clamp(static_cast<int>(steps_a_width * length / lens_.width), 16, most);
     for (int step = 1; step <= steps; ++step) {
       lines_.back().push_back(lens_.seen(path_.place_on(i, length * step / steps).position));

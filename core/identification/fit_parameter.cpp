@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
+#include "core/machine/contour_tolerance.h"
 
 namespace feedscope {
 namespace {
@@ -27,6 +28,16 @@ bool is_period(const SettingSpec& spec) {
   return spec.key.find("period") != std::string::npos;
 }
 
+bool is_of_machine(const SettingSpec& spec) {
+  return std::ranges::any_of(machine_settings(),
+                             [&](const SettingSpec& other) { return other.key == spec.key; });
+}
+
+/// Which blocks are merged is no number of the motion.
+bool can_be_fitted(const SettingSpec& spec) {
+  return is_number(spec) && !is_of_machine(spec) && spec.key != merge_collinear_key;
+}
+
 }  // namespace
 
 std::vector<FitParameter> fit_parameters(const Setup& setup) {
@@ -37,7 +48,7 @@ std::vector<FitParameter> fit_parameters(const Setup& setup) {
     }
   }
   for (const SettingSpec& spec : settings_of(*setup.model)) {
-    if (is_number(spec) && !spec.optional) {
+    if (can_be_fitted(spec)) {
       all.push_back(parameter_of(spec, spec.key));
     }
   }

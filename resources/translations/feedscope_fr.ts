@@ -14144,10 +14144,10 @@ Ensemble&#xa0;: %4</translation>
 <context>
     <name>feedscope::ui::SetupView</name>
     <message numerus="yes">
-        <source>Positions, tool change (%n unset)</source>
+        <source>Other settings (%n unset)</source>
         <translation>
-            <numerusform>Positions, changement d’outil (%n sans valeur)</numerusform>
-            <numerusform>Positions, changement d’outil (%n sans valeur)</numerusform>
+            <numerusform>Autres réglages (%n sans valeur)</numerusform>
+            <numerusform>Autres réglages (%n sans valeur)</numerusform>
         </translation>
     </message>
     <message>
@@ -15752,7 +15752,7 @@ Ensemble&#xa0;: %4</translation>
     </message>
 </context>
 <context>
-    <name>LensOverlay</name>
+    <name>feedscope::ui::LensOverlay</name>
     <message>
         <source>&amp;Lens at the cursor</source>
         <translation>&amp;Loupe au curseur</translation>
@@ -15781,8 +15781,12 @@ Ensemble&#xa0;: %4</translation>
         <translation>en travers × %1</translation>
     </message>
     <message>
-        <source>no run deviates here</source>
-        <translation>aucun écart ici</translation>
+        <source>no deviation</source>
+        <translation>aucun écart</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>ligne %1</translation>
     </message>
     <message>
         <source>Lens: line %1</source>

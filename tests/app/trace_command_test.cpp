@@ -143,7 +143,10 @@ TEST_F(TraceCommand, SaysWhereItsRateComesFromAndWhenThatIsWrong) {
   EXPECT_THAT(run("trace sampler.txt moves.nc --machine linuxcnc-mill --columns linuxcnc-xyz").err,
               HasSubstr("warning: the trace runs at 200 % of the simulated feed"));
   const std::string identify = "identify sampler.txt --program moves.nc --model linuxcnc --fit acceleration ";
-  expect_wrong_use(identify + "--out mine.toml --columns linuxcnc-xyz", "give the right rate");
+  const Result refused = run(identify + "--out mine.toml --columns linuxcnc-xyz");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_EQ(refused.out, "");
+  EXPECT_THAT(refused.err, HasSubstr("give the right rate, 500 samples a second"));
   EXPECT_FALSE(fs::exists(folder_ / "mine.toml"));
   EXPECT_THAT(run(identify + "--columns linuxcnc-xyz,rate=500").out, HasSubstr("2 ms (rate as given)"));
 }

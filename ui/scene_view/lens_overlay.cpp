@@ -52,6 +52,11 @@ QSize LensOverlay::sizeHint() const {
   return QSize(1, 1) * std::max(1, std::min(wanted, largest));
 }
 
+void LensOverlay::set_offered(bool offered) {
+  offered_ = offered;
+  follow();
+}
+
 void LensOverlay::list_runs() {
   runs_.clear();
   looks_.clear();
@@ -76,8 +81,9 @@ void LensOverlay::follow() {
   list_runs();
   const Cursor& cursor = workbench_.cursor();
   const bool current = workbench_.shown() != nullptr && !runs_.empty() && runs_.front() == workbench_.shown();
-  const bool shown = wanted_.value_or(runs_.size() > 1) && current && cursor.valid();
-  action_->setChecked(wanted_.value_or(runs_.size() > 1));
+  const bool wanted = wanted_.value_or(offered_ && runs_.size() > 1 && has_room());
+  const bool shown = wanted && current && cursor.valid();
+  action_->setChecked(wanted);
   if (shown) {
     std::vector<const Run*> runs;
     for (const auto& run : runs_) {
@@ -90,10 +96,18 @@ void LensOverlay::follow() {
   update();
 }
 
+/// So that the path is not behind it.
+bool LensOverlay::has_room() const {
+  constexpr int times_wide = 4;
+  constexpr int times_high = 2;
+  const int usual = type_pixels(side);
+  return view_.canvas().width() >= times_wide * usual && view_.canvas().height() >= times_high * usual;
+}
+
 void LensOverlay::place() {
   const QRect canvas = view_.canvas().geometry();
   const QSize size = sizeHint();
-  setGeometry(QRect(canvas.bottomRight() - QPoint(size.width() + margin, size.height() + margin), size));
+  setGeometry(QRect(canvas.bottomLeft() + QPoint(margin, -size.height() - margin), size));
   raise();
 }
 
@@ -119,7 +133,7 @@ void LensOverlay::mousePressEvent(QMouseEvent* event) {
 
 bool LensOverlay::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Resize || event->type() == QEvent::Move) {
-    place();
+    follow();
   }
   return QWidget::eventFilter(watched, event);
 }

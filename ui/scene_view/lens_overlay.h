@@ -12,8 +12,9 @@
 
 namespace feedscope::ui {
 
-/// The lens at the cursor over the bottom right corner of a 3D view: the current run and those that are
-/// ticked, over each other. It shows itself while there are two or more; the key L says otherwise. A click
+/// The lens at the cursor over the bottom left corner of a 3D view: the current run and those that are
+/// ticked, over each other. It shows itself while there are two or more in a view
+/// that is large enough; the key L says otherwise. A click
 /// enlarges it to half of the view and back.
 class LensOverlay : public QWidget {
   Q_OBJECT
@@ -24,6 +25,8 @@ class LensOverlay : public QWidget {
 
   /// Shows or hides it, whatever there is to compare.
   QAction* action() { return action_; }
+  /// Whether it shows itself; else only by its action.
+  void set_offered(bool offered);
   /// What is shown; null while nothing is.
   const Lens* lens() const { return isVisible() && lens_ ? &*lens_ : nullptr; }
   QSize sizeHint() const override;
@@ -37,12 +40,14 @@ class LensOverlay : public QWidget {
   void follow();
   /// The runs, the current one first.
   void list_runs();
+  bool has_room() const;
   void place();
 
   Workbench& workbench_;
   SceneView& view_;
   QAction* action_;
   std::optional<bool> wanted_;  ///< by the user
+  bool offered_ = true;
   bool large_ = false;
   std::vector<std::shared_ptr<const ShownRun>> runs_;
   std::vector<LensLook> looks_;

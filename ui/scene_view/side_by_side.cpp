@@ -189,6 +189,7 @@ void SideBySide::set_mode(ScenesMode mode) {
     if (mode_ != ScenesMode::one) {
       open();
     }
+    lens_->set_offered(mode_ == ScenesMode::one);  // two views show the runs beside each other
     show_overlays();
   }
   beside_->setChecked(mode_ == ScenesMode::side_by_side);

@@ -316,7 +316,7 @@ void SetupView::hide_unset() {
   }
   settings_->setVisible(unset_->isChecked() || count < settings_model_->rowCount());
   unset_->setVisible(count > 0);
-  unset_->setText(tr("Positions, tool change (%n unset)", nullptr, count));
+  unset_->setText(tr("Other settings (%n unset)", nullptr, count));
   unset_->setToolTip(unset_tip(!edit_.file().machine.kinematics.empty()));
   unset_->setArrowType(unset_->isChecked() ? Qt::DownArrow : Qt::RightArrow);
   fit_settings();

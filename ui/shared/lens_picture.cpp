@@ -28,6 +28,12 @@ double round_down_125(double value) {
   return power * (value >= 5 * power ? 5 : value >= 2 * power ? 2 : 1);
 }
 
+/// Three significant digits, never with an exponent.
+QString factor_text(double factor) {
+  const double last = std::pow(10, std::max(0.0, std::floor(std::log10(factor)) - 2));
+  return QLocale().toString(last * std::round(factor / last), 'f', factor < 10 ? 1 : 0);
+}
+
 QFont font_of(QFont font, double pixels, bool bold = false) {
   font.setPixelSize(std::max(1, static_cast<int>(std::lround(pixels))));
   font.setBold(bold);
@@ -91,11 +97,13 @@ void LensPicture::draw_title(QPainter& painter, const View& view) const {
   const QRectF inner = view.title.adjusted(margin * scale_, 0, -margin * scale_, 0);
   painter.setFont(font_of(painter.font(), title_pixels * scale_));
   const QString stretch =
-      lens_.deviates
-          ? tr("across × %1").arg(QLocale().toString(lens_.stretch(), 'g', lens_.stretch() < 10 ? 2 : 3))
-          : tr("no run deviates here");
+      lens_.deviates ? tr("across × %1").arg(factor_text(lens_.stretch())) : tr("no deviation");
   painter.drawText(inner, Qt::AlignRight | Qt::AlignVCenter, stretch);
-  painter.drawText(inner, Qt::AlignLeft | Qt::AlignVCenter, tr("Lens: line %1").arg(lens_.line));
+  const QFontMetricsF metrics(painter.font());
+  const double room = inner.width() - metrics.horizontalAdvance(stretch) - margin * scale_;
+  const QString whole = tr("Lens: line %1").arg(lens_.line);
+  const QString title = metrics.horizontalAdvance(whole) <= room ? whole : tr("line %1").arg(lens_.line);
+  painter.drawText(inner, Qt::AlignLeft | Qt::AlignVCenter, metrics.elidedText(title, Qt::ElideRight, room));
   painter.setPen(QPen(view.ink(0.25), scale_));
   painter.drawLine(view.title.bottomLeft(), view.title.bottomRight());
 }

@@ -21,9 +21,9 @@ Run run_of(const LoadedProgram& program, const char* model, double tolerance,
   return simulate_run(program, make_setup({machine, model, tolerance}));
 }
 
-Lens lens_of_line(const std::vector<Run>& runs, std::uint32_t line) {
-  std::vector<const Run*> all;
-  for (const Run& run : runs) {
+Lens lens_of_line(const std::vector<feedscope::Run>& runs, std::uint32_t line) {
+  std::vector<const feedscope::Run*> all;
+  for (const feedscope::Run& run : runs) {
     all.push_back(&run);
   }
   return lens_at(all, 0, lens_time(runs.front(), line).value());
@@ -40,7 +40,7 @@ double nearest_to_corner(const LensRun& run) {
 
 TEST(Lens, ShowsACornerWithItsBlendInTwoThirdsOfTheWidth) {
   const LoadedProgram program = loaded("G1 X10 F2000\nX20 Y5\n");
-  const std::vector<Run> runs{run_of(program, "essid", 0.01), run_of(program, "essid", 0.05)};
+  const std::vector<feedscope::Run> runs{run_of(program, "essid", 0.01), run_of(program, "essid", 0.05)};
   const Lens lens = lens_of_line(runs, 1);
   EXPECT_EQ(lens.centre, Vec3(10, 0, 0));
   EXPECT_EQ(lens.along, Vec3::UnitX());
@@ -62,7 +62,7 @@ TEST(Lens, ShowsACornerWithItsBlendInTwoThirdsOfTheWidth) {
 
 TEST(Lens, LeavesLinesWhereTheyAre) {
   const LoadedProgram program = loaded("G1 X10 F2000\nX20 Y5\n");
-  const std::vector<Run> runs{run_of(program, "essid", 0.05)};
+  const std::vector<feedscope::Run> runs{run_of(program, "essid", 0.05)};
   const Lens lens = lens_of_line(runs, 1);
   const double half = runs[0].trajectory->blend(0).length / 2;
   for (const LensPoint& point : lens.runs[0].path) {
@@ -80,34 +80,34 @@ TEST(Lens, LeavesLinesWhereTheyAre) {
 
 TEST(Lens, SaysWhereNothingDeviates) {
   const LoadedProgram program = loaded("G1 X10 F2000\nX20 Y5\n");
-  const std::vector<Run> exact{run_of(program, "essid", 0)};
+  const std::vector<feedscope::Run> exact{run_of(program, "essid", 0)};
   const Lens corner = lens_of_line(exact, 1);
   EXPECT_FALSE(corner.deviates);
   EXPECT_EQ(corner.stretch(), 1);
-  const std::vector<Run> blended{run_of(program, "essid", 0.01)};
-  const Lens line = lens_at(std::vector<const Run*>{&blended[0]}, 0, 0.05);
+  const std::vector<feedscope::Run> blended{run_of(program, "essid", 0.01)};
+  const Lens line = lens_at(std::vector<const feedscope::Run*>{&blended[0]}, 0, 0.05);
   EXPECT_FALSE(line.deviates) << "in the middle of a line";
   EXPECT_LT(line.centre.x(), 10);
 }
 
 TEST(Lens, LooksAtTheCornerNearby) {
   const LoadedProgram program = loaded("G1 X10 F2000\nX20 Y5\n");
-  const Run run = run_of(program, "essid", 0.05);
+  const feedscope::Run run = run_of(program, "essid", 0.05);
   const Trajectory& trajectory = *run.trajectory;
   const BlendRecord blend = trajectory.blend(0);
   const double begin = trajectory.path().s(blend.element);
   for (const double beside : {-0.2, 0.0, 0.5, 1.0, 1.2}) {
     const double time = trajectory.state_at_path(begin + beside * blend.length).time;
-    EXPECT_EQ(lens_at(std::vector<const Run*>{&run}, 0, time).centre, Vec3(10, 0, 0)) << beside;
+    EXPECT_EQ(lens_at(std::vector<const feedscope::Run*>{&run}, 0, time).centre, Vec3(10, 0, 0)) << beside;
   }
   const double far = trajectory.state_at_path(begin - 2 * blend.length).time;
-  EXPECT_LT(lens_at(std::vector<const Run*>{&run}, 0, far).centre.x(), 10);
+  EXPECT_LT(lens_at(std::vector<const feedscope::Run*>{&run}, 0, far).centre.x(), 10);
 }
 
 TEST(Lens, FindsCornersOfArcs) {
   const LoadedProgram program = loaded("G1 X10 F1000\nG2 X20 Y10 I10 J0\nX30 Y0 I0 J-10\n");
-  const std::vector<Run> runs{run_of(program, "linuxcnc", 0.05, "linuxcnc-mill"),
-                              run_of(program, "ward", 0.05, "dmg-mori-evo40")};
+  const std::vector<feedscope::Run> runs{run_of(program, "linuxcnc", 0.05, "linuxcnc-mill"),
+                                         run_of(program, "ward", 0.05, "dmg-mori-evo40")};
   const Lens line_to_arc = lens_of_line({runs[1]}, 1);
   EXPECT_EQ(line_to_arc.centre, Vec3(10, 0, 0));
   EXPECT_TRUE(line_to_arc.deviates);
@@ -126,12 +126,12 @@ TEST(Lens, HasAtMostTheContourErrorOfTheRunOnRandomPrograms) {
                           any(random), 500 + 4000 * any(random));
     }
     const LoadedProgram program = loaded(text);
-    std::vector<Run> runs;
+    std::vector<feedscope::Run> runs;
     for (const ControlModel* model : all_models()) {
       runs.push_back(run_of(program, model->info().id.c_str(), 0.002 + 0.1 * any(random)));
     }
-    std::vector<const Run*> all;
-    for (const Run& run : runs) {
+    std::vector<const feedscope::Run*> all;
+    for (const feedscope::Run& run : runs) {
       all.push_back(&run);
     }
     const std::size_t shown = random() % all.size();
@@ -156,7 +156,7 @@ TEST(Lens, HasAtMostTheContourErrorOfTheRunOnRandomPrograms) {
 
 TEST(Lens, ALineThatMovesNothingHasNoTime) {
   const LoadedProgram program = loaded("G1 X10 F2000\n(nothing)\nX20 Y5\n");
-  const Run run = run_of(program, "essid", 0.05);
+  const feedscope::Run run = run_of(program, "essid", 0.05);
   EXPECT_FALSE(lens_time(run, 2));
   EXPECT_FALSE(lens_time(run, 99));
   EXPECT_TRUE(lens_time(run, 3));

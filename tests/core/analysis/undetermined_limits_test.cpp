@@ -7,8 +7,8 @@
 namespace feedscope {
 namespace {
 
-using testing::HasSubstr;
-using testing::IsEmpty;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 /// The mill with numbers that recordings do not determine, read from its file.
 Setup mill_without(const std::vector<std::string>& keys) {

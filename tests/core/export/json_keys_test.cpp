@@ -124,8 +124,8 @@ class Files {
       const std::string comparison = comparison_json(*each, compare_runs(*each, setups));
       add('c', comparison);
       const StudyRequest request{
-          {"spinner-mvc850", "five-axis-table-ac"}, {"gassara"},          {},  all_of_both,
-          {parse_sweep("tolerance=0 0.001 0.1")},   OperationSplit::tool, 0.05};
+          {"spinner-mvc850", "five-axis-table-ac"}, {"gassara"},          {}, all_of_both,
+          {parse_sweep("tolerance=0 0.001 0.1")},   OperationSplit::tool, 5};
       const std::string study = study_json(*each, run_study(*each, request));
       add('t', study);
       merged_.push_back({"file" + std::to_string(merged_.size()), study});
