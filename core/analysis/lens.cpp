@@ -78,7 +78,7 @@ Vec3 across_of(const Vec3& along, const Vec3& direction) {
   return part.norm() > none * direction.norm() ? part.normalized() : any_across(along);
 }
 
-/// What the lens looks at, before it is known how large it is.
+/// The place that the lens shows, and the width that suits it.
 class Focus {
  public:
   Focus(std::span<const Run* const> runs, std::size_t shown, double time)
@@ -128,7 +128,7 @@ class Focus {
   double place_on_segment() const { return corner_ ? path_.segments[corner_->segment].length : foot_.s; }
 
  private:
-  /// `segment`, or where the axes stand, the motion before it; the one behind it at the beginning.
+  /// `segment` if it moves the axes, else the last one before it that does; at the beginning the next one.
   std::size_t moving_segment(std::size_t segment) const {
     const auto stands = [&](std::size_t i) { return path_.segments[i].kind == SegmentKind::dwell; };
     std::size_t before = segment;
@@ -248,7 +248,7 @@ class Focus {
   double width_ = 0;
 };
 
-/// The programmed path before and behind the middle of the lens, as far as it is drawn.
+/// The part of the programmed path that the lens draws.
 class ProgrammedLines {
  public:
   ProgrammedLines(const Lens& lens, const Focus& focus) : lens_(lens), path_(focus.path()) {

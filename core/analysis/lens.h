@@ -22,9 +22,8 @@ struct LensRun {
   double feed = 0;           ///< at the cursor [mm/s]
 };
 
-/// A small square part of the plane of a corner, stretched across the programmed direction so far that what
-/// runs deviate there is seen. It is an affine map: curves keep their shape, nothing is drawn beside where it
-/// is.
+/// A small part of the plane of a corner, stretched across the programmed direction so that deviations of
+/// runs are visible. An affine map: every point is where it is, seen in another scale.
 struct Lens {
   Vec3 centre = Vec3::Zero();   ///< programmed: the corner, or the place itself [mm]
   Vec3 along = Vec3::UnitX();   ///< unit tangent of the programmed path, before a corner
@@ -46,7 +45,7 @@ struct Lens {
 /// Less is rounding [mm].
 inline constexpr double least_deviation = 1e-6;
 
-/// What runs of one program do at an instant of `runs[shown]` [s], all over each other.
+/// Runs of one program near the place where `runs[shown]` is at `time` [s].
 ///
 /// The centre is the nearest corner that is within the lens, or else the programmed place. The longest
 /// rounding of the corner takes two thirds of the width, the largest deviation a third of the height. A run

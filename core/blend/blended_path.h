@@ -50,7 +50,7 @@ class ElementCurve {
   bool is_arc() const { return kind == ElementKind::arc || kind == ElementKind::connecting_arc; }
 };
 
-/// What of an element lies on one block of the program: from `q` [mm] on its way to the next part.
+/// The part of an element on one block of the program: from `q` [mm] along it to the next part.
 struct ElementPart {
   std::uint32_t element = 0;
   std::uint32_t block = 0;
