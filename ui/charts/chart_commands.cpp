@@ -21,23 +21,26 @@ constexpr double picture_scale = 2.0;  // pixels of a PNG to one on the screen
 }  // namespace
 
 ChartCommands::ChartCommands(ChartsPanel& panel) : QObject(&panel), panel_(panel), menu_(new QMenu(&panel)) {
-  make_zoom_actions();
-  menu_->addSeparator();
-  make_cursor_actions();
+  QAction* all = add_action(*menu_, tr("Show &all"), tr("Show the whole run and all values (double click)"),
+                            QKeySequence(tr("Ctrl+Shift+0")));
+  all->setShortcutContext(Qt::WindowShortcut);
+  connect(all, &QAction::triggered, &panel_, &ChartsPanel::fit);
+  make_zoom_menu();
+  make_cursor_menu();
   menu_->addSeparator();
   make_display_actions();
   menu_->addSeparator();
   make_export_actions();
 }
 
-QAction* ChartCommands::add_action(const QString& text, const QString& tip, const QKeySequence& key) {
+QAction* ChartCommands::add_action(QMenu& menu, const QString& text, const QString& tip,
+                                   const QKeySequence& key) {
   QAction* action = make_action(this, text, tip, key);
   action->setShortcutContext(Qt::WidgetShortcut);  // plain keys mean something else in other panels
   for (std::size_t i = 0; i < chart_count; ++i) {
     panel_.chart(i).addAction(action);
   }
-  actions_.append(action);
-  menu_->addAction(action);
+  menu.addAction(action);
   return action;
 }
 
@@ -62,28 +65,28 @@ void ChartCommands::set_causes_shown(bool shown) {
   show_causes_->setChecked(shown);
 }
 
-void ChartCommands::make_zoom_actions() {
-  QAction* all = add_action(tr("Show &all"), tr("Show the whole run and all values (double click)"),
-                            QKeySequence(tr("Ctrl+Shift+0")));
-  all->setShortcutContext(Qt::WindowShortcut);
-  connect(all, &QAction::triggered, &panel_, &ChartsPanel::fit);
-  show_all_ = all;
-  back_ = add_action(tr("&Back"), tr("Show the previous range and values"), QKeySequence(tr("Alt+Left")));
+void ChartCommands::make_zoom_menu() {
+  QMenu& menu = *menu_->addMenu(tr("&Zoom"));
+  back_ = add_action(menu, tr("&Back"), tr("Show the previous range and values"),
+                     QKeySequence(tr("Ctrl+Alt+Left")));
   connect(back_, &QAction::triggered, &panel_, &ChartsPanel::go_back);
-  forward_ = add_action(tr("&Forward"), tr("Show the next range and values"), QKeySequence(tr("Alt+Right")));
+  forward_ = add_action(menu, tr("&Forward"), tr("Show the next range and values"),
+                        QKeySequence(tr("Ctrl+Alt+Right")));
   connect(forward_, &QAction::triggered, &panel_, &ChartsPanel::go_forward);
   back_->setEnabled(false);
   forward_->setEnabled(false);
   const auto zoom = [this](double factor) { panel_.zoom(factor); };
-  connect(add_action(tr("Zoom &in"), tr("Zoom in around the cursor"), QKeySequence(Qt::Key_Plus)),
+  connect(add_action(menu, tr("Zoom &in"), tr("Zoom in around the cursor"), QKeySequence(Qt::Key_Plus)),
           &QAction::triggered, this, [zoom] { zoom(zoom_a_key); });
-  connect(add_action(tr("Zoom &out"), tr("Zoom out around the cursor"), QKeySequence(Qt::Key_Minus)),
+  connect(add_action(menu, tr("Zoom &out"), tr("Zoom out around the cursor"), QKeySequence(Qt::Key_Minus)),
           &QAction::triggered, this, [zoom] { zoom(1 / zoom_a_key); });
 }
 
-void ChartCommands::make_cursor_actions() {
-  const auto step = [this](const QString& text, const QString& tip, const QKeySequence& key, int pixels) {
-    connect(add_action(text, tip, key), &QAction::triggered, this,
+void ChartCommands::make_cursor_menu() {
+  QMenu& menu = *menu_->addMenu(tr("&Cursor"));
+  const auto step = [this, &menu](const QString& text, const QString& tip, const QKeySequence& key,
+                                  int pixels) {
+    connect(add_action(menu, text, tip, key), &QAction::triggered, this,
             [this, pixels] { panel_.move_cursor(pixels); });
   };
   step(tr("Cursor &left"), tr("Move the cursor one pixel to the left"), Qt::Key_Left, -1);
@@ -92,29 +95,30 @@ void ChartCommands::make_cursor_actions() {
        -long_step);
   step(tr("Cursor far right"), tr("Move the cursor ten pixels to the right"), QKeySequence(tr("Shift+Right")),
        long_step);
-  connect(add_action(tr("Set cursor &B"), tr("Set a second cursor at the cursor and show the differences"),
-                     QKeySequence(Qt::Key_B)),
-          &QAction::triggered, this, [this] { panel_.set_second_cursor(panel_.cursor().state().time); });
-  remove_second_ = add_action(tr("Remove c&ursor B"), tr("Remove the second cursor (Esc)"));
+  connect(
+      add_action(menu, tr("Set cursor &B"), tr("Set a second cursor at the cursor and show the differences"),
+                 QKeySequence(Qt::Key_B)),
+      &QAction::triggered, this, [this] { panel_.set_second_cursor(panel_.cursor().state().time); });
+  remove_second_ = add_action(menu, tr("Remove c&ursor B"), tr("Remove the second cursor (Esc)"));
   remove_second_->setEnabled(false);
   connect(remove_second_, &QAction::triggered, this, [this] { panel_.set_second_cursor({}); });
-  connect(
-      add_action(tr("&Zoom to A–B"), tr("Zoom to the range between the cursors"), QKeySequence(Qt::Key_Z)),
-      &QAction::triggered, &panel_, &ChartsPanel::zoom_to_cursors);
+  connect(add_action(menu, tr("&Zoom to A–B"), tr("Zoom to the range between the cursors"),
+                     QKeySequence(Qt::Key_Z)),
+          &QAction::triggered, &panel_, &ChartsPanel::zoom_to_cursors);
 }
 
 void ChartCommands::make_display_actions() {
-  connect(add_action(tr("Over time or &path length"), tr("Horizontal axis of the charts"),
+  connect(add_action(*menu_, tr("Over time or &path length"), tr("Horizontal axis of the charts"),
                      QKeySequence(Qt::Key_T)),
           &QAction::triggered, this, [this] {
             panel_.choose_abscissa(panel_.range().abscissa() == Abscissa::time ? Abscissa::path_length
                                                                                : Abscissa::time);
           });
-  show_causes_ = add_action(tr("Limiting &causes"), tr("Show the limiting causes below the feed"));
+  show_causes_ = add_action(*menu_, tr("Limiting &causes"), tr("Show the limiting causes below the feed"));
   show_causes_->setCheckable(true);
   show_causes_->setChecked(true);
   connect(show_causes_, &QAction::toggled, &panel_.causes(), &QWidget::setVisible);
-  QAction* rapids = add_action(tr("&Rapids"), tr("Show rapids here and in the 3D view"));
+  QAction* rapids = add_action(*menu_, tr("&Rapids"), tr("Show rapids here and in the 3D view"));
   rapids->setCheckable(true);
   rapids->setChecked(panel_.range().rapids_shown());
   connect(rapids, &QAction::triggered, &panel_.range(), &ViewRange::show_rapids);
@@ -129,8 +133,9 @@ void ChartCommands::make_display_actions() {
     chart_actions_[i]->setCheckable(true);
     chart_actions_[i]->setChecked(!spec.on_demand);
     connect(chart_actions_[i], &QAction::triggered, this, [this, i](bool on) { panel_.show_chart(i, on); });
+    QMenu* of_chart = curves->addMenu(spec.title);
     for (std::size_t k = 0; k < spec.curves.size(); ++k) {
-      QAction* action = curves->addAction(tr("%1, %2").arg(spec.title, spec.curves[k].name));
+      QAction* action = of_chart->addAction(spec.curves[k].name);
       action->setToolTip(tr("Show or hide the curve [%1]").arg(spec.unit));
       action->setCheckable(true);
       action->setChecked(!spec.curves[k].on_demand);
@@ -141,12 +146,10 @@ void ChartCommands::make_display_actions() {
       });
       curve_actions_[i].push_back(action);
     }
-    curves->addSeparator();
     add_overlay_menu(i, *others);
   }
   for (QMenu* menu : {charts, curves, others}) {
     menu_->addMenu(menu);
-    actions_.append(menu->menuAction());
   }
 }
 
@@ -169,10 +172,10 @@ void ChartCommands::add_overlay_menu(std::size_t chart, QMenu& menu) {
 }
 
 void ChartCommands::make_export_actions() {
-  connect(add_action(tr("Export visible range as C&SV …"),
+  connect(add_action(*menu_, tr("Export visible range as C&SV …"),
                      tr("Export the values of the visible range as a table")),
           &QAction::triggered, this, &ChartCommands::ask_for_csv);
-  connect(add_action(tr("Export pict&ure …"), tr("Export the charts as shown, as PNG or SVG")),
+  connect(add_action(*menu_, tr("Export pict&ure …"), tr("Export the charts as shown, as PNG or SVG")),
           &QAction::triggered, this, &ChartCommands::ask_for_picture);
 }
 

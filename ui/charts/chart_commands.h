@@ -1,7 +1,7 @@
 #pragma once
 
-#include <QAction>
 #include <QList>
+#include <QMenu>
 #include <QObject>
 #include <array>
 #include <optional>
@@ -10,8 +10,6 @@
 #include "ui/charts/chart_spec.h"
 #include "ui/charts/csv_dialog.h"
 #include "ui/shared/job.h"
-
-class QMenu;
 
 namespace feedscope::ui {
 
@@ -25,9 +23,8 @@ class ChartCommands : public QObject {
   /// Becomes a child of `panel`, which has its charts by then.
   explicit ChartCommands(ChartsPanel& panel);
 
-  const QList<QAction*>& actions() const { return actions_; }
+  QList<QAction*> actions() const { return menu_->actions(); }
   QMenu& menu() { return *menu_; }
-  QAction* show_all() { return show_all_; }
 
   /// Whether there is a view before and one after the one that is shown.
   void set_steps(bool back, bool forward);
@@ -47,9 +44,9 @@ class ChartCommands : public QObject {
   void failed(const QString& message);
 
  private:
-  QAction* add_action(const QString& text, const QString& tip, const QKeySequence& key = {});
-  void make_zoom_actions();
-  void make_cursor_actions();
+  QAction* add_action(QMenu& menu, const QString& text, const QString& tip, const QKeySequence& key = {});
+  void make_zoom_menu();
+  void make_cursor_menu();
   void make_display_actions();
   void add_overlay_menu(std::size_t chart, QMenu& menu);
   void make_export_actions();
@@ -58,8 +55,6 @@ class ChartCommands : public QObject {
 
   ChartsPanel& panel_;
   QMenu* menu_;
-  QList<QAction*> actions_;
-  QAction* show_all_ = nullptr;
   QAction* back_ = nullptr;
   QAction* forward_ = nullptr;
   QAction* remove_second_ = nullptr;

@@ -18,7 +18,6 @@ void ChartRows::show(const Envelope* envelope, const QString& abscissa, QVBoxLay
   for (std::size_t i = 0; i < charts.size(); ++i) {
     const bool shown = has(envelope, i) && !hidden[i];
     charts[i]->setVisible(shown);
-    headers[i]->setVisible(shown);
     last = shown ? i : last;
   }
   for (std::size_t i = 0; i < charts.size(); ++i) {
@@ -49,7 +48,9 @@ void ChartRows::show_usual(const UsualMotion& usual) const {
 
 void ChartRows::give_shares_room(QLayout& layout, int width) const {
   const int charts_alone = layout.minimumSize().width() - layout.contentsMargins().right();
-  const bool fits = !shares->is_empty() && charts_alone + FeedShares::usual_width() <= width;
+  const int enough = type_pixels(1000);  // [px] that the charts keep their width
+  const bool fits =
+      !shares->is_empty() && charts_alone + FeedShares::usual_width() <= width && width >= enough;
   layout.setContentsMargins(0, 0, fits ? FeedShares::usual_width() : 0, 0);
   shares->setVisible(fits);
   place_shares();
@@ -126,8 +127,8 @@ QSize ChartRows::least_size(const QWidget& content) const {
 
 void ChartRows::draw(QPainter& painter, const QWidget& content) const {
   for (std::size_t i = 0; i < charts.size(); ++i) {
-    draw_part(painter, content, *headers[i], [&] { headers[i]->draw(painter); });
     draw_part(painter, content, *charts[i], [&] { charts[i]->draw(painter); });
+    draw_part(painter, content, *headers[i], [&] { headers[i]->draw(painter); });
   }
   draw_part(painter, content, *shares, [&] { shares->draw(painter); });
   draw_part(painter, content, *lost, [&] { lost->draw(painter); });

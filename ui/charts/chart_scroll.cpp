@@ -5,6 +5,8 @@
 #include <QScrollBar>
 #include <algorithm>
 
+#include "ui/theme/type_size.h"
+
 namespace feedscope::ui {
 
 namespace {
@@ -43,6 +45,8 @@ void ChartScroll::fit_shares() {
 
 void ChartScroll::resizeEvent(QResizeEvent* event) {
   QScrollArea::resizeEvent(event);
+  constexpr int enough = 320;  // [px] that the charts of the motion keep their height
+  rows_.lost->set_room(height() >= type_pixels(enough));
   fit_shares();
 }
 

@@ -64,7 +64,8 @@ CurveSpec curve_of(const QuantityInfo& quantity) {
   }
   CurveSpec curve{quantity.id, key_of(quantity), name, role_of(quantity), of_axis ? axis_width : path_width};
   curve.may_be_cut = quantity.id == QuantityId::programmed_feed || quantity.id == QuantityId::tangential_jerk;
-  curve.on_demand = quantity.id == QuantityId::acceleration_across || is_of_machine(quantity);
+  curve.on_demand = quantity.id == QuantityId::acceleration_across || is_of_machine(quantity) ||
+                    (of_axis && quantity.chart == QuantityChart::feed);
   return curve;
 }
 

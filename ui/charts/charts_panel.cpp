@@ -1,7 +1,5 @@
 #include "ui/charts/charts_panel.h"
 
-#include <QComboBox>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
@@ -15,6 +13,7 @@
 #include "ui/charts/measurement.h"
 #include "ui/fields/focus_outline.h"
 #include "ui/language/shown_numbers.h"
+#include "ui/language/texts.h"
 #include "ui/theme/type_size.h"
 #include "ui/workbench/workbench.h"
 
@@ -22,7 +21,6 @@ namespace feedscope::ui {
 
 namespace {
 constexpr auto rest_after = std::chrono::milliseconds(500);
-constexpr int least_choice = 76;  // [px]
 }  // namespace
 
 ChartsPanel::ChartsPanel(Cursor& cursor, ViewRange& range, QWidget* parent)
@@ -32,16 +30,13 @@ ChartsPanel::ChartsPanel(Cursor& cursor, ViewRange& range, QWidget* parent)
       scroll_(new ChartScroll(rows_, this)),
       causes_(new CauseStrip(this)),
       readout_(new QLabel(this)),
-      abscissa_(new QComboBox(this)),
-      show_all_(new QToolButton(this)),
       more_(new QToolButton(this)) {
-  abscissa_->addItems({tr("over time"), tr("over path length")});
-  abscissa_->setMinimumWidth(type_pixels(least_choice));
-  abscissa_->setToolTip(tr("Horizontal axis of the charts"));
-  connect(abscissa_, &QComboBox::currentIndexChanged, this,
-          [this](int index) { choose_abscissa(index == 0 ? Abscissa::time : Abscissa::path_length); });
-  readout_->setContentsMargins(8, 2, 8, 2);
-  readout_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  readout_->setContentsMargins(6, 1, 6, 1);
+  readout_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  readout_->setAutoFillBackground(true);
+  readout_->setBackgroundRole(QPalette::Text);
+  readout_->setForegroundRole(QPalette::Base);
+  set_type_pixels(*readout_, 11);
   readout_->hide();
 
   auto* whole = new QVBoxLayout(this);
@@ -50,14 +45,15 @@ ChartsPanel::ChartsPanel(Cursor& cursor, ViewRange& range, QWidget* parent)
   layout_ = new QVBoxLayout(scroll_->widget());
   layout_->setContentsMargins(0, 0, 0, 0);
   layout_->setSpacing(0);
-  layout_->addWidget(readout_);
+  readout_->setParent(scroll_->widget());
+  more_->setParent(scroll_->widget());
   const std::array<ChartSpec, chart_count> specs = kinematic_chart_specs();
   for (std::size_t i = 0; i < specs.size(); ++i) {
-    layout_->addLayout(add_header(i, specs[i]));
     rows_.charts[i] = new KinematicChart(specs[i], range_, this);
     rows_.hidden[i] = specs[i].on_demand;
-    connect_chart(*rows_.charts[i]);
     layout_->addWidget(rows_.charts[i], ChartRows::stretch);
+    add_header(i, specs[i]);
+    connect_chart(*rows_.charts[i]);
     if (i == 0) {
       layout_->addWidget(causes_);
       rows_.lost = new LostTimeChart(range_, this);
@@ -69,11 +65,12 @@ ChartsPanel::ChartsPanel(Cursor& cursor, ViewRange& range, QWidget* parent)
   commands_ = new ChartCommands(*this);
   connect(commands_, &ChartCommands::exported, this, &ChartsPanel::exported);
   connect(commands_, &ChartCommands::failed, this, &ChartsPanel::failed);
-  show_all_->setDefaultAction(commands_->show_all());
   more_->setText(QStringLiteral("☰"));
   more_->setToolTip(tr("Chart commands"));
   more_->setMenu(&commands_->menu());
   more_->setPopupMode(QToolButton::InstantPopup);
+  more_->setAutoRaise(true);
+  more_->raise();
 
   refresh_.setSingleShot(true);
   connect(&refresh_, &QTimer::timeout, this, &ChartsPanel::refresh);
@@ -90,38 +87,60 @@ ChartsPanel::ChartsPanel(Cursor& cursor, ViewRange& range, QWidget* parent)
   connect(&cursor_, &Cursor::changed, this, &ChartsPanel::show_cursor);
 }
 
-QLayout* ChartsPanel::add_header(std::size_t i, const ChartSpec& spec) {
-  rows_.headers[i] = new ChartHeader(spec, this);
+void ChartsPanel::add_header(std::size_t i, const ChartSpec& spec) {
+  rows_.headers[i] = new ChartHeader(spec, rows_.charts[i]);
   connect(rows_.headers[i], &ChartHeader::curve_clicked, this,
           [this, i](std::size_t curve) { show_curve(i, curve, !rows_.charts[i]->curve_shown(curve)); });
   connect(rows_.headers[i], &ChartHeader::curve_alone_clicked, this,
           [this, i](std::size_t curve) { show_alone(i, curve); });
-  auto* head = new QHBoxLayout;
-  head->setContentsMargins(0, 0, 8, 0);
-  head->addWidget(rows_.headers[i]);
-  if (i == 0) {
-    for (QWidget* control :
-         {static_cast<QWidget*>(abscissa_), static_cast<QWidget*>(show_all_), static_cast<QWidget*>(more_)}) {
-      head->addWidget(control, 0, Qt::AlignTop);
-    }
-  }
-  return head;
 }
 
 void ChartsPanel::connect_chart(KinematicChart& chart) {
   new FocusOutline(chart);
-  connect(&chart, &KinematicChart::position_clicked, this,
-          [this](double position) { cursor_.set_time(range_.time_at(position)); });
+  connect(&chart, &KinematicChart::position_clicked, this, [this](double position) {
+    cursor_.set_time(range_.time_at(position));
+    emit time_chosen();
+  });
   connect(&chart, &KinematicChart::second_position_clicked, this,
           [this](double position) { set_second_cursor(range_.time_at(position)); });
   connect(&chart, &KinematicChart::plot_resized, &refresh_, qOverload<>(&QTimer::start));
-  connect(&chart, &KinematicChart::plot_resized, this, [this] { rows_.place_shares(); });
+  connect(&chart, &KinematicChart::plot_resized, this, &ChartsPanel::place_overlays);
   connect(&chart, &KinematicChart::values_chosen, this, &ChartsPanel::begin_rest);
   connect(&chart, &KinematicChart::values_chosen, this, [this] { rows_.show_notes(); });
   connect(&chart, &KinematicChart::fit_requested, this, &ChartsPanel::fit);
   connect(&chart, &KinematicChart::menu_requested, this,
           [this](const QPoint& global) { commands_->menu().popup(global); });
   chart.installEventFilter(this);
+}
+
+/// What lies in the plots.
+void ChartsPanel::place_overlays() {
+  rows_.place_shares();
+  const KinematicChart& first = *rows_.charts.front();
+  const QSize button = more_->sizeHint();
+  more_->setGeometry(first.geometry().right() - button.width() - 2, first.geometry().top() + 2,
+                     button.width(), QFontMetrics(font()).height() + 4);
+  for (std::size_t i = 0; i < rows_.charts.size(); ++i) {
+    QRect room = rows_.charts[i]->chart()->plotArea().toAlignedRect().adjusted(2, 0, -2, 0);
+    room.setRight(room.right() - (i == 0 ? button.width() : 0));
+    rows_.headers[i]->fit_in(room);
+  }
+  place_readout();
+}
+
+/// Beside the cursor, in the first plot.
+void ChartsPanel::place_readout() {
+  const KinematicChart& first = *rows_.charts.front();
+  const QRect plot = first.chart()->plotArea().toAlignedRect().translated(first.geometry().topLeft());
+  const QSize size = readout_->sizeHint();
+  constexpr int beside = 8;  // [px]
+  const int cursor = first.cursor()
+                         ? first.geometry().left() + static_cast<int>(first.pixel_of(*first.cursor()))
+                         : plot.left();
+  const int left =
+      std::clamp(cursor + beside, plot.left(), std::max(plot.left(), plot.right() - size.width()));
+  readout_->setGeometry(left, plot.bottom() - size.height() - 1, size.width(), size.height());
+  readout_->raise();
 }
 
 void ChartsPanel::set_run(std::shared_ptr<const Trajectory> trajectory,
@@ -233,9 +252,10 @@ void ChartsPanel::set_limits(const AxisVector<AxisLimits>& limits, const Machine
 
 void ChartsPanel::hide_controls() {
   scroll_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  abscissa_->hide();
-  show_all_->hide();
   more_->hide();
+  for (ChartHeader* header : rows_.headers) {
+    header->list_all(true);
+  }
   rows_.lost->switch_off();
   usual_.find_at_once();
 }
@@ -296,6 +316,24 @@ QString ChartsPanel::measurement_text() const {
   return text_of(measure(cursor_.state(), trajectory_->state(*second_)));
 }
 
+QString ChartsPanel::cursor_text() const {
+  if (!points_into_run() || !(cursor_.state().time > 0)) {
+    return {};
+  }
+  const State& state = cursor_.state();
+  InstantSampler sampler(sources_, state.time);
+  const Instant instant = sampler.at(state);
+  const auto value = [&](QuantityId id) { return info_of(id).of(instant); };
+  return QStringList{clock_text(state.time),
+                     tr("%1 of %2")
+                         .arg(number_text(value(QuantityId::feed), Dimension::feed),
+                              amount_text(value(QuantityId::programmed_feed), Dimension::feed)),
+                     amount_text(value(QuantityId::tangential_acceleration), Dimension::acceleration),
+                     amount_text(value(QuantityId::tangential_jerk), Dimension::jerk),
+                     cause_name(state.cause)}
+      .join(QStringLiteral(" · "));
+}
+
 void ChartsPanel::refresh() {
   refresh_.stop();
   const int count = rows_.charts.front()->column_count();
@@ -328,9 +366,10 @@ void ChartsPanel::show_cursor() {
   rows_.lost->set_cursor(rows_.charts.front()->cursor(),
                          shown ? std::optional(cursor_.state().time) : std::nullopt);
   show_other_runs();
-  const QString text = measurement_text();
+  const QString text = second_.has_value() ? measurement_text() : cursor_text();
   readout_->setText(text);
   readout_->setVisible(!text.isEmpty());
+  place_readout();
   commands_->set_second_cursor(second_.has_value());
 }
 
@@ -389,7 +428,6 @@ void ChartsPanel::choose_abscissa(Abscissa abscissa) {
   columns_.clear();
   overlays_.clear();
   range_.set_abscissa(abscissa);
-  abscissa_->setCurrentIndex(abscissa == Abscissa::time ? 0 : 1);
   show_charts_of_run();
 }
 
@@ -432,8 +470,9 @@ void ChartsPanel::draw(QPainter& painter) {
   rows_.draw(painter, content);
   draw_part(painter, content, *causes_, [&] { causes_->draw(painter); });
   draw_part(painter, content, *readout_, [&] {
+    painter.fillRect(readout_->rect(), palette().color(QPalette::Text));
     painter.setFont(readout_->font());
-    painter.setPen(palette().color(QPalette::WindowText));
+    painter.setPen(palette().color(QPalette::Base));
     painter.drawText(readout_->contentsRect(), Qt::AlignVCenter, readout_->text());
   });
 }

@@ -21,9 +21,7 @@
 #include "ui/shared/cursor.h"
 #include "ui/workbench/panel.h"
 
-class QComboBox;
 class QLabel;
-class QLayout;
 class QToolButton;
 class QVBoxLayout;
 
@@ -89,6 +87,8 @@ class ChartsPanel : public Panel {
   void set_second_cursor(std::optional<double> time);
   /// The differences between both cursors as they are shown; empty without cursor B.
   QString measurement_text() const;
+  /// Values at the cursor, in one line; empty at the start of the run.
+  QString cursor_text() const;
   void zoom_to_cursors();
   void move_cursor(int pixels);
   /// About the cursor, where that is in sight.
@@ -114,13 +114,17 @@ class ChartsPanel : public Panel {
   void refresh();
 
  signals:
+  /// The cursor has been put to a place by a click.
+  void time_chosen();
   void exported(const QString& message);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  QLayout* add_header(std::size_t i, const ChartSpec& spec);
+  void place_overlays();
+  void place_readout();
+  void add_header(std::size_t i, const ChartSpec& spec);
   void connect_chart(KinematicChart& chart);
   void show_alone(std::size_t chart, std::size_t curve);
   /// Whether the cursor points to an instant of the run that is shown: it hears of another one before.
@@ -164,8 +168,6 @@ class ChartsPanel : public Panel {
   QVBoxLayout* layout_ = nullptr;  ///< of what it holds
   CauseStrip* causes_;
   QLabel* readout_;
-  QComboBox* abscissa_;
-  QToolButton* show_all_;
   QToolButton* more_;
   ChartCommands* commands_ = nullptr;
   QTimer refresh_;

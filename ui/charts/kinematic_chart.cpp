@@ -21,12 +21,12 @@
 namespace feedscope::ui {
 namespace {
 
-constexpr int least_height = 50;
-constexpr int least_labelled_height = 80;
+constexpr int least_height = 48;
+constexpr int least_labelled_height = 64;
 constexpr int label_size = 11;
-constexpr int top_margin = 7;
-constexpr int bottom_margin = 8;
-constexpr int labelled_bottom_margin = 36;
+constexpr int top_margin = 3;
+constexpr int bottom_margin = 3;
+constexpr int labelled_bottom_margin = 20;
 constexpr int tick_distance = 14;  // [px]
 constexpr double overlay_width = 1.4;
 constexpr double band_edge = 1.3;
@@ -319,10 +319,26 @@ void KinematicChart::draw_picture(QPainter& painter) {
   draw_limit_lines(painter, chart()->plotArea(), limits_, colours, line_pixels(1, *this),
                    [this](double value) { return height_of(value); });
   painter.restore();
+  draw_abscissa_title(painter);
+}
+
+/// In the row of the numbers: left of them, or in place of the last one where that has no room.
+void KinematicChart::draw_abscissa_title(QPainter& painter) const {
+  if (abscissa_title_.isEmpty()) {
+    return;
+  }
+  const QFontMetricsF metrics(abscissa_->labelsFont());
+  const QRectF plot = chart()->plotArea();
+  const double wide = metrics.horizontalAdvance(abscissa_title_) + 4;
+  constexpr double half_label = 8;  // [px], of the 0 under the left end
+  const bool left = wide <= plot.left() - half_label;
+  const QRectF row(left ? plot.left() - half_label - wide : viewport()->width() - wide,
+                   viewport()->height() - metrics.height() - 2, wide, metrics.height());
+  const ThemeColours& colours = theme_colours(palette());
+  painter.fillRect(row, colours.plot);
   painter.setFont(abscissa_->labelsFont());
-  painter.setPen(theme_colours(palette()).text);
-  painter.drawText(whole.adjusted(plot_left_margin(), 0, -plot_right_margin, -2),
-                   Qt::AlignHCenter | Qt::AlignBottom, abscissa_title_);
+  painter.setPen(colours.text);
+  painter.drawText(row, Qt::AlignCenter, abscissa_title_);
 }
 
 /// The largest curve first, so that none hides another; what is inside of those that swing below all.
@@ -339,11 +355,12 @@ void KinematicChart::draw_curves(QPainter& painter) const {
   const ThemeColours& colours = theme_colours(palette());
   const QRectF plot = chart()->plotArea();
   if (shows_usual()) {
-    for (const std::size_t k : order) {
-      constexpr double pale = 0.22;
-      draw_columns(painter, plot, spans_of(*this, plot, columns_[k]),
-                   {mixed(colours.plot, curve_colour(spec_.curves[k].role, colours), pale), 1});
-    }
+    // Of one curve the extremes and the band, of the others the edges of theirs: bands over each other hide
+    // all curves.
+    const std::size_t filled = std::ranges::min(order);
+    constexpr double pale = 0.22;
+    draw_columns(painter, plot, spans_of(*this, plot, columns_[filled]),
+                 {mixed(colours.plot, curve_colour(spec_.curves[filled].role, colours), pale), 1});
     // The last stretch may reach beyond the end of the run.
     const auto last = std::find_if_not(columns_.front().rbegin(), columns_.front().rend(),
                                        [](const Extent& column) { return column.empty(); });
@@ -357,7 +374,8 @@ void KinematicChart::draw_curves(QPainter& painter) const {
         continue;  // beside the mean of one curve the bands of all others would hide it
       }
       draw_usual_band(painter, plot, spans_of(*this, plot, usual_[k]), columns_a_stretch_, columns_[k].size(),
-                      curve_colour(spec_.curves[k].role, colours), line_pixels(band_edge, *this));
+                      curve_colour(spec_.curves[k].role, colours), line_pixels(band_edge, *this),
+                      k == filled ? BandFill::pale : BandFill::none);
     }
     painter.restore();
     return;

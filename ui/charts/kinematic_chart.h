@@ -115,6 +115,7 @@ class KinematicChart : public QChartView {
   void fit();
   CurveReach reach_of(const std::vector<Extent>& columns, bool may_be_cut) const;
   void draw_picture(QPainter& painter);
+  void draw_abscissa_title(QPainter& painter) const;
   void draw_curves(QPainter& painter) const;
   void draw_extents(QPainter& painter, const std::vector<Extent>& extents, const QColor& color, double width,
                     bool dashed) const;

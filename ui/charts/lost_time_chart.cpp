@@ -77,8 +77,13 @@ void LostTimeChart::show_runs(const std::shared_ptr<const Trajectory>& run,
 
 void LostTimeChart::set_lost(LostTimes lost) {
   lost_ = std::move(lost);
-  setVisible(!lost_.others.empty());
+  setVisible(has_room_ && !lost_.others.empty());
   update();
+}
+
+void LostTimeChart::set_room(bool room) {
+  has_room_ = room;
+  setVisible(has_room_ && !lost_.others.empty());
 }
 
 void LostTimeChart::set_cursor(std::optional<double> position, std::optional<double> time) {

@@ -26,6 +26,8 @@ class LostTimeChart : public QWidget {
                  const std::vector<double>& times);
   bool busy() const { return job_.busy(); }
   /// For pictures that are drawn at once: nothing is worked out or shown.
+  /// Whether the panel is high enough for it.
+  void set_room(bool room);
   void switch_off() { off_ = true; }
   void set_lost(LostTimes lost);
   const LostTimes& lost() const { return lost_; }
@@ -54,6 +56,7 @@ class LostTimeChart : public QWidget {
   std::optional<double> cursor_time_;  ///< [s]
   Job<LostTimes> job_;
   bool off_ = false;
+  bool has_room_ = true;
 };
 
 }  // namespace feedscope::ui

@@ -7,7 +7,8 @@
 namespace feedscope::ui {
 
 void draw_usual_band(QPainter& painter, const QRectF& plot, std::span<const ColumnSpan> stretches,
-                     std::size_t columns, std::size_t count, const QColor& colour, double edge) {
+                     std::size_t columns, std::size_t count, const QColor& colour, double edge,
+                     BandFill fill) {
   constexpr int inside_opacity = 90;
   if (count == 0) {
     return;
@@ -29,9 +30,12 @@ void draw_usual_band(QPainter& painter, const QRectF& plot, std::span<const Colu
       }
     }
     if (end > first) {
-      painter.setPen(Qt::NoPen);
-      painter.setBrush(inside);
-      painter.drawPolygon(upper + lower);
+      if (fill == BandFill::pale) {
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(inside);
+        painter.drawPolygon(upper + lower);
+        painter.setBrush(Qt::NoBrush);
+      }
       painter.setPen(QPen(colour, edge, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
       painter.drawPolyline(upper);
       painter.drawPolyline(lower);

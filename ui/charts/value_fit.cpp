@@ -57,7 +57,7 @@ bool is_far_beyond(double fastest, double slower) {
 
 std::optional<Interval> without_rapids(const Interval& values, double fastest, const CuttingFeed& cutting) {
   constexpr double min_room = 1.25;
-  if (!is_far_beyond(fastest, cutting.achieved)) {
+  if (!(cutting.achieved > 0) || fastest <= min_room * cutting.achieved) {
     return std::nullopt;
   }
   const double programmed = std::min((1 + headroom) * cutting.programmed, in_sight * cutting.achieved);

@@ -40,8 +40,8 @@ double largest_that_lasts(std::span<const double> columns);
 /// Whether what is `fastest` leaves something slower no room in a chart.
 bool is_far_beyond(double fastest, double slower);
 
-/// `values` made narrower where rapids would leave a feed chart no room for the cutting: where `fastest`, the
-/// largest feed of all, is three times that of the cutting. None where it is not.
+/// `values` made narrower where `fastest`, the largest feed of all, is more than a quarter above that of the
+/// cutting: rapids do not set the scale of a feed chart. None where it is not.
 std::optional<Interval> without_rapids(const Interval& values, double fastest, const CuttingFeed& cutting);
 
 }  // namespace feedscope::ui

@@ -18,7 +18,8 @@ class ChartsStateTest : public test::ChartsPanelTest {
     state.abscissa = Abscissa::path_length;
     state.time = Interval{0.25, 0.5};
     state.values[1] = Interval{-2, 3};
-    state.hidden = {"programmed_feed", "vx", "jt"};
+    state.hidden = {"programmed_feed", "jt"};
+    state.shown = {"vx"};
     state.other_runs = {"vz", "ax"};
     state.causes = false;
     state.second_cursor = 0.3;
@@ -91,7 +92,9 @@ TEST_F(ChartsStateTest, JsonComesBackAsItWas) {
 }
 
 TEST_F(ChartsStateTest, WrongJsonChangesNothing) {
-  ChartsState state = changed();
+  ChartsState wanted = changed();
+  wanted.shown.clear();  // older files have no such list
+  ChartsState state = wanted;
   read_json({}, state);
   read_json({{"abscissa", 7},
              {"time_s", QJsonArray{3, 1}},
@@ -100,7 +103,7 @@ TEST_F(ChartsStateTest, WrongJsonChangesNothing) {
              {"causes", "no"},
              {"second_cursor_s", "soon"}},
             state);
-  EXPECT_EQ(state, changed());
+  EXPECT_EQ(state, wanted);
 }
 
 }  // namespace

@@ -52,6 +52,8 @@ class UsualCurvesTest : public test::ChartsPanelTest {
 
 TEST_F(UsualCurvesTest, StandInChartsOfLongPrograms) {
   FeedShares& shares = panel.shares();
+  panel.resize(1100, panel.height());
+  settle();
   EXPECT_TRUE(panel.chart(0).shows_usual());
   EXPECT_TRUE(panel.chart(1).shows_usual());
   EXPECT_TRUE(shares.isVisible());
