@@ -24,6 +24,7 @@
 #include "core/analysis/lens.h"
 #include "core/base/error.h"
 #include "core/base/typed_number.h"
+#include "ui/decide/decide_view.h"
 #include "ui/report/pictures.h"
 #include "ui/scene/colourings.h"
 #include "ui/theme/offscreen_application.h"
@@ -144,12 +145,7 @@ ui::PictureRequest request_of(const RenderOptions& options) {
   return request;
 }
 
-void check_runs(const RenderOptions& options, const std::vector<AskedRun>& runs) {
-  if (views.at(options.view) == View::window && runs.size() > 1) {
-    throw InputError(fmt::format(
-        "--view window shows one run, not {}; give one machine, model and tolerance, or use --view sheet",
-        runs.size()));
-  }
+void check_view(const RenderOptions& options) {
   if (views.at(options.view) == View::window && !options.traces.files.empty()) {
     throw InputError("--trace has no effect with --view window; use --view 3d, charts or sheet");
   }
@@ -209,9 +205,19 @@ std::string window_file(const ui::ReportInput& input, const RenderOptions& optio
                         const std::optional<ui::Session>& session, const ui::PictureRequest& request) {
   ui::WindowLook look{camera_of(options), request.theme};
   look.language = QString::fromStdString(options.language);
-  if (session) {
-    look.prepare = [&](ui::MainWindow& window, ui::Workbench&) { window.session().show(*session); };
-  }
+  look.prepare = [&](ui::MainWindow& window, ui::Workbench&) {
+    if (session) {
+      window.session().show(*session);
+      return;
+    }
+    std::vector<ui::SetupState> others;
+    for (std::size_t i = 1; i < input.runs.size(); ++i) {
+      others.emplace_back(input.runs[i].shown->run.setup);
+    }
+    if (!others.empty()) {
+      window.part<ui::DecideView>().compare_with(others);
+    }
+  };
   look.pixel_ratio = request.pixel_ratio;
   const QSize size = request.size.toSize();
   const ui::Picture picture = ui::draw_window(input.run().shown->run, {size.width(), size.height()}, look);
@@ -316,7 +322,7 @@ int render(const RenderOptions& options) {
       session ? nullptr : std::make_shared<const SourceText>(SourceText::from_file(options.runs.file));
   const std::vector<AskedRun> runs =
       session ? std::vector<AskedRun>() : asked_runs(options.runs, dialect_of(options.runs, *source));
-  check_runs(options, runs);
+  check_view(options);
   check_outputs(options.runs.file, {options.out, options.film.out});
   check_outputs(options.runs.load, {options.out, options.film.out}, "the load file");
   for (const std::string& trace : options.traces.files) {

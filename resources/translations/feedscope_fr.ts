@@ -232,6 +232,49 @@
     </message>
 </context>
 <context>
+    <name>DecisionTexts</name>
+    <message>
+        <source>actual contour error %1</source>
+        <translation>erreur de contour réelle %1</translation>
+    </message>
+    <message>
+        <source>contour error %1</source>
+        <translation>erreur de contour %1</translation>
+    </message>
+    <message>
+        <source>No run keeps a contour error of %1. The smallest is %2, with %3.</source>
+        <translation>Aucune simulation ne tient une erreur de contour de %1. La plus petite est de %2, avec %3.</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3.</source>
+        <translation>%1&#xa0;: %2, %3.</translation>
+    </message>
+    <message>
+        <source>No other run can be taken.</source>
+        <translation>Aucune autre simulation ne peut être retenue.</translation>
+    </message>
+    <message>
+        <source>No difference worth having: %1 takes %2, %3.</source>
+        <translation>Pas de différence utile&#xa0;: %1 dure %2, %3.</translation>
+    </message>
+    <message>
+        <source>The cycle times differ by less than 1 %. This run has the smallest error.</source>
+        <translation>Les temps de cycle diffèrent de moins de 1 %. Cette simulation a la plus petite erreur.</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 less than %4, %5.</source>
+        <translation>%1&#xa0;: %2, %3 de moins que %4, %5.</translation>
+    </message>
+    <message>
+        <source>The fastest run. None within 1 % of it has a smaller error.</source>
+        <translation>La simulation la plus rapide. Aucune à moins de 1 % d&apos;elle n&apos;a une erreur plus petite.</translation>
+    </message>
+    <message>
+        <source>The smallest error within 1 % of the fastest run.</source>
+        <translation>La plus petite erreur à moins de 1 % de la simulation la plus rapide.</translation>
+    </message>
+</context>
+<context>
     <name>Faults</name>
     <message>
         <source>1 error</source>
@@ -516,6 +559,41 @@
     <message>
         <source>Chain: axes before the frame carry the part, those behind it the tool</source>
         <translation>Chaîne&#xa0;: les axes avant le bâti portent la pièce, ceux qui le suivent l’outil</translation>
+    </message>
+</context>
+<context>
+    <name>LensPicture</name>
+    <message>
+        <source>across × %1</source>
+        <translation>en travers × %1</translation>
+    </message>
+    <message>
+        <source>no deviation</source>
+        <translation>aucun écart</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>ligne %1</translation>
+    </message>
+    <message>
+        <source>Lens: line %1</source>
+        <translation>Loupe : ligne %1</translation>
+    </message>
+    <message>
+        <source>%1 along</source>
+        <translation>%1 en long</translation>
+    </message>
+    <message>
+        <source>%1 across</source>
+        <translation>%1 en travers</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>erreur</translation>
+    </message>
+    <message>
+        <source>feed</source>
+        <translation>avance</translation>
     </message>
 </context>
 <context>
@@ -2183,6 +2261,21 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>The tolerance comes from the setting, not from the program.</source>
         <translation>La tolérance vient du réglage, et non du programme.</translation>
+    </message>
+</context>
+<context>
+    <name>ToleranceDialog</name>
+    <message>
+        <source>Separate the tolerances by spaces or semicolons.</source>
+        <translation>Séparez les tolérances par des espaces ou des points-virgules.</translation>
+    </message>
+    <message>
+        <source>Contour tolerances [%1], separated by spaces:</source>
+        <translation>Tolérances de contour [%1], séparées par des espaces&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Compare tolerances</source>
+        <translation>Comparer des tolérances</translation>
     </message>
 </context>
 <context>
@@ -9676,6 +9769,21 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
 </context>
 <context>
+    <name>feedscope::ui::CameraTrail</name>
+    <message>
+        <source>View &amp;before</source>
+        <translation>Vue &amp;précédente</translation>
+    </message>
+    <message>
+        <source>The 3D view as it was before the last jump to a place</source>
+        <translation>La vue 3D comme avant le dernier saut à un endroit</translation>
+    </message>
+    <message>
+        <source>Alt+Left</source>
+        <translation>Alt+Left</translation>
+    </message>
+</context>
+<context>
     <name>feedscope::ui::CauseStrip</name>
     <message>
         <source>%1 %</source>
@@ -9725,20 +9833,12 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>Afficher la plage et les valeurs précédentes</translation>
     </message>
     <message>
-        <source>Alt+Left</source>
-        <translation>Alt+Left</translation>
-    </message>
-    <message>
         <source>&amp;Forward</source>
         <translation>&amp;Suivant</translation>
     </message>
     <message>
         <source>Show the next range and values</source>
         <translation>Afficher la plage et les valeurs suivantes</translation>
-    </message>
-    <message>
-        <source>Alt+Right</source>
-        <translation>Alt+Right</translation>
     </message>
     <message>
         <source>Zoom &amp;in</source>
@@ -9845,10 +9945,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>Courbes d’&amp;autres simulations</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
         <source>Show or hide the curve [%1]</source>
         <translation>Afficher ou masquer la courbe [%1]</translation>
     </message>
@@ -9920,6 +10016,22 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <source>Show rapids here and in the 3D view</source>
         <translation>Afficher les rapides ici et dans la vue 3D</translation>
     </message>
+    <message>
+        <source>&amp;Zoom</source>
+        <translation>&amp;Zoom</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+Left</source>
+        <translation>Ctrl+Alt+Left</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+Right</source>
+        <translation>Ctrl+Alt+Right</translation>
+    </message>
+    <message>
+        <source>&amp;Cursor</source>
+        <translation>&amp;Curseur</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ChartHeader</name>
@@ -9930,24 +10042,12 @@ Click: hide or show. Ctrl+click: only this one.</source>
 Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     </message>
     <message>
-        <source>+ %1</source>
-        <translation>+ %1</translation>
+        <source>At the cursor: %1</source>
+        <translation>Au curseur&#xa0;: %1</translation>
     </message>
 </context>
 <context>
     <name>feedscope::ui::ChartsPanel</name>
-    <message>
-        <source>over time</source>
-        <translation>selon le temps</translation>
-    </message>
-    <message>
-        <source>over path length</source>
-        <translation>selon la longueur</translation>
-    </message>
-    <message>
-        <source>Horizontal axis of the charts</source>
-        <translation>Axe horizontal des graphiques</translation>
-    </message>
     <message>
         <source>Time [s]</source>
         <translation>Temps [s]</translation>
@@ -9963,6 +10063,10 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     <message>
         <source>Charts</source>
         <translation>Graphiques</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
     </message>
 </context>
 <context>
@@ -10581,6 +10685,170 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     </message>
 </context>
 <context>
+    <name>feedscope::ui::DecideView</name>
+    <message>
+        <source>Decide</source>
+        <translation>Décider</translation>
+    </message>
+    <message>
+        <source>Compare &amp;tolerances …</source>
+        <translation>Comparer des &amp;tolérances …</translation>
+    </message>
+    <message>
+        <source>Simulate the program with several contour tolerances and decide between them</source>
+        <translation>Simuler le programme avec plusieurs tolérances de contour et décider entre elles</translation>
+    </message>
+    <message>
+        <source>Ctrl+T</source>
+        <translation>Ctrl+T</translation>
+    </message>
+    <message>
+        <source>Ma&amp;x. error</source>
+        <translation>Erreur ma&amp;x.</translation>
+    </message>
+    <message>
+        <source>compare runs variants decide</source>
+        <translation>comparer simulations variantes décider</translation>
+    </message>
+    <message>
+        <source>Runs and their results</source>
+        <translation>Simulations et leurs résultats</translation>
+    </message>
+    <message>
+        <source>What would help</source>
+        <translation>Ce qui ferait gagner du temps</translation>
+    </message>
+    <message>
+        <source>Only runs with a contour error within this bound are recommended</source>
+        <translation>Seules les simulations dont l&apos;erreur de contour tient cette borne sont recommandées</translation>
+    </message>
+    <message>
+        <source>compare runs</source>
+        <translation>comparer des simulations</translation>
+    </message>
+    <message>
+        <source>%1 of %2 runs are simulated; %3 were cancelled or failed.</source>
+        <translation>%1 simulations sur %2 sont terminées ; %3 annulées ou en échec.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 runs are simulated.</source>
+        <translation>%1 simulations calculées sur %2.</translation>
+    </message>
+    <message>
+        <source>The control refuses the program in all runs.</source>
+        <translation>La commande refuse le programme dans toutes les simulations.</translation>
+    </message>
+    <message>
+        <source>The machine cannot turn its rotary axes as the program asks in any run.</source>
+        <translation>La machine ne peut tourner ses axes rotatifs comme le programme le demande dans aucune simulation.</translation>
+    </message>
+    <message>
+        <source>Open a program to see what its time is lost to.</source>
+        <translation>Ouvrez un programme pour voir à quoi son temps se perd.</translation>
+    </message>
+    <message>
+        <source>%1, of which %2 are lost (%3).</source>
+        <translation>%1, dont %2 perdus (%3).</translation>
+    </message>
+    <message>
+        <source>Lost: against the programmed feed (%1).</source>
+        <translation>Perdus&#xa0;: par rapport à l&apos;avance programmée (%1).</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Gain</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>annulé</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>échec</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>refusé</translation>
+    </message>
+    <message>
+        <source>Above the bound</source>
+        <translation>Au-delà de la borne</translation>
+    </message>
+    <message>
+        <source>%1.
+Click to go to the worst place, in line %2.</source>
+        <translation>%1.
+Cliquer pour aller au pire endroit, ligne %2.</translation>
+    </message>
+    <message>
+        <source>Where the time of %1 is lost</source>
+        <translation>Où se perd le temps de %1</translation>
+    </message>
+    <message>
+        <source>Where the time is lost</source>
+        <translation>Où se perd le temps</translation>
+    </message>
+    <message>
+        <source>Simulating what would help …</source>
+        <translation>Simulation des remèdes …</translation>
+    </message>
+    <message>
+        <source>Try</source>
+        <translation>Essayer</translation>
+    </message>
+    <message>
+        <source>Make a run with this change</source>
+        <translation>Créer une simulation avec ce changement</translation>
+    </message>
+    <message>
+        <source>Try: %1</source>
+        <translation>Essayer&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>None of the changes that were simulated helps.</source>
+        <translation>Aucun des changements simulés n&apos;aide.</translation>
+    </message>
+    <message>
+        <source>Error %1</source>
+        <translation>Erreur %1</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::DecisionChart</name>
+    <message>
+        <source>Cycle time over contour error</source>
+        <translation>Temps de cycle selon l&apos;erreur de contour</translation>
+    </message>
+    <message>
+        <source>A dot is a run; the ringed one is recommended. Click to choose a run.</source>
+        <translation>Un point est une simulation&#xa0;; celle cerclée est recommandée. Cliquer pour choisir une simulation.</translation>
+    </message>
+    <message>
+        <source>Contour error</source>
+        <translation>Erreur de contour</translation>
+    </message>
+    <message>
+        <source>Cycle time</source>
+        <translation>Temps de cycle</translation>
+    </message>
+    <message>
+        <source>Cycle time [s]</source>
+        <translation>Temps de cycle [s]</translation>
+    </message>
+    <message>
+        <source>bound %1</source>
+        <translation>borne %1</translation>
+    </message>
+</context>
+<context>
     <name>feedscope::ui::DiagnosticsModel</name>
     <message>
         <source>Line</source>
@@ -10876,6 +11144,22 @@ max. : %1 %</translation>
     <message>
         <source>&amp;Film …</source>
         <translation>&amp;Film …</translation>
+    </message>
+    <message>
+        <source>Open …</source>
+        <translation>Ouvrir …</translation>
+    </message>
+    <message>
+        <source>Rea&amp;ding</source>
+        <translation>&amp;Lecture</translation>
+    </message>
+    <message>
+        <source>&amp;Machine</source>
+        <translation>&amp;Machine</translation>
+    </message>
+    <message>
+        <source>Pi&amp;ctures</source>
+        <translation>&amp;Images</translation>
     </message>
 </context>
 <context>
@@ -11564,10 +11848,52 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     </message>
 </context>
 <context>
+    <name>feedscope::ui::LensOverlay</name>
+    <message>
+        <source>&amp;Lens at the cursor</source>
+        <translation>&amp;Loupe au curseur</translation>
+    </message>
+    <message>
+        <source>What the ticked runs do at the cursor, over each other, stretched across the path</source>
+        <translation>Ce que font les simulations cochées au curseur, l’une sur l’autre, étirées en travers de la trajectoire</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>The ticked runs at the cursor; click to enlarge</source>
+        <translation>Les simulations cochées au curseur ; cliquer pour agrandir</translation>
+    </message>
+    <message>
+        <source>Lens at the cursor</source>
+        <translation>Loupe au curseur</translation>
+    </message>
+</context>
+<context>
     <name>feedscope::ui::LessonDesk</name>
     <message>
         <source>clear the values tried</source>
         <translation>effacement des valeurs essayées</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::LessonMenu</name>
+    <message>
+        <source>&amp;Lessons</source>
+        <translation>&amp;Leçons</translation>
+    </message>
+    <message>
+        <source>&amp;This lesson</source>
+        <translation>&amp;Cette leçon</translation>
+    </message>
+    <message>
+        <source>&amp;Hand-outs</source>
+        <translation>&amp;Documents à distribuer</translation>
+    </message>
+    <message>
+        <source>Lessons %1 to %2</source>
+        <translation>Leçons %1 à %2</translation>
     </message>
 </context>
 <context>
@@ -11970,8 +12296,8 @@ Utiliser la machine qu’elle décrit pour la simulation courante ?</translation
         <translation>&amp;Importer</translation>
     </message>
     <message>
-        <source>Machine imported from %1. File &gt; Save machine as … keeps it as a machine file.</source>
-        <translation>Machine importée de %1. Fichier &gt; Enregistrer la machine sous … la garde comme fichier machine.</translation>
+        <source>Machine imported from %1. File &gt; Machine &gt; Save machine as … keeps it as a machine file.</source>
+        <translation>Machine importée de %1. Fichier &gt; Machine &gt; Enregistrer la machine sous … la garde comme fichier machine.</translation>
     </message>
 </context>
 <context>
@@ -12037,8 +12363,8 @@ Utiliser la machine qu’elle décrit pour la simulation courante ?</translation
         <translation>A&amp;nnotations</translation>
     </message>
     <message>
-        <source>&amp;Lessons</source>
-        <translation>&amp;Leçons</translation>
+        <source>A&amp;nalysis</source>
+        <translation>A&amp;nalyse</translation>
     </message>
 </context>
 <context>
@@ -12841,6 +13167,10 @@ Ensemble&#xa0;: %4</translation>
         <source>The program is empty.</source>
         <translation>Le programme est vide.</translation>
     </message>
+    <message>
+        <source>Reading the program …</source>
+        <translation>Lecture du programme …</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ReadingDialog</name>
@@ -13366,8 +13696,8 @@ Ensemble&#xa0;: %4</translation>
         <translation>Aucun programme n’est affiché. %1</translation>
     </message>
     <message>
-        <source>Nothing in %1 moves an axis. Check that it is an NC program; it was read as %2, and File › Program import options selects another language. The panel Messages lists what was found in it.</source>
-        <translation>Rien dans %1 ne déplace un axe. Vérifiez qu’il s’agit d’un programme CN ; il a été lu comme %2, et Fichier › Options de lecture permet de choisir un autre langage. Le panneau Messages dit ce qu’on y a trouvé.</translation>
+        <source>Nothing in %1 moves an axis. Check that it is an NC program; it was read as %2, and File › Reading › Program import options selects another language. The panel Messages lists what was found in it.</source>
+        <translation>Rien dans %1 ne déplace un axe. Vérifiez qu’il s’agit d’un programme CN ; il a été lu comme %2, et Fichier › Lecture › Options d’importation permet de choisir un autre langage. Le panneau Messages dit ce qu’on y a trouvé.</translation>
     </message>
     <message>
         <source>Read again</source>
@@ -13377,13 +13707,13 @@ Ensemble&#xa0;: %4</translation>
         <source>Read the program again and simulate it (F9)</source>
         <translation>Relire le programme et le simuler (F9)</translation>
     </message>
+    <message>
+        <source>Reading the program …</source>
+        <translation>Lecture du programme …</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::RunTable</name>
-    <message>
-        <source>★ The fastest of these runs.</source>
-        <translation>★ La plus rapide de ces simulations.</translation>
-    </message>
     <message>
         <source>Run</source>
         <translation>Simulation</translation>
@@ -13504,6 +13834,10 @@ Ensemble&#xa0;: %4</translation>
         <source>Largest distance of the executed path from the programmed one in feed motions</source>
         <translation>Plus grande distance de la trajectoire exécutée à la trajectoire programmée, en avance</translation>
     </message>
+    <message>
+        <source>★ The run to take: %1</source>
+        <translation>★ La simulation à retenir&#xa0;: %1</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::RunsView</name>
@@ -13518,14 +13852,6 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>Ctrl+D</source>
         <translation>Ctrl+D</translation>
-    </message>
-    <message>
-        <source>&amp;Tolerances …</source>
-        <translation>&amp;Tolérances …</translation>
-    </message>
-    <message>
-        <source>Ctrl+T</source>
-        <translation>Ctrl+T</translation>
     </message>
     <message>
         <source>&amp;Remove</source>
@@ -13564,32 +13890,8 @@ Ensemble&#xa0;: %4</translation>
         <translation>&amp;Couleur …</translation>
     </message>
     <message>
-        <source>The model of this run does not use a contour tolerance.</source>
-        <translation>Le modèle de cette simulation ne lit pas de tolérance de contour.</translation>
-    </message>
-    <message>
-        <source>Runs with other tolerances</source>
-        <translation>Simulations à d’autres tolérances</translation>
-    </message>
-    <message>
-        <source>runs with other tolerances</source>
-        <translation>simulations à d’autres tolérances</translation>
-    </message>
-    <message>
         <source>Colour of the run</source>
         <translation>Couleur de la simulation</translation>
-    </message>
-    <message>
-        <source>Duplicate the run and change a value to compare.</source>
-        <translation>Dupliquer la simulation et changer une valeur pour comparer.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 runs are simulated.</source>
-        <translation>%1 simulations calculées sur %2.</translation>
-    </message>
-    <message>
-        <source>No run is within this bound.</source>
-        <translation>Aucune simulation ne respecte cette borne.</translation>
     </message>
     <message>
         <source>&amp;Simulate again</source>
@@ -13600,10 +13902,6 @@ Ensemble&#xa0;: %4</translation>
         <translation>Simuler la simulation courante, annulée ou en échec</translation>
     </message>
     <message>
-        <source>%1 of %2 runs are simulated; %3 were cancelled or failed.</source>
-        <translation>%1 simulations sur %2 sont terminées ; %3 annulées ou en échec.</translation>
-    </message>
-    <message>
         <source>R&amp;ename</source>
         <translation>R&amp;enommer</translation>
     </message>
@@ -13612,52 +13910,12 @@ Ensemble&#xa0;: %4</translation>
         <translation>Saisir un nom pour la simulation courante ; sans nom, elle porte celui de ses réglages</translation>
     </message>
     <message>
-        <source>Fastest</source>
-        <translation>La plus rapide</translation>
-    </message>
-    <message>
-        <source>%1: %2 with %3.</source>
-        <translation>%1&#xa0;: %2 en %3.</translation>
-    </message>
-    <message>
-        <source>Fastest within %1</source>
-        <translation>La plus rapide à %1 près</translation>
-    </message>
-    <message>
-        <source>Separate the tolerances by spaces or semicolons.</source>
-        <translation>Séparez les tolérances par des espaces ou des points-virgules.</translation>
-    </message>
-    <message>
-        <source>Only runs with a contour error within this bound are considered for the fastest</source>
-        <translation>Seules les simulations dont l’erreur de contour respecte cette borne sont prises en compte pour la plus rapide</translation>
-    </message>
-    <message>
         <source>Copy the current run to change it</source>
         <translation>Copier la simulation courante pour la modifier</translation>
     </message>
     <message>
-        <source>Create copies of the current run with other contour tolerances</source>
-        <translation>Créer des copies de la simulation courante avec d’autres tolérances de contour</translation>
-    </message>
-    <message>
-        <source>Contour tolerances [%1], separated by spaces:</source>
-        <translation>Tolérances de contour [%1], séparées par des espaces&#xa0;:</translation>
-    </message>
-    <message>
-        <source>Ma&amp;x. error</source>
-        <translation>Erreur ma&amp;x.</translation>
-    </message>
-    <message>
         <source>Runs</source>
         <translation>Simulations</translation>
-    </message>
-    <message>
-        <source>Change &amp;all runs</source>
-        <translation>Changer &amp;toutes les simulations</translation>
-    </message>
-    <message>
-        <source>Values that are changed from now on are changed in all runs that know them, not in the current one alone</source>
-        <translation>Les valeurs changées à partir de maintenant le sont dans toutes les simulations qui les connaissent, et pas seulement dans la courante</translation>
     </message>
     <message>
         <source>Save the runs as CSV …</source>
@@ -13694,18 +13952,6 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>Colour of the current run in charts and 3D view, or of the selected trace in charts</source>
         <translation>Couleur de la simulation actuelle dans les graphiques et la vue 3D, ou de la trace sélectionnée dans les graphiques</translation>
-    </message>
-    <message>
-        <source>The control refuses the program in all runs.</source>
-        <translation>La commande refuse le programme dans toutes les simulations.</translation>
-    </message>
-    <message>
-        <source>All runs take %1.</source>
-        <translation>Toutes les simulations durent %1.</translation>
-    </message>
-    <message>
-        <source>The machine cannot turn its rotary axes as the program asks in any run.</source>
-        <translation>La machine ne peut tourner ses axes rotatifs comme le programme le demande dans aucune simulation.</translation>
     </message>
 </context>
 <context>
@@ -14071,10 +14317,6 @@ Ensemble&#xa0;: %4</translation>
         <translation>&amp;Machine</translation>
     </message>
     <message>
-        <source>M&amp;odel</source>
-        <translation>M&amp;odèle</translation>
-    </message>
-    <message>
         <source>&amp;Tolerance</source>
         <translation>&amp;Tolérance</translation>
     </message>
@@ -14085,6 +14327,18 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>Chosen by the language of the program. For the times of your machine choose it here.</source>
         <translation>Choisie par le langage du programme. Pour les temps de votre machine, la choisir ici.</translation>
+    </message>
+    <message>
+        <source>&amp;Control</source>
+        <translation>C&amp;ommande</translation>
+    </message>
+    <message>
+        <source>Machine file …</source>
+        <translation>Fichier machine …</translation>
+    </message>
+    <message>
+        <source>Open a machine file of your own</source>
+        <translation>Ouvrir un fichier machine à vous</translation>
     </message>
 </context>
 <context>
@@ -14204,6 +14458,18 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>Tool length and part zero say how X, Y and Z follow the rotary axes, the orientation tolerance how far their turns are rounded where blocks meet, and an angle of the part how it is turned in the clamping.</source>
         <translation>La longueur d’outil et le zéro pièce déterminent comment X, Y et Z suivent les axes rotatifs, la tolérance d’orientation de combien leurs rotations sont arrondies à la jonction des blocs, et un angle de la pièce comment elle est tournée dans son bridage.</translation>
+    </message>
+    <message>
+        <source>Change all runs</source>
+        <translation>Toutes les simulations</translation>
+    </message>
+    <message>
+        <source>Changes are those of all runs, but for what the runs are compared in; off: of the current run alone</source>
+        <translation>Les changements valent pour toutes les simulations, sauf ce en quoi elles sont comparées&#xa0;; sinon pour la simulation courante seule</translation>
+    </message>
+    <message>
+        <source>All runs</source>
+        <translation>Toutes</translation>
     </message>
 </context>
 <context>
@@ -14447,8 +14713,8 @@ Ensemble&#xa0;: %4</translation>
         <translation>Par où commencer</translation>
     </message>
     <message>
-        <source>&lt;ol style=&quot;margin-left: -24px&quot;&gt;&lt;li&gt;Open a program. Its language chooses a machine; your own: &lt;i&gt;File › Open machine file&lt;/i&gt;.&lt;/li&gt;&lt;li&gt;&lt;i&gt;Time&lt;/i&gt; says where the time goes and which changes would help, each simulated.&lt;/li&gt;&lt;li&gt;Try a change: &lt;i&gt;New run with this change&lt;/i&gt;, or another tolerance at the top.&lt;/li&gt;&lt;li&gt;On paper: &lt;i&gt;File › Report&lt;/i&gt;.&lt;/li&gt;&lt;/ol&gt;</source>
-        <translation>&lt;ol style=&quot;margin-left: -24px&quot;&gt;&lt;li&gt;Ouvrir un programme. Son langage choisit une machine ; la vôtre : &lt;i&gt;Fichier › Ouvrir un fichier machine&lt;/i&gt;.&lt;/li&gt;&lt;li&gt;&lt;i&gt;Temps&lt;/i&gt; dit où passe le temps et quels changements aideraient, chacun simulé.&lt;/li&gt;&lt;li&gt;Essayer un changement : &lt;i&gt;Nouvelle simulation avec ce changement&lt;/i&gt;, ou une autre tolérance en haut.&lt;/li&gt;&lt;li&gt;Sur papier : &lt;i&gt;Fichier › Rapport&lt;/i&gt;.&lt;/li&gt;&lt;/ol&gt;</translation>
+        <source>&lt;ol style=&quot;margin-left: -24px&quot;&gt;&lt;li&gt;Open a program. Its language chooses a machine; your own: &lt;i&gt;File › Machine › Open machine file&lt;/i&gt;.&lt;/li&gt;&lt;li&gt;&lt;i&gt;Time&lt;/i&gt; says where the time goes and which changes would help, each simulated.&lt;/li&gt;&lt;li&gt;Try a change: &lt;i&gt;New run with this change&lt;/i&gt;, or another tolerance at the top.&lt;/li&gt;&lt;li&gt;On paper: &lt;i&gt;File › Report&lt;/i&gt;.&lt;/li&gt;&lt;/ol&gt;</source>
+        <translation>&lt;ol style=&quot;margin-left: -24px&quot;&gt;&lt;li&gt;Ouvrir un programme. Son langage choisit une machine ; la vôtre : &lt;i&gt;Fichier › Machine › Ouvrir un fichier machine&lt;/i&gt;.&lt;/li&gt;&lt;li&gt;&lt;i&gt;Temps&lt;/i&gt; dit où passe le temps et quels changements aideraient, chacun simulé.&lt;/li&gt;&lt;li&gt;Essayer un changement : &lt;i&gt;Nouvelle simulation avec ce changement&lt;/i&gt;, ou une autre tolérance en haut.&lt;/li&gt;&lt;li&gt;Sur papier : &lt;i&gt;Fichier › Rapport&lt;/i&gt;.&lt;/li&gt;&lt;/ol&gt;</translation>
     </message>
     <message>
         <source>First steps in the handbook</source>
@@ -15434,6 +15700,14 @@ Ensemble&#xa0;: %4</translation>
         <source>Show numbers in inches; files keep their units</source>
         <translation>Afficher les nombres en pouces ; les fichiers gardent leurs unités</translation>
     </message>
+    <message>
+        <source>&amp;Beside the 3D view</source>
+        <translation>À &amp;côté de la vue 3D</translation>
+    </message>
+    <message>
+        <source>B&amp;elow the 3D view</source>
+        <translation>S&amp;ous la vue 3D</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::WholeNumberBox</name>
@@ -15749,64 +16023,6 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>Line %1 asks for a feed of %2; all axes of this machine together reach %3: what is lost against the programmed feed tells little there.</source>
         <translation>La ligne %1 demande une avance de %2&#xa0;; tous les axes de cette machine ensemble atteignent %3&#xa0;: ce qui est perdu par rapport à l’avance programmée n’y dit pas grand-chose.</translation>
-    </message>
-</context>
-<context>
-    <name>feedscope::ui::LensOverlay</name>
-    <message>
-        <source>&amp;Lens at the cursor</source>
-        <translation>&amp;Loupe au curseur</translation>
-    </message>
-    <message>
-        <source>What the ticked runs do at the cursor, over each other, stretched across the path</source>
-        <translation>Ce que font les simulations cochées au curseur, l’une sur l’autre, étirées en travers de la trajectoire</translation>
-    </message>
-    <message>
-        <source>L</source>
-        <translation>L</translation>
-    </message>
-    <message>
-        <source>The ticked runs at the cursor; click to enlarge</source>
-        <translation>Les simulations cochées au curseur ; cliquer pour agrandir</translation>
-    </message>
-    <message>
-        <source>Lens at the cursor</source>
-        <translation>Loupe au curseur</translation>
-    </message>
-</context>
-<context>
-    <name>LensPicture</name>
-    <message>
-        <source>across × %1</source>
-        <translation>en travers × %1</translation>
-    </message>
-    <message>
-        <source>no deviation</source>
-        <translation>aucun écart</translation>
-    </message>
-    <message>
-        <source>line %1</source>
-        <translation>ligne %1</translation>
-    </message>
-    <message>
-        <source>Lens: line %1</source>
-        <translation>Loupe : ligne %1</translation>
-    </message>
-    <message>
-        <source>%1 along</source>
-        <translation>%1 en long</translation>
-    </message>
-    <message>
-        <source>%1 across</source>
-        <translation>%1 en travers</translation>
-    </message>
-    <message>
-        <source>error</source>
-        <translation>erreur</translation>
-    </message>
-    <message>
-        <source>feed</source>
-        <translation>avance</translation>
     </message>
 </context>
 </TS>

@@ -43,7 +43,7 @@ QString list_of_fields() {
 }  // namespace
 
 AnnotationsView::AnnotationsView(AnnotationList& annotations, Cursor& cursor, QWidget* parent)
-    : Panel({QStringLiteral("annotations"), tr("Annotations"), Qt::RightDockWidgetArea}, parent),
+    : Panel({QStringLiteral("annotations"), tr("Annotations"), Qt::RightDockWidgetArea, false}, parent),
       annotations_(annotations),
       cursor_(cursor),
       model_(new AnnotationTable(annotations, this)),

@@ -5,10 +5,27 @@
 #include <cmath>
 
 #include "core/analysis/study/sweep.h"
+#include "core/base/short_text.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
 
 namespace feedscope::ui {
+
+namespace {
+
+QString with_decimal_sign(const std::string& text) {
+  return QString::fromStdString(text).replace(QLatin1Char('.'), QLocale().decimalPoint());
+}
+
+}  // namespace
+
+QString short_time_text(double seconds) {
+  return with_decimal_sign(short_time(seconds));
+}
+
+QString share_text(double share) {
+  return with_decimal_sign(short_percent(share));
+}
 
 QString setting_title(const std::string& key) {
   if (key == "program") {

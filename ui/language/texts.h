@@ -11,6 +11,11 @@ namespace feedscope::ui {
 /// locale.
 QString clock_text(double seconds);
 
+/// The same in as few digits as a comparison needs: "48.5 s", "1:48.5", "1:02:05".
+QString short_time_text(double seconds);
+/// A share to a whole percent, below one to a figure that is not 0: "8 %", "0.3 %".
+QString share_text(double share);
+
 /// Title of what changes from run to run in the user's language: "X Jerk" for "X.jerk", "Contour tolerance"
 /// for "tolerance"; the key itself if nothing has it.
 QString setting_title(const std::string& key);

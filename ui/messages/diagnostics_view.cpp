@@ -49,7 +49,7 @@ class SeverityDelegate : public QStyledItemDelegate {
 }  // namespace
 
 DiagnosticsView::DiagnosticsView(QWidget* parent)
-    : Panel({QStringLiteral("messages"), tr("Messages"), Qt::BottomDockWidgetArea}, parent),
+    : Panel({QStringLiteral("messages"), tr("Messages"), Qt::BottomDockWidgetArea, false}, parent),
       model_(new DiagnosticsModel(this)),
       shown_(new DiagnosticsFilter(this)),
       list_(new QTreeView(this)),

@@ -9,6 +9,7 @@
 #include "ui/program_text/find_bar.h"
 #include "ui/program_text/go_to_bar.h"
 #include "ui/shared/panel_action.h"
+#include "ui/theme/type_size.h"
 #include "ui/workbench/workbench.h"
 
 namespace feedscope::ui {
@@ -80,9 +81,21 @@ void ProgramPanel::follow(Workbench& workbench) {
   connect(&workbench, &Workbench::run_changed, this, show_run);
   connect(&workbench.cursor(), &Cursor::changed, this, show_cursor);
   connect(view_, &ProgramView::line_chosen, &workbench.cursor(), &Cursor::set_line);
+  connect(&workbench, &Workbench::busy_changed, view_, &ProgramView::set_reading);
+  view_->set_reading(workbench.busy());
   show_program();
   show_run();
   show_cursor();
+}
+
+void ProgramPanel::resizeEvent(QResizeEvent* event) {
+  Panel::resizeEvent(event);
+  show_extents();
+}
+
+void ProgramPanel::show_extents() {
+  constexpr int strip = 150;  // [px]
+  extents_->setVisible(has_extents_ && width() >= type_pixels(strip));
 }
 
 void ProgramPanel::add_actions() {
@@ -111,7 +124,8 @@ void ProgramPanel::add_actions() {
 }
 
 void ProgramPanel::show_extents(const Program* program) {
-  extents_->setVisible(program != nullptr && !program->cutting_bounds.empty());
+  has_extents_ = program != nullptr && !program->cutting_bounds.empty();
+  show_extents();
   if (program != nullptr) {
     extents_->setText(
         tr("Cutting [%1]: %2").arg(unit_of(Dimension::length), ranges_text(program->cutting_bounds)));

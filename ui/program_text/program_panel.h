@@ -33,7 +33,12 @@ class ProgramPanel : public Panel {
   /// Goes to the place of a diagnostic; `column` is a 1-based byte, 0: the line as a whole.
   void go_to(std::uint32_t line, std::uint32_t column);
 
+ protected:
+  /// A panel that is a strip of lines has no room for the extents.
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
+  void show_extents();
   template <typename Slot>
   QAction* add_action(const QString& text, const QString& tip, const QKeySequence& key, Slot slot);
   void add_actions();
@@ -42,6 +47,7 @@ class ProgramPanel : public Panel {
   ProgramView* view_;
   FindBar* find_bar_;
   GoToBar* go_to_bar_;
+  bool has_extents_ = false;
   QLabel* extents_;  ///< of the feed motions; hidden where there are none
   QList<QAction*> actions_;
 };

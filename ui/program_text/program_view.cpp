@@ -279,6 +279,11 @@ void ProgramView::showEvent(QShowEvent* event) {
   }
 }
 
+void ProgramView::set_reading(bool reading) {
+  reading_ = reading;
+  viewport()->update();
+}
+
 void ProgramView::changeEvent(QEvent* event) {
   QAbstractScrollArea::changeEvent(event);
   if (event->type() == QEvent::FontChange || event->type() == QEvent::PaletteChange) {
@@ -291,8 +296,9 @@ void ProgramView::paintEvent(QPaintEvent* event) {
   if (text_.line_count() == 0) {
     painter.setPen(palette().color(QPalette::PlaceholderText));
     painter.drawText(viewport()->rect().adjusted(8, 6, -8, -6), Qt::TextWordWrap,
-                     text_.program() == nullptr ? tr("Open an NC program (Ctrl+O), or drop one here.")
-                                                : tr("The program is empty."));
+                     text_.program() != nullptr ? tr("The program is empty.")
+                     : reading_                 ? tr("Reading the program …")
+                                                : tr("Open an NC program (Ctrl+O), or drop one here."));
     return;
   }
   const std::uint32_t last = std::min(last_visible_line(), line_at(event->rect().bottom()));

@@ -48,6 +48,8 @@ class ProgramView : public QAbstractScrollArea {
   void reveal(TextRange range);
   /// Whose hits are marked; null: none. Outlives this.
   void set_search(const TextSearch* search);
+  /// Whether a program is being read: what stands in place of one says so.
+  void set_reading(bool reading);
   const TextSearch* search() const { return search_; }
 
   const ProgramText& text() const { return text_; }
@@ -129,6 +131,7 @@ class ProgramView : public QAbstractScrollArea {
   LinePainter painter_;
   ProgramMargin* margin_;
   OverviewStrip* overview_;
+  bool reading_ = false;
   std::uint32_t current_ = 0;
   Caret caret_;
   std::uint32_t cells_ = 0;  ///< of the longest line, as far as known

@@ -14,7 +14,7 @@
 #include "ui/report/html_table.h"
 #include "ui/report/report_numbers.h"
 #include "ui/report/report_words.h"
-#include "ui/time_use/time_texts.h"
+#include "ui/language/time_texts.h"
 
 namespace feedscope::ui {
 

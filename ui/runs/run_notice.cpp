@@ -1,15 +1,28 @@
 #include "ui/runs/run_notice.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QProgressBar>
 #include <QToolButton>
+#include <algorithm>
 
 #include "ui/shared/paths.h"
 
 namespace feedscope::ui {
 
-RunNotice::RunNotice(Workbench& workbench, QWidget* parent)
-    : QFrame(parent), workbench_(workbench), text_(new QLabel(this)), again_(new QToolButton(this)) {
+namespace {
+
+constexpr int progress_steps = 1000;
+
+}  // namespace
+
+RunNotice::RunNotice(Workbench& workbench, QWidget& stage)
+    : QFrame(&stage),
+      workbench_(workbench),
+      text_(new QLabel(this)),
+      progress_(new QProgressBar(this)),
+      again_(new QToolButton(this)) {
   setFrameShape(QFrame::StyledPanel);
   setBackgroundRole(QPalette::ToolTipBase);
   setAutoFillBackground(true);
@@ -20,17 +33,51 @@ RunNotice::RunNotice(Workbench& workbench, QWidget* parent)
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(8, 3, 8, 3);
   layout->addWidget(text_, 1);
+  layout->addWidget(progress_, 1);
   layout->addWidget(again_);
+  progress_->setRange(0, progress_steps);
+  progress_->setTextVisible(false);
   connect(again_, &QToolButton::clicked, this,
           [this] { workbench_.simulate_again(workbench_.runs().current()); });
   RunList& runs = workbench_.runs();
   connect(&workbench_, &Workbench::program_changed, this, &RunNotice::follow);
+  connect(&workbench_, &Workbench::busy_changed, this, [this] {
+    activity_.clear();
+    progress_->setValue(0);
+    follow();
+  });
+  connect(&workbench_, &Workbench::progressed, this, [this](const QString& activity, double fraction) {
+    activity_ = activity;
+    progress_->setValue(static_cast<int>(progress_steps * fraction));
+    follow();
+  });
   connect(&runs, &RunList::current_changed, this, &RunNotice::follow);
   connect(&runs, &RunList::list_changed, this, &RunNotice::follow);
   for (const auto signal : {&RunList::status_changed, &RunList::result_changed, &RunList::item_changed}) {
     connect(&runs, signal, this, &RunNotice::follow);
   }
+  stage.installEventFilter(this);
   follow();
+}
+
+bool RunNotice::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize && watched == parentWidget()) {
+    place();
+  }
+  return QFrame::eventFilter(watched, event);
+}
+
+void RunNotice::place() {
+  const QSize room = parentWidget()->size();
+  const int height = std::max(sizeHint().height(), heightForWidth(room.width()));
+  setGeometry(0, room.height() - height, room.width(), height);
+  raise();
+}
+
+bool RunNotice::waits() const {
+  const RunList& runs = workbench_.runs();
+  return workbench_.busy() && runs.last_result(runs.current()) == nullptr &&
+         runs.status(runs.current()) == RunStatus::waiting;
 }
 
 void RunNotice::follow() {
@@ -42,10 +89,15 @@ void RunNotice::follow() {
   again_->setToolTip(nothing_read ? tr("Read the program again and simulate it (F9)")
                                   : tr("Simulate the current run (F9)"));
   again_->setVisible(status == RunStatus::cancelled || status == RunStatus::failed);
+  progress_->setVisible(waits());
   setVisible(!why.isEmpty());
+  place();
 }
 
 QString RunNotice::reason() const {
+  if (waits()) {
+    return activity_.isEmpty() ? tr("Reading the program …") : activity_;
+  }
   const RunList& runs = workbench_.runs();
   const QString name = runs.title(runs.current_item());
   const auto program = workbench_.program();
@@ -64,7 +116,8 @@ QString RunNotice::reason() const {
   const QString file = to_qstring(workbench_.file().filename());
   const QString dialect = QString::fromUtf8(info_of(program->dialect).title.data());
   return tr("Nothing in %1 moves an axis. Check that it is an NC program; it was read as %2, and File › "
-            "Program import options selects another language. The panel Messages lists what was found in it.")
+            "Reading › Program import options selects another language. The panel Messages lists what was "
+            "found in it.")
       .arg(file, dialect);
 }
 

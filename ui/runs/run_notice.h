@@ -5,28 +5,38 @@
 #include "ui/workbench/workbench.h"
 
 class QLabel;
+class QProgressBar;
 class QToolButton;
 
 namespace feedscope::ui {
 
-/// Says why nothing is shown: the current run was cancelled or has failed, and can be simulated again; the
-/// program could not be read, or nothing in it moves. Hidden where there is something to see.
+/// Says why nothing is shown: what is being done and how far it is; the current run was cancelled or has
+/// failed, and can be simulated again; the program could not be read, or nothing in it moves. Hidden where
+/// there is something to see.
 class RunNotice : public QFrame {
   Q_OBJECT
 
  public:
-  /// `workbench` outlives this.
-  explicit RunNotice(Workbench& workbench, QWidget* parent = nullptr);
+  /// Lies over the lower edge of `stage`, which keeps its size. `workbench` outlives this.
+  RunNotice(Workbench& workbench, QWidget& stage);
 
   QString text() const;
   QToolButton* again() { return again_; }
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
+  void place();
   void follow();
+  /// Whether the current run is on its way.
+  bool waits() const;
   QString reason() const;
 
   Workbench& workbench_;
   QLabel* text_;
+  QProgressBar* progress_;
+  QString activity_;  ///< what is being done
   QToolButton* again_;
 };
 

@@ -12,6 +12,7 @@
 #include "ui/language/signed_number.h"
 #include "ui/language/texts.h"
 #include "ui/shared/paths.h"
+#include "ui/workbench/decision.h"
 #include "ui/workbench/tolerance_text.h"
 
 namespace feedscope::ui {
@@ -29,6 +30,7 @@ RunTable::RunTable(RunList& runs, QObject* parent) : QAbstractTableModel(parent)
   connect(&runs_, &RunList::item_changed, this, &RunTable::changed);
   connect(&runs_, &RunList::result_changed, this, &RunTable::all_changed);  // the best one may be another
   connect(&runs_, &RunList::current_changed, this, &RunTable::all_changed);
+  connect(&runs_, &RunList::error_bound_changed, this, &RunTable::all_changed);
   connect(&runs_, &RunList::status_changed, this, &RunTable::changed);
 }
 
@@ -50,11 +52,6 @@ void RunTable::reset() {
   follow_figures();
 }
 
-void RunTable::set_error_bound(std::optional<double> bound) {
-  bound_ = bound;
-  all_changed();
-}
-
 void RunTable::changed(std::size_t row) {
   const int at = static_cast<int>(row);
   follow_figures();
@@ -68,6 +65,8 @@ void RunTable::all_changed() {
 
 /// Columns come with the first run that has their figure, and go with the last one.
 void RunTable::follow_figures() {
+  const auto taken = runs_.items().size() > 1 ? recommended(runs_) : std::nullopt;
+  taken_ = taken ? std::optional(taken->run) : std::nullopt;
   std::vector<std::shared_ptr<const ShownRun>> results;
   for (std::size_t row = 0; row < runs_.items().size(); ++row) {
     results.push_back(runs_.result(row));
@@ -114,7 +113,7 @@ std::size_t RunTable::lines_not_run(std::size_t row) const {
 }
 
 bool RunTable::keeps_bound(const Summary& summary) const {
-  return feedscope::keeps_bound(summary.cutting_contour_error, bound_);
+  return feedscope::keeps_bound(deciding_error(summary), runs_.error_bound());
 }
 
 std::vector<std::size_t> RunTable::fastest() const {
@@ -122,26 +121,10 @@ std::vector<std::size_t> RunTable::fastest() const {
   for (std::size_t row = 0; row < runs_.items().size(); ++row) {
     const Summary* figures = summary(row);
     times.push_back(figures == nullptr ? RunTime{0, 0, 0, false}
-                                       : RunTime{figures->cycle_time, figures->cutting_contour_error,
+                                       : RunTime{figures->cycle_time, deciding_error(*figures),
                                                  lines_not_run(row), counts(row)});
   }
-  return fastest_runs(times, bound_);
-}
-
-bool RunTable::is_marked(std::size_t row) const {
-  const std::vector<std::size_t> rows = fastest();
-  return rows.size() < runs_.items().size() && std::ranges::find(rows, row) != rows.end();
-}
-
-bool RunTable::all_refused() const {
-  bool some = false;
-  for (std::size_t row = 0; row < runs_.items().size(); ++row) {
-    if (summary(row) != nullptr && !refused(row)) {
-      return false;
-    }
-    some = some || summary(row) != nullptr;
-  }
-  return some;
+  return fastest_runs(times, runs_.error_bound());
 }
 
 int RunTable::rowCount(const QModelIndex& parent) const {
@@ -173,8 +156,8 @@ QString RunTable::figure(std::size_t row, int column) const {
   }
   switch (column) {
     case cycle_time:
-      return is_marked(row) ? QStringLiteral("★ %1").arg(clock_text(figures->cycle_time))
-                            : clock_text(figures->cycle_time);
+      return taken_ == row ? QStringLiteral("★ %1").arg(clock_text(figures->cycle_time))
+                           : clock_text(figures->cycle_time);
     case difference: {
       const std::vector<std::size_t> best = fastest();
       if (best.empty() || std::ranges::find(best, row) != best.end() ||
@@ -244,15 +227,15 @@ QString RunTable::explanation(std::size_t row) const {
   const Summary* figures = refused(row) ? nullptr : summary(row);
   if (figures != nullptr && !keeps_bound(*figures)) {
     lines.append(tr("Its contour error of %1 is above the bound of %2.")
-                     .arg(amount_text(figures->cutting_contour_error, Dimension::error),
-                          amount_text(*bound_, Dimension::error)));
+                     .arg(amount_text(deciding_error(*figures), Dimension::error),
+                          amount_text(*runs_.error_bound(), Dimension::error)));
   }
   if (figures != nullptr && figures->max_contour_error > figures->cutting_contour_error) {
     lines.append(tr("In rapids it leaves the programmed path by up to %1.")
                      .arg(amount_text(figures->max_contour_error, Dimension::error)));
   }
-  if (figures != nullptr && keeps_bound(*figures) && is_marked(row)) {
-    lines.append(tr("★ The fastest of these runs."));
+  if (taken_ == row) {
+    lines.append(tr("★ The run to take: %1").arg(DecisionTexts::decision(runs_).rule));
   }
   if (figures != nullptr) {
     append_slower_tolerance(row, lines);

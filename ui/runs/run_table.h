@@ -15,7 +15,7 @@ namespace feedscope::ui {
 ///
 /// Below them the traces of the program: how long the control took, and how far it left the path.
 ///
-/// With a bound on the contour error, runs that keep it compete: the fastest of them is marked.
+/// The run to take is marked: recommended().
 class RunTable : public QAbstractTableModel {
   Q_OBJECT
 
@@ -31,13 +31,9 @@ class RunTable : public QAbstractTableModel {
   /// Which of the traces a row is; none: a run.
   std::optional<std::size_t> trace_of(int row) const;
 
-  /// Largest contour error that counts [mm]; none: every run counts.
-  void set_error_bound(std::optional<double> bound);
   /// Rows of the fastest runs that keep the bound (fastest_runs), of those that have a result; none if none
   /// keeps it or is possible.
   std::vector<std::size_t> fastest() const;
-  /// Whether there are results, all of runs that the control refuses.
-  bool all_refused() const;
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
@@ -60,8 +56,6 @@ class RunTable : public QAbstractTableModel {
   bool counts(std::size_t row) const;
   std::size_t lines_not_run(std::size_t row) const;
   bool keeps_bound(const Summary& summary) const;
-  /// Whether a run is one of the fastest, and others are slower or not within the bound.
-  bool is_marked(std::size_t row) const;
   QVariant trace_data(std::size_t trace, int column, int role) const;
   QString trace_text(std::size_t trace, int column) const;
   QString trace_explanation(std::size_t trace) const;
@@ -72,7 +66,7 @@ class RunTable : public QAbstractTableModel {
 
   RunList& runs_;
   TraceList* traces_ = nullptr;
-  std::optional<double> bound_;
+  std::optional<std::size_t> taken_;          ///< row of the run to take, where there are others
   std::vector<const SourceFigure*> figures_;  ///< behind `columns`
 };
 

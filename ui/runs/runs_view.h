@@ -6,16 +6,12 @@
 #include "ui/workbench/panel.h"
 
 class QAction;
-class QCheckBox;
-class QLabel;
 class QTableView;
 
 namespace feedscope::ui {
 
-class NumberBox;
-
 /// The runs of the program with their results: choose the current one, duplicate and change it, hide,
-/// reorder, remove; and which is the fastest within a bound on the contour error.
+/// reorder, remove.
 class RunsView : public Panel {
   Q_OBJECT
 
@@ -26,12 +22,10 @@ class RunsView : public Panel {
   void follow(Workbench& workbench) override;
   QTableView* table() { return table_; }
   RunTable& results() { return *model_; }
-  /// Duplicate, variants, remove, up, down.
+  /// Duplicate, rename, remove, up, down.
   QList<QAction*> panel_actions() const override { return actions_; }
   /// Simulates a run again that was cancelled or has failed.
   QAction* again() { return again_; }
-  /// Which run is the fastest, in one sentence.
-  QString verdict() const;
   /// The runs that are simulated as CSV: columns of comparison_csv, with their names.
   std::string csv() const;
 
@@ -46,9 +40,6 @@ class RunsView : public Panel {
 
  private:
   void make_actions();
-  void add_variants();
-  /// Copies of the current run with the tolerances typed; what is wrong with the text, if nothing is added.
-  QString add_tolerances(const QString& text);
   void add_action(const QString& text, const QString& tip, const QKeySequence& key, void (RunsView::*call)());
   void duplicate();
   void remove();
@@ -61,19 +52,14 @@ class RunsView : public Panel {
   void follow_current();
   void follow_status();
   void fit_names();
-  void show_verdict();
   void save_csv();
 
   RunList& runs_;
   TraceList* traces_ = nullptr;
   RunTable* model_;
   QTableView* table_;
-  QCheckBox* bounded_;
-  NumberBox* bound_;
-  QLabel* verdict_;
   QList<QAction*> actions_;
   QAction* again_ = nullptr;
-  QAction* for_all_ = nullptr;
 };
 
 }  // namespace feedscope::ui

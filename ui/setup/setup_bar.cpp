@@ -4,11 +4,13 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QSignalBlocker>
+#include <QToolButton>
 #include <utility>
 
 #include "ui/fields/number_box.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
+#include "ui/theme/type_size.h"
 #include "ui/workbench/tolerance_text.h"
 
 namespace feedscope::ui {
@@ -16,6 +18,8 @@ namespace feedscope::ui {
 namespace {
 
 constexpr int id_role = Qt::UserRole + 1;  // of the machine; the data is what chooses it
+constexpr int usual_list = 13;             // letters of the machine
+constexpr int usual_control = 18;          // letters of the control
 constexpr double several = -1;             // of the tolerance box: not one value, a text stands for it [mm]
 
 QLabel* make_label(const QString& text, QWidget* buddy, QWidget* parent) {
@@ -50,22 +54,18 @@ SetupBar::SetupBar(Workbench& workbench, QWidget* parent)
     control_model_->setItemData(control_model_->count() - 1, summary, Qt::ToolTipRole);
   }
   control_model_->setToolTip(tr("Control model: how the control turns the path into motion"));
-  fix_width(control_model_, 42);
+  fix_width(control_model_, usual_control);
   tolerance_->setDecimals(decimals_of(Dimension::length, 4));
   tolerance_->setRange(0, in_shown_unit(10, Dimension::length));
   tolerance_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
   tolerance_->setKeyboardTracking(false);
   tolerance_->setSuffix(' ' + unit_of(Dimension::length));
 
-  addWidget(make_label(tr("&Machine"), machine_, this));
-  addWidget(machine_);
-  addWidget(make_label(tr("M&odel"), control_model_, this));
-  addWidget(control_model_);
-  addWidget(make_label(tr("&Tolerance"), tolerance_, this));
-  addWidget(tolerance_);
+  add_field(tr("&Machine"), machine_);
+  add_field(tr("&Control"), control_model_);
+  add_field(tr("&Tolerance"), tolerance_);
 
-  connect(machine_, &QComboBox::activated, this,
-          [this] { workbench_.choose_machine(machine_->currentData().toString()); });
+  connect(machine_, &QComboBox::activated, this, &SetupBar::choose_machine);
   connect(control_model_, &QComboBox::activated, this,
           [this] { workbench_.choose_model(control_model_->currentData().toString()); });
   connect(tolerance_, &NumberBox::valueChanged, this, &SetupBar::set_tolerance);
@@ -74,6 +74,27 @@ SetupBar::SetupBar(Workbench& workbench, QWidget* parent)
   connect(&workbench_.setup(), &SetupEdit::values_changed, this, &SetupBar::show_tolerance);
   connect(&workbench_.runs(), &RunList::item_changed, this, &SetupBar::show_tolerance);
   show_setup();
+}
+
+void SetupBar::add_field(const QString& label, QWidget* field) {
+  labels_.append(addWidget(make_label(label, field, this)));
+  addWidget(field);
+}
+
+void SetupBar::resizeEvent(QResizeEvent* event) {
+  QToolBar::resizeEvent(event);
+  fit_in();
+}
+
+void SetupBar::fit_in() {
+  constexpr int wide = 1200;  // [px]
+  const bool narrow = width() < type_pixels(wide);
+  for (QAction* label : labels_) {
+    label->setVisible(!narrow);
+  }
+  constexpr int narrow_list = 9;  // letters
+  machine_->setMinimumContentsLength(narrow ? narrow_list : usual_list);
+  control_model_->setMinimumContentsLength(narrow ? narrow_list : usual_control);
 }
 
 /// The shipped ones, then one's own with the owner of the file.
@@ -89,7 +110,38 @@ void SetupBar::list_machines() {
     machine_->setItemData(machine_->count() - 1, choice.id, id_role);
     machine_->setItemData(machine_->count() - 1, choice.file, Qt::ToolTipRole);
   }
-  fix_width(machine_, 20);
+  machine_->insertSeparator(machine_->count());
+  machine_->addItem(tr("Machine file …"));
+  machine_->setItemData(machine_->count() - 1, tr("Open a machine file of your own"), Qt::ToolTipRole);
+  fix_width(machine_, usual_list);
+  fit_in();
+}
+
+void SetupBar::choose_machine() {
+  if (const QVariant key = machine_->currentData(); key.isValid()) {
+    workbench_.choose_machine(key.toString());
+  } else {
+    show_setup();  // until a file is chosen
+    emit machine_file_wanted();
+  }
+}
+
+void SetupBar::insert_first(const QList<QAction*>& actions) {
+  QAction* first = this->actions().first();
+  insertActions(first, actions);
+}
+
+void SetupBar::add_last(QAction* for_all, QAction* compare, const QList<QAction*>& output) {
+  addAction(for_all);
+  addAction(compare);
+  auto* button = qobject_cast<QToolButton*>(widgetForAction(compare));
+  button->setStyleSheet(QStringLiteral(
+      "QToolButton { background: palette(highlight); color: palette(highlighted-text); border-radius: 4px; "
+      "padding: 4px 8px; } QToolButton:disabled { background: palette(mid); }"));
+  auto* space = new QWidget(this);
+  space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  addWidget(space);
+  addActions(output);
 }
 
 void SetupBar::show_setup() {
@@ -99,8 +151,8 @@ void SetupBar::show_setup() {
     list_machines();  // one's own that has just been opened or saved
   }
   if (machine_->findData(id, id_role) < 0) {
-    machine_->addItem(QString::fromStdString(file.machine.name), id);
-    machine_->setItemData(machine_->count() - 1, id, id_role);
+    machine_->insertItem(0, QString::fromStdString(file.machine.name), id);
+    machine_->setItemData(0, id, id_role);
   }
   machine_->setCurrentIndex(machine_->findData(id, id_role));
   const QString tip = tr("Machine whose axis limits and control settings apply");

@@ -18,7 +18,23 @@ class SetupBar : public QToolBar {
   /// `workbench` outlives this.
   explicit SetupBar(Workbench& workbench, QWidget* parent = nullptr);
 
+  /// Commands before the machine.
+  void insert_first(const QList<QAction*>& actions);
+  /// Behind the tolerance: whether changes are those of all runs, the command that compares, and at the end
+  /// what leaves the program.
+  void add_last(QAction* for_all, QAction* compare, const QList<QAction*>& output);
+
+ signals:
+  void machine_file_wanted();
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
+  void choose_machine();
+  void add_field(const QString& label, QWidget* field);
+  /// A narrow window needs the room of the labels for the commands.
+  void fit_in();
   void list_machines();
   void show_setup();
   void show_tolerance();
@@ -28,6 +44,7 @@ class SetupBar : public QToolBar {
   QComboBox* machine_;
   QComboBox* control_model_;
   NumberBox* tolerance_;
+  QList<QAction*> labels_;
 };
 
 }  // namespace feedscope::ui

@@ -15,6 +15,7 @@
 #include "ui/fields/focus_outline.h"
 #include "ui/language/core_texts.h"
 #include "ui/setup/run_notes_text.h"
+#include "ui/shared/panel_action.h"
 #include "ui/theme/theme.h"
 #include "ui/theme/type_size.h"
 #include "ui/workbench/workbench.h"
@@ -62,6 +63,10 @@ int full_height(const QTableView* table) {
 SetupView::SetupView(SetupEdit& edit, QWidget* parent)
     : Panel({QStringLiteral("machine"), tr("Machine"), Qt::RightDockWidgetArea}, parent),
       edit_(edit),
+      for_all_(make_action(this, tr("Change all runs"),
+                           tr("Changes are those of all runs, but for what the runs are compared in; off: of "
+                              "the current run alone"))),
+      scope_(new QToolButton(this)),
       axis_model_(new AxisTable(edit, axis_limit_specs(), this)),
       drive_model_(new AxisTable(edit, axis_drive_specs(), this)),
       settings_model_(new SettingsTable(edit, this)),
@@ -98,6 +103,13 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
     fold->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // a panel may be narrow
     fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   }
+  for_all_->setIconText(tr("All runs"));
+  for_all_->setCheckable(true);
+  for_all_->setChecked(edit_.for_all());
+  connect(for_all_, &QAction::toggled, &edit_, &SetupEdit::set_for_all);
+  scope_->setDefaultAction(for_all_);
+  scope_->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  show_scope(1);
   show_drives_->setToolTip(tr(
       "How the axes follow their set values: position gain, feed-forward, backlash. Without a gain an axis "
       "follows exactly"));
@@ -126,6 +138,7 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
   layout->setSpacing(4);
   layout->addWidget(machine_);
   layout->addWidget(run_notes_);
+  layout->addWidget(scope_);
   layout->addWidget(make_heading(tr("Axis limits"), this));
   layout->addWidget(axes_);
   layout->addWidget(show_drives_);
@@ -352,7 +365,15 @@ void SetupView::follow(Workbench& workbench) {
     show_run_notes(shown == nullptr ? QStringList() : run_note_texts(shown->run));
   };
   connect(&workbench, &Workbench::run_changed, this, show_run);
+  const auto show_scope_of = [this, &runs = workbench.runs()] { show_scope(runs.items().size()); };
+  connect(&workbench.runs(), &RunList::list_changed, this, show_scope_of);
+  show_scope_of();
   show_run();
+}
+
+void SetupView::show_scope(std::size_t runs) {
+  for_all_->setVisible(runs > 1);
+  scope_->setVisible(runs > 1);
 }
 
 }  // namespace feedscope::ui

@@ -19,6 +19,8 @@ class SetupView : public Panel {
   explicit SetupView(SetupEdit& edit, QWidget* parent = nullptr);
 
   void follow(Workbench& workbench) override;
+  /// Whether changes are those of all runs or of the current one: for every place where they are made.
+  QAction* for_all() const { return for_all_; }
   QTableView* axes() { return axes_; }
   QTableView* drives() { return drives_; }
   QTableView* settings() { return settings_; }
@@ -48,7 +50,11 @@ class SetupView : public Panel {
   void hide_unset();
   void hide_drives();
 
+  void show_scope(std::size_t runs);
+
   SetupEdit& edit_;
+  QAction* for_all_;
+  QToolButton* scope_;
   AxisTable* axis_model_;
   AxisTable* drive_model_;
   SettingsTable* settings_model_;

@@ -18,7 +18,7 @@
 namespace feedscope::ui {
 
 SlowPlacesView::SlowPlacesView(QWidget* parent)
-    : Panel({QStringLiteral("slow-places"), tr("Slow places"), Qt::BottomDockWidgetArea}, parent),
+    : Panel({QStringLiteral("slow-places"), tr("Slow places"), Qt::BottomDockWidgetArea, false}, parent),
       model_(new SlowPlacesModel(this)),
       list_(new QTreeView(this)),
       most_(new QComboBox(this)),

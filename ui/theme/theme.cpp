@@ -106,9 +106,9 @@ class ThemeStyle : public QProxyStyle {
         return QProxyStyle::styleHint(hint, option, widget, result);
     }
   }
-  /// The names of five panels side by side find room where a lesson is one of them.
+  /// The names of four panels side by side find room in every language.
   int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
-    constexpr int crowded = 5;
+    constexpr int crowded = 4;
     constexpr int narrow = 10;  // [px] beside a name
     const auto* tabs = metric == PM_TabBarTabHSpace ? qobject_cast<const QTabBar*>(widget) : nullptr;
     if (tabs != nullptr && tabs->count() >= crowded) {

@@ -11,7 +11,7 @@
 #include "ui/language/remedy_text.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"
-#include "ui/time_use/time_texts.h"
+#include "ui/language/time_texts.h"
 
 namespace feedscope::ui {
 

@@ -10,28 +10,23 @@
 #include <QTextDocumentFragment>
 #include <QTreeWidget>
 #include <QVBoxLayout>
-#include <utility>
 
 #include "core/analysis/refused_lines.h"
 #include "core/analysis/ruled_instant.h"
 #include "core/base/error.h"
 #include "ui/fields/focus_outline.h"
 #include "ui/language/failure_text.h"
+#include "ui/language/time_texts.h"
 #include "ui/shared/flow_layout.h"
 #include "ui/shared/panel_action.h"
 #include "ui/shared/row_copy.h"
 #include "ui/shared/wrapped_names.h"
-#include "ui/time_use/time_texts.h"
 #include "ui/workbench/workbench.h"
 
 namespace feedscope::ui {
 
 namespace {
 
-constexpr double longest_unasked = 5;  // simulation of one run after which changes wait to be asked for [s]
-constexpr int pause_ms =
-    1200;  // of a run's changes after those of another: values often change again at once
-constexpr std::size_t most_known = 16;
 constexpr int share_role = Qt::UserRole;
 constexpr int row_role = Qt::UserRole + 1;  // of TimeRow*
 
@@ -65,7 +60,7 @@ QLabel* text_label(QWidget* parent) {
 
 }  // namespace
 
-TimeView::TimeView(QWidget* parent)
+TimeView::TimeView(TimeFindings& findings, QWidget* parent)
     : Panel({QStringLiteral("time"), tr("Time"), Qt::RightDockWidgetArea}, parent),
       conclusion_(text_label(this)),
       tree_(new QTreeWidget(this)),
@@ -73,7 +68,8 @@ TimeView::TimeView(QWidget* parent)
       progress_(new QProgressBar(this)),
       try_(new QPushButton(tr("Try changes"), this)),
       new_run_(new QPushButton(tr("New run with this change"), this)),
-      paper_(new QPushButton(tr("Report …"), this)) {
+      paper_(new QPushButton(tr("Report …"), this)),
+      findings_(findings) {
   tree_->setColumnCount(3);
   tree_->setHeaderHidden(true);
   tree_->header()->setStretchLastSection(false);
@@ -93,7 +89,10 @@ TimeView::TimeView(QWidget* parent)
 
   try_action_ = make_action(this, tr("Where does the time go? Try changes"),
                             tr("Simulate what would help the whole program, each change separately"),
-                            QKeySequence(tr("Ctrl+Shift+W")), &TimeView::try_changes);
+                            QKeySequence(tr("Ctrl+Shift+W")), [this] {
+                              emit attention_wanted();
+                              findings_.try_changes();
+                            });
   run_action_ =
       make_action(this, tr("New run with the chosen change"),
                   tr("Make a run of the change that is chosen under Time"), {}, &TimeView::want_run);
@@ -111,18 +110,10 @@ TimeView::TimeView(QWidget* parent)
     }
   });
   connect(tree_, &QTreeWidget::currentItemChanged, this, &TimeView::show_actions);
-  pause_.setSingleShot(true);
-  pause_.setInterval(pause_ms);
-  connect(&pause_, &QTimer::timeout, this, &TimeView::try_wanted);
-  connect(&job_, &TimeJob::done, this, &TimeView::take);
-  connect(&job_, &TimeJob::progressed, this,
+  connect(&findings_, &TimeFindings::changed, this, &TimeView::show_sections);
+  connect(&findings_, &TimeFindings::state_changed, this, &TimeView::show_state);
+  connect(&findings_, &TimeFindings::progressed, this,
           [this](double fraction) { progress_->setValue(static_cast<int>(1000 * fraction)); });
-  connect(&job_, &TimeJob::ended, this, [this](const QString& failure) {
-    if (!pause_.isActive()) {
-      try_wanted();
-    }
-    show_state(failure);
-  });
 
   state_->setContentsMargins(6, 4, 6, 0);
   auto* buttons = new FlowLayout;
@@ -142,159 +133,47 @@ TimeView::TimeView(QWidget* parent)
   layout->addWidget(progress_);
   layout->addWidget(state_);
   layout->addLayout(buttons);
+  show_sections();
   show_state({});
 }
 
 void TimeView::follow(Workbench& workbench) {
-  const auto show_run = [this, &workbench] { set_run(workbench.shown(), workbench.setup().state()); };
-  connect(&workbench, &Workbench::run_changed, this, show_run);
-  connect(&workbench, &Workbench::busy_changed, this, &TimeView::give_way);
   connect(this, &TimeView::place_chosen, &workbench, &Workbench::show_place);
   connect(this, &TimeView::time_chosen, &workbench.cursor(), &Cursor::set_time);
   connect(this, &TimeView::run_wanted, &workbench, [&workbench](const SetupState& setup) {
     workbench.runs().duplicate_as(workbench.runs().current(), setup);
   });
-  show_run();
-}
-
-void TimeView::set_run(std::shared_ptr<const ShownRun> shown, const SetupState& setup) {
-  if (shown == shown_) {
-    return;
-  }
-  const bool follows = shown_ != nullptr;
-  cancel();
-  shown_ = std::move(shown);
-  setup_ = setup;
-  report_ = recall();
-  tried_ = report_ != nullptr && !report_->changes.tried.empty();
-  wanted_ = has_time() && !tried_ && shown_->run.simulate_time < longest_unasked;
-  if (wanted_ && follows) {
-    pause_.start();
-  }
-  show_sections();
-  stale_ = has_time() && !tried_;
-  if (is_seen()) {
-    catch_up();
-  }
-  show_state({});
-}
-
-bool TimeView::has_time() const {
-  return shown_ != nullptr && !is_refused(shown_->run) && shown_->run.summary.cycle_time > 0;
-}
-
-void TimeView::cancel() {
-  wanted_ = asked_ = false;
-  pause_.stop();
-  job_.cancel();
 }
 
 void TimeView::set_on_screen(bool on_screen) {
   on_screen_ = on_screen;
-  if (is_seen()) {
-    catch_up();
-  }
+  watch();
 }
 
 void TimeView::showEvent(QShowEvent* event) {
   Panel::showEvent(event);
-  if (is_seen()) {
-    catch_up();
-  }
+  watch();
 }
 
-void TimeView::catch_up() {
-  if (!stale_) {
-    return;
-  }
-  if (report_ == nullptr) {
-    look();
-  } else if (!pause_.isActive()) {
-    try_wanted();
-  }
+void TimeView::hideEvent(QHideEvent* event) {
+  Panel::hideEvent(event);
+  watch();
 }
 
-void TimeView::try_changes() {
-  emit attention_wanted();
-  if (!has_time()) {
-    return;
-  }
-  pause_.stop();
-  wanted_ = asked_ = true;
-  if (report_ == nullptr) {
-    look();
-  } else {
-    try_wanted();
-  }
-}
-
-void TimeView::look() {
-  stale_ = false;
-  progress_->setValue(0);
-  job_.look(shown_);
-  show_state({});
-}
-
-void TimeView::try_wanted() {
-  if (!wanted_ || job_.busy() || (gives_way_ && !asked_) || report_ == nullptr ||
-      !(report_->use.cycle_time > 0)) {
-    return;
-  }
-  wanted_ = false;
-  progress_->setValue(0);
-  job_.try_changes(shown_, report_);
-  show_state({});
-}
-
-void TimeView::give_way(bool to_others) {
-  gives_way_ = to_others;
-  if (asked_ || shown_ == nullptr || tried_) {
-    return;
-  }
-  if (to_others && report_ != nullptr && job_.busy()) {
-    wanted_ = true;
-    job_.cancel();
-  } else if (!to_others && wanted_ && report_ != nullptr && !job_.busy()) {
-    pause_.start();
-  }
-}
-
-void TimeView::take(const std::shared_ptr<const TimeReport>& report) {
-  report_ = report;
-  tried_ = tried_ || !report->changes.tried.empty();
-  asked_ = asked_ && !tried_;
-  remember(report);
-  show_sections();
-}
-
-void TimeView::remember(const std::shared_ptr<const TimeReport>& report) {
-  std::erase_if(known_, [&](const Known& known) {
-    const auto run = known.run.lock();
-    return run == nullptr || run == shown_->run.trajectory;
-  });
-  if (known_.size() == most_known) {
-    known_.erase(known_.begin());
-  }
-  known_.push_back({shown_->run.trajectory, report});
-}
-
-std::shared_ptr<const TimeReport> TimeView::recall() const {
-  for (const Known& known : known_) {
-    if (shown_ != nullptr && known.run.lock() == shown_->run.trajectory) {
-      return known.report;
-    }
-  }
-  return nullptr;
+void TimeView::watch() {
+  findings_.set_watched(this, on_screen_ && isVisible());
 }
 
 void TimeView::show_sections() {
   tree_->clear();
-  sections_ = report_ == nullptr ? std::vector<TimeSection>() : time_sections(*report_, shown_->run);
-  conclusion_->setText(shown_ == nullptr         ? tr("Open a program to see where its time goes.")
-                       : is_refused(shown_->run) ? TimeTexts::refusal(shown_->run)
-                       : !has_time()             ? TimeTexts::conclusion({}, shown_->run)
-                       : report_ != nullptr      ? TimeTexts::conclusion(*report_, shown_->run)
-                                                 : tr("Looking where the time goes …"));
+  const auto& shown = findings_.shown();
+  const auto& report = findings_.report();
+  sections_ = report == nullptr ? std::vector<TimeSection>() : time_sections(*report, shown->run);
+  conclusion_->setText(shown == nullptr         ? tr("Open a program to see where its time goes.")
+                       : is_refused(shown->run) ? TimeTexts::refusal(shown->run)
+                       : !findings_.has_time()  ? TimeTexts::conclusion({}, shown->run)
+                       : report != nullptr      ? TimeTexts::conclusion(*report, shown->run)
+                                                : tr("Looking where the time goes …"));
   for (const TimeSection& section : sections_) {
     auto* heading = new QTreeWidgetItem(tree_);
     QFont bold = tree_->font();
@@ -326,20 +205,21 @@ void TimeView::add_rows(QTreeWidgetItem* parent, const std::vector<TimeRow>& row
 }
 
 void TimeView::show_state(const QString& failure) {
-  const bool trying = job_.busy() && report_ != nullptr;
-  progress_->setVisible(job_.busy());
+  const bool trying = findings_.trying();
+  const bool working = findings_.working();
+  progress_->setVisible(working);
   state_->setVisible(!failure.isEmpty() || trying);
   state_->setText(!failure.isEmpty() ? failure : trying ? tr("Simulating what would help …") : QString());
-  try_->setVisible(has_time() && !job_.busy() && !tried_);
-  try_action_->setEnabled(has_time());
-  paper_->setVisible(report_ != nullptr && !job_.busy());
+  try_->setVisible(findings_.has_time() && !working && !findings_.tried());
+  try_action_->setEnabled(findings_.has_time());
+  paper_->setVisible(findings_.report() != nullptr && !working);
   show_actions();
 }
 
 void TimeView::show_actions() {
   const TimeRow* row = chosen_row();
   const bool has_run = row != nullptr && row->remedy;
-  new_run_->setVisible(tried_);
+  new_run_->setVisible(findings_.tried());
   new_run_->setEnabled(has_run);
   run_action_->setEnabled(has_run);
 }
@@ -356,7 +236,8 @@ void TimeView::choose(const QTreeWidgetItem* item) {
     return;
   }
   if (row->place) {
-    emit place_chosen(ruled_instant(*shown_->run.trajectory, *row->place), row->place->from, row->place->to);
+    emit place_chosen(ruled_instant(*findings_.shown()->run.trajectory, *row->place), row->place->from,
+                      row->place->to);
   } else if (row->time) {
     emit time_chosen(*row->time);
   }
@@ -364,26 +245,14 @@ void TimeView::choose(const QTreeWidgetItem* item) {
 
 void TimeView::want_run() {
   const TimeRow* row = chosen_row();
-  if (row == nullptr || !row->remedy || !setup_) {
+  if (row == nullptr || !row->remedy) {
     return;
   }
-  const Remedy remedy = *row->remedy;  // the run that comes replaces the rows
-  SetupState setup = *setup_;
   try {
-    if (!remedy.machine.empty()) {
-      const Setup changed = with_remedy(setup.setup(), remedy);
-      setup =
-          SetupState::between(make_setup({remedy.machine, changed.model->info().id, std::nullopt}), changed);
-    } else {
-      for (const auto& [key, value] : remedy.changes) {
-        setup.set(key, value);
-      }
-    }
+    emit run_wanted(findings_.changed_by(*row->remedy));
   } catch (const InputError& error) {
     emit failed(failure_text(error));
-    return;
   }
-  emit run_wanted(setup);
 }
 
 QString TimeView::conclusion() const {

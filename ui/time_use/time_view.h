@@ -2,7 +2,6 @@
 
 #include <QTimer>
 
-#include "ui/time_use/time_job.h"
 #include "ui/time_use/time_rows.h"
 #include "ui/workbench/panel.h"
 #include "ui/workbench/setup_state.h"
@@ -18,27 +17,18 @@ namespace feedscope::ui {
 /// Where the time of the current run goes and what would help: a conclusion, then what the cycle time
 /// consists of, the places that lose most by what they have in common, changes that were simulated, causes
 /// and operations. A click goes to the place; a change becomes a run.
-///
-/// Works while it can be seen. Changes of programs that take long to simulate are tried when asked for; those
-/// of a run that follows another one after a pause in which nothing else is simulated, and once.
 class TimeView : public Panel {
   Q_OBJECT
 
  public:
-  explicit TimeView(QWidget* parent = nullptr);
+  /// `findings` outlives this.
+  explicit TimeView(TimeFindings& findings, QWidget* parent = nullptr);
 
   void follow(Workbench& workbench) override;
-  /// The run, and the setup that it was made with; null: none.
-  void set_run(std::shared_ptr<const ShownRun> shown, const SetupState& setup);
   void set_on_screen(bool on_screen) override;
-  bool busy() const override { return job_.busy() || pause_.isActive(); }
+  bool busy() const override { return findings_.busy(); }
   QList<QAction*> panel_actions() const override { return actions_; }
-  /// Simulates what would help, however long it takes.
-  void try_changes();
-  void cancel();
 
-  /// Null while nothing is known.
-  const std::shared_ptr<const TimeReport>& report() const { return report_; }
   QTreeWidget& tree() { return *tree_; }
   QString conclusion() const;
 
@@ -54,26 +44,10 @@ class TimeView : public Panel {
 
  protected:
   void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
 
  private:
-  bool is_seen() const { return on_screen_ && isVisible(); }
-  /// Whether there is a run, and the control does not refuse it.
-  bool has_time() const;
-  /// What is known of a run that was shown before.
-  struct Known {
-    std::weak_ptr<const Trajectory> run;
-    std::shared_ptr<const TimeReport> report;
-  };
-
-  void catch_up();
-  void look();
-  /// Tries changes now if that is wanted, nothing else is under way and there is something to gain.
-  void try_wanted();
-  /// Leaves the processors to another simulation, or takes up what it has interrupted.
-  void give_way(bool to_others);
-  void take(const std::shared_ptr<const TimeReport>& report);
-  void remember(const std::shared_ptr<const TimeReport>& report);
-  std::shared_ptr<const TimeReport> recall() const;
+  void watch();
   void show_sections();
   void add_rows(QTreeWidgetItem* parent, const std::vector<TimeRow>& rows);
   void show_state(const QString& failure);
@@ -92,18 +66,8 @@ class TimeView : public Panel {
   QAction* try_action_ = nullptr;
   QAction* run_action_ = nullptr;
   QList<QAction*> actions_;
-  TimeJob job_;
-  std::shared_ptr<const ShownRun> shown_;
-  std::optional<SetupState> setup_;
-  std::shared_ptr<const TimeReport> report_;
+  TimeFindings& findings_;
   std::vector<TimeSection> sections_;
-  std::vector<Known> known_;  ///< the newest last
-  QTimer pause_;              ///< before changes are tried unasked
-  bool tried_ = false;        ///< what would help is known
-  bool wanted_ = false;       ///< what would help is to be tried
-  bool asked_ = false;        ///< by the user
-  bool gives_way_ = false;    ///< something else is simulated
-  bool stale_ = false;
   bool on_screen_ = true;
 };
 

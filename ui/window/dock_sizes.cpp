@@ -10,9 +10,9 @@ namespace feedscope::ui {
 DockSizes::DockSizes(QMainWindow& window, int left, int right, int bottom)
     : QObject(&window),
       window_(window),
-      sides_{Side{Qt::LeftDockWidgetArea, Qt::Horizontal, 0.25, 0.2, left},
-             Side{Qt::RightDockWidgetArea, Qt::Horizontal, 0.3, 0.33, right},
-             Side{Qt::BottomDockWidgetArea, Qt::Vertical, 0.49, 0.49, bottom, 0.42}} {
+      sides_{Side{Qt::LeftDockWidgetArea, Qt::Horizontal, 0.25, 0.08, left},
+             Side{Qt::RightDockWidgetArea, Qt::Horizontal, 0.3, 0.33, right, 0.094},
+             Side{Qt::BottomDockWidgetArea, Qt::Vertical, 0.49, 0.49, bottom, 0.5}} {
   window_.installEventFilter(this);
   for (QDockWidget* dock : window_.findChildren<QDockWidget*>()) {
     dock->installEventFilter(this);
@@ -43,15 +43,16 @@ void DockSizes::note(QDockWidget& dock) {
   }
 }
 
-/// Of the tabs below it, which are not part of a panel, but of what QMainWindow::resizeDocks() sizes.
+/// Of the tabs above it, which are not part of a panel, but of what QMainWindow::resizeDocks() sizes.
 int DockSizes::tab_height(const QDockWidget& dock) const {
   const auto bars = window_.findChildren<QTabBar*>(Qt::FindDirectChildrenOnly);
-  const auto below = std::ranges::find_if(bars, [&](const QTabBar* bar) {
-    return bar->isVisible() && bar->y() > dock.geometry().bottom() &&
+  const auto above = std::ranges::find_if(bars, [&](const QTabBar* bar) {
+    const int gap = dock.y() - bar->geometry().bottom();
+    return bar->isVisible() && gap >= 0 && gap < bar->height() &&
            bar->geometry().left() <= dock.geometry().right() &&
            bar->geometry().right() >= dock.geometry().left();
   });
-  return below == bars.end() ? 0 : (*below)->height();
+  return above == bars.end() ? 0 : (*above)->height();
 }
 
 void DockSizes::adopt(Side& side, const QDockWidget& dock) const {

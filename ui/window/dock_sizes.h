@@ -11,7 +11,8 @@ namespace feedscope::ui {
 /// Keeps the panels around the middle of a window as large as the user has made them wherever the window is
 /// large enough: a smaller one takes from them too, so that the middle stays usable, and gives it back when
 /// it grows. QMainWindow alone takes all from the middle, and what it had to take from panels never comes
-/// back. Until the user sizes it, what is below grows with the height of the window.
+/// back. Until the user sizes them, what is right and below grows with the window. A window that is hardly
+/// wide enough shows a strip of what is left.
 class DockSizes : public QObject {
   Q_OBJECT
 
@@ -34,22 +35,24 @@ class DockSizes : public QObject {
   struct Side {
     Qt::DockWidgetArea area;
     Qt::Orientation orientation;
-    double usual_share;        ///< of the window's width or height, at most, unless the user wants more
-    double narrow_share;       ///< the same of a window that is hardly wide enough for all
-    int first;                 ///< what it has at first [logical pixels]
-    double growing_share = 0;  ///< of the window, at least, until the user sizes it
-    int wanted = first;        ///< as the user has it [logical pixels]
-    bool sized = false;        ///< by the user
+    double usual_share;   ///< of the window's width or height, at most, unless the user wants more
+    double narrow_share;  ///< the same of a window that is hardly wide enough for all
+    int first;            ///< what it has at first [logical pixels]
+    double growth = 0;    ///< share of what the window is larger than usual, until the user sizes it
+    int wanted = first;   ///< as the user has it [logical pixels]
+    bool sized = false;   ///< by the user
     double largest_share = usual_share;
 
     int extent(const QWidget& widget) const {
       return orientation == Qt::Horizontal ? widget.width() : widget.height();
     }
     int aim(const QWidget& window) const {
-      return sized ? wanted : std::max(wanted, static_cast<int>(growing_share * extent(window)));
+      constexpr QSize usual(1280, 800);
+      const int more = extent(window) - (orientation == Qt::Horizontal ? usual.width() : usual.height());
+      return wanted + (sized ? 0 : static_cast<int>(growth * std::max(0, more)));
     }
     int most(const QWidget& window) const {
-      constexpr int narrow = 900;  // [logical pixels]
+      constexpr int narrow = 1100;  // [logical pixels]
       const double share = window.width() < narrow ? narrow_share : largest_share;
       return static_cast<int>(share * extent(window));
     }

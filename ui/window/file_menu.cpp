@@ -5,7 +5,6 @@
 #include <QFileInfo>
 #include <QInputDialog>
 #include <QSettings>
-#include <QStyle>
 #include <filesystem>
 
 #include "core/base/data_folder.h"
@@ -37,26 +36,26 @@ FileMenu::FileMenu(Workbench& workbench, WindowSession& session, MainWindow& win
           &QWidget::close);
 }
 
-QAction* FileMenu::add(const QString& text, const QKeySequence& key, const QString& tip) {
+QAction* FileMenu::add(const QString& text, const QKeySequence& key, const QString& tip, QMenu* menu) {
   QAction* action = make_action(&window_, text, tip, key);
-  addAction(action);
+  (menu == nullptr ? this : menu)->addAction(action);
   return action;
 }
 
 void FileMenu::add_programs() {
-  QAction* open = add(tr("&Open program …"), QKeySequence::Open, tr("Open an NC program or a session"));
-  open->setIcon(window_.style()->standardIcon(QStyle::SP_DialogOpenButton));
-  connect(open, &QAction::triggered, this, &FileMenu::ask_for_program);
+  open_ = add(tr("&Open program …"), QKeySequence::Open, tr("Open an NC program or a session"));
+  open_->setIconText(tr("Open …"));
+  connect(open_, &QAction::triggered, this, &FileMenu::ask_for_program);
   connect(add(tr("Open &sample …"), {}, tr("Open one of the sample programs supplied with Feedscope")),
           &QAction::triggered, this, &FileMenu::ask_for_sample);
   QMenu* recent = addMenu(tr("Open &recent"));
   connect(recent, &QMenu::aboutToShow, this, [this, recent] { list_recent_files(recent); });
   list_recent_files(recent);
   QAction* reload = add(tr("&Reload program"), QKeySequence::Refresh, tr("Reload the program"));
-  reload->setIcon(window_.style()->standardIcon(QStyle::SP_BrowserReload));
   connect(reload, &QAction::triggered, &workbench_, &Workbench::reload);
-  QAction* follow =
-      add(tr("Reload when the file &changes"), {}, tr("Reload the program whenever its file is written"));
+  QMenu* reading = addMenu(tr("Rea&ding"));
+  QAction* follow = add(tr("Reload when the file &changes"), {},
+                        tr("Reload the program whenever its file is written"), reading);
   follow->setCheckable(true);
   follow->setChecked(QSettings().value("reload_on_change", true).toBool());
   workbench_.set_reload_on_change(follow->isChecked());
@@ -65,7 +64,7 @@ void FileMenu::add_programs() {
     QSettings().setValue("reload_on_change", on);
   });
   connect(add(tr("Program import &options …"), QKeySequence(tr("Ctrl+Shift+R")),
-              tr("Dialect of the program, cutter radii, limits of loops and calls")),
+              tr("Dialect of the program, cutter radii, limits of loops and calls"), reading),
           &QAction::triggered, this, &FileMenu::ask_how_to_read);
 }
 
@@ -78,11 +77,12 @@ void FileMenu::add_sessions() {
 }
 
 void FileMenu::add_machines() {
+  QMenu* machine = addMenu(tr("&Machine"));
   connect(add(tr("Open &machine file …"), QKeySequence(tr("Ctrl+M")),
-              tr("Open a machine file of your own, or the configuration of a control")),
+              tr("Open a machine file of your own, or the configuration of a control"), machine),
           &QAction::triggered, this, &FileMenu::ask_for_machine);
   connect(add(tr("Save machine as …"), QKeySequence(tr("Ctrl+Shift+M")),
-              tr("Save the machine with all changes as a machine file")),
+              tr("Save the machine with all changes as a machine file"), machine),
           &QAction::triggered, this, &FileMenu::save_machine);
 }
 
@@ -91,36 +91,39 @@ void FileMenu::add_paper() {
                        tr("Print the 3D view, charts, sheet, report, a hand-out or a table, with a preview"));
   set_everyday_words(print, tr("printer paper hard copy"));
   connect(print, &QAction::triggered, this, &FileMenu::ask_and_print);
-  QAction* report = add(tr("Re&port …"), QKeySequence(tr("Ctrl+Alt+R")),
-                        tr("Report as PDF or HTML, to print or to send, with a preview of its pages"));
-  set_everyday_words(report, tr("print printer export paper document send"));
-  connect(report, &QAction::triggered, this, &FileMenu::ask_for_report);
-  const auto follow = [this, report] { report->setEnabled(workbench_.program() != nullptr); };
-  connect(&workbench_, &Workbench::program_changed, report, follow);
+  report_ = add(tr("Re&port …"), QKeySequence(tr("Ctrl+Alt+R")),
+                tr("Report as PDF or HTML, to print or to send, with a preview of its pages"));
+  set_everyday_words(report_, tr("print printer export paper document send"));
+  connect(report_, &QAction::triggered, this, &FileMenu::ask_for_report);
+  const auto follow = [this] { report_->setEnabled(workbench_.program() != nullptr); };
+  connect(&workbench_, &Workbench::program_changed, report_, follow);
   follow();
   auto* pictures = new PictureCommands(window_);
+  QMenu* images = addMenu(tr("Pi&ctures"));
   for (QAction* action : pictures->save_actions() + pictures->copy_actions()) {
     set_everyday_words(action, tr("export image screenshot print"));
   }
-  QAction* picture = add(
+  picture_ = add(
       tr("P&icture …"), QKeySequence(tr("Ctrl+Alt+P")),
-      tr("Picture of a chosen size, with a preview: 3D view, charts, sheet or window, as PNG, SVG or PDF"));
-  set_everyday_words(picture, tr("export image screenshot print dpi poster"));
-  connect(picture, &QAction::triggered, this, &FileMenu::ask_for_picture);
-  connect(&workbench_, &Workbench::program_changed, picture,
-          [this, picture] { picture->setEnabled(workbench_.program() != nullptr); });
-  picture->setEnabled(workbench_.program() != nullptr);
+      tr("Picture of a chosen size, with a preview: 3D view, charts, sheet or window, as PNG, SVG or PDF"),
+      images);
+  set_everyday_words(picture_, tr("export image screenshot print dpi poster"));
+  connect(picture_, &QAction::triggered, this, &FileMenu::ask_for_picture);
+  connect(&workbench_, &Workbench::program_changed, picture_,
+          [this] { picture_->setEnabled(workbench_.program() != nullptr); });
+  picture_->setEnabled(workbench_.program() != nullptr);
   QAction* film =
       add(tr("&Film …"), {},
           tr("Film of a stretch of the run: the 3D view with the moving tool, with charts below if "
-             "wanted"));
+             "wanted"),
+          images);
   set_everyday_words(film, tr("video movie animation export record"));
   connect(film, &QAction::triggered, this, &FileMenu::ask_for_film);
   const auto follow_run = [this, film] { film->setEnabled(workbench_.shown() != nullptr); };
   connect(&workbench_, &Workbench::run_changed, film, follow_run);
   follow_run();
-  addMenu(tr("Save &picture"))->addActions(pictures->save_actions());
-  addMenu(tr("&Copy picture"))->addActions(pictures->copy_actions());
+  images->addMenu(tr("Save &picture"))->addActions(pictures->save_actions());
+  images->addMenu(tr("&Copy picture"))->addActions(pictures->copy_actions());
   connect(pictures, &PictureCommands::failed, this, &FileMenu::failed);
   connect(pictures, &PictureCommands::saved, this, &FileMenu::done);
 }

@@ -16,6 +16,10 @@ class FileMenu : public QMenu {
   /// All outlive this. `window` opens the files, and is what pictures show.
   FileMenu(Workbench& workbench, WindowSession& session, MainWindow& window);
 
+  QAction* open_program() const { return open_; }
+  QAction* picture() const { return picture_; }
+  QAction* report() const { return report_; }
+
  public slots:
   /// Where the program is that is open.
   void ask_for_program();
@@ -27,6 +31,7 @@ class FileMenu : public QMenu {
   /// What the window shows.
   void ask_and_print();
   void ask_for_film();
+  void ask_for_machine();
 
  signals:
   /// For the status bar.
@@ -38,17 +43,20 @@ class FileMenu : public QMenu {
   void add_sessions();
   void add_machines();
   void add_paper();
-  QAction* add(const QString& text, const QKeySequence& key, const QString& tip);
+  /// `menu`: below this one; null: here.
+  QAction* add(const QString& text, const QKeySequence& key, const QString& tip, QMenu* menu = nullptr);
   void list_recent_files(QMenu* menu);
   /// `folder`: where the search begins.
   void ask_for_program_in(const QString& folder);
-  void ask_for_machine();
   void ask_how_to_read();
   void save_machine();
 
   Workbench& workbench_;
   WindowSession& session_;
   MainWindow& window_;
+  QAction* open_ = nullptr;
+  QAction* picture_ = nullptr;
+  QAction* report_ = nullptr;
 };
 
 }  // namespace feedscope::ui

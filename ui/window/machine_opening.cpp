@@ -92,7 +92,8 @@ void MachineOpening::use(const ImportedMachine& imported, const QString& file) {
     emit noted(note.severity, note_text(note, file));
   }
   emit noted(Severity::info,
-             tr("Machine imported from %1. File > Save machine as … keeps it as a machine file.").arg(file));
+             tr("Machine imported from %1. File > Machine > Save machine as … keeps it as a machine file.")
+                 .arg(file));
 }
 
 }  // namespace feedscope::ui

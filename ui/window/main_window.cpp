@@ -19,6 +19,7 @@
 #include "ui/charts/charts_panel.h"
 #include "ui/circular/circular_view.h"
 #include "ui/contour/contour_view.h"
+#include "ui/decide/decide_view.h"
 #include "ui/identification/identification_view.h"
 #include "ui/language/composed_text.h"
 #include "ui/language/language.h"
@@ -40,10 +41,12 @@
 #include "ui/trace/trace_view.h"
 #include "ui/versions/versions_view.h"
 #include "ui/why/why_view.h"
+#include "ui/window/camera_trail.h"
 #include "ui/window/dock_sizes.h"
 #include "ui/window/file_menu.h"
 #include "ui/window/handout_command.h"
 #include "ui/window/help_menu.h"
+#include "ui/window/lesson_menu.h"
 #include "ui/window/machine_opening.h"
 #include "ui/window/panel_scroll.h"
 #include "ui/window/presentation.h"
@@ -56,9 +59,9 @@ namespace feedscope::ui {
 namespace {
 
 constexpr QSize default_size(1280, 800);
-constexpr int program_width = 320;
-constexpr int setup_width = 371;  // shows every command of the annotations
-constexpr int charts_height = 390;
+constexpr int program_width = 208;
+constexpr int inspector_width = 292;
+constexpr int charts_height = 189;
 
 }  // namespace
 
@@ -69,7 +72,8 @@ MainWindow::MainWindow(Workbench& workbench, RenderBackend backend, QWidget* par
       playback_(new PlaybackBar(workbench, this)),
       program_(new ProgramPanel(this)),
       setup_(new SetupView(workbench.setup(), this)),
-      time_(new TimeView(this)),
+      decide_(new DecideView(workbench, this)),
+      time_(new TimeView(workbench.time_findings(), this)),
       why_(new WhyView(workbench.cursor(), this)),
       annotations_(new AnnotationsView(workbench.annotations(), workbench.cursor(), this)),
       desk_(workbench, chosen_language().toStdString()),
@@ -85,9 +89,9 @@ MainWindow::MainWindow(Workbench& workbench, RenderBackend backend, QWidget* par
       traces_(new TraceView(workbench, this)),
       versions_(new VersionsView(this)),
       identification_(new IdentificationView(workbench, this)),
-      panels_{program_,  time_, setup_,       why_,         annotations_,   lessons_,
-              charts_,   runs_, slow_places_, diagnostics_, study_,         contour_,
-              circular_, load_, traces_,      versions_,    identification_},
+      panels_{program_, decide_,   time_, why_,         setup_,       annotations_,
+              lessons_, charts_,   runs_, slow_places_, diagnostics_, study_,
+              contour_, circular_, load_, traces_,      versions_,    identification_},
       session_(new WindowSession(*this, workbench)),
       machines_(new MachineOpening(workbench, *this)),
       start_page_(new StartPage(workbench, desk_, this)) {
@@ -96,7 +100,7 @@ MainWindow::MainWindow(Workbench& workbench, RenderBackend backend, QWidget* par
   setAcceptDrops(true);
   make_centre();
   make_docks();
-  dock_sizes_ = new DockSizes(*this, program_width, setup_width, charts_height);
+  dock_sizes_ = new DockSizes(*this, program_width, inspector_width, charts_height);
   presentation_ = new Presentation(*this, *dock_sizes_,
                                    {dock_of(*lessons_), dock_of(*charts_), scene(), program_->view()});
   make_menus();
@@ -134,21 +138,22 @@ void MainWindow::make_centre() {
   auto* layout = new QVBoxLayout(centre);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  layout->addWidget(new RunNotice(workbench_, this));
   layout->addWidget(scenes_, 1);
+  new RunNotice(workbench_, *scenes_);
   layout->addWidget(playback_);
   setCentralWidget(centre);
 }
 
 void MainWindow::make_docks() {
-  setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
   for (Panel* panel : panels_) {
     add_dock(*panel);
   }
-  dock_of(*time_).raise();
+  dock_of(*decide_).raise();
   dock_of(*charts_).raise();
-  resizeDocks({&dock_of(*program_), &dock_of(*setup_)}, {program_width, setup_width}, Qt::Horizontal);
+  resizeDocks({&dock_of(*program_), &dock_of(*decide_)}, {program_width, inspector_width}, Qt::Horizontal);
   resizeDocks({&dock_of(*charts_)}, {charts_height}, Qt::Vertical);
 }
 
@@ -166,12 +171,21 @@ void MainWindow::add_dock(Panel& panel) {
     tabifyDockWidget(&dock_of(**first), dock);
   }
   dock->setVisible(place.open);
+  show_title_bar(*dock, false);
+  connect(dock, &QDockWidget::topLevelChanged, this,
+          [this, dock](bool floating) { show_title_bar(*dock, floating); });
   connect(dock, &QDockWidget::visibilityChanged, &panel, &Panel::set_on_screen);
   connect(&panel, &Panel::attention_wanted, dock, [dock] {
     dock->show();
     dock->raise();
   });
   connect(&panel, &Panel::failed, this, &MainWindow::show_failure);
+}
+
+/// In the window a tab names the panel, or it needs no name.
+void MainWindow::show_title_bar(QDockWidget& dock, bool shown) {
+  delete dock.titleBarWidget();
+  dock.setTitleBarWidget(shown ? nullptr : new QWidget(&dock));
 }
 
 QDockWidget& MainWindow::dock_of(const Panel& panel) {
@@ -201,28 +215,20 @@ void MainWindow::make_menus() {
   edit->addActions(program_->panel_actions());
 
   QMenu* runs = menuBar()->addMenu(tr("&Runs"));
-  runs->addActions(runs_->panel_actions());
-  for (const QAction* action : runs_->panel_actions()) {
-    connect(action, &QAction::triggered, &dock_of(*runs_), &QDockWidget::raise);
-  }
-  runs->addSeparator();
-  const std::array panels{static_cast<Panel*>(study_),    static_cast<Panel*>(contour_),
-                          static_cast<Panel*>(circular_), static_cast<Panel*>(load_),
-                          static_cast<Panel*>(traces_),   static_cast<Panel*>(identification_),
-                          static_cast<Panel*>(versions_)};
-  for (const Panel* panel : panels) {  // what opens it; the rest of its commands is a menu of its own
-    runs->addAction(panel->panel_actions().front());
-  }
-  runs->addSeparator();
-  for (const Panel* panel : panels) {
-    if (const QList<QAction*> rest = panel->panel_actions().mid(1); !rest.isEmpty()) {
-      runs->addMenu(dock_of(*panel).windowTitle())->addActions(rest);
-    }
-  }
+  runs->addActions(decide_->panel_actions() + runs_->panel_actions() + QList<QAction*>{setup_->for_all()});
   runs->addSeparator();
   runs->addAction(make_action(this, tr("&Cancel simulation"),
                               tr("Stop reading, simulating or comparing runs"), Qt::Key_Escape,
                               &MainWindow::cancel_wanted));
+  QMenu* analysis = menuBar()->addMenu(tr("A&nalysis"));
+  for (const Panel* panel :
+       {static_cast<Panel*>(study_), static_cast<Panel*>(contour_), static_cast<Panel*>(circular_),
+        static_cast<Panel*>(load_), static_cast<Panel*>(traces_), static_cast<Panel*>(identification_),
+        static_cast<Panel*>(versions_)}) {
+    const QList<QAction*> actions = panel->panel_actions();
+    actions.size() > 1 ? analysis->addMenu(dock_of(*panel).windowTitle())->addActions(actions)
+                       : analysis->addActions(actions);
+  }
 
   menuBar()->addMenu(tr("&Charts"))->addActions(charts_->panel_actions());
   QMenu* why = menuBar()->addMenu(tr("&Why here?"));
@@ -232,6 +238,12 @@ void MainWindow::make_menus() {
   menuBar()->addMenu(tr("&Annotations"))->addActions(annotations_->panel_actions());
   menuBar()->addMenu(tr("&Playback"))->addActions(playback_->panel_actions());
   QMenu* go = menuBar()->addMenu(tr("&Go"));
+  auto* trail = new CameraTrail(workbench_, scene(), this);
+  go->addAction(trail->back());
+  // Once the cursor is there.
+  connect(&program_->view(), &ProgramView::line_chosen, trail, &CameraTrail::follow_cursor,
+          Qt::QueuedConnection);
+  connect(charts_, &ChartsPanel::time_chosen, trail, &CameraTrail::follow_cursor, Qt::QueuedConnection);
   go->addActions(slow_places_->panel_actions());
   go->addActions(contour_->step_actions());
   go->addActions(diagnostics_->panel_actions());
@@ -245,11 +257,10 @@ void MainWindow::make_menus() {
     restoreState(first_layout_);
     dock_sizes_->follow_first_layout();
   });
-  QMenu* lessons = menuBar()->addMenu(tr("&Lessons"));
-  lessons->addActions(lessons_->panel_actions());
-  lessons->addSeparator();
   handouts_ = new HandoutCommand(desk_, QCoreApplication::applicationFilePath(), *this);
-  lessons->addActions(handouts_->actions());
+  auto* lessons = new LessonMenu(desk_, lessons_->panel_actions(), handouts_->actions(), this);
+  menuBar()->addMenu(lessons);
+  connect(lessons, &LessonMenu::lesson_wanted, this, &MainWindow::open_lesson);
   auto* help = new HelpMenu(*lessons_, *this);
   menuBar()->addMenu(help);
   connect(start_page_, &StartPage::handbook_wanted, help, &HelpMenu::show_first_steps);
@@ -257,22 +268,17 @@ void MainWindow::make_menus() {
 
   auto* bar = new SetupBar(workbench_, this);
   addToolBar(bar);
-  QAction* first = bar->actions().isEmpty() ? nullptr : bar->actions().first();
-  for (QAction* action : file_menu_->actions()) {
-    if (!action->icon().isNull()) {
-      bar->insertAction(first, action);
-    }
-  }
-  bar->insertActions(first, {undo, redo});
-  bar->insertSeparator(first);
+  bar->insert_first({file_menu_->open_program(), undo, redo});
+  bar->add_last(setup_->for_all(), decide_->compare(), {file_menu_->picture(), file_menu_->report()});
+  connect(bar, &SetupBar::machine_file_wanted, file_menu_, &FileMenu::ask_for_machine);
 }
 
 void MainWindow::make_status() {
   auto* status = new StatusPanel(workbench_, scenes_->comparison(), this);
   statusBar()->addPermanentWidget(status);
-  connect(status, &StatusPanel::diagnostics_clicked, &dock_of(*diagnostics_), &QDockWidget::raise);
+  connect(status, &StatusPanel::diagnostics_clicked, diagnostics_, &Panel::attention_wanted);
   connect(this, &MainWindow::cancel_wanted, status, &StatusPanel::cancel);
-  connect(this, &MainWindow::cancel_wanted, time_, &TimeView::cancel);
+  connect(this, &MainWindow::cancel_wanted, &workbench_.time_findings(), &TimeFindings::cancel);
   connect(this, &MainWindow::cancel_wanted, versions_, &VersionsView::cancel);
   connect(this, &MainWindow::cancel_wanted, identification_, &IdentificationView::cancel);
   const auto say = [this](const QString& message) { statusBar()->showMessage(composed_text(message)); };
@@ -482,7 +488,7 @@ std::optional<std::array<double, 2>> MainWindow::chosen_times() const {
 void MainWindow::show_failure(const QString& message) {
   start_page_->hide();  // the message stands below it
   diagnostics_->add_message(Severity::error, message);
-  dock_of(*diagnostics_).raise();
+  emit diagnostics_->attention_wanted();
   statusBar()->showMessage(message);
 }
 
@@ -501,8 +507,17 @@ void MainWindow::childEvent(QChildEvent* event) {
   if (auto* tabs = qobject_cast<QTabBar*>(event->child()); tabs != nullptr && event->polished()) {
     tabs->setElideMode(Qt::ElideNone);
     tabs->setUsesScrollButtons(true);
+    tabs->installEventFilter(this);
   }
   QMainWindow::childEvent(event);
+}
+
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+  if (auto* tabs = qobject_cast<QTabBar*>(watched); tabs != nullptr && event->type() == QEvent::Move) {
+    // Qt keeps the tabs of an area with one panel outside of the window, where nobody sees the focus.
+    tabs->setFocusPolicy(tabs->x() < 0 ? Qt::NoFocus : Qt::TabFocus);
+  }
+  return QMainWindow::eventFilter(watched, event);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -21,6 +21,7 @@ class ChartsPanel;
 class CircularView;
 class LoadView;
 class ContourView;
+class DecideView;
 class DiagnosticsView;
 class DockSizes;
 class FileMenu;
@@ -98,6 +99,7 @@ class MainWindow : public QMainWindow {
   void dropEvent(QDropEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   bool event(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
   /// Tabs of panels keep their whole names: Qt would cut them to "Why h…".
   void childEvent(QChildEvent* event) override;
 
@@ -105,6 +107,7 @@ class MainWindow : public QMainWindow {
   void make_centre();
   void make_docks();
   void add_dock(Panel& panel);
+  static void show_title_bar(QDockWidget& dock, bool shown);
   static QDockWidget& dock_of(const Panel& panel);
   void make_menus();
   void make_status();
@@ -125,6 +128,7 @@ class MainWindow : public QMainWindow {
   PlaybackBar* playback_;
   ProgramPanel* program_;
   SetupView* setup_;
+  DecideView* decide_;
   TimeView* time_;
   WhyView* why_;
   AnnotationsView* annotations_;
@@ -141,7 +145,7 @@ class MainWindow : public QMainWindow {
   TraceView* traces_;
   VersionsView* versions_;
   IdentificationView* identification_;
-  std::array<Panel*, 17> panels_;  ///< in the order of their tabs
+  std::array<Panel*, 18> panels_;  ///< in the order of their tabs
   WindowSession* session_;
   MachineOpening* machines_;
   StartPage* start_page_;

@@ -105,10 +105,8 @@ void Presentation::enter() {
   for (QDockWidget* dock : window_.findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly)) {
     dock->setVisible(dock == &parts_.lesson || dock == &parts_.charts);
   }
-  for (QDockWidget* dock : {&parts_.lesson, &parts_.charts}) {
-    dock->setFloating(false);
-    dock->setTitleBarWidget(new QWidget(dock));  // nothing: the room is the class's
-  }
+  parts_.lesson.setFloating(false);
+  parts_.charts.setFloating(false);
   window_.addDockWidget(Qt::RightDockWidgetArea, &parts_.lesson);
   window_.addDockWidget(Qt::BottomDockWidgetArea, &parts_.charts);
   // Large type of a large window must not keep it from becoming small, where type is small again.
@@ -120,10 +118,6 @@ void Presentation::enter() {
 void Presentation::leave() {
   const QSize size = window_.size();
   on_ = false;
-  for (QDockWidget* dock : {&parts_.lesson, &parts_.charts}) {
-    delete dock->titleBarWidget();
-    dock->setTitleBarWidget(nullptr);
-  }
   TypeSize::of_application().set_scale(1);
   parts_.program.set_font_size(usual_program_type_);
   for (QWidget* bar : bars_) {

@@ -43,7 +43,7 @@ QStringList as_in_window(QStringList command, const QString& language) {
 }
 
 /// `feedscope render` of the session on a sheet of paper.
-QStringList render_command(const char* view, const QString& language) {
+QStringList render_arguments(const char* view, const QString& language) {
   return as_in_window(
       {QStringLiteral("render"), printed_session, QStringLiteral("--view=%1").arg(QLatin1String(view)),
        QStringLiteral("--size=A4"), QStringLiteral("--theme=light")},
@@ -78,9 +78,9 @@ PrintDialog::PrintDialog(PrintSubject subject, const QString& executable, QWidge
 
 void PrintDialog::list_items() {
   if (subject_.session) {
-    items_.append({tr("3D view"), render_command("3d", subject_.language), {}});
-    items_.append({tr("Charts"), render_command("charts", subject_.language), {}});
-    items_.append({tr("Sheet"), render_command("sheet", subject_.language), {}});
+    items_.append({tr("3D view"), render_arguments("3d", subject_.language), {}});
+    items_.append({tr("Charts"), render_arguments("charts", subject_.language), {}});
+    items_.append({tr("Sheet"), render_arguments("sheet", subject_.language), {}});
     items_.append(
         {tr("Report"), as_in_window({QStringLiteral("report"), printed_session}, subject_.language), {}});
   }

@@ -172,7 +172,7 @@ QWidget* StartPage::make_first_steps() {
   layout->addWidget(heading(tr("What to do first"), part));
   auto* steps = new QLabel(
       tr("<ol style=\"margin-left: -24px\"><li>Open a program. Its language chooses a machine; your own: "
-         "<i>File › Open machine file</i>.</li>"
+         "<i>File › Machine › Open machine file</i>.</li>"
          "<li><i>Time</i> says where the time goes and which changes would help, each simulated.</li>"
          "<li>Try a change: <i>New run with this change</i>, or another tolerance at the top.</li>"
          "<li>On paper: <i>File › Report</i>.</li></ol>"),

@@ -35,8 +35,11 @@ ViewMenu::ViewMenu(SideBySide& scenes, const ViewRange& range, const QList<QActi
           [&scenes, &range] { scenes.first().zoom_to_times(range.lower_time(), range.upper_time()); });
   addSeparator();
   QMenu* docks = addMenu(tr("&Panels"));
-  for (const QDockWidget* dock : window.findChildren<QDockWidget*>()) {
-    docks->addAction(dock->toggleViewAction());
+  QMenu* beside = docks->addMenu(tr("&Beside the 3D view"));
+  QMenu* below = docks->addMenu(tr("B&elow the 3D view"));
+  for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
+    const bool is_below = window.dockWidgetArea(dock) == Qt::BottomDockWidgetArea;
+    (is_below ? below : beside)->addAction(dock->toggleViewAction());
   }
   docks->addSeparator();
   connect(add(docks, tr("&Default layout"), {}, tr("Original places and sizes of all panels")),

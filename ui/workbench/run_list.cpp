@@ -2,6 +2,7 @@
 
 #include <QLocale>
 #include <QRegularExpression>
+#include <QSet>
 #include <QUndoCommand>
 #include <algorithm>
 
@@ -37,6 +38,12 @@ QList<qreal> run_dashes(std::size_t number) {
   static const std::array<QList<qreal>, 8> dashes{
       {{}, {6, 3}, {1.5, 1.5}, {8, 2, 1.5, 2}, {3, 2}, {8, 2, 1.5, 2, 1.5, 2}, {12, 4}, {4, 2, 4, 6}}};
   return dashes[number % dashes.size()];
+}
+
+QString run_letter(std::size_t row) {
+  constexpr std::size_t letters = 26;
+  const QString letter(QChar(static_cast<char16_t>(u'A' + row % letters)));
+  return row < letters ? letter : letter + QString::number(row / letters);
 }
 
 namespace {
@@ -83,6 +90,26 @@ QStringList changed_texts(const SetupState& setup, std::string_view left_out) {
   return texts;
 }
 
+/// Model, tolerance in force and what is changed, each a part.
+QStringList title_parts(const RunItem& item, std::span<const PathControl> feed_controls,
+                        std::string_view left_out) {
+  const SetupState& setup = item.setup;
+  QStringList parts{QString::fromStdString(setup.file().model->info().id)};
+  const auto tolerance = tolerance_in_force(feed_controls, setup.setup());
+  if (tolerance && left_out != contour_tolerance_key) {
+    parts.append(tolerance_text(*tolerance));
+  }
+  return parts + changed_texts(setup, left_out);
+}
+
+QString joined(QStringList parts, qsizetype most) {
+  if (const qsizetype more = parts.size() - most; more > 0) {
+    parts.resize(most);
+    parts.append(RunList::tr("%n more", "changed settings, behind two of them", static_cast<int>(more)));
+  }
+  return parts.join(QStringLiteral(", "));
+}
+
 }  // namespace
 
 QString run_title(const RunItem& item, std::span<const PathControl> feed_controls,
@@ -90,20 +117,36 @@ QString run_title(const RunItem& item, std::span<const PathControl> feed_control
   if (!item.name.isEmpty()) {
     return item.name;
   }
-  const SetupState& setup = item.setup;
-  QStringList parts{QString::fromStdString(setup.file().model->info().id)};
-  const auto tolerance = tolerance_in_force(feed_controls, setup.setup());
-  if (tolerance && left_out != contour_tolerance_key) {
-    parts.append(tolerance_text(*tolerance));
+  const QStringList parts = title_parts(item, feed_controls, left_out);
+  const qsizetype changes = changed_texts(item.setup, left_out).size();
+  constexpr qsizetype most_changes = 2;
+  return joined(parts, parts.size() - changes + most_changes);
+}
+
+QStringList short_run_titles(std::span<const RunItem> items, std::span<const PathControl> feed_controls) {
+  std::vector<QStringList> parts;
+  std::map<QString, std::size_t> runs_with;
+  std::size_t unnamed = 0;
+  for (const RunItem& item : items) {
+    parts.push_back(QStringList{QString::fromStdString(item.setup.file().machine.id)} +
+                    title_parts(item, feed_controls, {}));
+    if (item.name.isEmpty()) {
+      ++unnamed;
+      for (const QString& part : QSet<QString>(parts.back().begin(), parts.back().end())) {
+        ++runs_with[part];
+      }
+    }
   }
-  constexpr qsizetype most = 2;
-  const QStringList changes = changed_texts(setup, left_out);
-  parts += changes.first(std::min(most, changes.size()));
-  if (changes.size() > most) {
-    parts.append(RunList::tr("%n more", "changed settings, behind two of them",
-                             static_cast<int>(changes.size() - most)));
+  QStringList titles;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    QStringList own = parts[i];
+    own.removeIf([&](const QString& part) { return runs_with[part] == unnamed; });
+    constexpr qsizetype most = 4;
+    titles.append(!items[i].name.isEmpty() ? items[i].name
+                  : own.isEmpty()          ? run_title(items[i], feed_controls)
+                                           : joined(own, most));
   }
-  return parts.join(QStringLiteral(", "));
+  return numbered(titles);
 }
 
 QStringList numbered(QStringList names) {
@@ -346,6 +389,13 @@ QColor RunList::free_colour() const {
     return std::ranges::count(items_, colour, &RunItem::colour);
   };
   return QColor(*std::ranges::min_element(run_colours, {}, [&](QRgb rgb) { return used(QColor(rgb)); }));
+}
+
+void RunList::set_error_bound(const std::optional<double>& bound) {
+  if (bound != error_bound_) {
+    error_bound_ = bound;
+    emit error_bound_changed();
+  }
 }
 
 std::shared_ptr<const ShownRun> RunList::result(std::size_t row) const {

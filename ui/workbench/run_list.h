@@ -33,6 +33,8 @@ enum class RunStatus { waiting, simulated, cancelled, failed };
 
 /// Colours of runs that nobody has coloured, by their number: told apart with every kind of colour vision.
 QColor run_colour(std::size_t number);
+/// "A" for the first row, "Z" for the 26th, then "A1": what a run is called where its name has no room.
+QString run_letter(std::size_t row);
 /// Dashes of their lines, in line widths, told apart in grey print; empty: a whole line.
 QList<qreal> run_dashes(std::size_t number);
 
@@ -45,6 +47,10 @@ QString run_title(const RunItem& item, std::span<const PathControl> feed_control
 /// The titles of runs that are shown together: the machine before those without a name where the machines
 /// differ, "(2)" behind the second run of one title.
 QStringList run_titles(std::span<const RunItem> items, std::span<const PathControl> feed_controls);
+
+/// What tells the runs apart: as run_titles(), without what all runs without a name have in common: "0.02 mm"
+/// of runs that differ in nothing else.
+QStringList short_run_titles(std::span<const RunItem> items, std::span<const PathControl> feed_controls);
 
 /// `names`, with "(2)" behind the second of one name, "(3)" behind the third.
 QStringList numbered(QStringList names);
@@ -89,6 +95,9 @@ class RunList : public QObject {
   /// Another set of runs altogether; the history goes.
   void replace(std::vector<RunItem> items, std::size_t current, const LoadSetup& load = {});
   QUndoStack& history() { return history_; }
+  /// Largest contour error of a run that may be chosen [mm]; none: any.
+  const std::optional<double>& error_bound() const { return error_bound_; }
+  void set_error_bound(const std::optional<double>& bound);
 
   /// Those of the program, which may set tolerances of its own: LoadedProgram::feed_controls.
   void set_feed_controls(std::vector<PathControl> controls);
@@ -123,6 +132,7 @@ class RunList : public QObject {
   /// Another way in which the tools are engaged.
   void load_changed();
   void current_changed();
+  void error_bound_changed();
   void result_changed(std::size_t row);
   /// Given up, or waiting again.
   void status_changed(std::size_t row);
@@ -148,8 +158,9 @@ class RunList : public QObject {
     std::shared_ptr<const ShownRun> shown;
     bool holds;  ///< of the setup that the run has now
   };
-  std::map<int, Result> results_;    ///< the last of each run
-  std::map<int, QString> given_up_;  ///< why, by the id of the run; empty: cancelled
+  std::map<int, Result> results_;      ///< the last of each run
+  std::map<int, QString> given_up_;    ///< why, by the id of the run; empty: cancelled
+  std::optional<double> error_bound_;  ///< [mm]
   std::vector<PathControl> feed_controls_;
   QStringList titles_;  ///< of the items
   QUndoStack history_;

@@ -1,6 +1,9 @@
 #include "ui/workbench/setup_edit.h"
 
+#include <set>
+
 #include "core/base/error.h"
+#include "core/machine/contour_tolerance.h"
 
 namespace feedscope::ui {
 
@@ -25,29 +28,79 @@ std::optional<double> SetupEdit::interpolation_period() const {
   return file().settings.has(key) ? std::optional(std::get<double>(state().value(key))) : std::nullopt;
 }
 
-void SetupEdit::set_file(Setup file) {
-  const QString name = QString::fromStdString(file.machine.name);
-  put(SetupState(std::move(file)), tr("machine %1").arg(name));
+bool SetupEdit::is_common(const std::function<bool(const SetupState&)>& same_part) const {
+  for (std::size_t row = 0; row < runs_.items().size(); ++row) {
+    const SetupState& other = runs_.items()[row].setup;
+    if (row != runs_.current() && (other == state() || !same_part(other))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool SetupEdit::same_in_all(const std::string& key) const {
+  return is_common([&](const SetupState& other) {
+    try {
+      other.spec(key);
+      return other.value(key) == state().value(key);
+    } catch (const InputError&) {
+      return true;  // its machine or model has no such value
+    }
+  });
+}
+
+void SetupEdit::set_file(const Setup& file) {
+  std::set<std::string> compared;
+  for (const RunItem& run : runs_.items()) {
+    for (const auto& [key, value] : run.setup.edits()) {
+      if (!same_in_all(key)) {
+        compared.insert(key);
+      }
+    }
+  }
+  const auto same_model = [this](const SetupState& other) { return other.file().model == this->file().model; };
+  const bool models_differ = !is_common(same_model);
+  const auto move = [&](SetupState& setup) {
+    SetupState moved(file);
+    if (models_differ && runs_.items().size() > 1) {
+      moved.set_model(*setup.file().model);
+    }
+    for (const std::string& key : compared) {
+      try {
+        moved.set(key, setup.value(key));
+      } catch (const InputError&) {  // this machine or model does not take it
+      }
+    }
+    setup = moved;
+  };
+  const bool in_all = is_common(
+      [this](const SetupState& other) { return other.file().machine == this->file().machine; });
+  change(move, tr("machine %1").arg(QString::fromStdString(file.machine.name)), in_all);
 }
 
 void SetupEdit::set_model(const ControlModel& model) {
-  SetupState changed = state();
-  changed.set_model(model);
-  put(changed, tr("model %1").arg(QString::fromStdString(model.info().id)));
+  const bool in_all =
+      is_common([this](const SetupState& other) { return other.file().model == file().model; });
+  change([&](SetupState& setup) { setup.set_model(model); },
+         tr("model %1").arg(QString::fromStdString(model.info().id)), in_all);
 }
 
 void SetupEdit::set(const std::string& key, const SettingValue& value) {
-  change([&](SetupState& setup) { setup.set(key, value); }, QString::fromStdString(key));
+  change([&](SetupState& setup) { setup.set(key, value); }, QString::fromStdString(key), same_in_all(key));
 }
 
 void SetupEdit::set_tolerance(double tolerance) {
-  change([&](SetupState& setup) { setup.set_tolerance(tolerance); }, tr("contour tolerance"));
+  bool in_all = true;
+  for (const auto& [key, value] : settings_for_tolerance(tolerance)) {
+    in_all = in_all && same_in_all(key);
+  }
+  change([&](SetupState& setup) { setup.set_tolerance(tolerance); }, tr("contour tolerance"), in_all);
 }
 
-void SetupEdit::change(const std::function<void(SetupState&)>& change, const QString& text) {
+void SetupEdit::change(const std::function<void(SetupState&)>& change, const QString& text, bool in_all) {
   SetupState changed = state();
   change(changed);
-  if (!for_all_) {
+  if (!for_all_ || !in_all || runs_.items().size() < 2) {
     put(changed, text);
     return;
   }

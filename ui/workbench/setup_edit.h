@@ -25,14 +25,15 @@ class SetupEdit : public QObject {
   /// Of the control [s]; none if its machine file has none.
   std::optional<double> interpolation_period() const;
 
-  /// Another machine: edits go.
-  void set_file(Setup file);
-  /// Another model on the same machine: edits that it reads stay.
-  void set_model(const ControlModel& model);
-  /// Whether set() and set_tolerance() change all runs that know the key, not the current one alone. A run
-  /// whose model or machine does not take the value keeps its own.
+  /// Whether a change is one of all runs. It is of the current one alone nevertheless where the runs are
+  /// compared in what is changed, where the current run is still the same as another one, as a copy is that
+  /// is to be changed, and in a run whose model or machine does not take the value.
   void set_for_all(bool all) { for_all_ = all; }
   bool for_all() const { return for_all_; }
+  /// Another machine: edits go, but for those in which the runs differ.
+  void set_file(const Setup& file);
+  /// Another model on the same machine: edits that it reads stay.
+  void set_model(const ControlModel& model);
   /// Contour tolerance [mm]. Throws as set().
   void set_tolerance(double tolerance);
   /// Throws InputError naming key, value and bound; nothing changes then.
@@ -49,11 +50,14 @@ class SetupEdit : public QObject {
 
  private:
   void follow(std::size_t row, const SetupState& before);
+  /// Whether `part` of a setup is the same in all runs that have it, and the current run is no copy.
+  bool is_common(const std::function<bool(const SetupState&)>& same_part) const;
+  bool same_in_all(const std::string& key) const;
   void put(const SetupState& state, const QString& text);
-  void change(const std::function<void(SetupState&)>& change, const QString& text);
+  void change(const std::function<void(SetupState&)>& change, const QString& text, bool in_all);
 
   RunList& runs_;
-  bool for_all_ = false;
+  bool for_all_ = true;
 };
 
 }  // namespace feedscope::ui

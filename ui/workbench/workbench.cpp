@@ -38,6 +38,9 @@ Workbench::Workbench(MachineLibrary machines, Setup setup, QObject* parent)
     schedule();
   });
   connect(&traces_, &TraceList::failed, this, &Workbench::failed);
+  connect(this, &Workbench::run_changed, &time_findings_,
+          [this] { time_findings_.set_run(shown(), setup_.state()); });
+  connect(this, &Workbench::busy_changed, &time_findings_, &TimeFindings::give_way);
   connect(&job_, &SimulationJob::busy_changed, this, &Workbench::busy_changed);
   connect(&job_, &SimulationJob::progressed, this, &Workbench::report);
   connect(&job_, &SimulationJob::failed, this, &Workbench::take_failure);
@@ -235,6 +238,7 @@ void Workbench::show_place(double time, double from, double to) {
   if (shown() != nullptr) {
     cursor_.set_time(time);
     view_range_.show_times(from - (to - from), to + (to - from));
+    emit place_shown(from, to);
   }
 }
 

@@ -16,6 +16,7 @@
 #include "ui/workbench/run_list.h"
 #include "ui/workbench/setup_edit.h"
 #include "ui/workbench/simulation_job.h"
+#include "ui/workbench/time_findings.h"
 #include "ui/workbench/trace_list.h"
 
 namespace feedscope::ui {
@@ -88,6 +89,8 @@ class Workbench : public QObject {
   Playback& playback() { return playback_; }
   /// The stretch of the current run that the charts show.
   ViewRange& view_range() { return view_range_; }
+  /// Where the time of the current run goes and what would help.
+  TimeFindings& time_findings() { return time_findings_; }
   /// Points at a place that lasts from one time to another [s], and shows it with as much before and behind.
   void show_place(double time, double from, double to);
   /// Their changes stand in the history of the runs.
@@ -106,6 +109,8 @@ class Workbench : public QObject {
   /// Another current run, another result of it, or none any more.
   void run_changed();
   void busy_changed(bool busy);
+  /// show_place() [s].
+  void place_shown(double from, double to);
   /// What is being done, for the user, and how much of it [0, 1].
   void progressed(const QString& activity, double fraction);
   void failed(const QString& message);
@@ -145,6 +150,7 @@ class Workbench : public QObject {
   Playback playback_;
   ViewRange view_range_;
   AnnotationList annotations_;
+  TimeFindings time_findings_;
   SimulationJob job_;
   QFileSystemWatcher watcher_;
   QTimer changed_;                       ///< a file that is being written changes more than once

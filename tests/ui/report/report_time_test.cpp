@@ -5,7 +5,7 @@
 #include "tests/ui/report/report_fixture.h"
 #include "ui/report/report.h"
 #include "ui/report/report_numbers.h"
-#include "ui/time_use/time_texts.h"
+#include "ui/language/time_texts.h"
 
 namespace feedscope::ui {
 namespace {

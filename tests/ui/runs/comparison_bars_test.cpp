@@ -7,7 +7,7 @@
 namespace feedscope::ui {
 namespace {
 
-using test::compared_run;
+using feedscope::test::compared_run;
 
 const Cause feed{CauseKind::programmed_feed, -1};
 const Cause jerk_x{CauseKind::axis_jerk, 0};
@@ -73,7 +73,7 @@ TEST(ComparisonBars, KeepTheNameOfASmallCauseThatIsAlone) {
 }
 
 TEST(ComparisonBars, KeepAtMostAsManyKindsAsTheLegendHoldsAndNoTimeIsLost) {
-  const auto runs = test::many_compared_runs(40);
+  const auto runs = feedscope::test::many_compared_runs(40);
   const auto bars = comparison_bars(runs);
   EXPECT_EQ(bars.kinds.size(), max_cause_kinds);
   EXPECT_TRUE(bars.rest);

@@ -23,7 +23,7 @@ QImage drawn(ComparisonChart& chart, QSize size) {
 }
 
 TEST(ComparisonChart, FillsABarWithTheColoursOfItsCausesToScale) {
-  const std::vector runs{test::compared_run(
+  const std::vector runs{feedscope::test::compared_run(
       "m", "essid", 0.01, {{{CauseKind::programmed_feed, -1}, 3}, {{CauseKind::axis_jerk, 1}, 1}})};
   ComparisonChart chart;
   chart.set_comparison("a.nc", "", comparison_bars(runs));
@@ -40,7 +40,7 @@ TEST(ComparisonChart, FillsABarWithTheColoursOfItsCausesToScale) {
 
 TEST(ComparisonChart, ShowsEveryKindThatItTellsApart) {
   ComparisonChart chart;
-  chart.set_comparison("a.nc", "", comparison_bars(test::many_compared_runs(40)));
+  chart.set_comparison("a.nc", "", comparison_bars(feedscope::test::many_compared_runs(40)));
   const QImage image = drawn(chart, chart.sizeHint());
   std::set<QRgb> seen;
   for (int y = 0; y < image.height(); ++y) {
@@ -56,13 +56,15 @@ TEST(ComparisonChart, ShowsEveryKindThatItTellsApart) {
 TEST(ComparisonChart, DrawsNothingAndRunsWithoutMotion) {
   ComparisonChart chart;
   EXPECT_FALSE(drawn(chart, {640, 200}).isNull());
-  chart.set_comparison("a.nc", "", comparison_bars(std::vector{test::compared_run("m", "cam", {}, {})}));
+  chart.set_comparison("a.nc", "",
+                       comparison_bars(std::vector{feedscope::test::compared_run("m", "cam", {}, {})}));
   EXPECT_FALSE(drawn(chart, {640, 300}).isNull());
 }
 
 TEST(ComparisonChart, ElidesATitleThatIsTooLong) {
   ComparisonChart chart;
-  chart.set_comparison(QString(500, 'W'), QString(500, 'm'), comparison_bars(test::many_compared_runs(2)));
+  chart.set_comparison(QString(500, 'W'), QString(500, 'm'),
+                       comparison_bars(feedscope::test::many_compared_runs(2)));
   const QImage image = drawn(chart, {640, 400});
   for (int y = 0; y < 40; ++y) {
     EXPECT_EQ(image.pixel(636, y), qRgb(255, 255, 255)) << y;

@@ -23,7 +23,7 @@ void expect_one_below_the_other(const std::vector<QRectF>& areas) {
 
 class LaidOut : public testing::TestWithParam<std::pair<std::size_t, int>> {
  protected:
-  LaidOut() : bars_(comparison_bars(test::many_compared_runs(GetParam().first))) {}
+  LaidOut() : bars_(comparison_bars(feedscope::test::many_compared_runs(GetParam().first))) {}
 
   ComparisonLayout at_height(int height) const { return lay_out(bars_, {GetParam().second, height}, font_); }
 
@@ -92,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(Sizes, LaidOut,
                                          std::pair{40, 640}, std::pair{40, 1920}));
 
 TEST(ComparisonLayout, NamesAModelOnceAndEveryTolerance) {
-  const auto bars = comparison_bars(test::many_compared_runs(8));
+  const auto bars = comparison_bars(feedscope::test::many_compared_runs(8));
   const ComparisonLayout layout = lay_out(bars, {1280, 800}, QApplication::font());
   EXPECT_EQ(layout.names[0].texts, (std::vector<QString>{"essid", "", "", "", "msaddek", "", "", ""}));
   EXPECT_EQ(layout.names[1].texts[1], "0.02");
@@ -101,8 +101,9 @@ TEST(ComparisonLayout, NamesAModelOnceAndEveryTolerance) {
 TEST(ComparisonLayout, ShowsHoursOnlyWhereThereAreMinutes) {
   const Cause feed{CauseKind::programmed_feed, -1};
   const auto figures = [&](double time) {
-    return lay_out(comparison_bars(std::vector{test::compared_run("m", "cam", {}, {{feed, time}})}),
-                   {1280, 400}, QApplication::font())
+    return lay_out(
+               comparison_bars(std::vector{feedscope::test::compared_run("m", "cam", {}, {{feed, time}})}),
+               {1280, 400}, QApplication::font())
         .figures;
   };
   EXPECT_EQ(figures(59).size(), 3u);

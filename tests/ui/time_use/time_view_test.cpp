@@ -30,7 +30,7 @@ class TimeViewTest : public testing::Test {
 
   void set_run(const feedscope::Run& run) {
     shown = make_shown(run);
-    view.set_run(shown, SetupState(run.setup));
+    findings.set_run(shown, SetupState(run.setup));
   }
   bool finishes() {
     return QTest::qWaitFor([this] { return !view.busy(); }, patience);
@@ -50,7 +50,8 @@ class TimeViewTest : public testing::Test {
 
   feedscope::Run run = test::simulate_text(test::small_program);
   std::shared_ptr<const ShownRun> shown;
-  TimeView view;
+  TimeFindings findings;
+  TimeView view{findings};
 };
 
 TEST_F(TimeViewTest, SaysWhereTheTimeGoesAndWhatWouldHelp) {
@@ -62,15 +63,15 @@ TEST_F(TimeViewTest, SaysWhereTheTimeGoesAndWhatWouldHelp) {
   ASSERT_NE(section("Places that lose most"), nullptr);
   ASSERT_NE(section("What would help"), nullptr);
   ASSERT_NE(section("Limited by, with braking for it"), nullptr);
-  ASSERT_NE(view.report(), nullptr);
-  EXPECT_FALSE(view.report()->changes.best.empty());
-  EXPECT_EQ(view.report()->use.cycle_time, run.summary.cycle_time);
+  ASSERT_NE(findings.report(), nullptr);
+  EXPECT_FALSE(findings.report()->changes.best.empty());
+  EXPECT_EQ(findings.report()->use.cycle_time, run.summary.cycle_time);
 }
 
 TEST_F(TimeViewTest, SaysWhatItsShareIsOf) {
   set_run(run);
   ASSERT_TRUE(finishes());
-  const TimeUse& use = view.report()->use;
+  const TimeUse& use = findings.report()->use;
   const QString share = QLocale().toString(100 * use.lost() / use.cycle_time, 'f', 1);
   EXPECT_THAT(view.conclusion().toStdString(),
               HasSubstr("(" + share.toStdString() + " % of the cycle time)"));
@@ -80,8 +81,8 @@ TEST_F(TimeViewTest, SaysWhatItsShareIsOf) {
 TEST_F(TimeViewTest, AGainIsPositive) {
   set_run(run);
   ASSERT_TRUE(finishes());
-  const ChangeTrials& changes = view.report()->changes;
-  const double gain = view.report()->use.cycle_time - changes.tried[changes.best.front()].cycle_time;
+  const ChangeTrials& changes = findings.report()->changes;
+  const double gain = findings.report()->use.cycle_time - changes.tried[changes.best.front()].cycle_time;
   EXPECT_EQ(section("What would help")->child(0)->text(1),
             QLocale().toString(gain, 'f', decimals_of_gain(gain)) + QStringLiteral(" s"));
 }
@@ -103,7 +104,7 @@ TEST_F(TimeViewTest, AClickGoesToTheWorstPlaceOfAGroup) {
   QSignalSpy chosen(&view, &TimeView::place_chosen);
   click(section("Places that lose most")->child(0));
   ASSERT_EQ(chosen.size(), 1);
-  const SlowPlace& worst = view.report()->slow.groups.front().worst.front();
+  const SlowPlace& worst = findings.report()->slow.groups.front().worst.front();
   EXPECT_EQ(chosen[0][1].toDouble(), worst.from);
   EXPECT_EQ(chosen[0][2].toDouble(), worst.to);
   const State there = run.trajectory->state(chosen[0][0].toDouble());
@@ -118,7 +119,7 @@ TEST_F(TimeViewTest, AChangeBecomesARunThatTakesWhatWasSaid) {
   QObject::connect(&view, &TimeView::run_wanted, [&](const SetupState& setup) { wanted = setup; });
   QTreeWidgetItem* changes = section("What would help");
   std::size_t checked = 0;
-  const ChangeTrials trials = view.report()->changes;
+  const ChangeTrials trials = findings.report()->changes;
   for (std::size_t i = 0; i < trials.best.size(); ++i) {
     const TriedChange& change = trials.tried[trials.best[i]];
     view.tree().setCurrentItem(changes->child(static_cast<int>(i)));
@@ -138,12 +139,12 @@ TEST_F(TimeViewTest, OfARefusedProgramItSaysThatItIsRefused) {
   ASSERT_TRUE(finishes());
   set_run(test::simulate_text("G21 G90\nG0 X10\nG1 X100\nG1 Y100\n", "grbl", "grbl-router"));
   EXPECT_FALSE(view.busy());
-  EXPECT_EQ(view.report(), nullptr);
+  EXPECT_EQ(findings.report(), nullptr);
   EXPECT_EQ(view.tree().topLevelItemCount(), 0);
   EXPECT_THAT(view.conclusion().toStdString(), AllOf(HasSubstr("The control refuses the program"),
                                                      HasSubstr("Lines that are not run: 3, 4.")));
   EXPECT_FALSE(view.panel_actions().first()->isEnabled()) << "nothing to try changes of";
-  view.try_changes();
+  findings.try_changes();
   EXPECT_FALSE(view.busy());
 }
 
@@ -172,17 +173,17 @@ TEST_F(TimeViewTest, WorksOnlyWhileItCanBeSeen) {
   view.set_on_screen(false);
   set_run(run);
   EXPECT_FALSE(view.busy());
-  EXPECT_EQ(view.report(), nullptr);
+  EXPECT_EQ(findings.report(), nullptr);
   view.set_on_screen(true);
   EXPECT_TRUE(view.busy());
   ASSERT_TRUE(finishes());
-  EXPECT_NE(view.report(), nullptr);
+  EXPECT_NE(findings.report(), nullptr);
 }
 
 TEST_F(TimeViewTest, NoProgramEmptiesIt) {
   set_run(run);
   ASSERT_TRUE(finishes());
-  view.set_run(nullptr, SetupState(run.setup));
+  findings.set_run(nullptr, SetupState(run.setup));
   EXPECT_EQ(view.tree().topLevelItemCount(), 0);
   EXPECT_FALSE(view.busy());
   EXPECT_THAT(view.conclusion().toStdString(), HasSubstr("Open a program"));
@@ -193,38 +194,36 @@ TEST_F(TimeViewTest, ALongProgramTriesChangesWhenAsked) {
   slow.simulate_time = 60;
   set_run(slow);
   ASSERT_TRUE(finishes());
-  EXPECT_TRUE(view.report()->changes.tried.empty());
+  EXPECT_TRUE(findings.report()->changes.tried.empty());
   view.panel_actions().first()->trigger();
   ASSERT_TRUE(finishes());
-  EXPECT_FALSE(view.report()->changes.tried.empty());
+  EXPECT_FALSE(findings.report()->changes.tried.empty());
 }
 
 TEST_F(TimeViewTest, ARunThatWasLookedAtBeforeIsKnownAtOnce) {
   set_run(run);
   ASSERT_TRUE(finishes());
   const auto first_shown = shown;
-  const auto first = view.report();
+  const auto first = findings.report();
   set_run(test::simulate_text("G21 G90\nG1 X20 F3000\nY20\nM2\n"));
-  EXPECT_EQ(view.report(), nullptr);
+  EXPECT_EQ(findings.report(), nullptr);
   ASSERT_TRUE(finishes());
-  EXPECT_NE(view.report(), first);
-  view.set_run(make_shown(run), SetupState(run.setup));
+  EXPECT_NE(findings.report(), first);
+  findings.set_run(make_shown(run), SetupState(run.setup));
   EXPECT_FALSE(view.busy());
-  EXPECT_EQ(view.report(), first);
+  EXPECT_EQ(findings.report(), first);
 }
 
 /// A value that is being changed is simulated, not what would help the value before it.
 TEST_F(TimeViewTest, LeavesTheProcessorsToAnotherSimulation) {
-  Workbench workbench(shipped_machines(), make_setup({}));
-  view.follow(workbench);
   set_run(run);
-  emit workbench.busy_changed(true);
+  findings.give_way(true);
   ASSERT_TRUE(finishes());
-  ASSERT_NE(view.report(), nullptr);
-  EXPECT_TRUE(view.report()->changes.tried.empty());
-  emit workbench.busy_changed(false);
+  ASSERT_NE(findings.report(), nullptr);
+  EXPECT_TRUE(findings.report()->changes.tried.empty());
+  findings.give_way(false);
   ASSERT_TRUE(finishes());
-  EXPECT_FALSE(view.report()->changes.tried.empty());
+  EXPECT_FALSE(findings.report()->changes.tried.empty());
 }
 
 }  // namespace

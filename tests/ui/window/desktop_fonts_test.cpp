@@ -19,6 +19,9 @@
 #include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
 #include "ui/charts/charts_panel.h"
+#include "ui/decide/decide_view.h"
+#include "ui/decide/tolerance_dialog.h"
+#include "ui/language/language.h"
 #include "ui/theme/theme.h"
 #include "ui/window/main_window.h"
 
@@ -30,10 +33,11 @@ using testing::IsEmpty;
 struct DesktopFont {
   const char* family;
   std::vector<const char*> files;
+  const char* language = "en";
 };
 
 void PrintTo(const DesktopFont& font, std::ostream* out) {
-  *out << font.family;
+  *out << font.family << ' ' << font.language;
 }
 
 std::string shown(const QWidget& widget, const QString& text) {
@@ -115,7 +119,9 @@ class DesktopFontsTest : public testing::TestWithParam<DesktopFont> {
     font.setFamily(GetParam().family);
     QApplication::setFont(font);
     apply_theme();
+    install_language(GetParam().language);
   }
+  void TearDown() override { install_language("en"); }
 };
 
 TEST_P(DesktopFontsTest, NoTextOfTheWindowIsCutOnAnyScreen) {
@@ -126,6 +132,8 @@ TEST_P(DesktopFontsTest, NoTextOfTheWindowIsCutOnAnyScreen) {
   const auto program = std::make_shared<const SourceText>(
       SourceText::from_file((data_folder() / "resources/programs/essid_table1.nc").string()));
   model.show(simulate_run(load_program(program), make_setup({})));
+  window.part<DecideView>().compare_with(
+      ToleranceDialog::setups(model.runs(), QStringLiteral("0.01 0.02 0.05")));
   ASSERT_TRUE(QTest::qWaitFor([&] { return !model.busy(); }, patience));
   // 1024x768 at 144 dots an inch, and usual ones.
   for (const QSize& screen : {QSize(683, 512), QSize(1280, 800), QSize(1920, 1080), QSize(3840, 2160)}) {
@@ -162,7 +170,7 @@ TEST_P(DesktopFontsTest, NumbersOfTheSmallestChartsAreWhole) {
 
 INSTANTIATE_TEST_SUITE_P(
     Desktops, DesktopFontsTest,
-    testing::Values(DesktopFont{"DejaVu Sans", {}},
+    testing::Values(DesktopFont{"DejaVu Sans", {}}, DesktopFont{"DejaVu Sans", {}, "fr"},
                     DesktopFont{"Noto Sans",
                                 {"/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
                                  "/usr/share/fonts/truetype/noto/NotoSans-Bold.ttf"}},
@@ -172,7 +180,9 @@ INSTANTIATE_TEST_SUITE_P(
                     DesktopFont{"Liberation Sans",
                                 {"/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf",
                                  "/usr/share/fonts/truetype/liberation/LiberationSans-Bold.ttf"}}),
-    [](const auto& font) { return QString(font.param.family).remove(' ').toStdString(); });
+    [](const auto& font) {
+      return QString(font.param.family).remove(' ').toStdString() + font.param.language;
+    });
 
 }  // namespace
 }  // namespace feedscope::ui

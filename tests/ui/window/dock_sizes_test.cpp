@@ -7,8 +7,8 @@
 #include <array>
 
 #include "ui/charts/charts_panel.h"
+#include "ui/decide/decide_view.h"
 #include "ui/program_text/program_panel.h"
-#include "ui/setup/setup_view.h"
 #include "ui/window/help_menu.h"
 #include "ui/window/main_window.h"
 
@@ -34,7 +34,7 @@ class DockSizesTest : public testing::Test {
   }
   /// Sizes of the panels on the left, on the right and below.
   std::array<int, 3> panels() {
-    return {window.part<ProgramPanel>().width(), window.part<SetupView>().width(),
+    return {window.part<ProgramPanel>().width(), window.part<DecideView>().width(),
             window.part<ChartsPanel>().height()};
   }
 
@@ -50,9 +50,10 @@ TEST_F(DockSizesTest, ASmallWindowLeavesRoomForThe3dViewAndPanelsGetTheirsBack) 
   EXPECT_GE(window.scene().canvas().height(), 110);
   EXPECT_GE(window.scene().canvas().width(), 250);
   resize(1900, 800);
-  for (std::size_t i = 0; i < before.size(); ++i) {
+  for (const std::size_t i : {0, 2}) {
     EXPECT_NEAR(panels()[i], before[i], 3) << "panel " << i;
   }
+  EXPECT_GT(panels()[1], before[1] + 30) << "a wider window has a wider inspector";
   resize(1280, 800);
   EXPECT_EQ(panels(), before);
 }

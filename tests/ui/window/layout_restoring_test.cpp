@@ -38,7 +38,8 @@ struct LaidOut {
     settle();
   }
   bool in_front(const QString& name) const {
-    return !window.findChild<QDockWidget*>(name)->visibleRegion().isEmpty();
+    const auto* dock = window.findChild<QDockWidget*>(name);  // Qt moves those behind out of the window
+    return dock->isVisible() && window.rect().contains(dock->geometry().center());
   }
   bool all_docked() const {
     return std::ranges::all_of(

@@ -5,6 +5,7 @@
 
 #include <QAction>
 #include <QDockWidget>
+#include <QMenuBar>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSettings>
@@ -18,6 +19,7 @@
 #include <fstream>
 #include <map>
 
+#include "core/base/data_folder.h"
 #include "tests/support/folders.h"
 #include "tests/ui/own_tip.h"
 #include "tests/ui/patience.h"
@@ -368,6 +370,64 @@ TEST_F(MainWindowTest, NoTwoCommandsShareKeys) {
     }
   }
   EXPECT_GT(taken.size(), 30U);
+}
+
+void add_long_menus(const QMenu& menu, const QString& path, QStringList& long_menus) {
+  constexpr int most = 12;
+  int entries = 0;
+  for (const QAction* action : menu.actions()) {
+    entries += action->isSeparator() ? 0 : 1;
+    if (action->menu() != nullptr) {
+      add_long_menus(*action->menu(), path + QStringLiteral(" > ") + action->text(), long_menus);
+    }
+  }
+  if (entries > most) {
+    long_menus.append(QStringLiteral("%1: %2").arg(path).arg(entries));
+  }
+}
+
+TEST_F(MainWindowTest, NoMenuHasMoreThanTwelveEntries) {
+  QStringList long_menus;
+  for (const QAction* menu : window.menuBar()->actions()) {
+    add_long_menus(*menu->menu(), menu->text(), long_menus);
+  }
+  EXPECT_EQ(long_menus.join(QStringLiteral("; ")).toStdString(), "");
+}
+
+TEST_F(MainWindowTest, EveryLessonIsInTheMenuWhileAProgramIsOpen) {
+  QStringList listed;
+  for (const QAction* menu : window.menuBar()->actions()) {
+    for (const QAction* list : menu->menu()->actions()) {
+      if (list->text().startsWith(QStringLiteral("Lessons "))) {
+        for (const QAction* lesson : list->menu()->actions()) {
+          listed.append(lesson->text());
+        }
+      }
+    }
+  }
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(data_folder() / "resources" / "lessons")) {
+    files += entry.path().extension() == ".toml" ? 1 : 0;
+  }
+  EXPECT_EQ(static_cast<std::size_t>(listed.size()), files);
+}
+
+TEST_F(MainWindowTest, AJumpToAPlaceMovesTheViewAndTheViewBeforeComesBack) {
+  const CameraState before = window.scene().scene().camera();
+  model.show_place(duration() / 2, duration() / 2, duration() / 2 + 0.01);
+  EXPECT_NE(window.scene().scene().camera(), before);
+  for (QAction* action : window.findChildren<QAction*>()) {
+    if (action->shortcut() == QKeySequence(Qt::ALT | Qt::Key_Left)) {
+      action->trigger();
+    }
+  }
+  EXPECT_EQ(window.scene().scene().camera(), before);
+}
+
+TEST_F(MainWindowTest, ThePathHasAThirdOfTheDefaultWindow) {
+  const QWidget& canvas = window.scene().canvas();
+  const double share = static_cast<double>(canvas.width()) * canvas.height() / (1280.0 * 800.0);
+  EXPECT_GE(share, 0.35) << canvas.width() << "x" << canvas.height();
 }
 
 TEST_F(MainWindowTest, EveryCommandSaysWhatItDoes) {

@@ -17,11 +17,11 @@
 #include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
 #include "ui/charts/csv_dialog.h"
+#include "ui/decide/decide_view.h"
 #include "ui/fields/number_box.h"
 #include "ui/fields/number_text.h"
 #include "ui/fields/whole_number_box.h"
 #include "ui/program_text/reading_dialog.h"
-#include "ui/runs/runs_view.h"
 #include "ui/setup/setup_view.h"
 #include "ui/window/main_window.h"
 
@@ -162,16 +162,19 @@ TEST_P(NumberFieldsTest, EveryNumberOfTheMachineTablesTakesBothSigns) {
 }
 
 TEST_P(NumberFieldsTest, TolerancesForNewRunsTakeBothSigns) {
-  for (const QString& text : {QStringLiteral("0.013 0.017"), QStringLiteral("0,013; 0,017")}) {
+  const std::vector<std::pair<QString, std::array<double, 2>>> typed{
+      {QStringLiteral("0.013 0.017"), {0.013, 0.017}}, {QStringLiteral("0,014; 0,018"), {0.014, 0.018}}};
+  for (const auto& [text, tolerances] : typed) {
     const std::size_t runs = model.runs().items().size();
-    QTimer::singleShot(0, [&] {
+    QTimer::singleShot(0, [&text = text] {
       auto* line = QApplication::activeModalWidget()->findChild<QLineEdit*>();
       type(*line, text);
     });
-    window->part<RunsView>().panel_actions()[1]->trigger();
+    window->part<DecideView>().compare()->trigger();
     ASSERT_EQ(model.runs().items().size(), runs + 2) << text.toStdString();
-    EXPECT_DOUBLE_EQ(*contour_tolerance(model.runs().items()[runs].setup.setup()), 0.013);
-    EXPECT_DOUBLE_EQ(*contour_tolerance(model.runs().items()[runs + 1].setup.setup()), 0.017);
+    for (std::size_t i = 0; i < tolerances.size(); ++i) {
+      EXPECT_DOUBLE_EQ(*contour_tolerance(model.runs().items()[runs + i].setup.setup()), tolerances[i]);
+    }
   }
 }
 
@@ -186,7 +189,7 @@ TEST_P(NumberFieldsTest, AToleranceThatIsNoNumberIsAskedForAgain) {
       type(*box->findChild<QLineEdit*>(), QStringLiteral("0.01 0.02"));
     });
   });
-  window->part<RunsView>().panel_actions()[1]->trigger();
+  window->part<DecideView>().compare()->trigger();
   EXPECT_EQ(model.runs().items().size(), 3U);
 }
 

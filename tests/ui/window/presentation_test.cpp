@@ -166,6 +166,9 @@ TEST_F(PresentationTest, LeavingItBringsTheLayoutBack) {
   window.part<ProgramPanel>().view().set_font_size(15);
   window.resizeDocks({&dock("charts")}, {300}, Qt::Vertical);
   settle();
+  dock("messages").show();
+  dock("messages").raise();
+  settle();
   const QByteArray layout = window.saveState();
   const QSize size = window.size();
   const int height = dock("messages").height();

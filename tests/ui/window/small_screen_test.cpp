@@ -26,7 +26,7 @@ constexpr QSize screen(683, 512);  // [logical pixels]
 std::string needs(const MainWindow& window) {
   QString text = QStringLiteral("centre %1").arg(window.centralWidget()->minimumSizeHint().width());
   for (const QDockWidget* dock : window.findChildren<QDockWidget*>()) {
-    if (dock->isVisible() && !dock->visibleRegion().isEmpty()) {
+    if (dock->isVisible() && window.rect().contains(dock->geometry().center())) {
       const QSize size = dock->minimumSizeHint();
       text += QStringLiteral(", %1 %2x%3").arg(dock->objectName()).arg(size.width()).arg(size.height());
     }

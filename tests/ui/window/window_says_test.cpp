@@ -260,7 +260,9 @@ TEST_F(WindowSaysTest, TabStopsOnlyWhereTheFocusIsSeenAndGoesThroughEveryPanel) 
         const bool same = holder->grab().toImage() == with;
         at->setFocus(Qt::TabFocusReason);
         EXPECT_FALSE(same) << at->metaObject()->className() << " \"" << at->accessibleName().toStdString()
-                           << "\" in " << holder->metaObject()->className();
+                           << "\" in " << holder->metaObject()->className() << ' ' << at->x() << ','
+                           << at->y() << ' ' << at->width() << 'x' << at->height() << " with "
+                           << dock->objectName().toStdString();
       }
       QTest::keyClick(at, Qt::Key_Tab);
     }
@@ -309,16 +311,16 @@ TEST_F(WindowSaysTest, NoSentenceOfAPanelIsCut) {
 
 TEST_F(WindowSaysTest, ACurveSwitchedOffIsOnAgainForAnotherProgram) {
   open(test::small_program);
-  window.part<ChartsPanel>().show_curve(0, 2, false);
+  window.part<ChartsPanel>().show_curve(0, 1, false);
   model.reload();
   ASSERT_TRUE(QTest::qWaitFor([this] { return !model.busy(); }, patience));
-  EXPECT_FALSE(window.part<ChartsPanel>().chart(0).curve_shown(2)) << "the same program";
+  EXPECT_FALSE(window.part<ChartsPanel>().chart(0).curve_shown(1)) << "the same program";
   const std::filesystem::path other = std::filesystem::path(folder.path().toStdString()) / "other.nc";
   std::ofstream(other) << test::small_program;
   window.open(other);
   ASSERT_TRUE(QTest::qWaitFor([this] { return !model.busy(); }, patience));
-  EXPECT_TRUE(window.part<ChartsPanel>().chart(0).curve_shown(2));
-  window.part<ChartsPanel>().show_curve(0, 2, false);
+  EXPECT_TRUE(window.part<ChartsPanel>().chart(0).curve_shown(1));
+  window.part<ChartsPanel>().show_curve(0, 1, false);
   EXPECT_TRUE(for_any_run(window.part<ChartsPanel>().state()).hidden.isEmpty()) << "kept for the next start";
 }
 

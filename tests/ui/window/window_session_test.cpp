@@ -4,6 +4,7 @@
 
 #include <QDir>
 #include <QFileDialog>
+#include <QJsonDocument>
 #include <QJsonObject>
 #include <QMessageBox>
 #include <QPushButton>
@@ -360,6 +361,19 @@ TEST_F(WindowSessionTest, WhatWasLeftBehindAndCannotBeOpenedStays) {
 }
 
 /// What a lesson replaces comes back with one press, as often as wanted; the session file is safe meanwhile.
+/// Where a fitted camera stands follows the size of the view, which panels change.
+QJsonObject without_fitted_places(QJsonObject session) {
+  QJsonObject view = session["view"].toObject();
+  QJsonObject camera = view["camera"].toObject();
+  if (camera["fitted"].toBool()) {
+    camera.remove("focal_mm");
+    camera.remove("height_mm");
+  }
+  view["camera"] = camera;
+  session["view"] = view;
+  return session;
+}
+
 TEST_F(WindowSessionTest, WhatALessonReplacesComesBackAnyNumberOfTimes) {
   Window w;
   open_saved(w);
@@ -386,10 +400,12 @@ TEST_F(WindowSessionTest, WhatALessonReplacesComesBackAnyNumberOfTimes) {
     EXPECT_FALSE(back.isEnabled());
     const Session again = w.window.session().capture();
     EXPECT_EQ(again.program, own.program);
-    const QJsonObject shown = to_json(again, {});
-    const QJsonObject before = to_json(own, {});
+    const QJsonObject shown = without_fitted_places(to_json(again, {}));
+    const QJsonObject before = without_fitted_places(to_json(own, {}));
     for (const char* key : {"runs", "current_run", "reading", "view", "compare", "annotations"}) {
-      EXPECT_EQ(shown[key], before[key]) << key;
+      EXPECT_EQ(shown[key], before[key])
+          << key << ": " << QJsonDocument(shown[key].toObject()).toJson().data()
+          << QJsonDocument(before[key].toObject()).toJson().data();
     }
     EXPECT_NEAR(again.cursor, own.cursor, 1e-9);
     ASSERT_TRUE(again.charts.time && own.charts.time);

@@ -260,31 +260,84 @@ TEST(RunColour, IsThatOfNoCurveInAnyTheme) {
   }
 }
 
-TEST_F(RunListTest, AChangeForAllChangesEveryRunThatKnowsTheKeyInOneStep) {
-  SetupEdit edit(runs);
-  runs.duplicate(0);
-  SetupState other = runs.current_item().setup;
-  other.set_model(find_model("cam"));
-  runs.duplicate_as(1, other);
-  ASSERT_EQ(runs.items().size(), 3U);
-  runs.select(0);
-  edit.set_for_all(true);
+/// Two runs that differ in tolerance, and one of another model.
+class ComparedSetupsTest : public RunListTest {
+ protected:
+  ComparedSetupsTest() {
+    SetupState fine = runs.items()[0].setup;
+    fine.set_tolerance(0.02);
+    runs.duplicate_as(0, fine);
+    SetupState other = runs.items()[0].setup;
+    other.set_model(find_model("cam"));
+    runs.duplicate_as(1, other);
+    runs.select(0);
+  }
+  const SetupState& setup(std::size_t row) const { return runs.items()[row].setup; }
+  SetupEdit edit{runs};
+};
+
+TEST_F(ComparedSetupsTest, AChangeIsOneOfEveryRunThatKnowsTheKeyInOneStep) {
   edit.set("alpha", 2.0);
-  EXPECT_TRUE(runs.items()[0].setup.edited("alpha"));
-  EXPECT_TRUE(runs.items()[1].setup.edited("alpha"));
-  EXPECT_FALSE(runs.items()[2].setup.edited("alpha")) << "cam knows no alpha";
+  EXPECT_TRUE(setup(0).edited("alpha"));
+  EXPECT_TRUE(setup(1).edited("alpha"));
+  EXPECT_FALSE(setup(2).edited("alpha")) << "cam knows no alpha";
   edit.set("X.jerk", 7.0);
-  EXPECT_TRUE(runs.items()[2].setup.edited("X.jerk"));
+  EXPECT_TRUE(setup(2).edited("X.jerk"));
   runs.history().undo();
   runs.history().undo();
-  for (const RunItem& item : runs.items()) {
-    EXPECT_TRUE(item.setup.edits().empty()) << "one step each";
+  for (std::size_t row = 0; row < 3; ++row) {
+    EXPECT_FALSE(setup(row).edited("alpha")) << "one step each";
+    EXPECT_FALSE(setup(row).edited("X.jerk"));
   }
   EXPECT_THROW(edit.set("alpha", -1e9), InputError);
-  EXPECT_FALSE(runs.items()[1].setup.edited("alpha")) << "what is refused changes no run";
+  EXPECT_FALSE(setup(1).edited("alpha")) << "what is refused changes no run";
+}
+
+TEST_F(ComparedSetupsTest, WhatIsComparedIsOfOneRun) {
+  edit.set_tolerance(0.05);
+  EXPECT_EQ(std::get<double>(setup(1).value("contour_tolerance_mm")), 0.02);
+  EXPECT_EQ(std::get<double>(setup(0).value("contour_tolerance_mm")), 0.05);
+  edit.set_model(find_model("gassara"));
+  EXPECT_EQ(setup(1).file().model->info().id, "essid") << "models are compared";
+}
+
+TEST_F(ComparedSetupsTest, AnotherMachineIsOneOfAllRunsWhichStayApart) {
+  edit.set("alpha", 2.0);
+  edit.set_file(make_setup({"huron-kx10", {}, {}, {}}));
+  for (std::size_t row = 0; row < 3; ++row) {
+    EXPECT_EQ(setup(row).file().machine.id, "huron-kx10") << row;
+    EXPECT_FALSE(setup(row).edited("alpha")) << row;
+  }
+  EXPECT_EQ(std::get<double>(setup(1).value("contour_tolerance_mm")), 0.02);
+  EXPECT_EQ(setup(2).file().model->info().id, "cam");
+}
+
+TEST_F(ComparedSetupsTest, ACopyIsThereToBeChanged) {
+  runs.duplicate(0);
+  edit.set("alpha", 2.0);
+  EXPECT_TRUE(setup(1).edited("alpha"));
+  EXPECT_FALSE(setup(0).edited("alpha"));
+}
+
+TEST_F(ComparedSetupsTest, OfTheCurrentRunAloneWhereThatIsWanted) {
   edit.set_for_all(false);
-  edit.set_tolerance(0.03);
-  EXPECT_FALSE(runs.items()[1].setup.edited("contour_tolerance_mm"));
+  edit.set("X.jerk", 7.0);
+  EXPECT_FALSE(setup(1).edited("X.jerk"));
+}
+
+TEST_F(ComparedSetupsTest, ShortTitlesAreWhatTellsTheRunsApart) {
+  runs.remove(2);
+  EXPECT_EQ(short_run_titles(runs.items(), {}), QStringList({"0.1 mm", "0.02 mm"}));
+  runs.rename(1, "finishing");
+  EXPECT_EQ(short_run_titles(runs.items(), {})[1], "finishing");
+  EXPECT_EQ(short_run_titles(std::span(runs.items()).first(1), {}),
+            QStringList(run_title(runs.items()[0], {})));
+}
+
+TEST(RunLetters, GoOnAfterTheAlphabet) {
+  EXPECT_EQ(run_letter(0), "A");
+  EXPECT_EQ(run_letter(25), "Z");
+  EXPECT_EQ(run_letter(26), "A1");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "ui/time_use/time_job.h"
+#include "ui/workbench/time_job.h"
 
 #include <utility>
 

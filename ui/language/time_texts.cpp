@@ -1,4 +1,4 @@
-#include "ui/time_use/time_texts.h"
+#include "ui/language/time_texts.h"
 
 #include <QLocale>
 #include <cmath>

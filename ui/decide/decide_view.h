@@ -1,0 +1,96 @@
+#pragma once
+
+#include "ui/decide/share_bars.h"
+#include "ui/workbench/decision.h"
+#include "ui/workbench/panel.h"
+#include "ui/workbench/workbench.h"
+
+class QCheckBox;
+class QGridLayout;
+class QLabel;
+class QPushButton;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace feedscope::ui {
+
+class DecisionChart;
+class NumberBox;
+
+/// Which run to take: a sentence with the reason, cycle time over contour error with the bound that may be
+/// drawn, the runs, where the time of the current run goes and what would help. With one run: how much of its
+/// time is lost and to what, and the offer to compare tolerances.
+class DecideView : public Panel {
+  Q_OBJECT
+
+ public:
+  /// `workbench` outlives this.
+  explicit DecideView(Workbench& workbench, QWidget* parent = nullptr);
+
+  void set_on_screen(bool on_screen) override;
+  QList<QAction*> panel_actions() const override { return {compare_}; }
+  /// Compare tolerances...
+  QAction* compare() const { return compare_; }
+  /// Adds runs in one step of the history; when all are simulated, the recommended one becomes the current
+  /// run.
+  void compare_with(const std::vector<SetupState>& setups);
+
+  QString headline() const;
+  QString rule() const;
+  DecisionChart& chart() { return *chart_; }
+  QTreeWidget& table() { return *table_; }
+  ShareBars& causes() { return *causes_; }
+  /// Buttons of what would help.
+  QList<QPushButton*> tries() const;
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void make_layout();
+  void make_bound();
+  void connect_runs();
+  void follow_palette();
+  void watch();
+  void ask();
+  /// Shows everything again, once for all changes of a turn of the event loop.
+  void refresh();
+  void show_all();
+  void show_decision();
+  void show_chart();
+  void show_table();
+  void add_row(std::size_t row, const QString& name, const std::optional<Recommendation>& taken);
+  void show_causes();
+  void show_help();
+  void set_bound();
+  /// The recommended run becomes the current one, once, when all runs of a comparison are there.
+  void choose_best();
+  void go_to_cause(std::size_t row);
+  void try_change(const Remedy& remedy);
+  /// Why there is no decision yet, or none at all.
+  QString without_decision() const;
+
+  Workbench& workbench_;
+  RunList& runs_;
+  QAction* compare_;
+  QLabel* headline_;
+  QLabel* rule_;
+  QPushButton* offer_;
+  DecisionChart* chart_;
+  QCheckBox* bounded_;
+  NumberBox* bound_;
+  QTreeWidget* table_;
+  QLabel* causes_title_;
+  ShareBars* causes_;
+  QLabel* help_title_;
+  QGridLayout* help_;
+  QList<QPushButton*> tries_;
+  bool on_screen_ = true;
+  bool showing_ = false;  ///< the table is being filled: its changes are not the user's
+  bool refreshing_ = false;
+  bool choosing_ = false;  ///< choose_best() is to come
+};
+
+}  // namespace feedscope::ui

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+namespace feedscope::ui {
+
+/// A run in a DecisionChart.
+struct DecisionDot {
+  std::size_t row = 0;  ///< of the run
+  double time = 0;      ///< cycle time [s]
+  double error = 0;     ///< by which runs are chosen [mm]
+  QString name;         ///< short
+  QColor colour;
+  bool taken = false;  ///< the run to take
+  bool current = false;
+};
+
+/// Cycle time over contour error, a dot a run; the run to take is ringed. The bound on the error is an
+/// upright line that can be dragged.
+class DecisionChart : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit DecisionChart(QWidget* parent = nullptr);
+
+  /// `bound`: on the error [mm].
+  void set(std::vector<DecisionDot> dots, std::optional<double> bound);
+  const std::vector<DecisionDot>& dots() const { return dots_; }
+  /// Where a dot is drawn; its name beside it.
+  QPointF place_of(const DecisionDot& dot) const;
+  std::vector<QRectF> labels() const;
+  /// Of the line of the bound; none without a bound.
+  std::optional<double> bound_x() const;
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+ signals:
+  void run_clicked(std::size_t row);
+  /// The bound is drawn to another value [mm].
+  void bound_dragged(double bound);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+
+ private:
+  struct Scale {
+    QRectF plot;
+    double least_time = 0;
+    double most_time = 1;
+    double most_error = 1;  ///< [mm]
+  };
+  Scale scale() const;
+  void draw_axes(QPainter& painter, const Scale& scale) const;
+  void draw_bound(QPainter& painter, const Scale& scale) const;
+  void draw_dots(QPainter& painter) const;
+  bool over_bound(const QPointF& place) const;
+
+  std::vector<DecisionDot> dots_;
+  std::optional<double> bound_;
+  double most_error_ = 0;  ///< that the axis has room for [mm]
+  bool dragging_ = false;
+};
+
+}  // namespace feedscope::ui

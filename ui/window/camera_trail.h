@@ -1,0 +1,39 @@
+#pragma once
+
+#include <QObject>
+#include <vector>
+
+#include "ui/scene_view/scene_view.h"
+#include "ui/workbench/workbench.h"
+
+class QAction;
+
+namespace feedscope::ui {
+
+/// The camera goes with the cursor: to a place that was chosen in another panel, and in playback after a
+/// cursor that leaves the view. What was in view before a jump can be had back.
+class CameraTrail : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Both outlive this.
+  CameraTrail(Workbench& workbench, SceneView& scene, QObject* parent);
+
+  QAction* back() const { return back_; }
+
+ public slots:
+  /// Brings the cursor into view.
+  void follow_cursor();
+
+ private:
+  void go_to(double from, double to);
+  void keep();
+  void go_back();
+
+  Workbench& workbench_;
+  SceneView& scene_;
+  QAction* back_;
+  std::vector<CameraState> before_;  ///< the last one last
+};
+
+}  // namespace feedscope::ui

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QMenu>
+#include <filesystem>
+
+#include "ui/lessons/lesson_desk.h"
+
+namespace feedscope::ui {
+
+/// All lessons, in menus of a few, then the commands of the lesson that is open.
+class LessonMenu : public QMenu {
+  Q_OBJECT
+
+ public:
+  /// `desk` outlives this. `commands`: of the open lesson; `handouts`: of it on paper.
+  LessonMenu(LessonDesk& desk, const QList<QAction*>& commands, const QList<QAction*>& handouts,
+             QWidget* parent);
+
+ signals:
+  void lesson_wanted(const std::filesystem::path& file);
+
+ private:
+  void list();
+
+  LessonDesk& desk_;
+  QAction* behind_lessons_;
+  QList<QMenu*> lists_;
+};
+
+}  // namespace feedscope::ui

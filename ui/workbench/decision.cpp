@@ -1,0 +1,92 @@
+#include "ui/workbench/decision.h"
+
+#include <algorithm>
+
+#include "ui/language/shown_numbers.h"
+#include "ui/language/texts.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+struct Simulated {
+  std::vector<ComparedRun> runs;
+  std::vector<std::size_t> rows;
+};
+
+Simulated simulated(const RunList& runs) {
+  Simulated found;
+  for (std::size_t row = 0; row < runs.items().size(); ++row) {
+    if (const auto result = runs.result(row)) {
+      found.runs.push_back(figures_of(result->run));
+      found.rows.push_back(row);
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+std::optional<Recommendation> recommended(const RunList& runs) {
+  const Simulated found = simulated(runs);
+  std::optional<Recommendation> taken = recommend(found.runs, runs.error_bound());
+  if (taken) {
+    taken->run = found.rows[taken->run];
+    taken->against = found.rows[taken->against];
+  }
+  return taken;
+}
+
+QString DecisionTexts::error(const Summary& summary) {
+  const QString amount = amount_text(deciding_error(summary), Dimension::error);
+  return summary.actual ? tr("actual contour error %1").arg(amount) : tr("contour error %1").arg(amount);
+}
+
+QString DecisionTexts::none_keeps(const RunList& runs, const QStringList& names) {
+  const Simulated found = simulated(runs);
+  const std::vector<bool> can = can_be_chosen(found.runs);
+  std::optional<std::size_t> least;
+  for (std::size_t i = 0; i < found.runs.size(); ++i) {
+    if (can[i] &&
+        (!least || deciding_error(found.runs[i].summary) < deciding_error(found.runs[*least].summary))) {
+      least = i;
+    }
+  }
+  const QString bound = amount_text(*runs.error_bound(), Dimension::error);
+  return least ? tr("No run keeps a contour error of %1. The smallest is %2, with %3.")
+                     .arg(bound, amount_text(deciding_error(found.runs[*least].summary), Dimension::error),
+                          names[static_cast<qsizetype>(found.rows[*least])])
+               : QString();
+}
+
+Decision DecisionTexts::decision(const RunList& runs) {
+  if (runs.items().size() < 2) {
+    return {};
+  }
+  const QStringList names = short_run_titles(runs.items(), runs.feed_controls());
+  const auto taken = recommended(runs);
+  if (!taken) {
+    return {runs.error_bound() ? none_keeps(runs, names) : QString(), {}};
+  }
+  const Summary& summary = runs.result(taken->run)->run.summary;
+  const QString name = names[static_cast<qsizetype>(taken->run)];
+  const QString time = short_time_text(summary.cycle_time);
+  switch (taken->reason) {
+    case Recommendation::Reason::only:
+      return {tr("%1: %2, %3.").arg(name, time, error(summary)), tr("No other run can be taken.")};
+    case Recommendation::Reason::no_difference:
+      return {tr("No difference worth having: %1 takes %2, %3.").arg(name, time, error(summary)),
+              tr("The cycle times differ by less than 1 %. This run has the smallest error.")};
+    case Recommendation::Reason::fastest:
+    case Recommendation::Reason::smallest_error:
+      break;
+  }
+  return {tr("%1: %2, %3 less than %4, %5.")
+              .arg(name, time, share_text(taken->gain_share), names[static_cast<qsizetype>(taken->against)],
+                   error(summary)),
+          taken->reason == Recommendation::Reason::fastest
+              ? tr("The fastest run. None within 1 % of it has a smaller error.")
+              : tr("The smallest error within 1 % of the fastest run.")};
+}
+
+}  // namespace feedscope::ui
