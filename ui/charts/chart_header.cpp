@@ -138,7 +138,7 @@ std::vector<ChartHeader::Item> ChartHeader::items(int width) const {
         add(Kind::curve, i);
       }
     }
-    for (std::size_t i = 0; i < runs_.size() && shown; ++i) {
+    for (std::size_t i = 0; i < runs_.size() && shown && all_; ++i) {
       add(Kind::run, i);
     }
   }
@@ -162,7 +162,7 @@ QSize ChartHeader::sizeHint() const {
   };
   const auto listed = [this](std::size_t) { return all_; };
   add(Kind::curve, spec_.curves.size(), [&](std::size_t i) { return available_[i] && (shown_[i] || all_); });
-  add(Kind::run, runs_.size(), [](std::size_t) { return true; });
+  add(Kind::run, runs_.size(), listed);
   add(Kind::limit, limits_.size(), listed);
   add(Kind::note, static_cast<std::size_t>(notes_.size()), listed);
   return {width, height};

@@ -18,8 +18,8 @@ struct LegendEntry {
   std::optional<double> value;  ///< where the cursor is, in the chart's unit
 };
 
-/// The label in the corner of a plot: quantity with unit, the curves that are shown in their colours, and
-/// other runs. Under the pointer, or where all is wanted, it lists the hidden curves, limits and notes too. A
+/// The label in the corner of a plot: quantity with unit, and the curves that are shown in their colours.
+/// Under the pointer, or where all is wanted, it lists hidden curves, other runs, limits and notes too. A
 /// click on a curve asks to show or hide it, with Ctrl to show it alone; the tip has the values at the
 /// cursor.
 class ChartHeader : public QWidget {

@@ -70,6 +70,7 @@ ChartsPanel::ChartsPanel(Cursor& cursor, ViewRange& range, QWidget* parent)
   more_->setMenu(&commands_->menu());
   more_->setPopupMode(QToolButton::InstantPopup);
   more_->setAutoRaise(true);
+  more_->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
   more_->raise();
 
   refresh_.setSingleShot(true);

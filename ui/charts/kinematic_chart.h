@@ -114,6 +114,8 @@ class KinematicChart : public QChartView {
   void follow_type_size();
   void fit();
   CurveReach reach_of(const std::vector<Extent>& columns, bool may_be_cut) const;
+  /// None where they are those of axes of which no curve is shown.
+  const std::vector<LimitLine>& shown_limits() const;
   void draw_picture(QPainter& painter);
   void draw_abscissa_title(QPainter& painter) const;
   void draw_curves(QPainter& painter) const;

@@ -37,7 +37,7 @@ constexpr double usual_bound = 0.02;  // [mm]
 constexpr double largest_bound = 1;   // [mm]
 constexpr std::size_t most_causes = 4;
 constexpr std::size_t most_rows = 8;  // of the table that are seen at once
-constexpr int margin = 10;
+constexpr int margin = 8;
 enum Column { name_column, time_column, gain_column, error_column, column_count };
 
 QLabel* make_text(QWidget* parent, int pixels, bool bold = false) {
@@ -53,7 +53,7 @@ QLabel* make_text(QWidget* parent, int pixels, bool bold = false) {
 
 /// A piece of the line that stands for a run.
 QIcon line_icon(const RunItem& item, std::size_t row, const QWidget& widget) {
-  constexpr QSize size(26, 12);
+  constexpr QSize size(20, 12);
   const double ratio = widget.devicePixelRatioF();
   QPixmap picture(size * ratio);
   picture.setDevicePixelRatio(ratio);
@@ -102,13 +102,13 @@ DecideView::DecideView(Workbench& workbench, QWidget* parent)
   table_->setIndentation(0);
   table_->setFrameShape(QFrame::NoFrame);
   table_->setAccessibleName(tr("Runs and their results"));
-  table_->setIconSize({26, 12});
+  table_->setIconSize({20, 12});
   table_->setAllColumnsShowFocus(true);
   table_->header()->setStretchLastSection(false);
   table_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->header()->setSectionResizeMode(name_column, QHeaderView::Stretch);
   table_->header()->setMinimumSectionSize(1);
-  set_type_pixels(*table_, 12);
+  set_type_pixels(*table_, 11);
   install_row_copy(*table_);
   help_title_->setText(tr("What would help"));
   make_bound();

@@ -13,18 +13,21 @@ namespace feedscope::ui {
 
 namespace {
 
-QString with_decimal_sign(const std::string& text) {
-  return QString::fromStdString(text).replace(QLatin1Char('.'), QLocale().decimalPoint());
+/// With the decimal sign of the locale; the unit stays in the line of its number.
+QString localised(const std::string& text) {
+  return QString::fromStdString(text)
+      .replace(QLatin1Char('.'), QLocale().decimalPoint())
+      .replace(QLatin1Char(' '), QChar::Nbsp);
 }
 
 }  // namespace
 
 QString short_time_text(double seconds) {
-  return with_decimal_sign(short_time(seconds));
+  return localised(short_time(seconds));
 }
 
 QString share_text(double share) {
-  return with_decimal_sign(short_percent(share));
+  return localised(short_percent(share));
 }
 
 QString setting_title(const std::string& key) {
