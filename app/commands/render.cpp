@@ -47,6 +47,7 @@ struct RenderOptions {
   std::string camera;            ///< "": iso, or the session's
   std::string colour;            ///< key of a colouring; "": feed, or the session's
   std::optional<int> reference;  ///< number of a run, from 1
+  std::string rapids;            ///< "": auto, or the session's
   std::string theme;             ///< "": light, or the session's
   std::string format;
   bool transparent = false;
@@ -154,6 +155,10 @@ void check_view(const RenderOptions& options) {
     throw InputError(
         fmt::format("--colour has no effect with --view {}; use --view 3d or sheet", options.view));
   }
+  if (!options.rapids.empty() && !coloured) {
+    throw InputError(
+        fmt::format("--rapids has no effect with --view {}; use --view 3d or sheet", options.view));
+  }
   if (views.at(options.view) == View::window && options.transparent) {
     throw InputError(
         "--transparent: the window has no transparent background; use --view 3d, charts or sheet");
@@ -167,6 +172,7 @@ void check_lens_use(const RenderOptions& options) {
   const std::vector<GivenOption> others{{"--view", views.at(options.view) != View::scene},
                                         {"--camera", !options.camera.empty()},
                                         {"--colour", !options.colour.empty()},
+                                        {"--rapids", !options.rapids.empty()},
                                         {"--reference", options.reference.has_value()},
                                         {"--trace", !options.traces.files.empty()},
                                         {"--film", options.film.asked()}};
@@ -298,6 +304,7 @@ QString command_of(const RenderOptions& options) {
   add("--camera", options.camera == "iso" ? "" : options.camera);
   add("--colour", options.colour);
   add("--reference", options.reference ? std::to_string(*options.reference) : "");
+  add("--rapids", options.rapids);
   add("--dpi", options.dpi ? fmt::format("{}", *options.dpi) : "");
   add("--scale", options.scale != 1 ? fmt::format("{}", options.scale) : "");
   add("--theme", options.theme);
@@ -349,6 +356,10 @@ int render(const RenderOptions& options) {
     input.view = camera_of(options);
   }
   set_colours(options, input);
+  if (!options.rapids.empty()) {
+    input.scene.rapids = options.rapids != "hide";
+    input.scene.all_rapids = options.rapids == "show";
+  }
   input.title = QString::fromStdString(options.title);
   input.commands = {command_of(options)};
   if (film) {

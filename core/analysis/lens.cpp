@@ -313,7 +313,8 @@ LensRun run_through(const Lens& lens, const Focus& focus, const Trajectory& run)
     }
     const State state = run.state_at_path(s);
     seen.path.push_back(lens.seen(state.position));
-    if (std::abs(seen.path.back().x()) <= lens.width / 2) {
+    // A path that turns back runs beside the corner, far outside of the picture.
+    if (seen.path.back().norm() <= lens.width / 2) {
       seen.largest_error = std::max(seen.largest_error, error_at(state));
     }
   }

@@ -18,7 +18,7 @@ struct LensRun {
   std::vector<LensPoint> path;  ///< executed, in order
   LensPoint cursor = LensPoint::Zero();
   double error = 0;          ///< at the cursor, from the nearest programmed point [mm]
-  double largest_error = 0;  ///< within the lens [mm]
+  double largest_error = 0;  ///< within half of the lens's width around its centre [mm]
   double feed = 0;           ///< at the cursor [mm/s]
 };
 

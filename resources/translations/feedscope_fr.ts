@@ -1901,6 +1901,17 @@
     </message>
 </context>
 <context>
+    <name>PictureCaption</name>
+    <message>
+        <source>run</source>
+        <translation>simulation</translation>
+    </message>
+    <message>
+        <source>colour: %1</source>
+        <translation>couleur&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
     <name>Scene</name>
     <message>
         <source>programmed</source>
@@ -1929,34 +1940,6 @@
     <message>
         <source>Limiting cause</source>
         <translation>Cause limitante</translation>
-    </message>
-    <message>
-        <source>iso</source>
-        <translation>iso</translation>
-    </message>
-    <message>
-        <source>top</source>
-        <translation>dessus</translation>
-    </message>
-    <message>
-        <source>front</source>
-        <translation>face</translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>droite</translation>
-    </message>
-    <message>
-        <source>bottom</source>
-        <translation>dessous</translation>
-    </message>
-    <message>
-        <source>back</source>
-        <translation>arrière</translation>
-    </message>
-    <message>
-        <source>left</source>
-        <translation>gauche</translation>
     </message>
     <message>
         <source>Line %1</source>
@@ -13981,8 +13964,8 @@ Ensemble&#xa0;: %4</translation>
         <translation>Vue</translation>
     </message>
     <message>
-        <source>Standard views, projection, grid</source>
-        <translation>Vues standard, projection, grille</translation>
+        <source>Standard views, projection, axes</source>
+        <translation>Vues standard, projection, axes</translation>
     </message>
     <message>
         <source>&amp;Isometric</source>
@@ -14045,8 +14028,16 @@ Ensemble&#xa0;: %4</translation>
         <translation>Ce qui est proche paraît plus grand&#xa0;; sans elle, les longueurs se comparent</translation>
     </message>
     <message>
-        <source>&amp;Grid</source>
-        <translation>Gri&amp;lle</translation>
+        <source>&amp;Grid and axes</source>
+        <translation>Gri&amp;lle et axes</translation>
+    </message>
+    <message>
+        <source>Rapids that co&amp;ver the picture</source>
+        <translation>Rapides qui cou&amp;vrent l’image</translation>
+    </message>
+    <message>
+        <source>Show rapids even where they cover more than 5 % of the picture</source>
+        <translation>Montrer les rapides même là où ils couvrent plus de 5&#xa0;% de l’image</translation>
     </message>
     <message>
         <source>Tool</source>
@@ -14125,8 +14116,8 @@ Ensemble&#xa0;: %4</translation>
         <translation>Il n’y a pas d’autre simulation à comparer&#xa0;: dupliquez la simulation (Ctrl+D) et modifiez la copie</translation>
     </message>
     <message>
-        <source>Grid lines behind the path</source>
-        <translation>Quadrillage derrière la trajectoire</translation>
+        <source>A box with grids around the path that shows its size</source>
+        <translation>Un cadre quadrillé autour de la trajectoire, qui en montre la taille</translation>
     </message>
     <message>
         <source>Diameter of the cutter</source>

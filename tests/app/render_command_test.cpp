@@ -98,6 +98,28 @@ TEST_F(RenderCommand, ColoursTheFirstRunAgainstAnother) {
   EXPECT_EQ(run("corner.nc --colour blue --out a.png").code, 2);
 }
 
+TEST_F(RenderCommand, DrawsRapidsAsItIsAsked) {
+  std::ofstream few(folder_ / "few.nc");
+  few << "G21 G0 X0 Y20\nX20\nG1 Y0 F3000\nX0\n";
+  few.close();
+  std::ofstream many(folder_ / "many.nc");
+  for (int i = 0; i < 300; ++i) {
+    many << "G0 X0 Y" << 0.1 * i << "\nG1 X40 F3000\n";
+  }
+  many.close();
+  const auto picture = [&](const std::string& program, const std::string& options) {
+    EXPECT_EQ(run(program + " --size 400x300 --camera top --out rapids.png" + options).code, 0) << options;
+    return read_png((folder_ / "rapids.png").string()).rgb;
+  };
+  EXPECT_EQ(picture("few.nc", ""), picture("few.nc", " --rapids auto"));
+  EXPECT_EQ(picture("few.nc", ""), picture("few.nc", " --rapids show"));
+  EXPECT_NE(picture("few.nc", ""), picture("few.nc", " --rapids hide"));
+  EXPECT_EQ(picture("many.nc", ""), picture("many.nc", " --rapids hide")) << "they would cover the path";
+  EXPECT_NE(picture("many.nc", ""), picture("many.nc", " --rapids show"));
+  expect_wrong_use("few.nc --view charts --rapids hide --out a.png", "has no effect with --view charts");
+  expect_wrong_use("few.nc --lens 2 --rapids hide --out a.png", "has no effect with --lens");
+}
+
 TEST_F(RenderCommand, PaperHasItsPixels) {
   ASSERT_EQ(run("corner.nc --size A4 --dpi 100 --out lying.png").code, 0);
   ASSERT_EQ(run("corner.nc --size A4-portrait --dpi 100 --out upright.png").code, 0);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <compare>
+#include <optional>
 
 #include "ui/annotations/annotation_text.h"
 
@@ -52,30 +53,127 @@ QRectF moved_into(QRectF label, const QRectF& room) {
   return label;
 }
 
+/// The place on the border of `label` towards `place`; `place` itself within it.
+QPointF border_towards(const QRectF& label, const QPointF& place) {
+  const QPointF away = place - label.center();
+  const double across = std::abs(away.x()) / std::max(label.width() / 2, 1e-9);
+  const double along = std::abs(away.y()) / std::max(label.height() / 2, 1e-9);
+  const double reach = std::max(across, along);
+  return reach <= 1 ? place : label.center() + away / reach;
+}
+
+/// From a label to what it belongs to.
+QLineF leader_of(const QRectF& label, const QPointF& place) {
+  return {border_towards(label, place), place};
+}
+
+/// Whether a part of the line is in the rectangle, after Liang and Barsky.
+bool crosses(const QLineF& line, const QRectF& rectangle) {
+  double from = 0;
+  double to = 1;
+  const auto cut = [&](double step, double room) {
+    if (step == 0) {
+      return room >= 0;
+    }
+    (step < 0 ? from : to) = step < 0 ? std::max(from, room / step) : std::min(to, room / step);
+    return from <= to;
+  };
+  return cut(-line.dx(), line.x1() - rectangle.left()) && cut(line.dx(), rectangle.right() - line.x1()) &&
+         cut(-line.dy(), line.y1() - rectangle.top()) && cut(line.dy(), rectangle.bottom() - line.y1());
+}
+
+/// How much of the path is where in a picture, counted in cells.
+class PathCover {
+ public:
+  PathCover(const QSizeF& size, double cell)
+      : cell_(cell),
+        columns_(static_cast<int>(size.width() / cell) + 2),
+        rows_(static_cast<int>(size.height() / cell) + 2),
+        sums_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
+
+  void add(const QPointF& point) {
+    const int column = static_cast<int>(std::floor(point.x() / cell_)) + 1;
+    const int row = static_cast<int>(std::floor(point.y() / cell_)) + 1;
+    if (column > 0 && column < columns_ && row > 0 && row < rows_) {
+      at(column, row) = 1;
+    }
+  }
+  /// After the last point: sums over all cells to the left and above.
+  void finish() {
+    for (int row = 1; row < rows_; ++row) {
+      for (int column = 1; column < columns_; ++column) {
+        at(column, row) += at(column - 1, row) + at(column, row - 1) - at(column - 1, row - 1);
+      }
+    }
+  }
+  /// Cells with a part of the path in a rectangle.
+  int in(const QRectF& rectangle) {
+    const auto column = [&](double x) {
+      return std::clamp(static_cast<int>(std::ceil(x / cell_)), 0, columns_ - 1);
+    };
+    const auto row = [&](double y) {
+      return std::clamp(static_cast<int>(std::ceil(y / cell_)), 0, rows_ - 1);
+    };
+    const int left = std::max(0, column(rectangle.left()) - 1);
+    const int top = std::max(0, row(rectangle.top()) - 1);
+    const int right = column(rectangle.right());
+    const int bottom = row(rectangle.bottom());
+    return at(right, bottom) - at(left, bottom) - at(right, top) + at(left, top);
+  }
+  double cell() const { return cell_; }
+
+ private:
+  int& at(int column, int row) {
+    return sums_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                 static_cast<std::size_t>(column)];
+  }
+
+  double cell_;
+  int columns_, rows_;
+  std::vector<int> sums_;
+};
+
 /// Gives labels places one after the other.
 class LabelPlacer {
  public:
-  LabelPlacer(const QRectF& room, double scale) : room_(room), gap_(label_gap * scale) {}
+  LabelPlacer(const QRectF& room, double scale, PathCover cover)
+      : room_(room), gap_(label_gap * scale), cover_(std::move(cover)) {}
+
+  /// What neither a label nor a leader may cover.
+  void keep_free(const QRectF& rectangle) { taken_.append(rectangle); }
 
   /// Where a label should be kept away from, if it must move.
   void avoid(const QPointF& place) { places_.append(place); }
 
-  /// The nearest free place; where there is none, the one that covers least.
-  QRectF place(const QRectF& asked) {
+  /// The nearest free place for a label that belongs to `middle`, beside the path unless it was `put` where
+  /// it is; where there is none, the one that covers least.
+  QRectF place(const QRectF& asked, const QPointF& middle, bool has_leader, bool put) {
     const QRectF wanted = moved_into(asked, room_);
-    const QRectF found = covered_by(wanted) > 0 ? nearest_free(wanted) : wanted;
+    const auto leader = [&](const QRectF& label) {
+      return has_leader ? std::optional(leader_of(label, middle)) : std::nullopt;
+    };
+    const bool free = covered_by(wanted, leader(wanted)) == 0 && (put || cover_.in(wanted) == 0);
+    const QRectF found = free ? wanted : nearest_free(wanted, leader, put);
     taken_.append(found);
+    if (const auto line = leader(found)) {
+      leaders_.append(*line);
+    }
     return found;
   }
 
  private:
-  /// What a label would cover of those that have their place [pixels2].
-  double covered_by(const QRectF& label) const {
+  /// What a label would cover of those that have their place, and a line crossing a text for a whole one
+  /// [pixels2].
+  double covered_by(const QRectF& label, const std::optional<QLineF>& leader) const {
     const QRectF wide = label.adjusted(-gap_, -gap_, gap_, gap_);
     double area = 0;
     for (const QRectF& taken : taken_) {
       const QRectF both = taken & wide;
       area += both.width() * both.height();
+      area += leader && crosses(*leader, taken) ? label.width() * label.height() : 0;
+    }
+    for (const QLineF& line : leaders_) {
+      area += crosses(line, label) ? label.width() * label.height() : 0;
     }
     return area;
   }
@@ -83,27 +181,34 @@ class LabelPlacer {
     return std::ranges::any_of(places_, [&](const QPointF& place) { return label.contains(place); });
   }
 
-  QRectF nearest_free(const QRectF& wanted) const {
+  template <class Leader>
+  QRectF nearest_free(const QRectF& wanted, Leader leader, bool put) {
     constexpr double most_looks = 4000;
+    constexpr double worth = 6;  // a cell of the path is worth so many times its width on the way
     const QSizeF free = (room_.size() - wanted.size()).expandedTo(QSizeF(1, 1));
     const double step = std::max(2 * gap_, std::sqrt(free.width() * free.height() / most_looks));
     struct Candidate {
       double covered, distance;
       auto operator<=>(const Candidate&) const = default;
     };
+    const auto distance_of = [&](const QRectF& moved) {
+      return QLineF(moved.topLeft(), wanted.topLeft()).length();
+    };
+    const auto rated = [&](const QRectF& moved) {
+      // A place of the path that is covered counts as if the label were as far again.
+      const double at_place = covers_place(moved) ? room_.width() : 0;
+      const double on_path = put ? 0 : worth * cover_.cell() * cover_.in(moved);
+      return Candidate{covered_by(moved, leader(moved)), distance_of(moved) + at_place + on_path};
+    };
     QRectF best = wanted;
-    Candidate least{covered_by(wanted), 0};
+    Candidate least = rated(wanted);
     for (double y = 0; y < free.height() + step; y += step) {
       for (double x = 0; x < free.width() + step; x += step) {
         const QRectF moved = moved_into(QRectF(room_.topLeft() + QPointF(x, y), wanted.size()), room_);
-        // A place of the path that is covered counts as if the label were as far again.
-        const double distance = QLineF(moved.topLeft(), wanted.topLeft()).length();
-        if (least.covered == 0 && distance >= least.distance) {
+        if (least.covered == 0 && distance_of(moved) >= least.distance) {
           continue;  // a free place is nearer
         }
-        const Candidate candidate{covered_by(moved),
-                                  covers_place(moved) ? room_.width() + distance : distance};
-        if (candidate < least) {
+        if (const Candidate candidate = rated(moved); candidate < least) {
           least = candidate;
           best = moved;
         }
@@ -114,13 +219,14 @@ class LabelPlacer {
 
   QRectF room_;
   double gap_;
+  PathCover cover_;
   QList<QRectF> taken_;
+  QList<QLineF> leaders_;
   QList<QPointF> places_;
 };
 
 QRectF room_of(const AnnotatedView& view) {
-  const auto [upper, lower] = view.scene.path_room();
-  return QRectF(QPointF(upper[0], upper[1]), QPointF(lower[0], lower[1])) & QRectF(QPointF(), view.size);
+  return QRectF(QPointF(), view.size);
 }
 
 /// How much further from its place a label is than where a person put it.
@@ -185,15 +291,6 @@ Tones tones_of(Background background) {
   constexpr int opacity = 235;
   return background == Background::light ? Tones{QColor(0x20, 0x20, 0x20), QColor(255, 255, 255, opacity)}
                                          : Tones{QColor(0xf0, 0xf0, 0xf0), QColor(0x24, 0x28, 0x2d, opacity)};
-}
-
-/// The place on the border of `label` towards `place`; `place` itself within it.
-QPointF border_towards(const QRectF& label, const QPointF& place) {
-  const QPointF away = place - label.center();
-  const double across = std::abs(away.x()) / std::max(label.width() / 2, 1e-9);
-  const double along = std::abs(away.y()) / std::max(label.height() / 2, 1e-9);
-  const double reach = std::max(across, along);
-  return reach <= 1 ? place : label.center() + away / reach;
 }
 
 void draw_arrow_head(QPainter& painter, const QPointF& from, const QPointF& tip, double scale) {
@@ -307,16 +404,29 @@ std::vector<PlacedAnnotation> place_annotations(std::span<const Annotation> anno
     return all;
   }
   const QRectF room = room_of(view);
-  LabelPlacer labels(room, view.scale);
+  constexpr double cell = 8;  // [pixels of scale 1]
+  constexpr int path_samples = 1000;
+  PathCover cover(view.size, cell * view.scale);
+  for (int i = 0; i <= path_samples && !annotations.empty(); ++i) {
+    cover.add(drawn_at(view, view.trajectory.duration() * i / path_samples));
+  }
+  cover.finish();
+  LabelPlacer labels(room, view.scale, std::move(cover));
+  for (const auto& [upper, lower] : view.scene.covered()) {
+    labels.keep_free(QRectF(QPointF(upper[0], upper[1]), QPointF(lower[0], lower[1])));
+  }
+  std::vector<bool> was_put;
   for (const Annotation& annotation : annotations) {
     PlacedAnnotation placed = place(annotation, view);
     if (is_in(placed, room)) {
       labels.avoid(placed.anchor);
       all.push_back(std::move(placed));
+      was_put.push_back(!annotation.view.isEmpty());
     }
   }
-  for (PlacedAnnotation& placed : all) {
-    placed.label = labels.place(placed.label);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    PlacedAnnotation& placed = all[i];
+    placed.label = labels.place(placed.label, placed.middle, placed.kind != AnnotationKind::text, was_put[i]);
   }
   return all;
 }
@@ -333,7 +443,16 @@ void draw_annotations(QPainter& painter, std::span<const PlacedAnnotation> annot
                       const AnnotatedView& view, int selected) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setClipRect(room_of(view), Qt::IntersectClip);
+  QPainterPath room;
+  room.addRect(room_of(view));
+  if (std::ranges::count(annotations, AnnotationKind::region, &PlacedAnnotation::kind) > 0) {
+    for (const auto& [upper, lower] : view.scene.covered()) {  // a wide stroke would hide what they say
+      QPainterPath text;
+      text.addRect(QRectF(QPointF(upper[0], upper[1]), QPointF(lower[0], lower[1])));
+      room -= text;
+    }
+  }
+  painter.setClipPath(room, Qt::IntersectClip);
   const Tones tones = tones_of(view.background);
   for (const PlacedAnnotation& placed : annotations) {
     draw(painter, placed, tones, selected != 0 && placed.id == selected, view.scale);

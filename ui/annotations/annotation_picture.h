@@ -33,14 +33,15 @@ struct PlacedAnnotation {
   QPointF other;      ///< of two places the other one
   QPolygonF stretch;  ///< of a region: the path between them
   QPointF middle;     ///< what the label belongs to and its offset counts from
-  QRectF label;       ///< moved to where all of it is beside the path's legend and covers no other label
+  QRectF label;       ///< moved to where all of it is in the picture
   QStringList lines;
   QColor colour;
   double text_pixels = 0;
 };
 
-/// Those whose places are in the part of the picture that the path has, in order; a label that would cover
-/// one before it goes to the nearest free place. Costs time in the number of annotations alone.
+/// Those whose places are in the picture, in order. A label that nobody has put where it is goes beside the
+/// path; no label covers another one or a text of the scene, and no line from a label to its place crosses
+/// one, where there is room for that. Costs time in the number of annotations alone.
 std::vector<PlacedAnnotation> place_annotations(std::span<const Annotation> annotations,
                                                 const AnnotatedView& view);
 /// What all of them say, those out of the picture too.

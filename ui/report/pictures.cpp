@@ -1,22 +1,94 @@
 #include "ui/report/pictures.h"
 
 #include <QApplication>
+#include <QCoreApplication>
+#include <QFontMetricsF>
 #include <QPainter>
 #include <algorithm>
+#include <cmath>
 
 #include "core/analysis/lens.h"
 #include "core/base/error.h"
+#include "ui/language/texts.h"
 #include "ui/report/charts_page.h"
 #include "ui/report/scene_picture.h"
 #include "ui/report/sheet.h"
+#include "ui/scene/draw/captions.h"
 #include "ui/scene/picture.h"
+#include "ui/scene/scene_style.h"
 #include "ui/shared/lens_picture.h"
 #include "ui/theme/theme.h"
+#include "ui/workbench/reading_faults.h"
+#include "ui/workbench/run_comparison.h"
 #include "ui/workbench/run_list.h"
 
 namespace feedscope::ui {
 
 namespace {
+
+struct PictureCaption {
+  Q_DECLARE_TR_FUNCTIONS(PictureCaption)
+};
+
+QColor ink_of(const Rgb& rgb) {
+  return QColor::fromRgbF(static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2]));
+}
+
+const SceneColours& picture_colours(const PictureRequest& request) {
+  return scene_colours(request.theme == ThemeKind::dark ? Background::dark : Background::light);
+}
+
+/// On paper text keeps its size; a larger picture for the screen has larger text.
+double text_scale_of(const PictureRequest& request) {
+  const QSize whole = request.size.toSize();
+  return request.paper ? 1 : scale_for({whole.width(), whole.height()});
+}
+
+/// What the colours of the 3D view say.
+QString colour_meaning(const ReportInput& input) {
+  ColourKey key{input.scene.colouring, {}, {}, {}};
+  if (key.colouring == Colouring::run) {
+    return PictureCaption::tr("run");
+  }
+  const auto reference = needs_reference(key.colouring)
+                             ? reference_row(input.runs.size(), input.current, input.reference, std::nullopt)
+                             : std::nullopt;
+  key.reference = reference ? input.runs[*reference].name.toStdString() : std::string();
+  return QString::fromStdString(colour_title(key, input.texts));
+}
+
+/// Program, machine, run, cycle time and colours in one line at the bottom of a picture, with what the cycle
+/// time leaves out if there is room. Returns what is above it.
+QRectF paint_caption(QPainter& painter, const ReportInput& input, const QString& colours,
+                     const PictureRequest& request) {
+  constexpr double row = 24;  // [1/96 inch] at scale 1
+  constexpr double text_size = 12;
+  constexpr double margin = 10;
+  const double scale = text_scale_of(request);
+  const Run& run = input.run().shown->run;
+  const QString separator = QStringLiteral(" · ");
+  const QString text =
+      QStringList{input.heading(), QString::fromStdString(run.setup.machine.name), input.run().name,
+                  clock_text(run.summary.cycle_time), PictureCaption::tr("colour: %1").arg(colours)}
+          .join(separator);
+  const QString omitted = not_counted_text(run.summary.not_counted);
+  const QString whole = omitted.isEmpty() ? text : text + separator + omitted;
+
+  QFont font = QApplication::font();
+  font.setPixelSize(std::max(1, static_cast<int>(std::lround(text_size * scale))));
+  painter.setFont(font);
+  painter.setPen(ink_of(picture_colours(request).text));
+  const QFontMetricsF metrics(font);
+  const QRectF all(QPointF(), request.size);
+  const QRectF above = all.adjusted(0, 0, 0, -row * scale);
+  const QRectF inner =
+      QRectF(above.bottomLeft(), all.bottomRight()).adjusted(margin * scale, 0, -margin * scale, 0);
+  painter.drawText(inner, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine,
+                   metrics.horizontalAdvance(whole) <= inner.width()
+                       ? whole
+                       : metrics.elidedText(text, Qt::ElideRight, inner.width()));
+  return above;
+}
 
 PictureSpec spec_of(const PictureRequest& request, const QString& title) {
   return {request.format, request.size,        request.pixel_ratio,
@@ -28,11 +100,12 @@ PictureSpec spec_of(const PictureRequest& request, const QString& title) {
 
 std::string scene_file(const ReportInput& input, const PictureRequest& request) {
   ScenePicture picture(input, input.current, request.theme, request.transparent);
-  // On paper text keeps its size; a larger picture for the screen has larger text.
-  const QSize whole = request.size.toSize();
-  const SceneScale scale{request.pixel_ratio, request.paper ? 1 : scale_for({whole.width(), whole.height()})};
-  return make_picture(spec_of(request, input.heading()), [&](QPainter& painter) {
-    picture.paint(painter, QRectF(QPointF(), request.size), scale);
+  const double text_scale = text_scale_of(request);
+  PictureSpec spec = spec_of(request, input.heading());
+  spec.background = ink_of(picture_colours(request).background);
+  return make_picture(spec, [&](QPainter& painter) {
+    const QRectF above = paint_caption(painter, input, colour_meaning(input), request);
+    picture.paint(painter, above, {request.pixel_ratio, text_scale});
   });
 }
 
@@ -76,11 +149,10 @@ std::string lens_file(const ReportInput& input, double time, const PictureReques
     looks.push_back({run.name, run.colour, run_dashes(i)});
   }
   const Lens lens = lens_at(runs, shown, time);
-  const QSize whole = request.size.toSize();
-  const double scale = request.paper ? 1 : scale_for({whole.width(), whole.height()});
   return make_picture(spec_of(request, input.heading()), [&](QPainter& painter) {
+    const QRectF above = paint_caption(painter, input, PictureCaption::tr("run"), request);
     painter.setFont(QApplication::font());
-    LensPicture(lens, looks, scale).paint(painter, QRectF(QPointF(), request.size), QApplication::palette());
+    LensPicture(lens, looks, text_scale_of(request)).paint(painter, above, QApplication::palette());
   });
 }
 

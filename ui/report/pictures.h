@@ -19,9 +19,9 @@ struct PictureRequest {
   bool transparent = false;
 };
 
-/// Programmed and executed path of the current run with the annotations, vectors where the format has them
-/// (ScenePicture::paint). All of these give the file's bytes, need a QApplication with the theme, and
-/// throw InputError where the size is out of bounds.
+/// Programmed and executed path of the current run with the annotations, a caption below; vectors where the
+/// format has them (ScenePicture::paint). All of these give the file's bytes, need a QApplication with the
+/// theme, and throw InputError where the size is out of bounds.
 std::string scene_file(const ReportInput& input, const PictureRequest& request);
 /// Charts of the current run as vectors, the other runs behind.
 std::string charts_file(const ReportInput& input, const PictureRequest& request);

@@ -18,7 +18,6 @@
 #include "ui/report/report_words.h"
 #include "ui/report/scene_picture.h"
 #include "ui/theme/fonts.h"
-#include "ui/workbench/reading_faults.h"
 
 namespace feedscope::ui {
 
@@ -105,7 +104,6 @@ ReportPicture close_up(const ReportInput& input, const ContourPlace& place) {
             ScenePicture picture(seen, seen.current, ThemeKind::light);
             const SceneScale scale{pixel_ratio, 0.68};
             picture.prepare(size, scale);
-            picture.scene().set_warning(reading_faults_text(*seen.program().program).toStdString());
             picture.scene().fit_times(times[0], times[1]);
             picture.scene().set_hover(picture.scene().drawn_at(at));
             picture.paint(painter, QRectF(QPointF(), size), scale);

@@ -16,7 +16,6 @@
 #include "ui/report/scene_picture.h"
 #include "ui/runs/comparison_chart.h"
 #include "ui/why/why_text.h"
-#include "ui/workbench/reading_faults.h"
 
 namespace feedscope::ui {
 
@@ -103,10 +102,8 @@ ReportPicture close_up(const ReportInput& input, const SlowPlace& place, const Q
             ScenePicture picture(seen, seen.current, ThemeKind::light);
             const SceneScale scale{pixel_ratio, 0.68};
             picture.prepare(size, scale);
-            picture.scene().set_warning(reading_faults_text(*seen.program().program).toStdString());
             picture.scene().fit_times(place.from, place.to);
-            const auto [corner, opposite] = picture.scene().path_room();
-            picture.scene().zoom(0.7, {(corner[0] + opposite[0]) / 2, (corner[1] + opposite[1]) / 2});
+            picture.scene().zoom(0.7, {size.width() * pixel_ratio / 2, size.height() * pixel_ratio / 2});
             picture.scene().set_highlight(std::array{place.from, place.to});
             picture.scene().set_hover(picture.scene().drawn_at(place.slowest));
             picture.paint(painter, QRectF(QPointF(), size), scale);

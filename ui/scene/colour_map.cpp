@@ -16,9 +16,9 @@ constexpr ControlPoints ramp_on_light{Lab{20, 36, -50}, Lab{35, 4, -40}, Lab{50,
                                       Lab{80, 4, 74}};
 constexpr ControlPoints ramp_on_dark{Lab{38, 36, -58}, Lab{51, 0, -44}, Lab{64, -26, -14}, Lab{77, -36, 34},
                                      Lab{90, -6, 64}};
-constexpr ControlPoints diverging_on_light{Lab{28, 14, -46}, Lab{52, -6, -30}, Lab{76, 0, 0}, Lab{52, 34, 40},
+constexpr ControlPoints diverging_on_light{Lab{28, 14, -46}, Lab{52, -6, -30}, Lab{82, 0, 0}, Lab{52, 34, 40},
                                            Lab{28, 38, 36}};
-constexpr ControlPoints diverging_on_dark{Lab{76, -14, -34}, Lab{60, -8, -24}, Lab{44, 0, 0}, Lab{60, 24, 34},
+constexpr ControlPoints diverging_on_dark{Lab{76, -14, -34}, Lab{60, -8, -24}, Lab{30, 0, 0}, Lab{60, 24, 34},
                                           Lab{76, 20, 56}};
 
 /// CIE 15: Lab to XYZ under D65.

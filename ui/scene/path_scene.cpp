@@ -155,6 +155,14 @@ bool PathScene::rapids_shown() const {
   return impl_->look.rapids;
 }
 
+void PathScene::set_all_rapids_shown(bool shown) {
+  impl_->look.all_rapids = shown;
+  impl_->apply_look();
+}
+bool PathScene::all_rapids_shown() const {
+  return impl_->look.all_rapids;
+}
+
 void PathScene::set_tool(const ToolShape& shape) {
   impl_->tool_drawn.set_shape(shape);
   impl_->changed();
@@ -163,12 +171,28 @@ const ToolShape& PathScene::tool() const {
   return impl_->tool_drawn.shape();
 }
 
-void PathScene::set_grid(bool shown) {
-  impl_->grid = shown;
+void PathScene::set_axes(bool shown) {
+  impl_->axes = shown;
   impl_->changed();
 }
-bool PathScene::grid() const {
-  return impl_->grid;
+bool PathScene::axes() const {
+  return impl_->axes;
+}
+
+void PathScene::set_legend(bool shown) {
+  impl_->legend = shown;
+  impl_->changed();
+}
+
+void PathScene::set_cube(bool shown) {
+  impl_->cube_shown = shown;
+  impl_->changed();
+}
+
+void PathScene::set_covered(const std::optional<std::array<Pixel, 2>>& corners) {
+  if (std::exchange(impl_->widget, corners) != corners) {
+    impl_->changed();
+  }
 }
 
 void PathScene::set_background(Background background) {
@@ -283,8 +307,7 @@ void PathScene::fit_times(double from, double to) {
 }
 
 std::optional<std::array<double, 2>> PathScene::visible_times() const {
-  const auto [corner, opposite] = path_room();
-  return times_within(corner, opposite);
+  return times_within({0, 0}, {double(impl_->stage.width()), double(impl_->stage.height())});
 }
 
 std::optional<std::array<double, 2>> PathScene::times_within(const Pixel& corner,
@@ -343,9 +366,14 @@ Vec3 PathScene::drawn_at(double time) const {
   return impl_->on_machine() ? place : place + (exaggeration() - 1) * deviation_at(impl_->pickable(), time);
 }
 
-std::array<Pixel, 2> PathScene::path_room() const {
-  const ScreenLayout layout = impl_->layout();
-  return {Pixel{0, layout.legend_height}, Pixel{layout.width - layout.panel_width, layout.height}};
+std::vector<std::array<Pixel, 2>> PathScene::covered() const {
+  std::vector<std::array<Pixel, 2>> corners;
+  const double height = impl_->stage.height();
+  for (const ScreenRectangle& rectangle : impl_->covered()) {
+    corners.push_back({Pixel{rectangle.low.x(), height - rectangle.high.y()},
+                       Pixel{rectangle.high.x(), height - rectangle.low.y()}});
+  }
+  return corners;
 }
 
 Pixel PathScene::pixel_of(const Vec3& point) const {

@@ -26,8 +26,8 @@ struct SceneDimension {
   std::vector<std::string> lines;
 };
 
-/// One run in 3D: programmed path, executed path in colours that mean something, other runs, frame with
-/// units, colour scale, legend, tool. Knows no widget; draws into the window it is attached to. All calls
+/// One run in 3D: programmed path, executed path in colours that mean something, other runs, tool; over it
+/// what the lines and colours mean. Knows no widget; draws into the window it is attached to. All calls
 /// from the thread that draws. Places are drawn ones: with exaggerated deviations, where the path is drawn.
 class PathScene {
  public:
@@ -80,14 +80,23 @@ class PathScene {
   /// How much larger than they are deviations from the programmed path are drawn: 1 to 1000, clamped.
   void set_exaggeration(double factor);
   double exaggeration() const;
-  /// Whether rapids are drawn.
+  /// Whether rapids are drawn where they cover little of the picture.
   void set_rapids_shown(bool shown);
   bool rapids_shown() const;
+  /// Whether they are drawn where they cover much of it, too.
+  void set_all_rapids_shown(bool shown);
+  bool all_rapids_shown() const;
   void set_tool(const ToolShape& shape);
   const ToolShape& tool() const;
-  /// Grid lines on the faces of the frame.
-  void set_grid(bool shown);
-  bool grid() const;
+  /// A box around the path with its size in mm and grids.
+  void set_axes(bool shown);
+  bool axes() const;
+  /// Whether lines and colours are explained; not where a scene beside this one explains them.
+  void set_legend(bool shown);
+  /// A cube whose faces are standard views, see cube_view().
+  void set_cube(bool shown);
+  /// A part of the window that something else covers, by two corners: a fit leaves it free.
+  void set_covered(const std::optional<std::array<Pixel, 2>>& corners);
   void set_background(Background background);
   /// Nothing is drawn behind: what is not covered has no opacity in the pixels of the window, and colours are
   /// multiplied by their opacity.
@@ -149,9 +158,8 @@ class PathScene {
   Vec3 drawn_at(double time) const;
   /// Where a point [mm] is drawn.
   Pixel pixel_of(const Vec3& point) const;
-  /// Upper left and lower right corner of the part of the window that the path has to itself, beside legend
-  /// and colour scale.
-  std::array<Pixel, 2> path_room() const;
+  /// Of the rectangles of the window that texts and colours cover: upper left and lower right corner each.
+  std::vector<std::array<Pixel, 2>> covered() const;
 
  private:
   class Impl;

@@ -7,6 +7,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "ui/scene/draw/axes_box.h"
 #include "ui/scene/draw/axes_cube.h"
@@ -46,13 +47,19 @@ class PathScene::Impl : public ScenePaths {
   const SceneColours& colours() const { return *look.colours; }
   Projection projection() const { return camera.projection(stage.width(), stage.height()); }
   Captions captions() const {
-    return {layers.entries(), layers.key(), look.run,     look.exaggeration,
-            look.colours,     &texts,       on_machine(), transparent};
+    return {layers.entries(), layers.key(), look.run, look.exaggeration, look.colours, &texts,
+            on_machine(),     transparent,  legend,   cube_shown};
   }
   ScreenLayout layout() const { return screen_layout(stage.width(), stage.height(), scale, captions()); }
-  ScreenRectangle room() const {
-    const ScreenLayout screen = layout();
-    return {screen.low(), screen.high()};
+  ScreenRectangle room() const { return layout().room(); }
+  /// What is over the picture, the view's own widgets too.
+  std::vector<ScreenRectangle> covered() const {
+    std::vector<ScreenRectangle> all = layout().covered();
+    if (widget) {
+      all.push_back({stage.display({(*widget)[0][0], (*widget)[1][1]}),
+                     stage.display({(*widget)[1][0], (*widget)[0][1]})});
+    }
+    return all;
   }
   PickablePath pickable() const {
     const DrawnPath* path = layers.executed();
@@ -71,11 +78,9 @@ class PathScene::Impl : public ScenePaths {
     changed();
   }
   AxesCube cube() const {
-    const ScreenLayout screen = layout();
-    constexpr double cube_half = 24;    // [pixels]
-    constexpr double cube_height = 98;  // of its centre, above the lower edge
-    const Vec2 centre(screen.width - screen.panel_width / 2, cube_height * scale);
-    return {projection(), centre, screen.cube ? cube_half * scale : 0};
+    constexpr double cube_half = 13;  // [pixels], so that its largest outline has 44
+    const ScreenRectangle place = layout().cube;
+    return {projection(), place.centre(), place.empty() ? 0 : cube_half * scale};
   }
 
   void changed() const {
@@ -88,6 +93,7 @@ class PathScene::Impl : public ScenePaths {
     const bool fitted = camera.fitted();
     const CameraState state = camera.state(frame);
     const ShownExtent extent = shown_extent({shown_programmed(), shown_executed()});
+    near = extent.fitted;
     frame = frame_around(extent.fitted);
     beyond = extent.beyond() / frame.unit;
     layers.show(shown_programmed(), shown_executed(), shown_overlays(colours(), texts), frame);
@@ -99,18 +105,39 @@ class PathScene::Impl : public ScenePaths {
     changed();
   }
 
+  /// Rapids count where they are drawn: less of them is seen then, so that they still are.
   void fit_now() {
-    camera.fit(stage.width(), stage.height(), frame.box, room(), [this](const Projection& view) {
-      const AxesLayout axes = lay_out_axes(frame, view, scale);
-      return ScreenRectangle{axes.low, axes.high};
-    });
+    fit_to(outline_points({shown_programmed(), shown_executed()}, near, false));
+    if (layers.shows_rapids(projection(), scale)) {
+      fit_to(outline_points({shown_programmed(), shown_executed()}, near, true));
+    }
     fitted_in = fitted_window();
   }
 
+  void fit_to(std::vector<Vec3> points) {
+    for (Vec3& point : points) {
+      point = frame.to_scene(point);
+    }
+    camera.fit(stage.width(), stage.height(), room(), covered(), [&](const Projection& view) {
+      std::vector<Vec2> outline;
+      if (axes) {
+        outline = lay_out_axes(frame, view, scale).outline;
+      }
+      for (const Vec3& point : points) {
+        outline.push_back(view.to_display(point));
+      }
+      return outline;
+    });
+  }
+
   /// What a fit depends on but for the path.
-  std::array<double, 5> fitted_window() const {
-    const ScreenLayout screen = layout();
-    return {screen.width, screen.height, scale, screen.panel_width, screen.legend_height};
+  std::vector<double> fitted_window() const {
+    std::vector<double> window{double(stage.width()), double(stage.height()), scale, axes ? 1.0 : 0.0};
+    for (const ScreenRectangle& rectangle : covered()) {
+      window.insert(window.end(),
+                    {rectangle.low.x(), rectangle.low.y(), rectangle.high.x(), rectangle.high.y()});
+    }
+    return window;
   }
 
   void apply_look() {
@@ -140,7 +167,9 @@ class PathScene::Impl : public ScenePaths {
     camera.set_clipping(lifted * scale / view.scale + beyond, beyond);
 
     under.begin();
-    draw(lay_out_axes(frame, view, scale), scale, grid, colours(), texts, under);
+    if (axes) {
+      draw(lay_out_axes(frame, view, scale), scale, layout().window(), colours(), texts, under);
+    }
     under.end();
     over.begin();
     const auto place_of = [&](const Vec3& point) { return view.to_display(frame.to_scene(point)); };
@@ -148,7 +177,7 @@ class PathScene::Impl : public ScenePaths {
                     {scale, colours(), texts, view.scale / frame.unit});
     draw_scene_pointers(over, pointers, place_of, stage.height(), room(), scale, colours());
     draw_captions(over, layout(), captions(), view, view.scale / frame.unit);
-    cube().draw(over, scale, colours(), texts);
+    cube().draw(over, scale, colours());
     over.end();
   }
 
@@ -169,11 +198,15 @@ class PathScene::Impl : public ScenePaths {
   SceneTexts texts;
   SceneFrame frame = frame_around({});
   double beyond = 0;  ///< how far outside the frame's box rapids may be [scene units]
-  bool grid = true;
+  Bounds near;        ///< what a fit looks at [mm]
+  bool axes = false;
+  bool legend = true;
+  bool cube_shown = false;
+  std::optional<std::array<Pixel, 2>> widget;
   bool transparent = false;
   bool moving = false;
   double scale = 1;
-  std::array<double, 5> fitted_in{};
+  std::vector<double> fitted_in;
 };
 
 }  // namespace feedscope::ui

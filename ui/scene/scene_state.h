@@ -10,9 +10,10 @@ struct SceneState {
   Colouring colouring = Colouring::feed;
   double exaggeration = 1;  ///< of deviations from the programmed path, 1 to 1000
   ToolShape tool = {};
-  bool grid = true;
+  bool axes = false;        ///< a box with the size of the path
   bool actual = true;       ///< the path that the axes run is drawn
-  bool rapids = true;       ///< are drawn
+  bool rapids = true;       ///< are drawn where they cover little of the picture
+  bool all_rapids = false;  ///< where they cover much of it, too
   bool on_machine = false;  ///< in the coordinates of the machine, where rotary axes turn
   StretchChoice stretch = {};
 

@@ -11,7 +11,7 @@ const SceneColours on_light{.kind = Background::light,
                             .frame = {0.55, 0.60, 0.65},
                             .grid = {0.865, 0.885, 0.905},
                             .programmed = {0.56, 0.59, 0.63},
-                            .rapid = {0.72, 0.46, 0.64},
+                            .rapid = {0.82, 0.68, 0.78},
                             .actual = {0.80, 0.10, 0.30},
                             .blend_edge = {0.10, 0.12, 0.15},
                             .curve_edge = {0.72, 0.76, 0.80},
@@ -25,7 +25,7 @@ const SceneColours on_dark{.kind = Background::dark,
                            .frame = {0.45, 0.48, 0.52},
                            .grid = {0.20, 0.215, 0.235},
                            .programmed = {0.50, 0.53, 0.57},
-                           .rapid = {0.70, 0.46, 0.63},
+                           .rapid = {0.46, 0.34, 0.43},
                            .actual = {1.00, 0.45, 0.55},
                            .blend_edge = {0.90, 0.92, 0.94},
                            .curve_edge = {0.36, 0.41, 0.47},
@@ -50,6 +50,9 @@ std::string SceneTexts::name_of(const QuantityInfo& info) const {
 std::string SceneTexts::localised(std::string number) const {
   if (const std::size_t point = number.find('.'); point != std::string::npos) {
     number.replace(point, 1, decimal_point);
+  }
+  if (const std::size_t minus = number.find('-'); minus != std::string::npos) {
+    number.replace(minus, 1, "−");
   }
   return number;
 }

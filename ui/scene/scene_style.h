@@ -51,15 +51,13 @@ struct SceneTexts {
   std::string lost = "lost";
   std::string won = "gained";
   std::string cause = "Limiting cause";
-  /// Short names of the standard views, in the order of StandardView.
-  std::array<std::string, 7> views{"iso", "top", "front", "right", "bottom", "back", "left"};
   std::function<std::string(CauseKind)> cause_kind;          ///< null: cause_title
   std::function<std::string(const QuantityInfo&)> quantity;  ///< null: its English title
   std::string decimal_point = ".";
 
   std::string name_of(CauseKind kind) const;
   std::string name_of(const QuantityInfo& info) const;
-  /// A number as tick labels write it, with this decimal point.
+  /// A number as tick labels write it, with this decimal point and a true minus.
   std::string localised(std::string number) const;
 };
 

@@ -93,13 +93,14 @@ void LensOverlay::follow() {
     place();
   }
   setVisible(shown);
+  leave_free(shown);
   update();
 }
 
-/// So that the path is not behind it.
+/// So that most of the view is left to the path.
 bool LensOverlay::has_room() const {
-  constexpr int times_wide = 4;
-  constexpr int times_high = 2;
+  constexpr double times_wide = 3;
+  constexpr double times_high = 1.4;
   const int usual = type_pixels(side);
   return view_.canvas().width() >= times_wide * usual && view_.canvas().height() >= times_high * usual;
 }
@@ -107,8 +108,21 @@ bool LensOverlay::has_room() const {
 void LensOverlay::place() {
   const QRect canvas = view_.canvas().geometry();
   const QSize size = sizeHint();
-  setGeometry(QRect(canvas.bottomLeft() + QPoint(margin, -size.height() - margin), size));
+  setGeometry(QRect(canvas.bottomRight() - QPoint(size.width() + margin, size.height() + margin), size));
   raise();
+}
+
+/// A fit leaves the usual lens free; the large one is there for a look.
+void LensOverlay::leave_free(bool shown) {
+  std::optional<std::array<Pixel, 2>> corners;
+  if (shown && !large_) {
+    const double ratio = view_.canvas().devicePixelRatioF();
+    const QPoint origin = view_.canvas().geometry().topLeft();
+    const QPoint from = geometry().topLeft() - origin;
+    const QPoint to = from + QPoint(width(), height());
+    corners = {Pixel{from.x() * ratio, from.y() * ratio}, Pixel{to.x() * ratio, to.y() * ratio}};
+  }
+  view_.scene().set_covered(corners);
 }
 
 void LensOverlay::paintEvent(QPaintEvent*) {
@@ -127,7 +141,7 @@ void LensOverlay::paintEvent(QPaintEvent*) {
 void LensOverlay::mousePressEvent(QMouseEvent* event) {
   if (event->button() == Qt::LeftButton) {
     large_ = !large_;
-    place();
+    follow();
   }
 }
 

@@ -12,10 +12,9 @@
 
 namespace feedscope::ui {
 
-/// The lens at the cursor over the bottom left corner of a 3D view: the current run and those that are
-/// ticked, over each other. It shows itself while there are two or more in a view
-/// that is large enough; the key L says otherwise. A click
-/// enlarges it to half of the view and back.
+/// The lens at the cursor over the bottom right corner of a 3D view: the current run and those that are
+/// ticked, over each other. It shows itself while there are two or more in a view that is large enough; the
+/// key L says otherwise. A click enlarges it to half of the view and back.
 class LensOverlay : public QWidget {
   Q_OBJECT
 
@@ -42,6 +41,7 @@ class LensOverlay : public QWidget {
   void list_runs();
   bool has_room() const;
   void place();
+  void leave_free(bool shown);
 
   Workbench& workbench_;
   SceneView& view_;

@@ -134,7 +134,7 @@ void SceneActions::make_exaggerations() {
 void SceneActions::make_views() {
   auto* button = new QToolButton(bar_);
   button->setText(tr("View"));
-  button->setToolTip(tr("Standard views, projection, grid"));
+  button->setToolTip(tr("Standard views, projection, axes"));
   button->setPopupMode(QToolButton::InstantPopup);
   views_ = new QMenu(button);
   button->setMenu(views_);
@@ -157,9 +157,10 @@ void SceneActions::make_views() {
                              QKeySequence(Qt::Key_P));
   perspective_->setCheckable(true);
   connect(perspective_, &QAction::triggered, this, [this](bool on) { view_.scene().set_perspective(on); });
-  grid_ = add_command(tr("&Grid"), tr("Grid lines behind the path"), QKeySequence(Qt::Key_G));
-  grid_->setCheckable(true);
-  connect(grid_, &QAction::triggered, this, [this](bool on) { view_.scene().set_grid(on); });
+  axes_ = add_command(tr("&Grid and axes"), tr("A box with grids around the path that shows its size"),
+                      QKeySequence(Qt::Key_G));
+  axes_->setCheckable(true);
+  connect(axes_, &QAction::triggered, this, [this](bool on) { view_.scene().set_axes(on); });
   actual_ = add_command(tr("&Actual path"),
                         tr("The path that the axes run, drawn beside the one that the control sets"),
                         QKeySequence(Qt::Key_A));
@@ -171,6 +172,11 @@ void SceneActions::make_views() {
   rapids_->setCheckable(true);
   set_everyday_words(rapids_, tr("hide show G0"));
   connect(rapids_, &QAction::triggered, this, [this](bool on) { view_.scene().set_rapids_shown(on); });
+  all_rapids_ = add_command(tr("Rapids that co&ver the picture"),
+                            tr("Show rapids even where they cover more than 5 % of the picture"), {});
+  all_rapids_->setCheckable(true);
+  connect(all_rapids_, &QAction::triggered, this,
+          [this](bool on) { view_.scene().set_all_rapids_shown(on); });
   machine_ =
       add_command(tr("Machine a&xes"),
                   tr("Draw the run where X, Y and Z of the machine stand while rotary axes turn, instead of "
@@ -179,7 +185,7 @@ void SceneActions::make_views() {
   machine_->setCheckable(true);
   set_everyday_words(machine_, tr("rotary five axis kinematics coordinates"));
   connect(machine_, &QAction::triggered, this, [this](bool on) { view_.scene().set_on_machine(on); });
-  views_->addActions({perspective_, grid_, rapids_, actual_, machine_});
+  views_->addActions({perspective_, axes_, rapids_, all_rapids_, actual_, machine_});
   make_stretches();
 }
 
@@ -322,9 +328,11 @@ void SceneActions::follow_scene() {
     size->setValue(value);
   }
   perspective_->setChecked(shown.camera.perspective);
-  grid_->setChecked(shown.grid);
+  axes_->setChecked(shown.axes);
   actual_->setChecked(shown.actual);
   rapids_->setChecked(shown.rapids);
+  all_rapids_->setChecked(shown.all_rapids);
+  all_rapids_->setEnabled(shown.rapids);
   machine_->setChecked(shown.on_machine);
   check(*stretch_, static_cast<int>(shown.stretch.stretch));
   rest_hidden_->setChecked(shown.stretch.rest_hidden);

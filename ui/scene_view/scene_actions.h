@@ -74,7 +74,8 @@ class SceneActions : public QObject {
   QMenu* views_ = nullptr;
   QList<QAction*> commands_;
   QAction* perspective_ = nullptr;
-  QAction* grid_ = nullptr;
+  QAction* axes_ = nullptr;
+  QAction* all_rapids_ = nullptr;
   QAction* actual_ = nullptr;
   QAction* rapids_ = nullptr;
   QAction* machine_ = nullptr;

@@ -63,9 +63,10 @@ QJsonObject to_json(const SceneState& state) {
           {"tool", QJsonObject{{"kind", tool_keys.at(static_cast<std::size_t>(state.tool.kind))},
                                {"diameter_mm", state.tool.diameter},
                                {"corner_radius_mm", state.tool.corner_radius}}},
-          {"grid", state.grid},
+          {"grid", state.axes},
           {"actual_path", state.actual},
           {"rapids", state.rapids},
+          {"all_rapids", state.all_rapids},
           {"machine_axes", state.on_machine},
           {"stretch", stretch_keys.at(static_cast<std::size_t>(state.stretch.stretch))},
           {"rest_hidden", state.stretch.rest_hidden}};
@@ -80,9 +81,10 @@ void read_json(const QJsonObject& json, SceneState& state) {
   }
   read_positive(json["exaggeration"], state.exaggeration);
   read_tool(json["tool"].toObject(), state.tool);
-  state.grid = json["grid"].toBool(state.grid);
+  state.axes = json["grid"].toBool(state.axes);
   state.actual = json["actual_path"].toBool(state.actual);
   state.rapids = json["rapids"].toBool(state.rapids);
+  state.all_rapids = json["all_rapids"].toBool(state.all_rapids);
   state.on_machine = json["machine_axes"].toBool(state.on_machine);
   for (std::size_t stretch = 0; stretch < stretch_keys.size(); ++stretch) {
     if (json["stretch"] == QLatin1String(stretch_keys[stretch])) {

@@ -55,10 +55,6 @@ SceneTexts scene_texts() {
   texts.lost = Scene::tr("lost").toStdString();
   texts.won = Scene::tr("gained").toStdString();
   texts.cause = Scene::tr("Limiting cause").toStdString();
-  texts.views = {Scene::tr("iso").toStdString(),    Scene::tr("top").toStdString(),
-                 Scene::tr("front").toStdString(),  Scene::tr("right").toStdString(),
-                 Scene::tr("bottom").toStdString(), Scene::tr("back").toStdString(),
-                 Scene::tr("left").toStdString()};
   texts.quantity = [](const QuantityInfo& info) { return core_text(std::string(info.title)).toStdString(); };
   texts.cause_kind = [](CauseKind kind) { return core_text(cause_title({kind, -1})).toStdString(); };
   texts.decimal_point = QLocale().decimalPoint().toStdString();

@@ -40,6 +40,7 @@ RenderBackend default_backend() {
 SceneView::SceneView(RenderBackend backend, QWidget* parent) : QWidget(parent) {
   make_canvas(backend);
   scene_.set_texts(scene_texts());
+  scene_.set_cube(true);
   actions_ = new SceneActions(*this);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -280,6 +281,9 @@ void SceneView::set_measuring(bool measuring) {
   measuring_ = measuring;
   measured_from_.reset();
   scene_.set_dimension(std::nullopt);
+  if (measuring) {
+    scene_.set_axes(true);
+  }
   canvas_->setCursor(measuring ? Qt::CrossCursor : Qt::ArrowCursor);
   emit measuring_changed(measuring);
 }

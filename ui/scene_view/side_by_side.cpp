@@ -244,6 +244,7 @@ void SideBySide::open() {
     split_ = std::make_unique<SplitOverlay>(first_, second_, choice_, share_);
     connect(split_.get(), &SplitOverlay::share_changed, this, [this](double share) { share_ = share; });
   }
+  second_->scene().set_legend(mode_ != ScenesMode::side_by_side);  // the first view explains both
   second_->take_keys_of(first_);
   for (SceneView* view : {&first_, second_}) {
     view->canvas().installEventFilter(this);
@@ -322,10 +323,7 @@ void SideBySide::show_current() {
   PathScene& scene = first_.scene();
   scene.set_programmed(shown != nullptr && shown->programmed != nullptr ? shown->programmed
                                                                         : workbench_.shown_program().samples);
-  scene.set_warning((shown != nullptr     ? picture_warning(shown->run)
-                     : program != nullptr ? reading_faults_text(*program)
-                                          : QString())
-                        .toStdString());
+  scene.set_warning(program == nullptr ? "" : reading_faults_text(*program).toStdString());
   first_run_.show(workbench_.runs().current_item().id);
   show_run_name();
   show_cursor();
@@ -379,7 +377,6 @@ void SideBySide::show_run() {
   if (shown != nullptr) {
     scene.set_programmed(shown->programmed != nullptr ? shown->programmed
                                                       : workbench_.shown_program().samples);
-    scene.set_warning(picture_warning(shown->run).toStdString());
   }
   second_->annotations().set_run(shown != nullptr ? shown->run.trajectory : nullptr, choice_->currentText(),
                                  shown != nullptr ? shown->run.sources : RunSources());

@@ -60,10 +60,4 @@ QString not_counted_text(const NotCounted& counts) {
                          : Faults::tr("Not in the cycle time: %1").arg(texts.join(QStringLiteral(", ")));
 }
 
-QString picture_warning(const Run& run) {
-  QStringList lines{reading_faults_text(*run.input.program), not_counted_text(run.summary.not_counted)};
-  lines.removeAll(QString());
-  return lines.join('\n');
-}
-
 }  // namespace feedscope::ui

@@ -12,7 +12,5 @@ QString reading_faults_text(const Program& program);
 
 /// "Not in the cycle time: 2 tool changes, 1 spindle start"; empty where all time is counted.
 QString not_counted_text(const NotCounted& counts);
-/// Both of a run for a picture of its path, a line each; empty if there is nothing to say.
-QString picture_warning(const Run& run);
 
 }  // namespace feedscope::ui

@@ -16,11 +16,10 @@ namespace feedscope::ui {
 
 namespace {
 
-// Okabe and Ito's palette without black and yellow, then darker tones of the same hues.
-// None is that of an axis or of another curve in the charts; the first ones are told apart with every kind of
-// colour vision.
-constexpr std::array<QRgb, 8> run_colours{0xff7036c8, 0xff8f4a1e, 0xffe05ab0, 0xff6b8e23,
-                                          0xff4a7dff, 0xffa3213f, 0xff12a5c0, 0xff9a8500};
+// Each has a contrast of three to one at least against the light and the dark ground, and is that of no axis
+// and no other curve of the charts. The first ones are told apart with every kind of colour vision.
+constexpr std::array<QRgb, 8> run_colours{0xff7538ff, 0xff945c38, 0xffff1aad, 0xff799e00,
+                                          0xff5786ff, 0xffc46471, 0xff23718b, 0xff796906};
 
 QString value_text(const SettingValue& value, const KeyUnit& unit) {
   const auto* number = std::get_if<double>(&value);

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <random>
 
+#include "core/analysis/path_deviation.h"
 #include "tests/support/random_cases.h"
 
 namespace feedscope {
@@ -151,6 +152,26 @@ TEST(Lens, HasAtMostTheContourErrorOfTheRunOnRandomPrograms) {
         ASSERT_TRUE(point.allFinite());
       }
     }
+  }
+}
+
+/// A slot whose walls are joined by a small arc: the other wall is at the same place along the first one, and
+/// its error, which the picture does not show, must not set the scale.
+TEST(Lens, TheErrorFarBesideTheCornerDoesNotSetTheScale) {
+  const LoadedProgram program = loaded("G1 X10 F2000\nX10.2 Y0.01\nX10.4\nY6\nX10 Y6.2\nX0 Y9\n");
+  const feedscope::Run run = run_of(program, "essid", 0.05);
+  const Lens lens = lens_of_line({run}, 1);
+  for (const LensRun& seen : lens.runs) {
+    double largest = 0;
+    const PathDeviation deviation(*run.trajectory->path().programmed());
+    for (double s = 0; s < run.trajectory->path_length(); s += 1e-3) {
+      const State state = run.trajectory->state_at_path(s);
+      if (lens.seen(state.position).norm() <= lens.width / 2) {
+        const auto foot = deviation.foot_near(run.trajectory->path().segment(state.element), state.position);
+        largest = std::max(largest, std::sqrt(foot.squared));
+      }
+    }
+    EXPECT_LE(seen.largest_error, largest * 1.01 + least_deviation);
   }
 }
 

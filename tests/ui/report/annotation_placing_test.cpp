@@ -2,6 +2,7 @@
 
 #include <QImage>
 #include <QPainter>
+#include <QPainterPath>
 #include <algorithm>
 #include <random>
 
@@ -38,6 +39,19 @@ std::vector<Annotation> some_annotations(int count, unsigned seed) {
   return all;
 }
 
+/// Whether the line from a label to its place crosses a text.
+bool crosses_text(const PlacedAnnotation& placed, const QRectF& text) {
+  constexpr int parts = 400;
+  const QPointF from = placed.label.center();
+  for (int i = 0; i <= parts; ++i) {
+    const QPointF at = from + (placed.middle - from) * i / parts;
+    if (text.contains(at) && !placed.label.contains(at)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 TEST(AnnotationPlacing, LabelsAreInTheRoomOfThePathAndCoverNoOther) {
   ReportInput input = test::two_runs();
   for (unsigned seed = 0; seed < 12; ++seed) {
@@ -45,13 +59,22 @@ TEST(AnnotationPlacing, LabelsAreInTheRoomOfThePathAndCoverNoOther) {
       input.annotations = some_annotations(std::min(2 + static_cast<int>(seed % 5), most), seed);
       ScenePicture picture(input, 0, ThemeKind::light);
       picture.image(size, {});
-      const auto [upper, lower] = picture.scene().path_room();
-      const QRectF room(QPointF(upper[0], upper[1]), QPointF(lower[0], lower[1]));
+      const QRectF room(QPointF(), size);
       const auto placed = picture.annotations(size, {});
       EXPECT_EQ(placed.size(), input.annotations.size()) << "all of the path is in view";
       for (std::size_t i = 0; i < placed.size(); ++i) {
         EXPECT_TRUE(room.adjusted(-0.01, -0.01, 0.01, 0.01).contains(placed[i].label))
             << "seed " << seed << ", width " << size.width() << ", label " << i;
+        for (const auto& [upper, lower] : picture.scene().covered()) {
+          const QRectF text(QPointF(upper[0], upper[1]), QPointF(lower[0], lower[1]));
+          EXPECT_FALSE(placed[i].label.intersects(text))
+              << "seed " << seed << ", width " << size.width() << ", label " << i;
+        }
+        for (std::size_t k = 0; k < placed.size(); ++k) {
+          const bool has_leader = placed[k].kind != AnnotationKind::text && k != i;
+          EXPECT_FALSE(has_leader && crosses_text(placed[k], placed[i].label))
+              << "seed " << seed << ", width " << size.width() << ", line of " << k << " and label " << i;
+        }
         for (std::size_t k = 0; k < i; ++k) {
           EXPECT_FALSE(placed[i].label.intersects(placed[k].label))
               << "seed " << seed << ", width " << size.width() << ", labels " << k << " and " << i;
@@ -86,7 +109,7 @@ TEST(AnnotationPlacing, NothingIsDrawnOverLegendAndColourScale) {
   ReportInput input = test::two_runs();
   const QSizeF size(640, 480);
   for (unsigned seed = 0; seed < 6; ++seed) {
-    const auto picture_with = [&](const std::vector<Annotation>& annotations, QRectF& room) {
+    const auto picture_with = [&](const std::vector<Annotation>& annotations, QPainterPath& room) {
       ReportInput seen = input;
       seen.annotations = annotations;
       ScenePicture picture(seen, 0, ThemeKind::light);
@@ -96,8 +119,13 @@ TEST(AnnotationPlacing, NothingIsDrawnOverLegendAndColourScale) {
       QImage image(size.toSize(), QImage::Format_RGB32);
       QPainter painter(&image);
       picture.paint(painter, QRectF(QPointF(), size), {});
-      const auto [upper, lower] = picture.scene().path_room();
-      room = QRectF(QPointF(upper[0], upper[1]), QPointF(lower[0], lower[1]));
+      room = QPainterPath();
+      room.addRect(QRectF(QPointF(), size));
+      for (const auto& [upper, lower] : picture.scene().covered()) {
+        QPainterPath text;
+        text.addRect(QRectF(QPointF(upper[0], upper[1]), QPointF(lower[0], lower[1])).adjusted(1, 1, -1, -1));
+        room -= text;
+      }
       return image;
     };
     std::vector<Annotation> regions = some_annotations(6, seed);
@@ -106,7 +134,7 @@ TEST(AnnotationPlacing, NothingIsDrawnOverLegendAndColourScale) {
       annotation.place = {0, 0.0};
       annotation.until = {3, 1.0};
     }
-    QRectF room;
+    QPainterPath room;
     const QImage without = picture_with({}, room);
     const QImage with = picture_with(regions, room);
     int inside = 0;
@@ -114,7 +142,7 @@ TEST(AnnotationPlacing, NothingIsDrawnOverLegendAndColourScale) {
     for (int y = 0; y < with.height(); ++y) {
       for (int x = 0; x < with.width(); ++x) {
         const bool changed = with.pixel(x, y) != without.pixel(x, y);
-        const bool in_room = room.adjusted(-1, -1, 1, 1).contains(QPointF(x + 0.5, y + 0.5));
+        const bool in_room = room.contains(QPointF(x + 0.5, y + 0.5));
         (in_room ? inside : outside) += changed ? 1 : 0;
       }
     }

@@ -59,10 +59,8 @@ Fitted fit(const Bounds& content, StandardView view, int width, int height) {
   SceneCamera camera(*vtk_camera);
   camera.look(view);
   Fitted result{frame_around(content), {}, {Vec2(10, 10), Vec2(width - 120, height - 40)}};
-  camera.fit(width, height, result.frame.box, result.room, [&](const Projection& projection) {
-    const AxesLayout axes = lay_out_axes(result.frame, projection, 1);
-    return ScreenRectangle{axes.low, axes.high};
-  });
+  camera.fit(width, height, result.room, {},
+             [&](const Projection& projection) { return lay_out_axes(result.frame, projection, 1).outline; });
   result.axes = lay_out_axes(result.frame, camera.projection(width, height), 1);
   return result;
 }
@@ -132,7 +130,13 @@ TEST(AxesBox, AFlatPathHasNoThirdAxis) {
 TEST(AxesBox, FillsTheRoomItIsGiven) {
   for (const StandardView view : views) {
     const Fitted f = fit(box({0, 0, 0}, {100, 80, 60}), view, 900, 700);
-    const Vec2 used = (f.axes.high - f.axes.low).cwiseQuotient(f.room.high - f.room.low);
+    Vec2 low = f.axes.outline.front();
+    Vec2 high = low;
+    for (const Vec2& point : f.axes.outline) {
+      low = low.cwiseMin(point);
+      high = high.cwiseMax(point);
+    }
+    const Vec2 used = (high - low).cwiseQuotient(f.room.size());
     EXPECT_GT(used.maxCoeff(), 0.97);
     EXPECT_LE(used.maxCoeff(), 1.01);
   }

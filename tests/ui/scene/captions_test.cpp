@@ -2,97 +2,113 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <string>
 #include <vector>
-
-#include "ui/scene/draw/colour_panel.h"
 
 namespace feedscope::ui {
 namespace {
 
-constexpr double row = 22;  // [pixels]
-
-/// Rows of a legend that holds nothing but a warning, in a window of this width.
-double warning_rows(const std::string& warning, int width) {
-  SceneTexts texts;
-  texts.warning = warning;
-  const SceneColours colours = scene_colours(Background::light);
-  Captions captions;
-  captions.colours = &colours;
-  captions.texts = &texts;
-  return (screen_layout(width, 600, 1, captions).legend_height - 8) / row;
-}
-
-TEST(Captions, AWarningThatIsWiderThanItsRoomIsBrokenIntoRowsThatFit) {
-  const std::string words = "Not in the cycle time: 2 tool changes, 1 spindle start, 6 moves to positions";
-  const TextStyle style{.size = panel_text_pixels};
-  const double whole = Canvas::text_size(words, style).x();
-  EXPECT_EQ(warning_rows(words, 2000), 1);
-  double before = 1;
-  for (int width = 1200; width >= 350; width -= 50) {
-    const double rows = warning_rows(words, width);
-    EXPECT_GE(rows, before) << width;
-    EXPECT_GE(rows * width, whole) << "some row is wider than the window of " << width;
-    before = rows;
+/// Everything that can be written over a picture at once.
+struct FullCaptions {
+  FullCaptions() {
+    captions.colours = &scene_colours(Background::light);
+    captions.texts = &texts;
+    captions.entries = {true, true, true, true, true, true, {{"essid, 0.01 mm", {}}, {"ward, 0.1 mm", {}}}};
+    captions.key.scale = {.unit = "mm/min", .low = 0, .high = 12000, .beyond = true};
+    captions.cube = true;
   }
-  EXPECT_GE(before, 3);
-}
 
-TEST(Captions, EveryWarningBeginsARowWhereTwoDoNotFit) {
-  EXPECT_EQ(warning_rows("short\nshort", 1000), 1);
-  EXPECT_EQ(warning_rows("Program read with 5 warnings\nProgram cut off at line 77", 520), 2);
-}
-
-TEST(Captions, TheLegendOfALowPictureLeavesThePathMostOfIt) {
   SceneTexts texts;
-  texts.programmed = "programmed";
-  texts.rapid = "rapid";
-  texts.executed = "executed";
-  texts.warning = "Program read with 5 warnings\nNot in the cycle time: 2 tool changes, 1 spindle start";
-  const SceneColours colours = scene_colours(Background::light);
   Captions captions;
-  captions.colours = &colours;
-  captions.texts = &texts;
-  captions.entries.programmed = captions.entries.rapid = captions.entries.executed = true;
-  const double all = screen_layout(220, 1000, 1, captions).legend_height;
-  for (int height = 80; height <= 400; height += 20) {
-    const double legend = screen_layout(220, height, 1, captions).legend_height;
-    EXPECT_LE(legend, std::max((height < 400 ? 0.25 : 0.45) * height + 8, row + 8)) << height;
-    EXPECT_GE(legend, std::min(all, row)) << "the warning is never left out";
-  }
-}
+};
 
-TEST(ColourPanel, SaysHowManyCausesHaveNoRoom) {
-  SceneTexts texts;
-  const SceneColours colours = scene_colours(Background::light);
-  Captions captions;
-  captions.colours = &colours;
-  captions.texts = &texts;
-  captions.key.colouring = Colouring::cause;
-  constexpr std::size_t causes = 6;
-  for (std::size_t i = 0; i < causes; ++i) {
-    captions.key.causes.push_back({static_cast<CauseKind>(i), 1.0 / causes});
-  }
-  EXPECT_EQ(fitting_cause_rows(captions, 128, 1000, 1).size(), causes);
-  std::size_t before = 0;
-  for (int height = 25; height <= 400; height += 5) {
-    const std::vector<CauseRow> rows = fitting_cause_rows(captions, 128, height, 1);
-    ASSERT_FALSE(rows.empty());
-    const bool whole = rows.back().colour.has_value();
-    const std::size_t shown = whole ? rows.size() : rows.size() - 1;
-    EXPECT_EQ(whole, shown == causes);
-    if (!whole) {
-      EXPECT_EQ(rows.back().lines.front(), "+ " + std::to_string(causes - shown)) << height;
+void expect_apart_and_inside(const ScreenLayout& layout, const std::string& where) {
+  const std::vector<ScreenRectangle> all = layout.covered();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    EXPECT_TRUE(layout.window().contains(all[i])) << where << ", overlay " << i;
+    for (std::size_t k = 0; k < i; ++k) {
+      EXPECT_FALSE(all[i].meets(all[k])) << where << ", overlays " << k << " and " << i;
     }
-    EXPECT_GE(shown, before);
-    before = shown;
   }
-  EXPECT_EQ(before, causes);
 }
 
-TEST(Captions, AWordWithoutRoomStandsInARowOfItsOwn) {
-  EXPECT_EQ(warning_rows(std::string(200, 'x') + " y", 400), 2);
+TEST(Captions, OverlaysAreInsideOfTheWindowAndCoverNoOther) {
+  FullCaptions full;
+  for (const bool causes : {false, true}) {
+    if (causes) {
+      full.captions.key = {Colouring::cause, {}, {}, {}};
+      for (int i = 0; i < 12; ++i) {
+        full.captions.key.causes.push_back({static_cast<CauseKind>(i), 1.0 / 12});
+      }
+    }
+    full.texts.warning = causes ? "Program read with 12 errors and 3 warnings" : "";
+    for (int width = 160; width <= 3840; width += 92) {
+      for (int height = 120; height <= 2160; height += 170) {
+        for (const double scale : {0.7, 1.0, 2.0}) {
+          if (width >= 220 * scale && height >= 170 * scale) {
+            expect_apart_and_inside(
+                screen_layout(width, height, scale, full.captions),
+                std::to_string(width) + "x" + std::to_string(height) + " at " + std::to_string(scale));
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(Captions, AFourTimesLargerPictureHasTheSameComposition) {
+  FullCaptions full;
+  const std::vector<ScreenRectangle> small = screen_layout(1920, 1080, 1.35, full.captions).covered();
+  const std::vector<ScreenRectangle> large = screen_layout(3840, 2160, 2.7, full.captions).covered();
+  ASSERT_EQ(small.size(), large.size());
+  constexpr double rounded = 16;  // [pixels] sizes of type are whole, and long texts add up
+  for (std::size_t i = 0; i < small.size(); ++i) {
+    EXPECT_LT((small[i].low - large[i].low / 2).norm(), rounded) << i;
+    EXPECT_LT((small[i].high - large[i].high / 2).norm(), rounded) << i;
+  }
+}
+
+TEST(Captions, NothingIsExplainedThatThePictureDoesNotContain) {
+  FullCaptions full;
+  full.captions.entries = {};
+  full.captions.key = {};
+  const ScreenLayout layout = screen_layout(800, 600, 1, full.captions);
+  EXPECT_TRUE(layout.legend.empty());
+  EXPECT_TRUE(layout.colours.empty());
+  EXPECT_FALSE(layout.scale_bar.empty());
+}
+
+/// The colours say which line is the executed one.
+TEST(Captions, TheExecutedPathIsNamedOnlyWhereNoColoursAreExplained) {
+  FullCaptions full;
+  full.captions.entries = {};
+  full.captions.entries.executed = true;
+  EXPECT_TRUE(screen_layout(800, 600, 1, full.captions).legend.empty());
+  full.captions.key = {Colouring::run, {}, {}, {}};
+  EXPECT_FALSE(screen_layout(800, 600, 1, full.captions).legend.empty());
+}
+
+TEST(Captions, AnotherViewMayExplainBoth) {
+  FullCaptions full;
+  full.captions.legend = false;
+  const ScreenLayout layout = screen_layout(800, 600, 1, full.captions);
+  EXPECT_EQ(layout.covered().size(), 1U) << "the cube";
+}
+
+TEST(Captions, TheLongestCausesAreNamedWhereNotAllHaveRoom) {
+  FullCaptions full;
+  full.captions.key = {Colouring::cause, {}, {}, {}};
+  for (int i = 0; i < 10; ++i) {
+    full.captions.key.causes.push_back({static_cast<CauseKind>(i), 0.1});
+  }
+  EXPECT_EQ(named_causes(1280, 800, 1, full.captions), 10U);
+  std::size_t before = 0;
+  for (int height = 60; height <= 800; height += 20) {
+    const std::size_t named = named_causes(300, height, 1, full.captions);
+    EXPECT_GE(named, std::max<std::size_t>(1, before));
+    EXPECT_LE(screen_layout(300, height, 1, full.captions).colours.size().y(), std::max(18.0, 0.25 * height));
+    before = named;
+  }
 }
 
 }  // namespace

@@ -212,17 +212,18 @@ TEST_F(PathSceneTest, FitsTheRangeOfTheCharts) {
 }
 
 TEST_F(PathSceneTest, FacesOfTheCubeAreViews) {
+  scene_.set_cube(true);
   show(simulate_text(test::small_program), StandardView::iso);
   std::set<StandardView> found;
-  for (int x = width - 120; x < width; x += 2) {
-    for (int y = height - 160; y < height; y += 2) {
+  for (int x = width - 80; x < width; x += 2) {
+    for (int y = 0; y < 80; y += 2) {
       if (const auto view = scene_.cube_view({double(x), double(y)})) {
         found.insert(*view);
       }
     }
   }
   EXPECT_EQ(found, (std::set{StandardView::top, StandardView::front, StandardView::right}));
-  EXPECT_FALSE(scene_.cube_view({100, 100}));
+  EXPECT_FALSE(scene_.cube_view({100, 400}));
 }
 
 TEST_F(PathSceneTest, PicksExactlyWhereNothingOverlaps) {
@@ -272,7 +273,7 @@ TEST_F(PathSceneTest, EveryViewShowsTheWholePath) {
       show(run, view);
       for (int i = 0; i <= 50; ++i) {
         const Pixel p = scene_.pixel_of(run.trajectory->state(run.trajectory->duration() * i / 50).position);
-        EXPECT_TRUE(p[0] > 0 && p[0] < width - 90 && p[1] > 20 && p[1] < height)
+        EXPECT_TRUE(p[0] > 0 && p[0] < width && p[1] > 0 && p[1] < height)
             << size << " mm: " << p[0] << " " << p[1];
       }
     }
@@ -512,8 +513,8 @@ TEST_F(FarPartTest, IsPickedWhereItIsDrawnAndAtItsPlaces) {
   }
 }
 
-/// In a low view they gave way to the cube, and nothing told what the colours mean.
 TEST_F(PathSceneTest, ColoursAreExplainedInEveryHeight) {
+  scene_.set_cube(true);
   const auto run = simulate_text("G21 G90 G94 F3000\nG1 X40\nY40\nX80\n");
   for (int low = 130; low <= 600; low += 47) {
     window_->SetSize(width, low);
@@ -521,8 +522,8 @@ TEST_F(PathSceneTest, ColoursAreExplainedInEveryHeight) {
     const auto pixels = pixels_of(*window_, width, low);
     const Rgb top = scale_colour(ColourScale{}, 0.99, Background::light);
     std::size_t found = 0;
-    for (int y = 0; y < low; ++y) {
-      for (int x = width - 130; x < width; ++x) {
+    for (int y = 0; y < 60; ++y) {  // from below
+      for (int x = 0; x < 260; ++x) {
         const unsigned char* pixel = &pixels[4 * static_cast<std::size_t>(y * width + x)];
         bool same = true;
         for (std::size_t c = 0; c < 3; ++c) {
@@ -532,8 +533,138 @@ TEST_F(PathSceneTest, ColoursAreExplainedInEveryHeight) {
       }
     }
     EXPECT_GE(found, 8U) << "height " << low;
-    EXPECT_EQ(scene_.cube_view({width - 60.0, low - 98.0}).has_value(), low > 270) << "height " << low;
+    EXPECT_EQ(scene_.cube_view({width - 38.0, 38.0}).has_value(), low > 168) << "height " << low;
   }
+}
+
+/// The largest size, as a share of its present one, that the box of the path has in a rectangle that nothing
+/// covers: by all rectangles between edges of the window and of what covers it.
+double largest_in_free_rectangle(const PathScene& scene, const Pixel& box, int width, int height) {
+  const auto covered = scene.covered();
+  std::vector<double> x{0, double(width)};
+  std::vector<double> y{0, double(height)};
+  for (const auto& [upper, lower] : covered) {
+    x.insert(x.end(), {upper[0], lower[0]});
+    y.insert(y.end(), {upper[1], lower[1]});
+  }
+  double best = 0;
+  for (const double left : x) {
+    for (const double right : x) {
+      for (const double top : y) {
+        for (const double bottom : y) {
+          bool free = left < right && top < bottom;
+          for (const auto& [upper, lower] : covered) {
+            free = free && !(upper[0] < right && left < lower[0] && upper[1] < bottom && top < lower[1]);
+          }
+          if (free) {
+            best = std::max(best, std::min((right - left) / box[0], (bottom - top) / box[1]));
+          }
+        }
+      }
+    }
+  }
+  return best;
+}
+
+/// Data first: after a fit the path reaches within 6 % of the free part of the picture in one direction.
+TEST_F(PathSceneTest, AFittedPathFillsWhatItsOverlaysLeave) {
+  const auto run = simulate_text(
+      "G21 G90 G94 F3000\nG1 X60\nG3 X60 Y40 I0 J20\nG1 X0 Z-8\nG2 X-10 Y20 I5 J-18\nG1 X0 Y0 Z0\n");
+  struct Size {
+    int width, height;
+  };
+  for (const Size size : {Size{160, 120}, {320, 400}, {764, 456}, {1280, 800}, {700, 1400}, {3840, 2160}}) {
+    window_->SetSize(size.width, size.height);
+    const double scale = std::clamp(size.height / 800.0, 0.7, 2.7);
+    scene_.set_scale(scale);
+    scene_.set_cube(size.width == 764);
+    for (const StandardView view : views) {
+      for (const bool perspective : {false, true}) {
+        scene_.set_perspective(perspective);
+        show(run, view);
+        Pixel low{1e9, 1e9};
+        Pixel high{-1e9, -1e9};
+        for (int i = 0; i <= 400; ++i) {
+          const Pixel p =
+              scene_.pixel_of(run.trajectory->state(run.trajectory->duration() * i / 400).position);
+          for (const std::size_t axis : {0, 1}) {
+            low[axis] = std::min(low[axis], p[axis]);
+            high[axis] = std::max(high[axis], p[axis]);
+          }
+          EXPECT_TRUE(p[0] > 0 && p[0] < size.width && p[1] > 0 && p[1] < size.height) << size.width;
+          for (const auto& [upper, lower] : scene_.covered()) {
+            EXPECT_FALSE(p[0] > upper[0] + 1 && p[0] < lower[0] - 1 && p[1] > upper[1] + 1 &&
+                         p[1] < lower[1] - 1)
+                << size.width << "x" << size.height << ", view " << int(view) << ": under a text";
+          }
+        }
+        const Pixel box{high[0] - low[0], high[1] - low[1]};
+        EXPECT_LE(largest_in_free_rectangle(scene_, box, size.width, size.height), 1 / 0.94)
+            << size.width << "x" << size.height << ", view " << int(view)
+            << (perspective ? " perspective" : "");
+      }
+    }
+  }
+}
+
+/// Drawn at four times the size, everything is where it was.
+TEST_F(PathSceneTest, ALargerPictureHasTheSameComposition) {
+  const auto run = simulate_text(test::small_program);
+  std::vector<Pixel> places;
+  for (const int enlarged : {1, 2}) {
+    window_->SetSize(1920 * enlarged, 1080 * enlarged);
+    scene_.set_scale(1.35 * enlarged);
+    show(run, StandardView::iso);
+    std::size_t next = 0;
+    const auto compare = [&](const Pixel& place) {
+      if (enlarged == 1) {
+        places.push_back(place);
+      } else {
+        ASSERT_LT(next, places.size());
+        EXPECT_NEAR(places[next][0], place[0] / 2, 6) << next;
+        EXPECT_NEAR(places[next][1], place[1] / 2, 6) << next;
+        ++next;
+      }
+    };
+    for (const auto& [upper, lower] : scene_.covered()) {
+      compare(upper);
+      compare(lower);
+    }
+    for (int i = 0; i <= 10; ++i) {
+      compare(scene_.pixel_of(run.trajectory->state(run.trajectory->duration() * i / 10).position));
+    }
+  }
+}
+
+/// Between neighbouring passes, as in a finishing with a rapid back after each of many.
+TEST_F(PathSceneTest, RapidsThatCoverThePictureAreHidden) {
+  std::string text = "G21 G90 G94 F3000\n";
+  for (int i = 0; i < 400; ++i) {
+    text += fmt::format("G0 X0 Y{0}\nG1 X50\n", 0.1 * i);
+  }
+  const auto run = simulate_text(text, "cam");
+  const auto dots = [&] {
+    window_->Render();
+    const auto shown = pixels();
+    std::size_t count = 0;
+    for (int i = 0; i < width * height; ++i) {
+      count += shown->GetPointer(4 * i)[0] < 240 ? 1 : 0;
+    }
+    return count;
+  };
+  scene_.set_colouring(Colouring::feed);
+  show(run, StandardView::top);
+  const std::size_t usual = dots();
+  scene_.set_rapids_shown(false);
+  EXPECT_EQ(dots(), usual) << "they are hidden anyway";
+  scene_.set_rapids_shown(true);
+  scene_.set_all_rapids_shown(true);
+  EXPECT_NE(dots(), usual);
+  scene_.set_all_rapids_shown(false);
+  scene_.zoom(40, {400, 300});
+  const std::size_t near = dots();
+  scene_.set_rapids_shown(false);
+  EXPECT_NE(dots(), near) << "close up they are few";
 }
 
 }  // namespace

@@ -176,29 +176,29 @@ TEST_F(SceneViewTest, CommandsChangeTheScene) {
   EXPECT_EQ(view_.scene().tool().kind, ToolKind::ball);
   action(view_, "Perspective")->trigger();
   EXPECT_TRUE(view_.scene().perspective());
-  action(view_, "Grid")->trigger();
-  EXPECT_FALSE(view_.scene().grid());
+  action(view_, "Grid and axes")->trigger();
+  EXPECT_TRUE(view_.scene().axes());
   action(view_, "Back")->trigger();
   EXPECT_NEAR(view_.scene().camera().azimuth, std::acos(0.0), 1e-12);
 }
 
 TEST_F(SceneViewTest, TheBarSaysWhatTheSceneShowsWhoeverChangedIt) {
   const SceneState first = view_.state();
-  EXPECT_TRUE(action(view_, "Grid")->isChecked());
+  EXPECT_FALSE(action(view_, "Grid and axes")->isChecked());
   SceneState wanted = first;
   wanted.camera = {.azimuth = 0.4, .elevation = 0.2, .height = 30, .perspective = true};
   wanted.colouring = Colouring::jerk;
   wanted.exaggeration = 50;
   wanted.tool = {ToolKind::bull, 8.125, 1.5};
-  wanted.grid = false;
+  wanted.axes = true;
   view_.set_state(wanted);
   EXPECT_NEAR((view_.state().camera.focal - wanted.camera.focal).norm(), 0, 1e-9);
   EXPECT_NEAR(view_.state().camera.height, 30, 1e-9);
   EXPECT_EQ(view_.state().tool, wanted.tool);
-  for (const char* text : {"Jerk", "× 50", "Bull nose end mill", "Perspective"}) {
+  for (const char* text : {"Jerk", "× 50", "Bull nose end mill", "Perspective", "Grid and axes"}) {
     EXPECT_TRUE(action(view_, text)->isChecked()) << text;
   }
-  for (const char* text : {"Feed", "× 1", "Marker", "Grid"}) {
+  for (const char* text : {"Feed", "× 1", "Marker"}) {
     EXPECT_FALSE(action(view_, text)->isChecked()) << text;
   }
   view_.scene().set_exaggeration(3);
@@ -270,8 +270,8 @@ TEST_F(SceneViewTest, AClickOnTheCubeTurnsTheView) {
   const double ratio = view_.canvas().devicePixelRatioF();
   const int width = view_.canvas().width();
   const int height = view_.canvas().height();
-  for (int y = height - 160; y < height; y += 3) {
-    for (int x = width - 120; x < width; x += 3) {
+  for (int y = 0; y < 80; y += 3) {
+    for (int x = width - 80; x < width; x += 3) {
       if (view_.scene().cube_view({x * ratio, y * ratio}) == StandardView::front) {
         QTest::mouseClick(&view_.canvas(), Qt::LeftButton, {}, QPoint(x, y));
         EXPECT_EQ(view_.scene().camera().elevation, 0);

@@ -265,10 +265,10 @@ TEST_P(TwoViewsTest, NoKeyIsAmbiguous) {
     QTest::keyClick(canvas, Qt::Key_2, Qt::ControlModifier);
     EXPECT_NEAR(window.scene().state().camera.elevation, 1.5708, 1e-3) << "seen from the top";
     EXPECT_NEAR(views.second()->state().camera.elevation, 1.5708, 1e-3);
-    const bool grid = window.scene().state().grid;
+    const bool grid = window.scene().state().axes;
     QTest::keyClick(canvas, Qt::Key_G);
-    EXPECT_NE(window.scene().state().grid, grid);
-    EXPECT_NE(views.second()->state().grid, grid);
+    EXPECT_NE(window.scene().state().axes, grid);
+    EXPECT_NE(views.second()->state().axes, grid);
   }
 }
 

@@ -233,6 +233,17 @@ TEST_F(RunListTest, ATitleMayLeaveOutWhatIsStudied) {
   EXPECT_EQ(title("X.jerk"), "essid, 0.1 mm, Look-ahead (blocks) 3");
 }
 
+/// Of two colours, by WCAG 2.1: from 1 to 21.
+double contrast(const QColor& one, const QColor& other) {
+  const auto luminance = [](const QColor& colour) {
+    const auto light = test::to_linear({colour.redF(), colour.greenF(), colour.blueF()});
+    return 0.2126 * light[0] + 0.7152 * light[1] + 0.0722 * light[2] + 0.05;
+  };
+  const double a = luminance(one);
+  const double b = luminance(other);
+  return std::max(a, b) / std::min(a, b);
+}
+
 /// In the charts curves of other runs lie among those of the axes.
 TEST(RunColour, IsThatOfNoCurveInAnyTheme) {
   const auto lab = [](const QColor& colour) {
@@ -248,6 +259,7 @@ TEST(RunColour, IsThatOfNoCurveInAnyTheme) {
     for (const QColor& window : {QColor(Qt::white), QColor(Qt::black)}) {
       const QPalette palette(window);
       const ThemeColours& theme = theme_colours(palette);
+      EXPECT_GE(contrast(run_colour(run), theme.plot), 3) << "run " << run + 1;  // WCAG 2.1, 1.4.11
       for (const QColor& curve :
            {theme.axes[0], theme.axes[1], theme.axes[2], theme.path, theme.programmed}) {
         EXPECT_GT(distance(run_colour(run), curve), told_apart)

@@ -11,6 +11,26 @@ namespace feedscope::ui {
 /// Display coordinates: device pixels from the window's lower left corner, as VTK counts them.
 using Vec2 = Eigen::Vector2d;
 
+/// A rectangle of the window [pixels], upwards; empty where it has no height.
+struct ScreenRectangle {
+  Vec2 low = Vec2::Zero();
+  Vec2 high = Vec2::Zero();
+
+  bool empty() const { return high.y() <= low.y(); }
+  Vec2 size() const { return high - low; }
+  Vec2 centre() const { return (low + high) / 2; }
+  /// With `more` on every side.
+  ScreenRectangle grown(double more) const {
+    return {low - Vec2::Constant(more), high + Vec2::Constant(more)};
+  }
+  bool meets(const ScreenRectangle& other) const {
+    return (low.array() < other.high.array()).all() && (other.low.array() < high.array()).all();
+  }
+  bool contains(const ScreenRectangle& other) const {
+    return (low.array() <= other.low.array()).all() && (other.high.array() <= high.array()).all();
+  }
+};
+
 /// What the programme calls space, made small: VTK's matrices and depth buffer are single precision, so the
 /// scene is drawn about its centre with its largest extent as 1, whether it is a micrometre or a kilometre.
 struct SceneFrame {

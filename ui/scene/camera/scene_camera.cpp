@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "ui/scene/camera/fit_outline.h"
 
 namespace feedscope::ui {
 namespace {
@@ -100,39 +101,44 @@ void SceneCamera::look(StandardView view) {
   apply();
 }
 
-void SceneCamera::fit(int width, int height, const Bounds& box, const ScreenRectangle& room,
-                      const std::function<ScreenRectangle(const Projection&)>& extent) {
+void SceneCamera::fit(int width, int height, const ScreenRectangle& room,
+                      const std::vector<ScreenRectangle>& covered,
+                      const std::function<std::vector<Vec2>(const Projection&)>& outline) {
+  // Labels do not grow with the path, and in perspective what is near grows more, the more the nearer the eye
+  // comes: half of the way at a time settles. At the end nothing grows, so that nothing is cut.
+  const int growing_rounds = perspective_ ? 16 : 6;
+  const int rounds = growing_rounds + 12;
+  constexpr double settled = 1e-3;
   focal_ = Vec3::Zero();
   apply();
-  const Projection start = projection(width, height);
-  const Vec3 size = box.max - box.min;
-  const Vec2 content(size.dot(start.right.cwiseAbs()), size.dot(start.up.cwiseAbs()));
-  const Vec2 space = (room.high - room.low).cwiseMax(16);
-  // Labels do not grow with the path, so their room is known only once they are laid out: a few rounds
-  // settle. In perspective the near side's excess counts with them. Where a smaller path has other labels,
-  // which take more room, the most that any round took is kept free.
-  Vec2 labels = space / 8;
-  Vec2 shift = Vec2::Zero();
-  const int rounds = perspective_ ? 12 : 4;
-  constexpr int further_rounds = 4;
-  constexpr double enough = 3;  // [pixels]
-  bool fits = false;
-  for (int round = 0; round < rounds || (!fits && round < rounds + further_rounds); ++round) {
-    const Vec2 free = (space - labels).cwiseMax(space / 4);
+  for (int round = 0; round < rounds; ++round) {
+    const Projection before = projection(width, height);
+    const std::vector<Vec2> hull = convex_hull(outline(before));
+    const ScreenRectangle box = hull.empty() ? room : box_around(hull);
+    const double extent = hull.size() < 2 ? 0 : box.size().maxCoeff() / before.scale;  // [scene units]
     // What is seen end on has no size: the scene's unit then takes the room.
-    const double pixels = content.isZero() ? free.minCoeff() : free.cwiseQuotient(content).minCoeff();
-    half_height_ = height / 2.0 / pixels;
+    const double usual = room.size().minCoeff() / before.scale;
+    const bool grows = round < growing_rounds;
+    const double largest = !grows ? 1 : extent < min_half_height ? usual : HUGE_VAL;
+    const FittedOutline fitted = fit_outline(hull, room, covered, largest);
+    constexpr double largest_step = 1.5;
+    constexpr double spare = 0.99;  // what shrinks comes to its end sooner
+    const double step = !grows && fitted.factor < 1 ? spare * fitted.factor
+                        : perspective_              ? std::sqrt(fitted.factor)
+                                                    : fitted.factor;
+    const double factor = perspective_ ? std::clamp(step, 1 / largest_step, largest_step) : step;
+    half_height_ = std::clamp(half_height_ / factor, min_half_height, largest_half_height);
     apply();
-    const ScreenRectangle covered = extent(projection(width, height));
-    const Vec2 taken = covered.high - covered.low - pixels * content;
-    labels = round < rounds ? taken : Vec2(labels.cwiseMax(taken));
-    fits = (covered.high - covered.low - space).maxCoeff() < enough;
-    shift = (covered.low + covered.high - room.low - room.high) / 2;
+    const Projection view = projection(width, height);
+    const Vec2 wanted = fitted.place + fitted.factor * box.centre();  // of its middle
+    const Vec2 shift = wanted - view.middle - factor * (box.centre() - view.middle);
+    focal_ -= (shift.x() * view.right + shift.y() * view.up) / view.scale;
+    apply();
+    if (std::abs(fitted.factor - 1) < settled && shift.norm() < 1) {
+      break;
+    }
   }
-  const Projection view = projection(width, height);
-  focal_ = (shift.x() * view.right + shift.y() * view.up) / view.scale;
   fitted_ = true;
-  apply();
 }
 
 void SceneCamera::fit_part(int width, int height, const Bounds& box, const ScreenRectangle& room) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "ui/scene/camera/projection.h"
 
@@ -32,11 +33,6 @@ struct CameraState {
   bool operator==(const CameraState&) const = default;
 };
 
-/// A rectangle of the window [pixels].
-struct ScreenRectangle {
-  Vec2 low, high;
-};
-
 /// Camera on a turntable, as CAM systems have it: Z never leans to a side. Standard views, fitting, and
 /// whether the user has moved it since.
 class SceneCamera {
@@ -45,10 +41,10 @@ class SceneCamera {
 
   /// Turns to a standard view and forgets what the user did.
   void look(StandardView view);
-  /// Centres and scales so that everything `extent` gives fills `room`. `extent`: the rectangle covered under
-  /// a projection, labels included; `box`: that of the scene alone, in scene units.
-  void fit(int width, int height, const Bounds& box, const ScreenRectangle& room,
-           const std::function<ScreenRectangle(const Projection&)>& extent);
+  /// As large as it can be in `room` beside what is `covered` (fit_outline()). `outline`: of what is shown,
+  /// under a projection [pixels]; a part of it, such as labels, may keep its size.
+  void fit(int width, int height, const ScreenRectangle& room, const std::vector<ScreenRectangle>& covered,
+           const std::function<std::vector<Vec2>(const Projection&)>& outline);
   /// Centres and scales so that `box` [scene units] fills `room`; one without extent is centred only.
   void fit_part(int width, int height, const Bounds& box, const ScreenRectangle& room);
   /// True until the user turns, moves or zooms after a fit.

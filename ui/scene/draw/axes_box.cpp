@@ -49,9 +49,7 @@ class Layouter {
         projection_(projection),
         window_(projection, shown_around),
         scale_(scale),
-        style_{.size = axis_text_pixels * scale} {
-    layout_.low = layout_.high = projection.to_display(Vec3::Zero());
-  }
+        style_{.size = axis_text_pixels * scale} {}
 
   AxesLayout run() {
     std::array<std::optional<Edge>, 3> edges;
@@ -111,11 +109,6 @@ class Layouter {
       strokes.push_back(
           {projection_.to_display(seen.front()), projection_.to_display(seen[seen.size() / 2])});
     }
-  }
-
-  void cover(const Vec2& p) {
-    layout_.low = layout_.low.cwiseMin(p);
-    layout_.high = layout_.high.cwiseMax(p);
   }
 
   /// The outer edge along `axis` that is lowest on the screen, or leftmost if it stands upright.
@@ -219,8 +212,8 @@ class Layouter {
       for (const bool far : {false, true}) {
         const auto line = line_at(side(frame_.box, across, far));
         add_stroke(layout_.frame, line[0], line[1]);
-        cover(projection_.to_display(line[0]));
-        cover(projection_.to_display(line[1]));
+        layout_.outline.push_back(projection_.to_display(line[0]));
+        layout_.outline.push_back(projection_.to_display(line[1]));
       }
     }
   }
@@ -250,9 +243,10 @@ class Layouter {
     const double s = std::abs(std::sin(style.angle));
     const Vec2 half = Vec2(size.x() * c + size.y() * s, size.x() * s + size.y() * c) / 2;
     const Vec2 centre = place - Vec2(style.horizontal * half.x(), style.vertical * half.y());
-    cover(centre - half);
-    cover(centre + half);
-    layout_.labels.push_back({std::move(text), place, style});
+    for (const Vec2& corner : {half, Vec2(-half), Vec2(half.x(), -half.y()), Vec2(-half.x(), half.y())}) {
+      layout_.outline.emplace_back(centre + corner);
+    }
+    layout_.labels.push_back({std::move(text), place, style, {centre - half, centre + half}});
   }
 
   void add_labels(int axis, const Edge& edge) {
@@ -301,20 +295,20 @@ AxesLayout lay_out_axes(const SceneFrame& frame, const Projection& projection, d
   return Layouter(frame, projection, scale).run();
 }
 
-void draw(const AxesLayout& layout, double scale, bool grid, const SceneColours& colours,
+void draw(const AxesLayout& layout, double scale, const ScreenRectangle& window, const SceneColours& colours,
           const SceneTexts& texts, Canvas& canvas) {
-  if (grid) {
-    for (const auto& stroke : layout.grid) {
-      canvas.line(stroke.from, stroke.to, scale, colours.grid);
-    }
+  for (const auto& stroke : layout.grid) {
+    canvas.line(stroke.from, stroke.to, scale, colours.grid);
   }
   for (const auto& stroke : layout.frame) {
     canvas.line(stroke.from, stroke.to, scale, colours.frame);
   }
   for (const auto& label : layout.labels) {
-    TextStyle style = label.style;
-    style.colour = colours.text;
-    canvas.text(texts.localised(label.text), label.place, style);
+    if (window.contains(label.box)) {
+      TextStyle style = label.style;
+      style.colour = colours.text;
+      canvas.text(texts.localised(label.text), label.place, style);
+    }
   }
 }
 

@@ -19,20 +19,20 @@ struct AxesLayout {
     std::string text;
     Vec2 place;
     TextStyle style;
+    ScreenRectangle box;
   };
 
   std::vector<Stroke> grid;
   std::vector<Stroke> frame;  ///< edges of those faces, ticks
   std::vector<Label> labels;
-  Vec2 low;   ///< lower left of all there is [pixels]
-  Vec2 high;  ///< upper right
+  std::vector<Vec2> outline;  ///< corners of all there is [pixels]
 };
 
 /// `scale`: size of text and lines, 1 for 96 dots an inch.
 AxesLayout lay_out_axes(const SceneFrame& frame, const Projection& projection, double scale);
 
-/// `grid`: with the lines across the faces.
-void draw(const AxesLayout& layout, double scale, bool grid, const SceneColours& colours,
+/// Labels that the edge of the `window` would cut are omitted.
+void draw(const AxesLayout& layout, double scale, const ScreenRectangle& window, const SceneColours& colours,
           const SceneTexts& texts, Canvas& canvas);
 
 }  // namespace feedscope::ui

@@ -6,7 +6,6 @@
 namespace feedscope::ui {
 namespace {
 
-constexpr double readable = 0.55;  // a face turned away further has no name
 constexpr double edge_on = 0.03;
 
 struct Side {
@@ -36,7 +35,7 @@ AxesCube::AxesCube(const Projection& projection, const Vec2& centre, double half
   for (const Side& side : sides) {
     Vec3 out = Vec3::Zero();
     out[side.axis] = side.sign;
-    Face face{side.view, {}, at(out), out.dot(towards_)};
+    Face face{side.view, {}, out.dot(towards_)};
     if (face.facing < edge_on) {
       continue;
     }
@@ -86,7 +85,7 @@ void AxesCube::draw_axis(Canvas& canvas, int axis, double scale, const SceneColo
   }
   const Vec2 along = edge->high - edge->low;
   const Rgb& colour = colours.axes[static_cast<std::size_t>(axis)];
-  canvas.line(edge->low, edge->high, 2.4 * scale, colour);
+  canvas.line(edge->low, edge->high, 2 * scale, colour);
   constexpr double readable_length = 0.5;  // of half an edge
   if (along.norm() < readable_length * half_) {
     return;
@@ -95,21 +94,16 @@ void AxesCube::draw_axis(Canvas& canvas, int axis, double scale, const SceneColo
   if (out.dot((edge->low + edge->high) / 2 - centre_) < 0) {
     out = -out;
   }
-  const TextStyle style{.size = 12 * scale, .colour = colour, .bold = true};
+  const TextStyle style{.size = 11 * scale, .colour = colour, .bold = true};
   canvas.text(std::string(1, coordinate_names[static_cast<std::size_t>(axis)]),
-              edge->low + 0.8 * along + 9 * scale * out, style);
+              edge->low + 0.8 * along + 7 * scale * out, style);
 }
 
-void AxesCube::draw(Canvas& canvas, double scale, const SceneColours& colours,
-                    const SceneTexts& texts) const {
+void AxesCube::draw(Canvas& canvas, double scale, const SceneColours& colours) const {
   for (const Face& face : faces_) {
     canvas.polygon(face.corners, between(colours.grid, colours.background, 0.8 * face.facing));
     for (std::size_t i = 0; i < face.corners.size(); ++i) {
       canvas.line(face.corners[i], face.corners[(i + 1) % face.corners.size()], scale, colours.frame);
-    }
-    if (face.facing > readable) {
-      const TextStyle style{.size = 11 * scale, .colour = colours.text};
-      canvas.text(texts.views[static_cast<std::size_t>(face.view)], face.centre, style);
     }
   }
   for (int axis = 0; axis < 3; ++axis) {

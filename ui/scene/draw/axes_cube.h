@@ -16,7 +16,7 @@ class AxesCube {
   /// `half`: of an edge [pixels].
   AxesCube(const Projection& projection, const Vec2& centre, double half);
 
-  void draw(Canvas& canvas, double scale, const SceneColours& colours, const SceneTexts& texts) const;
+  void draw(Canvas& canvas, double scale, const SceneColours& colours) const;
   /// The view of the face under a place.
   std::optional<StandardView> view_at(const Vec2& place) const;
 
@@ -24,8 +24,7 @@ class AxesCube {
   struct Face {
     StandardView view = StandardView::top;
     std::vector<Vec2> corners;  ///< anticlockwise
-    Vec2 centre;
-    double facing = 0;  ///< 1: straight towards the eye
+    double facing = 0;          ///< 1: straight towards the eye
   };
 
   struct Edge {

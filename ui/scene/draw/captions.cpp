@@ -3,66 +3,78 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
-#include <numeric>
-#include <sstream>
 
 #include "core/base/ticks.h"
 #include "ui/scene/cause_colour.h"
-#include "ui/scene/draw/colour_panel.h"
 #include "ui/scene/draw/tool_axes.h"
 #include "ui/units/unit_system.h"
 
 namespace feedscope::ui {
 namespace {
 
-constexpr double row_height = 22;
-constexpr double sample_width = 30;
-constexpr double above_cube = 160;
-constexpr double above_scale_bar = 48;
+// [pixels] at scale 1.
+constexpr double caption_text = 12;
+constexpr double caption_row = 18;
+constexpr double caption_margin = 10;  // from the edges of the window
+constexpr double caption_padding = 5;  // around the texts
+constexpr double line_sample = 24;
+constexpr double after_entry = 14;
+constexpr double cause_swatch = 10;
+constexpr double bar_length = 180;
+constexpr double bar_height = 8;
+constexpr double before_unit = 4;
+constexpr double longest_scale_bar = 120;
+constexpr double cube_side = 44;
+constexpr double cube_letters = 12;    // around it
+constexpr double behind_texts = 0.85;  // opacity
 
-TextStyle text_style(double scale, const SceneColours& colours) {
-  return {.size = panel_text_pixels * scale, .colour = colours.text, .horizontal = -1};
+TextStyle caption_style(double scale, const SceneColours& colours) {
+  return {.size = caption_text * scale, .colour = colours.text, .horizontal = -1};
 }
 
-struct Entry {
+double text_width(const std::string& text, double scale) {
+  return Canvas::text_size(text, {.size = caption_text * scale}).x();
+}
+
+/// As much of a text as `width` allows, by words.
+std::string shortened(std::string text, double width, double scale) {
+  if (text_width(text, scale) <= width) {
+    return text;
+  }
+  while (!text.empty() && text_width(text + " …", scale) > width) {
+    const std::size_t word = text.find_last_of(' ');
+    text.resize(word == std::string::npos ? 0 : word);
+  }
+  return text + " …";
+}
+
+struct CaptionEntry {
   std::string text;
-  std::function<void(Canvas&, const Vec2& from, const Vec2& to, double scale)> sample;
-  bool continues = false;  ///< the text of the one above
-  bool warns = false;
+  std::function<void(Canvas&, const Vec2& from, const Vec2& to, double scale)> sample;  ///< null: none
 };
 
-/// A short line in the colours of the path.
-void draw_path_sample(Canvas& canvas, const Captions& captions, const Vec2& from, const Vec2& to,
-                      double width) {
-  if (!captions.key.has_scale()) {
-    canvas.line(from, to, width,
-                captions.key.colouring == Colouring::run ? captions.run : captions.colours->text);
-    const std::vector<CauseShare>& causes = captions.key.causes;
-    const double cut =
-        std::accumulate(causes.begin(), causes.end(), 0.0, [](double sum, const CauseShare& cause) {
-          return sum +
-                 (cause.kind == CauseKind::rapid ? 0 : cause.share);  // rapids have a sample of their own
-        });
-    double done = 0;
-    for (const CauseShare& cause : causes) {
-      if (cause.kind != CauseKind::rapid) {
-        const double end = done + cause.share / cut;
-        canvas.line(from + done * (to - from), from + end * (to - from), width,
-                    cause_colour(cause.kind, captions.colours->kind));
-        done = end;
-      }
-    }
-    return;
-  }
-  constexpr int parts = 16;
-  for (int i = 0; i < parts; ++i) {
-    canvas.line(from + (to - from) * i / parts, from + (to - from) * (i + 1) / parts, width,
-                scale_colour(captions.key.scale, (i + 0.5) / parts, captions.colours->kind));
-  }
+double entry_width(const CaptionEntry& entry, double scale) {
+  return text_width(entry.text, scale) + (entry.sample ? line_sample + 6 : 0) * scale;
 }
 
-std::string exaggeration_text(const Captions& captions) {
+CaptionEntry line_entry(const std::string& text, double width, const Rgb& colour) {
+  return {text, [width, colour](Canvas& canvas, const Vec2& from, const Vec2& to, double scale) {
+            canvas.line(from, to, width * scale, colour);
+          }};
+}
+
+/// The path in a neutral colour on the edge that marks a part of it.
+CaptionEntry edged_entry(const std::string& text, double width, const Rgb& edge,
+                         const SceneColours& colours) {
+  return {text, [width, edge, &colours](Canvas& canvas, const Vec2& from, const Vec2& to, double scale) {
+            canvas.line(from, to, (width + 3) * scale, edge);
+            canvas.line(from, to, width * scale, colours.programmed);
+          }};
+}
+
+std::string with_factor(const Captions& captions) {
   std::string text = captions.texts->exaggerated;
   if (const std::size_t place = text.find("%1"); place != std::string::npos) {
     text.replace(place, 2, captions.texts->localised(fmt::format("{:.6g}", captions.exaggeration)));
@@ -70,211 +82,322 @@ std::string exaggeration_text(const Captions& captions) {
   return text;
 }
 
-/// The words of `line` in rows no wider than `width`, a longer word in a row of its own.
-std::vector<std::string> rows_of(const std::string& line, double width, const TextStyle& style) {
-  std::vector<std::string> rows;
-  std::istringstream words(line);
-  for (std::string word; words >> word;) {
-    const std::string longer = rows.empty() ? word : rows.back() + " " + word;
-    if (rows.empty() || Canvas::text_size(longer, style).x() > width) {
-      rows.push_back(word);
-    } else {
-      rows.back() = longer;
-    }
-  }
-  return rows;
+bool explains_colours(const ColourKey& key) {
+  return key.has_scale() || !key.causes.empty();
 }
 
-/// `room`: width of the legend, `k`: scale of all sizes [pixels].
-std::vector<Entry> legend(const Captions& captions, double room, double k) {
+std::vector<CaptionEntry> legend_entries(const Captions& captions) {
   const LegendEntries& entries = captions.entries;
   const SceneColours& colours = *captions.colours;
   const SceneTexts& texts = *captions.texts;
-  std::vector<Entry> list;
-  const auto solid = [](double width, Rgb colour) {
-    return [width, colour](Canvas& canvas, const Vec2& from, const Vec2& to, double scale) {
-      canvas.line(from, to, width * scale, colour);
-    };
-  };
-  // Not a line: how wide lines can be depends on the graphics.
-  const auto bar = [](double width, Rgb colour) {
-    return [width, colour](Canvas& canvas, const Vec2& from, const Vec2& to, double scale) {
-      const Vec2 half(0, width / 2 * scale);
-      canvas.rectangle(from - half, to + half, colour);
-    };
-  };
+  std::vector<CaptionEntry> list;
+  if (!texts.warning.empty()) {
+    constexpr Rgb alarm{0.86, 0.15, 0.10};
+    list.push_back(line_entry(texts.warning, 8, alarm));
+  }
+  if (entries.executed && !explains_colours(captions.key)) {
+    list.push_back(line_entry(texts.executed, 2.6,
+                              captions.key.colouring == Colouring::run ? captions.run : colours.programmed));
+  }
+  for (const auto& overlay : entries.overlays) {
+    list.push_back(line_entry(overlay.name, 1.8, overlay.colour));
+  }
   if (entries.programmed) {
-    list.push_back({texts.programmed, solid(1.4, colours.programmed)});
+    list.push_back(line_entry(texts.programmed, 1.4, colours.programmed));
   }
-  if (entries.rapid) {
+  if (entries.rapid && !std::ranges::count(captions.key.causes, CauseKind::rapid, &CauseShare::kind)) {
     list.push_back({texts.rapid, [&](Canvas& canvas, const Vec2& from, const Vec2& to, double scale) {
-                      canvas.dashes(from, to, 1.6 * scale, 5 * scale, colours.rapid);
-                    }});
-  }
-  if (entries.executed) {
-    list.push_back({texts.executed, [&](Canvas& canvas, const Vec2& from, const Vec2& to, double scale) {
-                      draw_path_sample(canvas, captions, from, to, 2.6 * scale);
+                      canvas.dashes(from, to, 1.4 * scale, 4 * scale, colours.rapid);
                     }});
   }
   if (entries.curve) {
-    list.push_back({texts.curve, [&](Canvas& canvas, const Vec2& from, const Vec2& to, double scale) {
-                      canvas.line(from, to, 6 * scale, colours.curve_edge);
-                      draw_path_sample(canvas, captions, from, to, 2.6 * scale);
-                    }});
+    list.push_back(edged_entry(texts.curve, 2.6, colours.curve_edge, colours));
   }
   if (entries.blend) {
-    list.push_back({texts.blend, [&](Canvas& canvas, const Vec2& from, const Vec2& to, double scale) {
-                      canvas.line(from, to, 7 * scale, colours.blend_edge);
-                      draw_path_sample(canvas, captions, from, to, 4.4 * scale);
-                    }});
+    list.push_back(edged_entry(texts.blend, 4, colours.blend_edge, colours));
   }
   if (entries.tool_axis) {
     list.push_back({texts.tool_axis, [&](Canvas& canvas, const Vec2& from, const Vec2& to, double scale) {
                       draw_tool_axis(canvas, from, to, scale, colours);
                     }});
   }
-  for (const auto& overlay : entries.overlays) {
-    list.push_back({overlay.name, solid(1.8, overlay.colour)});
-  }
   if (captions.on_machine) {
-    list.push_back({texts.on_machine, solid(0, colours.text)});
+    list.push_back({texts.on_machine, nullptr});
   } else if (captions.exaggeration != 1) {
-    list.push_back({exaggeration_text(captions), solid(0, colours.text)});
+    list.push_back({with_factor(captions), nullptr});
   }
-  if (!texts.warning.empty()) {
-    constexpr Rgb alarm{0.86, 0.15, 0.10};
-    const double longest =
-        room - (panel_margin + sample_width + 30) * k - Canvas::text_size(" …", text_style(k, colours)).x();
-    std::istringstream lines(texts.warning);
-    for (std::string line; std::getline(lines, line);) {
-      const std::size_t first = list.size();
-      for (const std::string& row : rows_of(line, longest, text_style(k, colours))) {
-        list.push_back({row, bar(list.size() == first ? 8 : 0, alarm), list.size() > first, true});
+  return list;
+}
+
+std::vector<CaptionEntry> cause_entries(const Captions& captions) {
+  const SceneColours& colours = *captions.colours;
+  std::vector<CaptionEntry> list;
+  for (const CauseShare& cause : captions.key.causes) {
+    const double percent = 100 * cause.share;
+    const std::string share = percent < 0.1 ? "< 0.1 %" : fmt::format("{:.1f} %", percent);
+    const Rgb colour =
+        cause.kind == CauseKind::rapid ? colours.rapid : cause_colour(cause.kind, colours.kind);
+    list.push_back({captions.texts->name_of(cause.kind) + " " + captions.texts->localised(share),
+                    [colour](Canvas& canvas, const Vec2&, const Vec2& to, double scale) {
+                      const Vec2 half = Vec2::Constant(cause_swatch / 2 * scale);
+                      const Vec2 middle = to - Vec2(half.x(), 0);
+                      canvas.rectangle(middle - half, middle + half, colour);
+                    }});
+  }
+  return list;
+}
+
+/// Entries in rows no wider than `width` [pixels].
+struct CaptionRows {
+  struct Cell {
+    CaptionEntry entry;
+    double x = 0;  ///< from the left [pixels]
+    int row = 0;   ///< from the top
+  };
+  std::vector<Cell> cells;
+  int rows = 0;
+  double width = 0;
+
+  /// The first `most_rows` of them.
+  static CaptionRows of(std::vector<CaptionEntry> entries, double width, int most_rows, double scale) {
+    CaptionRows rows;
+    double x = 0;
+    for (CaptionEntry& entry : entries) {
+      const double sample = entry_width(entry, scale) - text_width(entry.text, scale);
+      entry.text = shortened(std::move(entry.text), width - sample, scale);
+      const double cell = entry_width(entry, scale);
+      const bool begins_row = rows.rows == 0 || x + cell > width;
+      if (begins_row && rows.rows == std::max(1, most_rows)) {
+        break;
+      }
+      rows.rows += begins_row ? 1 : 0;
+      x = begins_row ? 0 : x;
+      rows.cells.push_back({std::move(entry), x, rows.rows - 1});
+      rows.width = std::max(rows.width, x + cell);
+      x += cell + after_entry * scale;
+    }
+    return rows;
+  }
+
+  Vec2 size(double scale) const {
+    return {width + 2 * caption_padding * scale, rows > 0 ? rows * caption_row * scale : 0};
+  }
+
+  void draw(Canvas& canvas, const ScreenRectangle& place, double scale, const SceneColours& colours) const {
+    for (const Cell& cell : cells) {
+      Vec2 at(place.low.x() + caption_padding * scale + cell.x,
+              place.high.y() - (cell.row + 0.5) * caption_row * scale);
+      if (cell.entry.sample) {
+        cell.entry.sample(canvas, at, at + Vec2(line_sample * scale, 0), scale);
+        at.x() += (line_sample + 6) * scale;
+      }
+      canvas.text(cell.entry.text, at, caption_style(scale, colours));
+    }
+  }
+};
+
+CaptionRows legend_rows(double width, double height, double scale, const Captions& captions) {
+  if (!captions.legend) {
+    return {};
+  }
+  const double right = captions.cube ? cube_side + 2 * cube_letters + caption_margin : caption_margin;
+  constexpr double most_of_height = 0.25;
+  return CaptionRows::of(legend_entries(captions),
+                         width - (caption_margin + right + 2 * caption_padding) * scale,
+                         static_cast<int>(most_of_height * height / (caption_row * scale)), scale);
+}
+
+CaptionRows cause_rows(double width, double height, double scale, const Captions& captions) {
+  constexpr double most_of_height = 0.25;
+  return CaptionRows::of(cause_entries(captions), width - 2 * (caption_margin + caption_padding) * scale,
+                         static_cast<int>(most_of_height * height / (caption_row * scale)), scale);
+}
+
+/// The scale of colours with its texts.
+struct ColourBar {
+  std::string title;
+  std::array<std::string, 3> ticks;
+  std::string unit;
+  bool has_words = false;  ///< "gained" and "lost" at its ends
+  double after = 0;        ///< the bar, of its unit [pixels]
+  double length = 0;       ///< [pixels]
+
+  ColourBar(double width, double scale, const Captions& captions)
+      : title(shortened(colour_title(captions.key, *captions.texts),
+                        width - 2 * (caption_margin + caption_padding) * scale, scale)),
+        unit(captions.key.scale.unit),
+        has_words(captions.key.colouring == Colouring::time_lost),
+        after(unit.empty() ? 0 : text_width(unit, scale) + before_unit * scale),
+        length(std::min(bar_length * scale, width - 2 * (caption_margin + caption_padding) * scale - after)) {
+    const ColourScale& of = captions.key.scale;
+    const std::array values{of.low, (of.low + of.high) / 2, of.high};
+    const std::array signs{of.beyond && of.diverging ? "≤ " : "", "", of.beyond ? "≥ " : ""};
+    for (std::size_t i = 0; i < ticks.size(); ++i) {
+      ticks[i] = signs[i] + captions.texts->localised(fmt::format("{:.4g}", values[i]));
+    }
+  }
+
+  Vec2 size(double scale) const {
+    const double content = std::max(text_width(title, scale), length + after);
+    return {content + 2 * caption_padding * scale,
+            (bar_height + 6 + caption_row * (has_words ? 3 : 2)) * scale};
+  }
+
+  void draw(Canvas& canvas, const ScreenRectangle& place, double scale, const Captions& captions) const {
+    const SceneColours& colours = *captions.colours;
+    TextStyle style = caption_style(scale, colours);
+    const double left = place.low.x() + caption_padding * scale;
+    canvas.text(title, {left, place.high.y() - caption_row / 2 * scale}, style);
+    const double top = place.high.y() - (caption_row + 2) * scale;
+    draw_bar(canvas, {left, top - bar_height * scale}, top, captions);
+    const double y = top - (bar_height + 2 + caption_row / 2) * scale;
+    canvas.text(unit, {left + length + before_unit * scale, y}, style);
+    for (int i = 0; i < 3; ++i) {
+      style.horizontal = i - 1;
+      const double x = left + length * i / 2;
+      if (i != 1 || length > narrow_bar * scale) {
+        canvas.text(ticks[static_cast<std::size_t>(i)], {x, y}, style);
+      }
+      if (has_words && i != 1) {
+        canvas.text(i == 0 ? captions.texts->won : captions.texts->lost, {x, y - caption_row * scale}, style);
       }
     }
   }
-  return list;
-}
 
-/// Calls `place(entry, lower left of its cell)` row by row; returns the rows used.
-template <class Place>
-int for_each_cell(const std::vector<Entry>& entries, double width, double scale, const SceneColours& colours,
-                  Place place) {
-  double x = panel_margin * scale;
-  int row = entries.empty() ? 0 : 1;
-  for (const Entry& entry : entries) {
-    const double cell =
-        Canvas::text_size(entry.text, text_style(scale, colours)).x() + (sample_width + 30) * scale;
-    if ((x + cell > width || entry.continues) && x > panel_margin * scale) {
-      x = panel_margin * scale;
-      ++row;
-    }
-    place(entry, x, row);
-    x += cell;
-  }
-  return row;
-}
+ private:
+  static constexpr double narrow_bar = 150;  // three numbers do not keep apart
 
-/// Every text that takes several rows with the first of them alone.
-void shorten(std::vector<Entry>& list) {
-  for (std::size_t i = 1; i < list.size(); ++i) {
-    if (list[i].continues && !list[i - 1].continues) {
-      list[i - 1].text += " …";
+  void draw_bar(Canvas& canvas, const Vec2& low, double top, const Captions& captions) const {
+    constexpr int bands = colour_map_size / 2;
+    for (int i = 0; i < bands; ++i) {  // each under the next: viewers of PDF show the ground between edges
+      canvas.rectangle({low.x() + length * i / bands, low.y()},
+                       {low.x() + length * std::min(i + 2, bands) / bands, top},
+                       scale_colour(captions.key.scale, (i + 0.5) / bands, captions.colours->kind));
     }
   }
-  std::erase_if(list, [](const Entry& entry) { return entry.continues; });
+};
+
+ScreenRectangle colours_place(double width, double height, double scale, const Captions& captions) {
+  if (!captions.legend || !explains_colours(captions.key)) {
+    return {};
+  }
+  const Vec2 size = captions.key.has_scale() ? ColourBar(width, scale, captions).size(scale)
+                                             : cause_rows(width, height, scale, captions).size(scale);
+  const Vec2 low = Vec2::Constant(caption_margin * scale);
+  return {low, low + size};
 }
 
-/// Of those the ones that leave the path most of a picture that is `height` high: texts of several rows are
-/// cut first, then warnings are kept before others.
-std::vector<Entry> fitting_legend(const Captions& captions, double room, double height, double k) {
-  constexpr double low = 400;
-  const double most = height < low * k ? 0.25 : 0.45;
-  std::vector<Entry> list = legend(captions, room, k);
-  const auto is_too_high = [&] {
-    return for_each_cell(list, room, k, *captions.colours, [](const Entry&, double, int) {}) * row_height *
-               k >
-           most * height;
-  };
-  if (is_too_high()) {
-    shorten(list);
-  }
-  while (list.size() > 1 && is_too_high()) {
-    const auto other =
-        std::find_if(list.rbegin(), list.rend(), [](const Entry& entry) { return !entry.warns; });
-    if (other != list.rend()) {
-      list.erase(other.base() - 1);
-      continue;
-    }
-    list.pop_back();
-  }
-  return list;
-}
-
-void draw_legend(Canvas& canvas, const ScreenLayout& layout, const Captions& captions) {
+/// In the middle, else to the right of the colours or above them; none in a small picture.
+ScreenRectangle scale_bar_place(const ScreenLayout& layout) {
   const double k = layout.scale;
-  const double width = layout.width - layout.panel_width;
-  const SceneColours& colours = *captions.colours;
-  if (!captions.transparent) {
-    canvas.rectangle({0, layout.height - layout.legend_height}, {width, layout.height}, colours.background);
+  const Vec2 size((longest_scale_bar + 2 * caption_padding) * k, (caption_row + 8) * k);
+  const auto at = [&](double x, double y) { return ScreenRectangle{{x, y}, Vec2(x, y) + size}; };
+  constexpr double enough_wide = 2;
+  constexpr double enough_high = 6;
+  if (layout.width < enough_wide * size.x() || layout.height < enough_high * size.y()) {
+    return {};
   }
-  for_each_cell(fitting_legend(captions, width, layout.height, k), width, k, colours,
-                [&](const Entry& entry, double x, int row) {
-                  const double y = layout.height - (row - 0.5) * row_height * k - 4 * k;
-                  entry.sample(canvas, {x, y}, {x + sample_width * k, y}, k);
-                  canvas.text(entry.text, {x + (sample_width + 7) * k, y}, text_style(k, colours));
-                });
+  const ScreenRectangle middle = at((layout.width - size.x()) / 2, caption_margin * k);
+  const double right = layout.width - caption_margin * k - size.x();
+  if (layout.colours.empty() || !middle.meets(layout.colours.grown(after_entry * k))) {
+    return middle;
+  }
+  return right > layout.colours.high.x() + after_entry * k
+             ? at(right, caption_margin * k)
+             : at(middle.low.x(), layout.colours.high.y() + caption_padding * k);
 }
 
-void draw_scale_bar(Canvas& canvas, const Vec2& low, double width, double millimetre, double scale,
+void draw_scale_bar(Canvas& canvas, const ScreenRectangle& place, double millimetre, double scale,
                     const Captions& captions) {
   const ShownUnit& unit = shown(Dimension::length);
-  const double longest = width / millimetre * unit.factor;
+  const double longest = longest_scale_bar * scale / millimetre * unit.factor;
   double length = round_up_125(longest);
   if (length > longest * (1 + 1e-9)) {
     length = round_up_125(longest / 2.5);
   }
   const SceneColours& colours = *captions.colours;
-  const double pixels = length / unit.factor * millimetre;
-  const Vec2 left = low;
-  const Vec2 right = low + Vec2(pixels, 0);
-  const Vec2 tick(0, 4 * scale);
-  canvas.line(left, right, 2 * scale, colours.text);
-  canvas.line(left - tick, left + tick, 2 * scale, colours.text);
-  canvas.line(right - tick, right + tick, 2 * scale, colours.text);
-  TextStyle style = text_style(scale, colours);
+  const Vec2 half(length / unit.factor * millimetre / 2, 0);
+  const Vec2 middle(place.centre().x(), place.low.y() + 5 * scale);
+  const Vec2 tick(0, 3 * scale);
+  canvas.line(middle - half, middle + half, 1.5 * scale, colours.text);
+  for (const Vec2& end : {Vec2(middle - half), Vec2(middle + half)}) {
+    canvas.line(end - tick, end + tick, 1.5 * scale, colours.text);
+  }
+  TextStyle style = caption_style(scale, colours);
+  style.horizontal = 0;
   style.vertical = -1;
   canvas.text(captions.texts->localised(fmt::format("{:.15g} {}", length, unit.text)),
-              left + Vec2(0, 7 * scale), style);
+              middle + Vec2(0, 5 * scale), style);
 }
 
 }  // namespace
 
+ScreenRectangle ScreenLayout::room() const {
+  constexpr double share = 0.02;  // of the shorter side, in a small picture
+  return window().grown(-std::min(12 * scale, share * std::min(width, height)));
+}
+
+std::vector<ScreenRectangle> ScreenLayout::covered() const {
+  std::vector<ScreenRectangle> all{legend, colours, scale_bar, cube};
+  std::erase_if(all, [](const ScreenRectangle& rectangle) { return rectangle.empty(); });
+  return all;
+}
+
 ScreenLayout screen_layout(int width, int height, double scale, const Captions& captions) {
-  ScreenLayout layout{double(width), double(height), scale, 0, 0};
-  layout.panel_width = colour_panel_width(captions, width, scale);
-  const double room = width - layout.panel_width;
-  const int rows = for_each_cell(fitting_legend(captions, room, height, scale), room, scale,
-                                 *captions.colours, [](const Entry&, double, int) {});
-  layout.cube = height - above_cube * scale >= min_colour_panel_height(captions, scale);
-  layout.legend_height = rows * row_height * scale + (rows > 0 ? 8 * scale : 0);
+  ScreenLayout layout{double(width), double(height), scale, {}, {}, {}, {}};
+  const double margin = caption_margin * scale;
+  const Vec2 legend = legend_rows(width, height, scale, captions).size(scale);
+  layout.legend = {{margin, height - margin - legend.y()}, {margin + legend.x(), height - margin}};
+  layout.colours = colours_place(width, height, scale, captions);
+  layout.scale_bar = captions.legend ? scale_bar_place(layout) : ScreenRectangle{};
+  const Vec2 corner(width - margin, height - margin);
+  const double side = (cube_side + cube_letters) * scale;
+  constexpr double least = 3;  // cubes in the window
+  if (captions.cube && std::min(width, height) > least * side) {
+    layout.cube = {corner - Vec2::Constant(side), corner};
+  }
   return layout;
+}
+
+std::string colour_title(const ColourKey& key, const SceneTexts& texts) {
+  if (key.reference.empty()) {
+    return colouring_title(key.colouring, texts);
+  }
+  std::string title =
+      key.colouring == Colouring::time_lost ? texts.time_lost_against : texts.path_distance_from;
+  if (const std::size_t place = title.find("%1"); place != std::string::npos) {
+    title.replace(place, 2, key.reference);
+  }
+  return title;
+}
+
+std::size_t named_causes(int width, int height, double scale, const Captions& captions) {
+  return cause_rows(width, height, scale, captions).cells.size();
 }
 
 void draw_captions(Canvas& canvas, const ScreenLayout& layout, const Captions& captions,
                    const Projection& projection, double millimetre) {
   const double k = layout.scale;
-  const double left = layout.width - layout.panel_width;
-  if (!captions.transparent) {
-    canvas.rectangle({left, 0}, {layout.width, layout.height}, captions.colours->background);
+  const SceneColours& colours = *captions.colours;
+  const bool has_bar = !layout.scale_bar.empty() && !projection.perspective();
+  for (const ScreenRectangle& place :
+       {layout.legend, layout.colours, has_bar ? layout.scale_bar : ScreenRectangle{}}) {
+    if (!place.empty() && !captions.transparent) {
+      canvas.rectangle(place.low, place.high, colours.background, behind_texts);
+    }
   }
-  draw_legend(canvas, layout, captions);
-  if (!projection.perspective()) {
-    draw_scale_bar(canvas, {left + panel_margin * k, 20 * k}, layout.panel_width - 2 * panel_margin * k,
-                   millimetre, k, captions);
+  legend_rows(layout.width, layout.height, k, captions).draw(canvas, layout.legend, k, colours);
+  if (has_bar) {
+    draw_scale_bar(canvas, layout.scale_bar, millimetre, k, captions);
   }
-  draw_colour_panel(canvas, captions, {left, (layout.cube ? above_cube : above_scale_bar) * k},
-                    {layout.width, layout.height}, k);
+  if (layout.colours.empty()) {
+    return;
+  }
+  if (captions.key.has_scale()) {
+    ColourBar(layout.width, k, captions).draw(canvas, layout.colours, k, captions);
+  } else {
+    cause_rows(layout.width, layout.height, k, captions).draw(canvas, layout.colours, k, colours);
+  }
 }
 
 }  // namespace feedscope::ui

@@ -10,7 +10,7 @@
 
 namespace feedscope::ui {
 
-/// What the legend names.
+/// What the legend may name: what is in the picture.
 struct LegendEntries {
   struct Overlay {
     std::string name;
@@ -25,7 +25,7 @@ struct LegendEntries {
   std::vector<Overlay> overlays;
 };
 
-/// What is written beside the path.
+/// What is written over the picture of a path.
 struct Captions {
   LegendEntries entries;
   ColourKey key;
@@ -34,25 +34,37 @@ struct Captions {
   const SceneColours* colours = nullptr;
   const SceneTexts* texts = nullptr;
   bool on_machine = false;   ///< the path is drawn in the coordinates of the machine
-  bool transparent = false;  ///< nothing is put behind legend and panel
+  bool transparent = false;  ///< nothing is put behind the texts
+  bool legend = true;        ///< false: another view beside this one explains both
+  bool cube = false;
 };
 
-/// The parts of the window: legend above, panel on the right, and the rest for the path.
+/// Where what is written over the picture has its place; empty where there is nothing.
 struct ScreenLayout {
-  double width, height;  ///< [pixels]
-  double scale;          ///< of text and lines
-  double panel_width;
-  double legend_height;
-  bool cube = true;  ///< false where the colours would have no room above it
+  double width, height;       ///< [pixels]
+  double scale;               ///< of text and lines
+  ScreenRectangle legend;     ///< of lines, at the top on the left
+  ScreenRectangle colours;    ///< what they mean, at the bottom on the left
+  ScreenRectangle scale_bar;  ///< at the bottom
+  ScreenRectangle cube;       ///< at the top on the right
 
-  Vec2 low() const { return Vec2::Constant(14 * scale); }  ///< of the part for the path
-  Vec2 high() const { return {width - panel_width - 10 * scale, height - legend_height - 8 * scale}; }
+  ScreenRectangle window() const { return {Vec2::Zero(), {width, height}}; }
+  /// The window but for a narrow margin.
+  ScreenRectangle room() const;
+  /// Those that are not empty.
+  std::vector<ScreenRectangle> covered() const;
 };
 
 ScreenLayout screen_layout(int width, int height, double scale, const Captions& captions);
 
-/// Draws legend and panel: what the colours mean, and a bar of round length (in a perspective view true in
-/// the middle of the view only, and omitted). `millimetre`: pixels a mm.
+/// What the colours mean, with the other run that they compare with: "Time lost or gained against B".
+std::string colour_title(const ColourKey& key, const SceneTexts& texts);
+
+/// Of how many causes the names have room at the bottom of a window; the longest are named first.
+std::size_t named_causes(int width, int height, double scale, const Captions& captions);
+
+/// Draws legend, colours and a bar of round length (in a perspective view true in the middle of the view
+/// only, and omitted). `millimetre`: pixels a mm.
 void draw_captions(Canvas& canvas, const ScreenLayout& layout, const Captions& captions,
                    const Projection& projection, double millimetre);
 

@@ -122,7 +122,8 @@ Rare rare_of(Colouring colouring) {
 
 ColourScale scale_of(const SampledPath& path, Colouring colouring) {
   const Scaled kind = scaled(colouring);
-  ColourScale scale{std::string(kind.unit.text), 0, 0, kind.unit.factor, false, kind.diverging};
+  ColourScale scale{std::string(kind.unit.text),          0, 0, kind.unit.factor, false, kind.diverging,
+                    colouring == Colouring::path_distance};
   if (colouring == Colouring::feed_ratio) {
     scale.high = 100;
     return scale;
@@ -221,7 +222,9 @@ ColourKey colour_key(const SampledPath& path, const SampledPath& other, Colourin
 }
 
 Rgb scale_colour(const ColourScale& scale, double position, Background background) {
-  return scale.diverging ? diverging_colour(2 * position - 1, background) : map_colour(position, background);
+  return scale.diverging   ? diverging_colour(2 * position - 1, background)
+         : scale.from_pale ? diverging_colour(position, background)
+                           : map_colour(position, background);
 }
 
 std::vector<Rgba> point_colours(const SampledPath& path, const ColourKey& key, Background background,

@@ -20,6 +20,7 @@ struct ColourScale {
   double factor = 1;       ///< readable unit a unit of the samples
   bool beyond = false;     ///< rare values lie beyond the ends and have their colour
   bool diverging = false;  ///< low = -high
+  bool from_pale = false;  ///< pale at low, where nothing differs
   /// Position of a value of the samples, 0 at low and 1 at high.
   double position(double value) const { return (value * factor - low) / (high - low); }
 };

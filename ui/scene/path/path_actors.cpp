@@ -16,6 +16,11 @@ namespace feedscope::ui {
 
 vtkSmartPointer<vtkCellArray> polylines(const PathPart& part, std::size_t first, std::size_t end,
                                         const std::function<bool(SpanKind)>& wanted) {
+  return polylines(part, first, end, [&](std::size_t k) { return wanted(part.kind(k)); });
+}
+
+vtkSmartPointer<vtkCellArray> polylines(const PathPart& part, std::size_t first, std::size_t end,
+                                        const std::function<bool(std::size_t)>& wanted) {
   const vtkNew<vtkTypeInt32Array> offsets;
   const vtkNew<vtkTypeInt32Array> indices;
   offsets->InsertNextValue(0);
@@ -27,7 +32,7 @@ vtkSmartPointer<vtkCellArray> polylines(const PathPart& part, std::size_t first,
     open = false;
   };
   for (std::size_t k = first; k + 1 < end; ++k) {
-    if (!part.joined(k) || !wanted(part.kind(k))) {
+    if (!part.joined(k) || !wanted(k)) {
       close();
       continue;
     }
@@ -43,20 +48,18 @@ vtkSmartPointer<vtkCellArray> polylines(const PathPart& part, std::size_t first,
   return cells;
 }
 
-vtkSmartPointer<vtkCellArray> blend_points(const PathPart& part, std::size_t first, std::size_t end) {
+vtkSmartPointer<vtkCellArray> points_of(std::size_t first, std::size_t end,
+                                        const std::function<bool(std::size_t)>& wanted) {
   constexpr std::size_t max_points = 100'000;
-  const auto in_blend = [&](std::size_t k) {
-    return part.kind(k) == SpanKind::blend || (k > 0 && part.kind(k - 1) == SpanKind::blend);
-  };
   std::size_t count = 0;
   for (std::size_t k = first; k < end; ++k) {
-    count += in_blend(k) ? 1 : 0;
+    count += wanted(k) ? 1 : 0;
   }
   const std::size_t step = 1 + count / max_points;
   auto cells = vtkSmartPointer<vtkCellArray>::New();
   std::size_t seen = 0;
   for (std::size_t k = first; k < end; ++k) {
-    if (in_blend(k) && seen++ % step == 0) {
+    if (wanted(k) && seen++ % step == 0) {
       const auto id = static_cast<vtkIdType>(k);
       cells->InsertNextCell(1, &id);
     }

@@ -18,10 +18,15 @@ namespace feedscope::ui {
 vtkSmartPointer<vtkCellArray> polylines(const PathPart& part, std::size_t first, std::size_t end,
                                         const std::function<bool(SpanKind)>& wanted);
 
-/// Those of the points that are in blends, or every n-th of them where there are more than 100 000: drawn as
-/// discs, they round the joins of wide lines and show blends that are smaller than a pixel. Of the points
-/// from `first` to `end` - 1.
-vtkSmartPointer<vtkCellArray> blend_points(const PathPart& part, std::size_t first, std::size_t end);
+/// The same by the point at which a span begins.
+vtkSmartPointer<vtkCellArray> polylines(const PathPart& part, std::size_t first, std::size_t end,
+                                        const std::function<bool(std::size_t)>& wanted);
+
+/// Those of the points of a part from `first` to `end` - 1 that are wanted, or every n-th of them where there
+/// are more than 100 000: drawn as discs, they round the joins of wide lines and show what is smaller than a
+/// pixel.
+vtkSmartPointer<vtkCellArray> points_of(std::size_t first, std::size_t end,
+                                        const std::function<bool(std::size_t)>& wanted);
 
 /// The rapids of `path` as dashes of `dash` mm with gaps as long, the pattern running on over consecutive
 /// spans; dashes grow where there would be more than 100 000.

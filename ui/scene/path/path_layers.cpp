@@ -24,8 +24,10 @@ namespace {
 // to the eye, which does not move it on the screen. A disc bulges towards the eye by half its width, so
 // the cut lies above the edge of the blends, and the blends above the cut.
 constexpr double thin_width = 1.4;
+constexpr double rapid_width = 1.2;
 constexpr double overlay_width = 1.8;
 constexpr double cut_width = 2.6;
+constexpr double difference_width = 5;
 constexpr double blend_width = 4.4;
 constexpr double blend_edge_width = 7;
 constexpr double curve_edge_width = 6;
@@ -111,18 +113,52 @@ void PathLayers::show_rapids(const std::shared_ptr<const SampledPath>& path, con
   dashes_for_ = frame.unit;
   remove([](const Layer& layer) { return layer.role == Role::rapid; });
   rapid_length_ = 0;
+  rapid_spread_.setZero();
   entries_.rapid = false;
   if (path) {
     // The frame is around what is cut: rapids may reach far beyond it.
     const double extent = path->bounds.empty() ? 0 : (path->bounds.max - path->bounds.min).maxCoeff();
     const auto dashes = rapid_dashes(*path, std::max(frame.unit, extent) / dashes_across);
-    rapid_length_ = length_of(*path, SpanKind::rapid);
+    measure_rapids(*path, frame);
     entries_.rapid = dashes->GetNumberOfCells() > 0;
     auto actor = line_actor(*dashes, false);
-    renderer_.AddActor(actor);
+    below_.AddActor(actor);
     rapids_at_ = path->origin;
     layers_.push_back({Role::rapid, nullptr, false, {}, {std::move(actor)}});
   }
+}
+
+/// As far as they are in the frame's box: the rest is hardly ever in the picture.
+void PathLayers::measure_rapids(const SampledPath& path, const SceneFrame& frame) {
+  const auto in_box = [&](std::size_t i) -> Vec3 {
+    return frame.to_scene(path.position(i)).cwiseMax(frame.box.min).cwiseMin(frame.box.max);
+  };
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    if (path.kinds[i] != SpanKind::rapid) {
+      continue;
+    }
+    const Vec3 span = in_box(i + 1) - in_box(i);
+    if (const double length = span.norm(); length > 0) {
+      rapid_length_ += length;
+      rapid_spread_ += span * span.transpose() / length;
+    }
+  }
+}
+
+/// The length that is seen is at most what it would be if all rapids were as steep as they are on average;
+/// every second dash is drawn.
+bool PathLayers::shows_rapids(const Projection& view, double scale) const {
+  constexpr double most_covered = 0.05;  // of the picture
+  if (!look_.rapids || !entries_.rapid) {
+    return false;
+  }
+  const double along = view.towards.dot(rapid_spread_ * view.towards);
+  const double seen = std::sqrt(rapid_length_ * std::max(0.0, rapid_length_ - along));
+  const double drawn = seen * view.scale * rapid_width * scale / 2;
+  const Vec2 window = 2 * view.middle;
+  // Close up only a part of them is in the picture.
+  const double part = std::min(1.0, window.minCoeff() / view.scale);
+  return look_.all_rapids || drawn * part * part <= most_covered * window.x() * window.y();
 }
 
 void PathLayers::show_programmed(std::shared_ptr<const SampledPath> programmed) {
@@ -180,6 +216,9 @@ void PathLayers::show_executed(std::shared_ptr<const SampledPath> executed) {
       add(Role::curve_edge, executed_.get());
     }
     add(Role::cut, executed_.get());
+    for (const bool discs : {false, true}) {
+      add(Role::difference, executed_.get(), discs);
+    }
     if (blend_length_ > 0) {
       for (const bool discs : {false, true}) {
         add(Role::blend_edge, executed_.get(), discs);
@@ -221,6 +260,14 @@ void PathLayers::colour_executed() {
     executed_->set_colours(
         point_colours(path, key_, look_.colours->kind, missing ? look_.colours->programmed : look_.run));
   }
+  redraw({Role::difference});
+}
+
+/// By a quarter of what the colours reach.
+bool PathLayers::differs(std::size_t point) const {
+  constexpr double visible = 0.25;
+  const double at = key_.scale.position(executed_->samples().value(key_.colouring, point));
+  return (key_.scale.diverging ? std::abs(2 * at - 1) : at) > visible;
 }
 
 void PathLayers::colour_layers() {
@@ -236,7 +283,13 @@ void PathLayers::colour_layers() {
 
 LegendEntries PathLayers::entries() const {
   LegendEntries shown = entries_;
-  shown.rapid = shown.rapid && look_.rapids;
+  shown.rapid = rapids_seen_;
+  shown.programmed =
+      shown.programmed && std::ranges::any_of(layers_, [](const Layer& layer) {
+        return layer.role == Role::programmed && std::ranges::any_of(layer.actors, [](const auto& actor) {
+                 return actor && actor->GetVisibility() != 0;
+               });
+      });
   if (needs_reference(look_.colouring)) {
     shown.overlays.clear();
   }
@@ -307,6 +360,7 @@ Rgb PathLayers::colour_of(const Layer& layer) const {
     case Role::rest:
       return mixed(colours.programmed, colours.background, 0.7);
     case Role::cut:
+    case Role::difference:
     case Role::blend:
     case Role::stretch_end:
       break;
@@ -333,8 +387,18 @@ vtkSmartPointer<vtkCellArray> PathLayers::cells_of(const Layer& layer, const Pat
   }
   const PartWindow shown =
       layer.path == executed_.get() ? window_within(part, stretch_) : PartWindow{0, part.size()};
+  if (layer.role == Role::difference) {
+    const auto wanted = [&](std::size_t k) { return is_cut(part.kind(k)) && differs(part[k]); };
+    if (!needs_reference(key_.colouring) || !key_.has_scale()) {
+      return polylines(part, 0, 0, is_cut);
+    }
+    return layer.discs ? points_of(shown.first, shown.end, wanted)
+                       : polylines(part, shown.first, shown.end, wanted);
+  }
   if (layer.discs) {
-    return blend_points(part, shown.first, shown.end);
+    return points_of(shown.first, shown.end, [&](std::size_t k) {
+      return is_blend(part.kind(k)) || (k > 0 && is_blend(part.kind(k - 1)));
+    });
   }
   const bool blends = layer.role == Role::blend || layer.role == Role::blend_edge;
   return polylines(part, shown.first, shown.end,
@@ -352,8 +416,8 @@ vtkSmartPointer<vtkPolyData> PathLayers::lines_of(const Layer& layer, const Path
 }
 
 vtkSmartPointer<vtkActor> PathLayers::make_actor(const Layer& layer, const PathPart& part) const {
-  const bool coloured =
-      layer.role == Role::cut || layer.role == Role::blend || layer.role == Role::stretch_end;
+  const bool coloured = layer.role == Role::cut || layer.role == Role::difference ||
+                        layer.role == Role::blend || layer.role == Role::stretch_end;
   auto actor = line_actor(*lines_of(layer, part), coloured);
   const Rgb colour = colour_of(layer);
   actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
@@ -371,7 +435,7 @@ double PathLayers::covered_by_edges(double millimetre, double scale) const {
 PathLayers::Style PathLayers::style_of(Role role, double thinner) const {
   switch (role) {
     case Role::rapid:
-      break;
+      return {rapid_width, 0};
     case Role::programmed:
       return {thin_width * thinner, 1.5};
     case Role::range:
@@ -385,8 +449,10 @@ PathLayers::Style PathLayers::style_of(Role role, double thinner) const {
     case Role::cut:
     case Role::stretch_end:
       return {cut_width * thinner, 8};
+    case Role::difference:
+      return {difference_width * std::max(thinner, 0.6), 9};
     case Role::blend:
-      return {(look_.exaggeration == 1 ? blend_width : cut_width) * thinner, 10};
+      return {(entries_.blend ? blend_width : cut_width) * thinner, 10};
     case Role::overlay:
       return {overlay_width * thinner, 6};  // below the run itself: they show where the paths differ
   }
@@ -424,26 +490,34 @@ void PathLayers::update_parts(const SceneFrame& frame, const Projection& view, b
 }
 
 void PathLayers::place(const SceneFrame& frame, const Projection& view, double scale, bool moving) {
+  constexpr double sparse = 0.15;  // of the picture covered, so that edges mark something
   constexpr double comfortable = 0.35;
-  const double lines =
-      crowding(frame, view,
-               scale * ((cut_length_ - curve_length_) * cut_width + curve_length_ * curve_edge_width +
-                        blend_length_ * blend_edge_width));
-  const double thinner = std::min(1.0, comfortable / std::max(lines, 1e-9));
+  const auto covered = [&](double curve_width, double blend_width) {
+    return crowding(frame, view,
+                    scale * ((cut_length_ - curve_length_) * cut_width + curve_length_ * curve_width +
+                             blend_length_ * blend_width));
+  };
   // Deviations drawn larger show blends by themselves.
-  const bool edges = thinner > 0.9 && look_.exaggeration == 1 &&
+  const bool edges = covered(curve_edge_width, blend_edge_width) < sparse && look_.exaggeration == 1 &&
                      covered_by_edges(view.scale / frame.unit, scale) < max_covered;
+  const double thinner = std::min(1.0, comfortable / std::max(covered(cut_width, cut_width), 1e-9));
   entries_.blend = blend_length_ > 0 && edges;
   entries_.curve = curve_length_ > 0 && edges;
-  const double rapids = crowding(frame, view, scale * rapid_length_ * thin_width / 2);
-  const double rapid_opacity = std::clamp(comfortable / std::max(rapids, 1e-9), 0.08, 1.0);
+  rapids_seen_ = shows_rapids(view, scale);
+  // Between passes that nearly touch it would only make the colours grey.
+  constexpr double dense = 0.5;
+  const bool programmed = thinner > dense;
 
   update_parts(frame, view, moving);
   for (Layer& layer : layers_) {
-    const bool emphasis = layer.role == Role::blend_edge || layer.role == Role::curve_edge || layer.discs;
+    const bool emphasis = layer.role == Role::blend_edge || layer.role == Role::curve_edge ||
+                          (layer.role == Role::blend && layer.discs);
     const bool shown =
         (!emphasis || (edges && !moving)) && (layer.role != Role::range || range_) &&
-        (layer.role != Role::overlay || overlays_shown()) && (layer.role != Role::rapid || look_.rapids) &&
+        (layer.role != Role::overlay || overlays_shown()) && (layer.role != Role::rapid || rapids_seen_) &&
+        (layer.role != Role::programmed || programmed) &&
+        (layer.role != Role::difference ||
+         (!moving && needs_reference(look_.colouring) && key_.has_scale())) &&
         (layer.role != Role::rest || (stretch_ && !only_)) && (layer.role != Role::stretch_end || stretch_);
     const std::size_t level =
         layer.path != nullptr ? level_of(layer.path->samples(), frame, view, moving) : 0;
@@ -463,9 +537,6 @@ void PathLayers::place(const SceneFrame& frame, const Projection& view, double s
     const auto pixels = static_cast<float>(std::max(1.0, style.width * scale));
     actor.GetProperty()->SetLineWidth(pixels);
     actor.GetProperty()->SetPointSize(pixels);
-    if (layer.role == Role::rapid) {
-      actor.GetProperty()->SetOpacity(rapid_opacity);
-    }
     const Projection::Lift lift = view.lift(style.height * std::max(scale / view.scale, 2e-6));
     const Vec3 origin = frame.to_scene(layer.path != nullptr ? layer.path->samples().origin : rapids_at_);
     const Vec3 at = lift.shift + lift.shrink * origin;

@@ -35,16 +35,18 @@ struct PathLook {
   Colouring colouring = Colouring::feed;
   Rgb run{0.0, 0.447, 0.698};  ///< colour of Colouring::run
   double exaggeration = 1;     ///< factor of the deviation from the programmed path
-  bool rapids = true;          ///< are drawn
+  bool rapids = true;          ///< are drawn where they cover little of the picture
+  bool all_rapids = false;     ///< where they cover much of it, too
   const SceneColours* colours = &scene_colours(Background::light);
   std::string reference;  ///< name of the run that the executed path is compared with
   std::shared_ptr<const SampledPath>
       scale_with;  ///< a path coloured by the same scale, elsewhere; may be null
 };
 
-/// The lines of a run: rapids dashed, programmed path thin, executed path coloured, blends wide with an edge,
-/// other runs thin unless the colours compare with one, a range of time underlaid. Of the executed path a
-/// stretch may be drawn in full, the rest pale or not at all.
+/// The lines of a run: rapids dashed and pale under all others, and none where they would cover the picture,
+/// programmed path thin, executed path coloured, blends wide with an edge, other runs thin unless the colours
+/// compare with one, a range of time underlaid. Of the executed path a stretch may be drawn in full, the rest
+/// pale or not at all.
 ///
 /// Where lines would cover the picture, they are drawn thinner; where the edges of blends would cover the
 /// path, the edges are omitted. Zooming in brings both back. Paths of many points are drawn without what is
@@ -70,6 +72,8 @@ class PathLayers {
   /// Before each frame. `scale`: size of text and lines.
   void place(const SceneFrame& frame, const Projection& view, double scale, bool moving);
 
+  /// Whether rapids are drawn in a view.
+  bool shows_rapids(const Projection& view, double scale) const;
   /// What place() has made visible.
   LegendEntries entries() const;
   /// What the colours mean.
@@ -88,6 +92,7 @@ class PathLayers {
     blend_edge,
     overlay,
     cut,
+    difference,  ///< where the run differs from the one that it is compared with
     blend,
     stretch_end
   };
@@ -110,6 +115,7 @@ class PathLayers {
   void remove(Wanted wanted);
   void add(Role role, const DrawnPath* path, bool discs = false, const Rgb& colour = {});
   void show_rapids(const std::shared_ptr<const SampledPath>& path, const SceneFrame& frame);
+  void measure_rapids(const SampledPath& path, const SceneFrame& frame);
   void show_programmed(std::shared_ptr<const SampledPath> programmed);
   void show_overlays(std::vector<OverlayRun> overlays);
   void show_executed(std::shared_ptr<const SampledPath> executed);
@@ -125,10 +131,12 @@ class PathLayers {
   Rgb colour_of(const Layer& layer) const;
   double covered_by_edges(double millimetre, double scale) const;
   Style style_of(Role role, double thinner) const;
+  bool differs(std::size_t point) const;
   bool overlays_shown() const { return !needs_reference(look_.colouring); }
 
   vtkRenderer& renderer_of(const Layer& layer) const {
-    return layer.role == Role::range || layer.role == Role::rest ? below_ : renderer_;
+    const bool below = layer.role == Role::range || layer.role == Role::rest || layer.role == Role::rapid;
+    return below ? below_ : renderer_;
   }
 
   vtkRenderer& renderer_;
@@ -148,11 +156,14 @@ class PathLayers {
   std::shared_ptr<const SampledPath> rapids_of_;
   double dashes_for_ = 0;          ///< unit of the frame that the dashes of rapids were made for [mm]
   Vec3 rapids_at_ = Vec3::Zero();  ///< origin of their dashes [mm]
-  double rapid_length_ = 0;        ///< [mm]
-  double cut_length_ = 0;          ///< [mm]
-  double blend_length_ = 0;        ///< [mm]
-  double curve_length_ = 0;        ///< of cut_length_ [mm]
+  double rapid_length_ = 0;        ///< near what is cut [scene units]
+  /// Of the directions of rapids with their lengths: the sum of v v^T / |v| [scene units].
+  Eigen::Matrix3d rapid_spread_ = Eigen::Matrix3d::Zero();
+  double cut_length_ = 0;    ///< [mm]
+  double blend_length_ = 0;  ///< [mm]
+  double curve_length_ = 0;  ///< of cut_length_ [mm]
   std::size_t blend_count_ = 0;
+  bool rapids_seen_ = false;  ///< in the view that place() was given
 };
 
 }  // namespace feedscope::ui

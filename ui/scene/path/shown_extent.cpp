@@ -50,4 +50,30 @@ ShownExtent shown_extent(std::initializer_list<std::shared_ptr<const SampledPath
   return extent;
 }
 
+std::vector<Vec3> outline_points(std::initializer_list<std::shared_ptr<const SampledPath>> paths,
+                                 const Bounds& near, bool rapids) {
+  std::vector<Vec3> points;
+  bool cuts = false;
+  for (const auto& path : paths) {
+    if (!path) {
+      continue;
+    }
+    const PathLevel level = path->levels.empty() ? PathLevel{0, path->size(), {}} : path->levels.back();
+    bool before = false;  // the span that ends here is cut
+    for (std::size_t k = 0; k < level.size(); ++k) {
+      const SpanKind kind = path->kinds[level[k]];
+      const bool cut = k + 1 < level.size() && kind != SpanKind::rapid && kind != SpanKind::gap;
+      cuts = cuts || cut;
+      const Vec3 point = path->position(level[k]);
+      if (cut || before) {
+        points.push_back(point);
+      } else if (rapids) {
+        points.emplace_back(point.cwiseMax(near.min).cwiseMin(near.max));
+      }
+      before = cut;
+    }
+  }
+  return cuts || rapids ? points : outline_points(paths, near, true);
+}
+
 }  // namespace feedscope::ui

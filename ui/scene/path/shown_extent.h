@@ -2,6 +2,7 @@
 
 #include <initializer_list>
 #include <memory>
+#include <vector>
 
 #include "core/base/geometry.h"
 #include "ui/scene/sampled_path.h"
@@ -23,5 +24,10 @@ Bounds cut_bounds(const SampledPath& path);
 /// Of the paths that are there; null ones and empty ones are skipped. Rapids high above a part would leave
 /// little of the picture to it, so that `fitted` ends a fifth of its size away from what is cut.
 ShownExtent shown_extent(std::initializer_list<std::shared_ptr<const SampledPath>> paths);
+
+/// The points of what the paths cut, and with `rapids` those of rapids moved into `near` [mm], as coarse as
+/// the paths are drawn when they are coarsest; all points where nothing is cut.
+std::vector<Vec3> outline_points(std::initializer_list<std::shared_ptr<const SampledPath>> paths,
+                                 const Bounds& near, bool rapids);
 
 }  // namespace feedscope::ui
