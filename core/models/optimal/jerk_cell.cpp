@@ -1,5 +1,6 @@
 #include "core/models/optimal/jerk_cell.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -36,21 +37,22 @@ double last_quarter(const CellMotion& m) {
   return m.v1 - (m.v1 - m.v0) / 8 + (m.a0 - 5 * m.a1) * m.time / 32;
 }
 
-/// Calls f(p) for everything that a place limits; the middle is limited by the jerks of both halves.
+/// Calls f(p, order) for everything that a place limits, of the first to the third derivative; the middle is
+/// limited by the jerks of both halves.
 template <typename F>
 void for_each_load(const CellMotion& m, const CellPlace& place, F f) {
   const PlaceMotion at = motion_at(m, place.share, is_second(place.share));
-  f(at.v / place.limits.ceiling);
+  f(at.v / place.limits.ceiling, 1);
   for (int k = 0; k < place.limits.count; ++k) {
-    f(place.limits.acceleration(k, at.v, at.a));
-    f(place.limits.jerk(k, at.v, at.a, at.j));
+    f(place.limits.acceleration(k, at.v, at.a), 2);
+    f(place.limits.jerk(k, at.v, at.a, at.j), 3);
     if (place.share == 0.5) {
-      f(place.limits.jerk(k, at.v, at.a, m.j2));
+      f(place.limits.jerk(k, at.v, at.a, m.j2), 3);
     }
   }
   if (place.share == 0.5) {
-    f(first_quarter(m) / place.limits.ceiling);
-    f(last_quarter(m) / place.limits.ceiling);
+    f(first_quarter(m) / place.limits.ceiling, 1);
+    f(last_quarter(m) / place.limits.ceiling, 1);
   }
 }
 
@@ -147,14 +149,33 @@ double PlaceLimits::jerk(int index, double v, double a, double j) const {
   return tangential_over_jerk[k] * j + v * (curvature_over_jerk[k] * a + curvature_rate_over_jerk[k] * v * v);
 }
 
+double PlaceLimits::jerk_along() const {
+  double most = infinite;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
+    most = std::min(most, 1 / std::abs(tangential_over_jerk[k]));
+  }
+  return most;
+}
+
+double cell_excess(const CellMotion& motion, const CellPlace* first, const CellPlace* last) {
+  double excess = 0;
+  for (const CellPlace* place = first; place != last; ++place) {
+    for_each_load(motion, *place, [&](double p, int order) {
+      const double load = std::abs(p);
+      excess = std::max(excess, order == 1 ? load : order == 2 ? std::sqrt(load) : std::cbrt(load));
+    });
+  }
+  return excess;
+}
+
 double cell_value(const CellMotion& motion, const CellPlace* first, const CellPlace* last, double mu) {
-  if (!(motion.time > 0) || motion.v_middle <= 0) {
+  if (!(motion.time > 0) || motion.v_middle <= 0 || first_quarter(motion) <= 0 || last_quarter(motion) <= 0) {
     return infinite;
   }
   double product = 1;
   double logs = 0;
   for (const CellPlace* place = first; place != last; ++place) {
-    for_each_load(motion, *place, [&](double p) {
+    for_each_load(motion, *place, [&](double p, int /*order*/) {
       const double left = 1 - p * p;
       product *= left > 0 ? left : 0;
       if (product < 1e-200) {

@@ -49,6 +49,8 @@ struct PlaceLimits {
               const Vec3& jerk);
   double acceleration(int k, double v, double a) const;
   double jerk(int k, double v, double a, double j) const;
+  /// The largest along the path where nothing turns [mm/s3].
+  double jerk_along() const;
 };
 
 /// A place of a cell: `share` of its length [0, 1].
@@ -68,6 +70,8 @@ struct CellCost {
 
 CellCost cell_cost(const CellMotion& motion, double length, const CellPlace* first, const CellPlace* last,
                    double mu);
+/// Factor by which times must grow for every limit to be kept; below 1 where they may shrink.
+double cell_excess(const CellMotion& motion, const CellPlace* first, const CellPlace* last);
 /// The value alone.
 double cell_value(const CellMotion& motion, const CellPlace* first, const CellPlace* last, double mu);
 

@@ -7,13 +7,12 @@
 namespace feedscope {
 namespace {
 
-constexpr double first_mu = 0.1;
 /// The time comes out too long by about this share for every limit that is active in a cell.
 constexpr double last_mu = 4e-5;
 constexpr double less_mu = 0.25;
 /// The last steps go on until they gain no more than this share of the time.
-constexpr double settled = 1e-12;
-constexpr int max_steps = 60;
+constexpr double settled = 1e-9;
+constexpr int max_steps = 200;
 constexpr int max_halvings = 30;
 
 }  // namespace
@@ -24,13 +23,19 @@ bool JerkSolver::keeps_limits(const SolverCell& cell, const std::vector<CellPlac
   return std::isfinite(cell_value(motion, places.data() + cell.first, places.data() + cell.last, 1));
 }
 
+/// Weight of the barriers of a cell: by its time, but as much as others have where that is next to nothing,
+/// until `mu` is small. Else its limits would shorten every step of the whole window.
+double JerkSolver::barrier(std::size_t cell, double mu) const {
+  return mu * std::max(weight_[cell], mu * time_);
+}
+
 double JerkSolver::value(const LawNode* nodes, double mu) const {
   double sum = 0;
   for (std::size_t i = 0; i < cells_->size(); ++i) {
     const SolverCell& cell = (*cells_)[i];
     const CellMotion motion =
         CellMotion::through(cell.length, nodes[i].v, nodes[i].a, nodes[i + 1].v, nodes[i + 1].a);
-    sum += cell_value(motion, places_->data() + cell.first, places_->data() + cell.last, mu * weight_[i]);
+    sum += cell_value(motion, places_->data() + cell.first, places_->data() + cell.last, barrier(i, mu));
     if (!std::isfinite(sum)) {
       break;
     }
@@ -48,7 +53,7 @@ void JerkSolver::assemble(const LawNode* nodes, double mu) {
     const CellMotion motion =
         CellMotion::through(cell.length, nodes[i].v, nodes[i].a, nodes[i + 1].v, nodes[i + 1].a);
     const CellCost cost = cell_cost(motion, cell.length, places_->data() + cell.first,
-                                    places_->data() + cell.last, mu * weight_[i]);
+                                    places_->data() + cell.last, barrier(i, mu));
     diagonal_[i] += cost.curvature.topLeftCorner<2, 2>();
     beside_[i] += cost.curvature.topRightCorner<2, 2>();
     diagonal_[i + 1] += cost.curvature.bottomRightCorner<2, 2>();
@@ -92,6 +97,9 @@ JerkSolver::Step JerkSolver::step(LawNode* nodes, double mu) {
   assemble(nodes, mu);
   const double along = solve();
   const double before = value(nodes, mu);
+  if (!std::isfinite(before)) {  // rounding: no step can be judged
+    return {0, 0};
+  }
   const std::size_t count = cells_->size();
   trial_.resize(count + 1);
   double share = 1;
@@ -109,24 +117,23 @@ JerkSolver::Step JerkSolver::step(LawNode* nodes, double mu) {
 }
 
 void JerkSolver::improve(const std::vector<SolverCell>& cells, const std::vector<CellPlace>& places,
-                         LawNode* nodes) {
+                         LawNode* nodes, double mu) {
   cells_ = &cells;
   places_ = &places;
   weight_.clear();
-  double time = 0;
+  time_ = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     weight_.push_back(
         CellMotion::through(cells[i].length, nodes[i].v, nodes[i].a, nodes[i + 1].v, nodes[i + 1].a).time);
-    time += weight_.back();
+    time_ += weight_.back();
   }
-  double mu = first_mu;
   for (int i = 0; i < max_steps; ++i) {
     const Step taken = step(nodes, mu);
-    const bool last = mu <= last_mu;
-    if (taken.share == 0 || (taken.share >= 0.5 && (!last || taken.gain < settled * time))) {
-      if (last) {
+    if (mu <= last_mu) {
+      if (taken.share == 0 || taken.gain < settled * time_) {
         break;
       }
+    } else if (taken.share == 0 || taken.share >= 0.5) {
       mu = std::max(mu * less_mu, last_mu);
     }
   }

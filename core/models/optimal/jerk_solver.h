@@ -24,8 +24,12 @@ struct SolverCell {
 /// Every iterate keeps all limits.
 class JerkSolver {
  public:
-  /// `nodes`: one more than cells; must keep the limits strictly. The first and the last stay.
-  void improve(const std::vector<SolverCell>& cells, const std::vector<CellPlace>& places, LawNode* nodes);
+  static constexpr double first_mu = 0.1;  ///< for nodes far from the fastest
+
+  /// `nodes`: one more than cells; must keep the limits strictly. The first and the last stay. `mu`: weight
+  /// of the barriers to begin with, the less the closer the nodes are to the fastest.
+  void improve(const std::vector<SolverCell>& cells, const std::vector<CellPlace>& places, LawNode* nodes,
+               double mu);
 
   /// Whether a law keeps all limits of a cell strictly; `nodes`: at its beginning and end.
   static bool keeps_limits(const SolverCell& cell, const std::vector<CellPlace>& places,
@@ -35,6 +39,7 @@ class JerkSolver {
   using Vector2 = Eigen::Vector2d;
   using Matrix2 = Eigen::Matrix2d;
 
+  double barrier(std::size_t cell, double mu) const;
   double value(const LawNode* nodes, double mu) const;
   void assemble(const LawNode* nodes, double mu);
   double solve();
@@ -48,6 +53,7 @@ class JerkSolver {
   const std::vector<SolverCell>* cells_ = nullptr;
   const std::vector<CellPlace>* places_ = nullptr;
   std::vector<double> weight_;  ///< of a cell's barriers: its time at first [s]
+  double time_ = 0;             ///< their sum
   std::vector<Matrix2> diagonal_;
   std::vector<Matrix2> beside_;  ///< couples a node with the next
   std::vector<Vector2> slope_;

@@ -55,16 +55,24 @@ void StaticLaw::clear() {
   parts_.clear();
   begins_.clear();
   fineness_.clear();
-  ends_element_.clear();
+  ends_span_.clear();
   length_ = largest_jerk_ = 0;
   straight_ = true;
 }
 
-void StaticLaw::add_element(const std::vector<PathCell>& cells, std::uint32_t index, const SpeedBound& feed,
-                            const AxisVectors& axes, const Vec3& jerk) {
-  if (parts_.empty()) {
-    first_ = index;
+double StaticLaw::time_of(const std::vector<PathCell>& cells, const SpeedBound& feed, const AxisVectors& axes,
+                          const Vec3& jerk) {
+  double time = 0;
+  for (const PathCell& cell : cells) {
+    Largest here;
+    here.add(cell);
+    time += cell.length / static_speed(here, feed, axes, jerk).value;
   }
+  return time;
+}
+
+void StaticLaw::add_span(const std::vector<PathCell>& cells, const SpeedBound& feed, const AxisVectors& axes,
+                         const Vec3& jerk) {
   straight_ = straight_ && all_straight(cells);
   const PathCell* const end = cells.data() + cells.size();
   double least = 0;
@@ -82,7 +90,7 @@ void StaticLaw::add_element(const std::vector<PathCell>& cells, std::uint32_t in
     most = cell == first ? speed : std::max(most, speed);
   }
   add_part(first, end, feed, axes, jerk);
-  ends_element_.back() = 1;
+  ends_span_.back() = 1;
 }
 
 void StaticLaw::add_part(const PathCell* first, const PathCell* last, const SpeedBound& feed,
@@ -110,7 +118,7 @@ void StaticLaw::add_part(const PathCell* first, const PathCell* last, const Spee
   part.set_limits(limits);
   begins_.push_back(length_);
   fineness_.push_back(1);
-  ends_element_.push_back(0);
+  ends_span_.push_back(0);
   length_ += part.length;
   parts_.push_back(part);
   largest_jerk_ = std::max(largest_jerk_, jerk.maxCoeff());

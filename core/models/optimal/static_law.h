@@ -19,9 +19,12 @@ class StaticLaw {
   };
 
   void clear();
-  /// Appends path element `index`, whose cells are `cells`; `jerk` that of its axes, `feed` its speed.
-  void add_element(const std::vector<PathCell>& cells, std::uint32_t index, const SpeedBound& feed,
-                   const AxisVectors& axes, const Vec3& jerk);
+  /// Appends a span of the path, whose cells are `cells`; `jerk` that of its axes, `feed` its speed.
+  void add_span(const std::vector<PathCell>& cells, const SpeedBound& feed, const AxisVectors& axes,
+                const Vec3& jerk);
+  /// Time in which `cells` are passed at their static speeds [s].
+  static double time_of(const std::vector<PathCell>& cells, const SpeedBound& feed, const AxisVectors& axes,
+                        const Vec3& jerk);
   /// Plans what was added.
   void plan();
   /// From the next plan() on the part at path length `s` from the start is passed slower, but not once more
@@ -32,14 +35,14 @@ class StaticLaw {
   /// Parts in order of the path. Where a part begins and ends from the start [mm].
   double part_begin(std::size_t part) const { return begins_[part]; }
   double part_end(std::size_t part) const { return part + 1 < size() ? begins_[part + 1] : length_; }
-  /// Whether it is the last one of its path element.
-  bool ends_element(std::size_t part) const { return ends_element_[part] != 0; }
+  /// Whether it is the last one of its span.
+  bool ends_span(std::size_t part) const { return ends_span_[part] != 0; }
   double length() const { return length_; }  ///< [mm]
   /// How many times as many cells as usual the part needs: where it had to be lowered, more.
   double fineness(std::size_t part) const { return fineness_[part]; }
 
-  bool is_straight() const { return straight_; }  ///< one part an element, full limits
-  const PlanElement& straight_element(std::uint32_t index) const { return parts_[index - first_]; }
+  bool is_straight() const { return straight_; }  ///< one part a span, full limits
+  const PlanElement& part(std::size_t index) const { return parts_[index]; }
   /// Phases in order; the last one is the end.
   const std::vector<Phase>& phases() const { return phases_; }
   double duration() const { return phases_.back().time; }  ///< [s]
@@ -60,10 +63,9 @@ class StaticLaw {
   std::vector<PlanElement> parts_;
   std::vector<double> begins_;    ///< of parts [mm]
   std::vector<double> fineness_;  ///< of parts
-  std::vector<std::uint8_t> ends_element_;
+  std::vector<std::uint8_t> ends_span_;
   double length_ = 0;
   double largest_jerk_ = 0;
-  std::uint32_t first_ = 0;
   bool straight_ = true;
   std::vector<Phase> phases_;
   std::size_t phase_ = 0;

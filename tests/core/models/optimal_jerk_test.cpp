@@ -207,6 +207,46 @@ TEST(OptimalWithJerk, KeepsEveryLimitOnRandomPaths) {
   }
 }
 
+TEST(OptimalWithJerk, RunsALineInPiecesInSevenPhases) {
+  // One line of 20 mm in pieces of equal length, and one of 0.01 mm in pieces of a nanometre.
+  // Of these the lengths are rounded, to 2^-36 mm.
+  const Machine machine = spinner_as_published();
+  for (const auto& [length, pieces] :
+       {std::pair(20.0, 2), std::pair(20.0, 7), std::pair(20.0, 1000), std::pair(0.01, 10000)}) {
+    std::vector<Vec3> points;
+    for (int k = 0; k <= pieces; ++k) {
+      points.emplace_back(length * k / pieces, 0, 0);
+    }
+    const SpeedProfile fastest = plan_profile(0, 0, 0, length, 50, {1000, 15000});
+    for (const std::string model : {"tapie", "essid"}) {
+      const Trajectory run = jerk_run(testing::polyline(points, 50), model, machine);
+      EXPECT_NEAR(run.duration(), fastest.duration(), 1e-7) << model << ", " << pieces << " pieces";
+    }
+  }
+}
+
+TEST(OptimalWithJerk, IsNotSlowerWithMoreJerk) {
+  // Every law that keeps the lower limits keeps the higher ones.
+  constexpr double searched = 1e-3;  // of a time
+  std::mt19937 random(9);
+  for (int i = 0; i < 20; ++i) {
+    const Toolpath path = testing::random_path(random, 1 + i);
+    const std::string model = i % 2 == 0 ? "tapie" : "gassara";
+    double before = infinite;
+    for (const double factor : {1.0, 1.03, 1.3, 5.0}) {
+      Machine machine = testing::mikron();
+      Settings settings = settings_on(model, machine);
+      for (AxisLimits& axis : machine.axes) {
+        axis.jerk *= factor;
+        axis.blend_jerk *= factor;
+      }
+      const double time = find_model("optimal").simulate(path, machine, settings).duration();
+      EXPECT_LE(time, before * (1 + searched)) << "program " << i << ", " << factor << " times the jerk";
+      before = time;
+    }
+  }
+}
+
 TEST(OptimalWithJerk, RunsEmptyAndOneBlockProgramsAndBlocksOfAllSizes) {
   const Machine machine = spinner_as_published();
   EXPECT_EQ(jerk_run(Toolpath(), "essid", machine).duration(), 0);

@@ -156,6 +156,83 @@ TEST_P(Rounding, OfARandomProgramChangesNoTime) {
   }
 }
 
+/// Turned by a right angle about Z: what X did is done by Y.
+Toolpath turned(const Toolpath& path) {
+  const auto turn = [](const Vec3& p) { return Vec3(-p.y(), p.x(), p.z()); };
+  Toolpath out = path;
+  out.start = turn(path.start);
+  for (Segment& segment : out.segments) {
+    segment.end = turn(segment.end);
+  }
+  for (Arc& arc : out.arcs) {
+    for (Vec3* vector : {&arc.center, &arc.x, &arc.y, &arc.rise}) {
+      *vector = turn(*vector);
+    }
+  }
+  return out;
+}
+
+/// Every line in pieces that end at these shares of its length.
+Toolpath cut(const Toolpath& path, const std::vector<double>& shares) {
+  Toolpath out = path;
+  out.segments.clear();
+  for (std::size_t i = 0; i < path.segments.size(); ++i) {
+    Vec3 from = path.start_of(i);
+    const Vec3 begin = from;
+    for (const double share : shares) {
+      Segment piece = path.segments[i];
+      piece.end = share == 1 ? piece.end : Vec3(begin + share * (piece.end - begin));
+      piece.length = (piece.end - from).norm();
+      from = piece.end;
+      out.segments.push_back(piece);
+    }
+  }
+  return out;
+}
+
+double optimal_time(const Toolpath& path, const std::string& of, const Machine& machine) {
+  const ControlModel& model = find_model("optimal");
+  Settings settings = complete_settings(model, machine);
+  settings.set("path", of);
+  settings.set("jerk", std::string("on"));
+  return model.simulate(path, machine, settings).duration();
+}
+
+TEST(RoundingOfOptimalWithJerk, OfARandomProgramChangesNoTime) {
+  // The law is searched, and after any change in other cells. X and Y of the machine are alike.
+  constexpr double searched = 5e-4;  // of a time
+  std::mt19937 random(4);
+  const Machine machine = testing::spinner();
+  for (int i = 0; i < 20; ++i) {
+    const Toolpath path = usual_path(random);
+    const double time = optimal_time(path, "essid", machine);
+    for (const Toolpath& other : {moved(path, 1e-9, 1), moved(path, 1e-9, 2), turned(path)}) {
+      EXPECT_NEAR(optimal_time(other, "essid", machine) / time, 1, searched) << "program " << i;
+    }
+  }
+}
+
+TEST(RoundingOfOptimalWithJerk, LinesInPiecesTakeTheTimeOfTheWhole) {
+  // With the stops of `tapie` pieces do not shape the path. The last ones are of less than a nanometre.
+  constexpr double rounding = 1e-7;
+  std::mt19937 random(5);
+  const Machine machine = testing::spinner();
+  for (int i = 0; i < 10; ++i) {
+    Toolpath path;
+    for (int k = 0; k < 20; ++k) {
+      const Vec3 step = Vec3(std::cos(k * k), std::sin(k * k), 0) * (0.05 + 3 * (random() % 100) / 100.0);
+      testing::append_line(path, (path.segments.empty() ? path.start : path.segments.back().end) + step, 50);
+    }
+    const double time = optimal_time(path, "tapie", machine);
+    for (const std::vector<double>& shares : {std::vector<double>{0.5, 1},
+                                              {1.0 / 7, 2.0 / 7, 0.7, 1},
+                                              {1 - 2e-9, 1 - 1e-9, 1},
+                                              {1e-7, 2e-7, 1}}) {
+      EXPECT_NEAR(optimal_time(cut(path, shares), "tapie", machine) / time, 1, rounding) << "program " << i;
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Models, Rounding,
     ::testing::Values(Choice{"cam", "", ""}, Choice{"essid", "reading", "corrected"},
