@@ -82,7 +82,7 @@ int show_window(ui::Workbench& model, const WindowStart& start,
   }
   const int code = QApplication::exec();
   settings.setValue("geometry", window.saveGeometry());
-  settings.setValue("layout", window.presentation().usual_layout());
+  settings.setValue("layout", window.layout_to_keep());
   ui::keep_panel_states(window);
   before = window.hand_over();
   return code;

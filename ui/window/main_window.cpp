@@ -50,6 +50,7 @@
 #include "ui/window/machine_opening.h"
 #include "ui/window/panel_scroll.h"
 #include "ui/window/presentation.h"
+#include "ui/window/saved_layout.h"
 #include "ui/window/start_page.h"
 #include "ui/window/status_panel.h"
 #include "ui/window/view_menu.h"
@@ -359,12 +360,17 @@ bool MainWindow::event(QEvent* event) {
   return handled;
 }
 
+QByteArray MainWindow::layout_to_keep() const {
+  return with_checksum(presentation_->usual_layout());
+}
+
 void MainWindow::restore_layout(const QByteArray& layout) {
   if (layout.isEmpty()) {
     return;
   }
   presentation_->set_on(false);
-  wanted_layout_ = layout;
+  const QByteArray state = checked_state(layout);
+  wanted_layout_ = state.isEmpty() ? first_layout_ : state;
   if (isVisible()) {
     apply_layout();
   }

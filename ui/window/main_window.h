@@ -71,9 +71,11 @@ class MainWindow : public QMainWindow {
   /// A machine file, or the configuration of a control.
   void open_machine(const std::filesystem::path& file);
   Presentation& presentation() const { return *presentation_; }
-  /// As QMainWindow::restoreState(), ending a presentation, with sizes that hold when the window becomes
-  /// smaller and larger again; once the window is shown, if it is not. The default layout in place of one
-  /// that cannot be read or lacks a panel.
+  /// Where the panels stand, to be kept: with_checksum() of Presentation::usual_layout().
+  QByteArray layout_to_keep() const;
+  /// As QMainWindow::restoreState() of what was kept, ending a presentation, with sizes that hold when the
+  /// window becomes smaller and larger again; once the window is shown, if it is not. The default layout in
+  /// place of one that cannot be read or lacks a panel.
   void restore_layout(const QByteArray& layout);
   /// What the window shows, to be shown again by another window on the same workbench, in another language or
   /// other units.

@@ -21,6 +21,7 @@
 #include "ui/window/main_window.h"
 #include "ui/window/presentation.h"
 #include "ui/window/proposed_file.h"
+#include "ui/window/saved_layout.h"
 
 namespace feedscope::ui {
 
@@ -85,7 +86,7 @@ Session WindowSession::view() const {
   session.identification = identification();
   session.load = window_.part<LoadView>().setup();
   session.lessons = desk().all_work();
-  session.layout = window_.presentation().usual_layout();
+  session.layout = window_.layout_to_keep();
   session.presentation = window_.presentation().on();
   session.theme = theme_of(QApplication::palette());
   session.program_font_size = window_.presentation().usual_program_type();
@@ -156,7 +157,7 @@ void WindowSession::show_layout(const Session& session) {
     window_.part<ProgramPanel>().view().set_font_size(*session.program_font_size);
   }
   if (session.presentation) {
-    presentation.show_over(session.layout);
+    presentation.show_over(checked_state(session.layout));
   } else {
     window_.restore_layout(session.layout);
   }

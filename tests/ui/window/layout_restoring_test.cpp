@@ -109,11 +109,11 @@ TEST(LayoutRestoringInTurn, KeepsTheLastOfTwoWhenTheWindowGetsItsSizeLater) {
 TEST(LayoutRestoringInTurn, FallsBackToTheDefaultWhereALayoutCannotBeRead) {
   LaidOut opened;
   opened.show({1280, 800}, false);
-  const QByteArray whole = opened.window.saveState();
+  const QByteArray whole = opened.window.layout_to_keep();
   opened.bring_to_front("runs");
   std::mt19937 random(20);
   std::vector<QByteArray> damaged{QByteArray("no layout"), QByteArray(1, '\0')};
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < 200; ++i) {
     damaged.push_back(whole.left(static_cast<int>(random() % static_cast<unsigned>(whole.size()))));
     QByteArray changed = whole;
     changed[static_cast<int>(random() % static_cast<unsigned>(whole.size()))] = static_cast<char>(random());
