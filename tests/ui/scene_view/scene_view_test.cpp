@@ -269,7 +269,6 @@ TEST_F(SceneViewTest, AClickOnTheCubeTurnsTheView) {
   settle();
   const double ratio = view_.canvas().devicePixelRatioF();
   const int width = view_.canvas().width();
-  const int height = view_.canvas().height();
   for (int y = 0; y < 80; y += 3) {
     for (int x = width - 80; x < width; x += 3) {
       if (view_.scene().cube_view({x * ratio, y * ratio}) == StandardView::front) {
