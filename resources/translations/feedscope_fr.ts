@@ -14251,6 +14251,30 @@ Ensemble&#xa0;: %4</translation>
         <source>rotary five axis kinematics coordinates</source>
         <translation>rotatif cinq axes cinématique coordonnées</translation>
     </message>
+    <message>
+        <source>Acceleration and jerk</source>
+        <translation>Accélération et jerk</translation>
+    </message>
+    <message>
+        <source>Cutting load</source>
+        <translation>Charge de coupe</translation>
+    </message>
+    <message>
+        <source>Difference between runs</source>
+        <translation>Différence entre simulations</translation>
+    </message>
+    <message>
+        <source>&amp;Shown</source>
+        <translation>&amp;Affiché</translation>
+    </message>
+    <message>
+        <source>&amp;Drawn in full</source>
+        <translation>&amp;Dessiné en entier</translation>
+    </message>
+    <message>
+        <source>&amp;Zoom and measure</source>
+        <translation>&amp;Zoom et mesure</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::SceneRun</name>
@@ -15698,6 +15722,10 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>B&amp;elow the 3D view</source>
         <translation>S&amp;ous la vue 3D</translation>
+    </message>
+    <message>
+        <source>&amp;Side by side</source>
+        <translation>Côte à côte</translation>
     </message>
 </context>
 <context>

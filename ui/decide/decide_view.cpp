@@ -291,6 +291,10 @@ void DecideView::choose_best() {
   choosing_ = false;
   if (const auto taken = recommended(runs_)) {
     runs_.select(taken->run);
+    Cursor& cursor = workbench_.cursor();
+    if (cursor.valid() && !(cursor.state().time > 0)) {  // where the lens shows what a tolerance does
+      cursor.set_time(runs_.result(taken->run)->run.summary.worst_place.time);
+    }
   }
 }
 
@@ -479,6 +483,7 @@ void DecideView::show_help() {
     const TriedChange& change = report.changes.tried[best];
     auto* text = make_text(this, 12);
     text->setText(remedy_text(change.remedy, findings.shown()->run.setup));
+    text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Minimum);  // it has what the others leave
     auto* gain = make_text(this, 12);
     gain->setWordWrap(false);
     gain->setText(TimeTexts::change(change.cycle_time - report.use.cycle_time));

@@ -32,7 +32,7 @@ class DecideView : public Panel {
   /// Compare tolerances...
   QAction* compare() const { return compare_; }
   /// Adds runs in one step of the history; when all are simulated, the recommended one becomes the current
-  /// run.
+  /// run, and a cursor at the start goes to where that leaves the path most.
   void compare_with(const std::vector<SetupState>& setups);
 
   QString headline() const;

@@ -58,7 +58,7 @@ QSize DecisionChart::sizeHint() const {
 }
 
 QSize DecisionChart::minimumSizeHint() const {
-  return {type_pixels(200), type_pixels(usual_height)};
+  return {type_pixels(150), type_pixels(usual_height)};
 }
 
 DecisionChart::Scale DecisionChart::scale() const {

@@ -77,8 +77,49 @@ void SceneActions::make_colourings() {
     add_option(colouring_, title, tr("Colour the path by this quantity"), static_cast<int>(colouring),
                [this, colouring] { view_.scene().set_colouring(colouring); });
   }
-  colouring_.menu->setToolTipsVisible(true);
+  group_colourings();
   set_comparable(false);
+}
+
+/// Those that are alike in a menu of their own.
+void SceneActions::group_colourings() {
+  QMenu* acceleration = colouring_.menu->addMenu(tr("Acceleration and jerk"));
+  QMenu* deviation = colouring_.menu->addMenu(tr("Deviation"));
+  QMenu* load = colouring_.menu->addMenu(tr("Cutting load"));
+  differences_ = colouring_.menu->addMenu(tr("Difference between runs"));
+  for (QMenu* menu : {colouring_.menu, acceleration, deviation, load, differences_}) {
+    menu->setToolTipsVisible(true);
+  }
+  for (QAction* option : colouring_.group->actions()) {
+    const auto colouring = static_cast<Colouring>(option->data().toInt());
+    QMenu* menu = menu_of(colouring, *acceleration, *deviation, *load);
+    if (menu != nullptr) {
+      colouring_.menu->removeAction(option);
+      menu->addAction(option);
+    }
+  }
+}
+
+QMenu* SceneActions::menu_of(Colouring colouring, QMenu& acceleration, QMenu& deviation, QMenu& load) const {
+  if (needs_reference(colouring)) {
+    return differences_;
+  }
+  if (source_of(colouring) == QuantitySource::load) {
+    return &load;
+  }
+  const QuantityInfo* quantity = quantity_of(colouring);
+  if (quantity == nullptr) {
+    return colouring == Colouring::contour_error ? &deviation : nullptr;
+  }
+  switch (quantity->dimension) {
+    case Dimension::acceleration:
+    case Dimension::jerk:
+      return &acceleration;
+    case Dimension::error:
+      return &deviation;
+    default:
+      return nullptr;
+  }
 }
 
 void SceneActions::set_drives(bool drives) {
@@ -118,8 +159,8 @@ void SceneActions::set_comparable(bool comparable) {
 }
 
 void SceneActions::add_comparison_menu(QMenu& menu) {
-  colouring_.menu->addSeparator();
-  colouring_.menu->addMenu(&menu);
+  differences_->addSeparator();
+  differences_->addMenu(&menu);
 }
 
 void SceneActions::make_exaggerations() {
@@ -185,21 +226,22 @@ void SceneActions::make_views() {
   machine_->setCheckable(true);
   set_everyday_words(machine_, tr("rotary five axis kinematics coordinates"));
   connect(machine_, &QAction::triggered, this, [this](bool on) { view_.scene().set_on_machine(on); });
-  views_->addActions({perspective_, axes_, rapids_, all_rapids_, actual_, machine_});
+  views_->addActions({perspective_, axes_});
+  views_->addMenu(tr("&Shown"))->addActions({rapids_, all_rapids_, actual_, machine_});
   make_stretches();
 }
 
 /// Below the views: which stretch of the path is drawn in full.
 void SceneActions::make_stretches() {
-  views_->addSeparator();
+  QMenu* stretches = views_->addMenu(tr("&Drawn in full"));
   stretch_ = new QActionGroup(this);
-  const auto add = [this](const QString& text, const QString& tip, const QKeySequence& key,
-                          PathStretch stretch) {
+  const auto add = [this, stretches](const QString& text, const QString& tip, const QKeySequence& key,
+                                     PathStretch stretch) {
     QAction* action = add_command(text, tip, key);
     action->setCheckable(true);
     action->setData(static_cast<int>(stretch));
     stretch_->addAction(action);
-    views_->addAction(action);
+    stretches->addAction(action);
     connect(action, &QAction::triggered, this, &SceneActions::apply_stretch);
     return action;
   };
@@ -219,7 +261,7 @@ void SceneActions::make_stretches() {
       QKeySequence(Qt::Key_H));
   rest_hidden_->setCheckable(true);
   connect(rest_hidden_, &QAction::triggered, this, &SceneActions::apply_stretch);
-  views_->addAction(rest_hidden_);
+  stretches->addAction(rest_hidden_);
 }
 
 void SceneActions::apply_stretch() {
@@ -352,11 +394,11 @@ void SceneActions::fill(QMenu& menu) const {
   add(exaggeration_.menu, tr("Deviation"));
   add(views_, tr("View"));
   add(tool_.menu, tr("Tool"));
-  menu.addSeparator();
+  QMenu* more = menu.addMenu(tr("&Zoom and measure"));
   const QList<QAction*> shown_on_bar = bar_->actions();
   for (QAction* command : commands_) {
     if (shown_on_bar.contains(command)) {
-      menu.addAction(command);
+      more->addAction(command);
     }
   }
 }

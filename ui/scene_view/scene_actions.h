@@ -55,6 +55,8 @@ class SceneActions : public QObject {
                       Slot slot);
   QAction* add_command(const QString& text, const QString& tip, const QKeySequence& key);
   void make_colourings();
+  void group_colourings();
+  QMenu* menu_of(Colouring colouring, QMenu& acceleration, QMenu& deviation, QMenu& load) const;
   void make_exaggerations();
   void make_views();
   void make_stretches();
@@ -71,6 +73,7 @@ class SceneActions : public QObject {
   Choice tool_;
   QActionGroup* stretch_ = nullptr;
   QAction* rest_hidden_ = nullptr;
+  QMenu* differences_ = nullptr;  ///< colourings that compare two runs
   QMenu* views_ = nullptr;
   QList<QAction*> commands_;
   QAction* perspective_ = nullptr;

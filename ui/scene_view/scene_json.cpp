@@ -1,6 +1,7 @@
 #include "ui/scene_view/scene_json.h"
 
 #include <QJsonArray>
+#include <cmath>
 
 namespace feedscope::ui {
 
@@ -23,11 +24,19 @@ void read_positive(const QJsonValue& json, double& number) {
   }
 }
 
+/// A fit that is made again ends in other last digits.
+double kept(double length) {
+  constexpr double nanometre = 1e-6;  // [mm]
+  return std::round(length / nanometre) * nanometre;
+}
+
 QJsonObject json_of(const CameraState& camera) {
-  return {{"focal_mm", QJsonArray{camera.focal.x(), camera.focal.y(), camera.focal.z()}},
+  return {{"focal_mm",
+           camera.fitted ? QJsonArray{kept(camera.focal.x()), kept(camera.focal.y()), kept(camera.focal.z())}
+                         : QJsonArray{camera.focal.x(), camera.focal.y(), camera.focal.z()}},
           {"azimuth_rad", camera.azimuth},
           {"elevation_rad", camera.elevation},
-          {"height_mm", camera.height},
+          {"height_mm", camera.fitted ? kept(camera.height) : camera.height},
           {"perspective", camera.perspective},
           {"fitted", camera.fitted}};
 }

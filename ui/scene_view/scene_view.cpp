@@ -282,8 +282,9 @@ void SceneView::set_measuring(bool measuring) {
   measured_from_.reset();
   scene_.set_dimension(std::nullopt);
   if (measuring) {
-    scene_.set_axes(true);
+    axes_before_ = scene_.axes();
   }
+  scene_.set_axes(measuring || axes_before_);
   canvas_->setCursor(measuring ? Qt::CrossCursor : Qt::ArrowCursor);
   emit measuring_changed(measuring);
 }

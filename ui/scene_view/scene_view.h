@@ -131,6 +131,7 @@ class SceneView : public QWidget {
   Drag drag_ = Drag::none;
   bool dragged_ = false;
   bool measuring_ = false;
+  bool axes_before_ = false;  ///< measuring, which shows them
   bool boxing_ = false;
   std::optional<double> measured_from_;  ///< first place clicked [s]
   std::optional<Vec3> pivot_;            ///< of the drag under way

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QDockWidget>
 #include <QDragEnterEvent>
+#include <QLabel>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QStatusBar>
@@ -54,6 +55,7 @@
 #include "ui/window/start_page.h"
 #include "ui/window/status_panel.h"
 #include "ui/window/view_menu.h"
+#include "ui/workbench/reading_faults.h"
 
 namespace feedscope::ui {
 
@@ -277,6 +279,13 @@ void MainWindow::make_menus() {
 void MainWindow::make_status() {
   auto* status = new StatusPanel(workbench_, scenes_->comparison(), this);
   statusBar()->addPermanentWidget(status);
+  auto* not_counted = new QLabel(this);
+  not_counted->setContentsMargins(6, 0, 0, 0);
+  statusBar()->addWidget(not_counted);
+  connect(&workbench_, &Workbench::run_changed, this, [this, not_counted] {
+    const auto shown = workbench_.shown();
+    not_counted->setText(shown == nullptr ? QString() : not_counted_text(shown->run.summary.not_counted));
+  });
   connect(status, &StatusPanel::diagnostics_clicked, diagnostics_, &Panel::attention_wanted);
   connect(this, &MainWindow::cancel_wanted, status, &StatusPanel::cancel);
   connect(this, &MainWindow::cancel_wanted, &workbench_.time_findings(), &TimeFindings::cancel);

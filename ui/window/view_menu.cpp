@@ -28,8 +28,9 @@ ViewMenu::ViewMenu(SideBySide& scenes, const ViewRange& range, const QList<QActi
                    QMainWindow& window)
     : QMenu(tr("&View"), &window) {
   scenes.first().fill_menu(*this);
-  addActions(scenes.panel_actions());
-  connect(add(this, tr("C&hart range only"), QKeySequence(tr("Ctrl+9")),
+  QMenu* beside_each_other = addMenu(tr("&Side by side"));
+  beside_each_other->addActions(scenes.panel_actions());
+  connect(add(beside_each_other, tr("C&hart range only"), QKeySequence(tr("Ctrl+9")),
               tr("Zoom the 3D view to the time range of the charts")),
           &QAction::triggered, &scenes,
           [&scenes, &range] { scenes.first().zoom_to_times(range.lower_time(), range.upper_time()); });

@@ -38,7 +38,8 @@ std::optional<Recommendation> recommended(const RunList& runs) {
 }
 
 QString DecisionTexts::error(const Summary& summary) {
-  const QString amount = amount_text(deciding_error(summary), Dimension::error);
+  QString amount = amount_text(deciding_error(summary), Dimension::error);
+  amount.replace(QLatin1Char(' '), QChar::Nbsp);  // the unit stays in the line of its number
   return summary.actual ? tr("actual contour error %1").arg(amount) : tr("contour error %1").arg(amount);
 }
 

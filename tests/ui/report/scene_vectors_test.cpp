@@ -125,33 +125,33 @@ TEST(SceneVectorFiles, TheColourScaleHasNoGaps) {
   painter.setRenderHint(QPainter::Antialiasing);
   QSvgRenderer(QByteArray::fromStdString(svg)).render(&painter);
   painter.end();
-  // The scale is the longest upright stretch of strong colours as wide as it is.
-  constexpr int width = 12;
+  // The scale is the longest level stretch of strong colours as high as it is.
+  constexpr int height = 5;
   const auto is_scale = [&](int x, int y) {
-    const QColor left = image.pixelColor(x, y);
-    return left.saturation() > 60 && left.hue() < 280 && left == image.pixelColor(x + width, y);
+    const QColor upper = image.pixelColor(x, y);
+    return upper.saturation() > 60 && upper.hue() < 280 && upper == image.pixelColor(x, y + height);
   };
   int longest = 0;
-  int column = 0;
+  int row = 0;
   int end = 0;
-  for (int x = image.width() / 2; x + width < image.width(); ++x) {
-    for (int y = 0, run = 0; y < image.height(); ++y) {
+  for (int y = image.height() / 2; y + height < image.height(); ++y) {
+    for (int x = 0, run = 0; x < image.width(); ++x) {
       run = is_scale(x, y) ? run + 1 : 0;
       if (run > longest) {
         longest = run;
-        column = x;
-        end = y;
+        row = y;
+        end = x;
       }
     }
   }
-  ASSERT_GT(longest, image.height() / 4);
-  for (int y = end - longest + 3; y < end - 1; ++y) {
-    const QColor above = image.pixelColor(column, y - 1);
-    const QColor here = image.pixelColor(column, y);
-    EXPECT_LT(std::abs(above.red() - here.red()) + std::abs(above.green() - here.green()) +
-                  std::abs(above.blue() - here.blue()),
+  ASSERT_GT(longest, 100);
+  for (int x = end - longest + 3; x < end - 1; ++x) {
+    const QColor before = image.pixelColor(x - 1, row);
+    const QColor here = image.pixelColor(x, row);
+    EXPECT_LT(std::abs(before.red() - here.red()) + std::abs(before.green() - here.green()) +
+                  std::abs(before.blue() - here.blue()),
               30)
-        << y;
+        << x;
   }
 }
 
@@ -169,11 +169,11 @@ TEST(SceneVectorFiles, HoldTheirTextsAsTextToo) {
   input.scene.colouring = Colouring::contour_error;
   input.texts.programmed = "programmée";
   const std::string svg = scene_file(input, request_of(PictureFormat::svg));
-  EXPECT_THAT(svg, testing::HasSubstr(">(µm)</text>"));
+  EXPECT_THAT(svg, testing::HasSubstr("µm</text>"));
   EXPECT_THAT(svg, testing::HasSubstr(">programmée</text>"));
   input.scene.colouring = Colouring::feed;
   const std::string other = scene_file(input, request_of(PictureFormat::svg));
-  EXPECT_THAT(other, testing::Not(testing::HasSubstr("(µm)</text>")));
+  EXPECT_THAT(other, testing::Not(testing::HasSubstr("µm</text>")));
 }
 
 TEST(SceneVectorFiles, NothingReachesOutOfThePicturesPlace) {

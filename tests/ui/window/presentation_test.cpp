@@ -22,6 +22,7 @@
 #include "ui/theme/type_size.h"
 #include "ui/window/help_menu.h"
 #include "ui/window/main_window.h"
+#include "ui/window/saved_layout.h"
 
 namespace feedscope::ui {
 namespace {
@@ -211,13 +212,14 @@ TEST_F(PresentationTest, ACommandAndItsKeySwitchIt) {
 TEST_F(PresentationTest, ASessionRemembersItWithTheUsualLayout) {
   model.open(data_folder() / "resources/programs/tapie_circle_30.nc");
   ASSERT_TRUE(QTest::qWaitFor([&] { return !model.busy() && model.shown() != nullptr; }, patience));
+  dock("runs").show();
   dock("runs").raise();
   settle();
   const QByteArray layout = window.saveState();
   present(true);
   const Session session = window.session().capture();
   EXPECT_TRUE(session.presentation);
-  EXPECT_EQ(session.layout, layout);
+  EXPECT_EQ(checked_state(session.layout), layout);
   present(false);
   EXPECT_FALSE(window.session().capture().presentation);
   window.session().show(session);
