@@ -483,7 +483,7 @@ void DecideView::show_help() {
     const TriedChange& change = report.changes.tried[best];
     auto* text = make_text(this, 12);
     text->setText(remedy_text(change.remedy, findings.shown()->run.setup));
-    text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Minimum);  // it has what the others leave
+    text->setMinimumWidth(1);  // it has what the others leave
     auto* gain = make_text(this, 12);
     gain->setWordWrap(false);
     gain->setText(TimeTexts::change(change.cycle_time - report.use.cycle_time));

@@ -367,11 +367,27 @@ void WhyView::show_neighbours() {
     action->setEnabled(stretch.has_value());
     if (stretch) {
       button->setIcon(icon_of(stretch->cause));
-      button->setText(text.arg(WhyText::cause(stretch->cause), QString::number(stretch->line)));
+      button->setAccessibleName(text.arg(WhyText::cause(stretch->cause), QString::number(stretch->line)));
     }
   };
   show(before_button_, before_action_, before_, tr("◂ %1, line %2"));
   show(after_button_, after_action_, after_, tr("▸ %1, line %2"));
+  fit_buttons();
+}
+
+void WhyView::fit_buttons() {
+  constexpr int around_text = 56;  // [px]: icon, margins, scroll bar
+  for (QToolButton* button : {before_button_, after_button_}) {
+    const QString whole = button->accessibleName();
+    button->setText(button->fontMetrics().elidedText(whole, Qt::ElideRight,
+                                                     std::max(0, width() - type_pixels(around_text))));
+    button->setToolTip(whole);
+  }
+}
+
+void WhyView::resizeEvent(QResizeEvent* event) {
+  Panel::resizeEvent(event);
+  fit_buttons();
 }
 
 SegmentRange WhyView::segments_here() const {

@@ -66,8 +66,11 @@ class WhyView : public Panel {
  protected:
   void showEvent(QShowEvent* event) override;
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
+  /// What has no room in the panel is in the tips of the buttons.
+  void fit_buttons();
   QLabel* add_label(QWidget* parent);
   QAction* add_action(const QString& text, const QString& tip, const QKeySequence& key,
                       void (WhyView::*call)());

@@ -267,14 +267,16 @@ void TraceList::take(int id, const JobOutcome<Result>& outcome) {
   if (row < items_.size() && !outcome.cancelled()) {
     State& state = states_[id];
     const bool was_compared = state.was_compared;
+    const QString told = state.told;
     state = outcome.result.value_or(State{nullptr, nullptr, false, outcome.failure});
     state.was_compared = was_compared || state.shown != nullptr;
+    state.told = state.failure;
     const bool first = !was_compared && state.was_compared;
     emit changed(row);
     if (first) {
       emit compared_first(row);
     }
-    if (!state.failure.isEmpty()) {
+    if (!state.failure.isEmpty() && state.failure != told) {  // each run is compared with it anew
       emit failed(items_[row].name + QStringLiteral(": ") + state.failure);
     }
   }

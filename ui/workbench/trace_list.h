@@ -102,6 +102,7 @@ class TraceList : public QObject {
     bool given_up = false;
     QString failure = {};
     bool was_compared = false;  ///< with this run or one before
+    QString told = {};          ///< the failure that the user has been told
     double machine_period = 0;  ///< TraceColumns::machine_period that it was read with
   };
   using Result = State;

@@ -108,6 +108,7 @@ TEST_F(SessionFile, OfEveryVersionIsReadWhole) {
   expected.charts.shown_charts.clear();
   expected.scene.stretch = {};
   expected.scene.on_machine = false;
+  expected.scene.axes = true;  // they were always drawn
   expected.presentation = false;
   for (int version = 1; version <= session_version; ++version) {
     const ReadSession read =

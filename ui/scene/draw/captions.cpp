@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 
 #include "core/base/ticks.h"
@@ -233,7 +234,10 @@ struct ColourBar {
     const std::array values{of.low, (of.low + of.high) / 2, of.high};
     const std::array signs{of.beyond && of.diverging ? "≤ " : "", "", of.beyond ? "≥ " : ""};
     for (std::size_t i = 0; i < ticks.size(); ++i) {
-      ticks[i] = signs[i] + captions.texts->localised(fmt::format("{:.4g}", values[i]));
+      constexpr double many_digits = 1e4;  // from here on 4 figures would need a power of ten
+      const bool large = std::abs(values[i]) >= many_digits;
+      ticks[i] = signs[i] + captions.texts->localised(large ? fmt::format("{:.0f}", values[i])
+                                                            : fmt::format("{:.4g}", values[i]));
     }
   }
 
