@@ -433,6 +433,11 @@ Command add_render_command(CLI::App& app) {
       [options](double number) { options->reference = static_cast<int>(number); },
       "The run that --colour time_lost and path_distance compare with [the first other one]")
       ->type_name("N");
+  command
+      ->add_option("--rapids", options->rapids,
+                   "Rapids: show, hide, or auto, which hides them where they cover more than 5 % of the "
+                   "picture [auto, or the session's]")
+      ->check(CLI::IsMember({"show", "hide", "auto"}));
   command->add_option("--theme", options->theme, "Colours: light, dark [light, or the session's]")
       ->check(CLI::IsMember(themes))
       ->type_name("THEME");
