@@ -11,10 +11,10 @@
 #include "ui/language/remedy_text.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"
+#include "ui/language/time_texts.h"
 #include "ui/report/html_table.h"
 #include "ui/report/report_numbers.h"
 #include "ui/report/report_words.h"
-#include "ui/language/time_texts.h"
 
 namespace feedscope::ui {
 

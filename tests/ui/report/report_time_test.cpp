@@ -3,9 +3,9 @@
 #include <gmock/gmock.h>
 
 #include "tests/ui/report/report_fixture.h"
+#include "ui/language/time_texts.h"
 #include "ui/report/report.h"
 #include "ui/report/report_numbers.h"
-#include "ui/language/time_texts.h"
 
 namespace feedscope::ui {
 namespace {
