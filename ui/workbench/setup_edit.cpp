@@ -58,7 +58,9 @@ void SetupEdit::set_file(const Setup& file) {
       }
     }
   }
-  const auto same_model = [this](const SetupState& other) { return other.file().model == this->file().model; };
+  const auto same_model = [this](const SetupState& other) {
+    return other.file().model == this->file().model;
+  };
   const bool models_differ = !is_common(same_model);
   const auto move = [&](SetupState& setup) {
     SetupState moved(file);
@@ -73,8 +75,8 @@ void SetupEdit::set_file(const Setup& file) {
     }
     setup = moved;
   };
-  const bool in_all = is_common(
-      [this](const SetupState& other) { return other.file().machine == this->file().machine; });
+  const bool in_all =
+      is_common([this](const SetupState& other) { return other.file().machine == this->file().machine; });
   change(move, tr("machine %1").arg(QString::fromStdString(file.machine.name)), in_all);
 }
 
