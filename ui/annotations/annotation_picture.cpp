@@ -139,14 +139,14 @@ class LabelPlacer {
   LabelPlacer(const QRectF& room, double scale, PathCover cover)
       : room_(room), gap_(label_gap * scale), cover_(std::move(cover)) {}
 
-  /// What neither a label nor a leader may cover.
+  /// No label or leader is placed over `rectangle`.
   void keep_free(const QRectF& rectangle) { taken_.append(rectangle); }
 
   /// Where a label should be kept away from, if it must move.
   void avoid(const QPointF& place) { places_.append(place); }
 
-  /// The nearest free place for a label that belongs to `middle`, beside the path unless it was `put` where
-  /// it is; where there is none, the one that covers least.
+  /// The nearest free place for a label of the place `middle`, off the path unless the user has moved it
+  /// (`put`); if no place is free, the one that covers least.
   QRectF place(const QRectF& asked, const QPointF& middle, bool has_leader, bool put) {
     const QRectF wanted = moved_into(asked, room_);
     const auto leader = [&](const QRectF& label) {
@@ -162,7 +162,7 @@ class LabelPlacer {
   }
 
  private:
-  /// What a label would cover of those that have their place, and a line crossing a text for a whole one
+  /// Area of placed labels that a label would cover; a leader that crosses a text counts as a whole label
   /// [pixels2].
   double covered_by(const QRectF& label, const std::optional<QLineF>& leader) const {
     const QRectF wide = label.adjusted(-gap_, -gap_, gap_, gap_);

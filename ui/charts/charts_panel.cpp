@@ -114,7 +114,7 @@ void ChartsPanel::connect_chart(KinematicChart& chart) {
   chart.installEventFilter(this);
 }
 
-/// What lies in the plots.
+/// The labels, the button of the menu and the line of values, which lie over the plots.
 void ChartsPanel::place_overlays() {
   rows_.place_shares();
   const KinematicChart& first = *rows_.charts.front();

@@ -92,7 +92,7 @@ std::optional<double> DecisionChart::bound_x() const {
                 : std::nullopt;
 }
 
-/// Each beside its dot where it covers the fewest dots and names.
+/// For each name the place next to its dot that covers the fewest other dots and names.
 std::vector<QRectF> DecisionChart::labels() const {
   const QFontMetricsF metrics(font());
   const QRectF room = QRectF(rect()).adjusted(type_pixels(52), 0, 0, -(metrics.height() + 4));

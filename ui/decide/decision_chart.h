@@ -28,7 +28,7 @@ class DecisionChart : public QWidget {
   /// `bound`: on the error [mm].
   void set(std::vector<DecisionDot> dots, std::optional<double> bound);
   const std::vector<DecisionDot>& dots() const { return dots_; }
-  /// Where a dot is drawn; its name beside it.
+  /// Centre of a dot [pixels].
   QPointF place_of(const DecisionDot& dot) const;
   std::vector<QRectF> labels() const;
   /// Of the line of the bound; none without a bound.

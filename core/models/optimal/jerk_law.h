@@ -26,8 +26,8 @@ class JerkLaw {
   void run(std::uint32_t first, std::uint32_t last, ProgressSteps& steps);
 
  private:
-  /// Elements [first, last) that are passed as one: a line in pieces, a curve and what rounding left beside
-  /// it.
+  /// Elements [first, last) with cells in common: the pieces of a line, or a curve with a tiny element that
+  /// rounding made next to it.
   struct Span {
     std::uint32_t first;
     std::uint32_t last;
