@@ -9,6 +9,8 @@ namespace {
 // More than the square root of 3 that along a line in space the path has over its axes.
 constexpr double in_sight = 1.75;
 constexpr double headroom = 0.06;
+// The extreme of a polynomial is exact to rounding: at rest a feed may be -1e-12 m/min.
+constexpr double rounding = 1e-6;
 
 }  // namespace
 
@@ -28,6 +30,9 @@ Interval fit_values(std::span<const CurveReach> curves, std::span<const double> 
       fit.lower = std::min(fit.lower, std::max(-sight, double{curve.values.min}));
       fit.upper = std::max(fit.upper, std::min(sight, double{curve.values.max}));
     }
+  }
+  if (-fit.lower < rounding * fit.upper) {
+    fit.lower = 0;
   }
   for (const double limit : limits) {
     if (limit <= sight) {

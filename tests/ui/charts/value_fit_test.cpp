@@ -35,6 +35,14 @@ TEST(ValueFit, ShowsALimitThatIsNear) {
   EXPECT_EQ(fit.lower, 0);
 }
 
+TEST(ValueFit, AFeedThatRoundsBelowZeroHasNoNegativeHalf) {
+  for (const bool may_be_cut : {false, true}) {
+    const Interval fit = fit_values(std::array{CurveReach{{-1e-13F, 5}, may_be_cut}}, std::array{6.0});
+    EXPECT_EQ(fit.lower, 0);
+    EXPECT_GE(fit.upper, 6);
+  }
+}
+
 TEST(ValueFit, RapidsDoNotSetTheScale) {
   const Interval whole{-9000, 21000};
   const auto slower = without_rapids(whole, 20000, {300, 300});
