@@ -16,7 +16,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <map>
+#include <system_error>
 #include <tuple>
 
 #include "core/base/units.h"
@@ -26,10 +28,34 @@ namespace {
 
 constexpr int dots_per_inch = 72;  // a point is a pixel
 
+struct TypeFace {
+  std::string regular;
+  std::string bold;
+};
+
+/// The files of DejaVu Sans; empty where it is not installed: then texts are in VTK's own Arial.
+const TypeFace& type_face() {
+  static const TypeFace face = [] {
+    const std::filesystem::path folder = FEEDSCOPE_FONTS;
+    TypeFace found{folder / "DejaVuSans.ttf", folder / "DejaVuSans-Bold.ttf"};
+    std::error_code error;
+    const bool there =
+        std::filesystem::exists(found.regular, error) && std::filesystem::exists(found.bold, error);
+    return there ? found : TypeFace{};
+  }();
+  return face;
+}
+
 void apply(const TextStyle& style, vtkTextProperty& property) {
-  property.SetFontFamilyToArial();
+  const std::string& file = style.bold ? type_face().bold : type_face().regular;
+  if (file.empty()) {
+    property.SetFontFamilyToArial();
+    property.SetBold(style.bold ? 1 : 0);
+  } else {
+    property.SetFontFamily(VTK_FONT_FILE);
+    property.SetFontFile(file.c_str());
+  }
   property.SetFontSize(static_cast<int>(std::lround(style.size)));
-  property.SetBold(style.bold ? 1 : 0);
   property.SetColor(style.colour[0], style.colour[1], style.colour[2]);
   property.SetJustification(style.horizontal < 0   ? VTK_TEXT_LEFT
                             : style.horizontal > 0 ? VTK_TEXT_RIGHT
