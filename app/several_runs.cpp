@@ -130,7 +130,8 @@ int tell_of_shown_runs(const ui::ReportInput& input, const std::vector<std::stri
 }
 
 ui::ReportInput simulate_runs(const ReadOptions& reading, const std::vector<AskedRun>& runs,
-                              std::shared_ptr<const SourceText> source, Watch& watch) {
+                              std::shared_ptr<const SourceText> source, Watch& watch,
+                              const ui::ShownParts& parts) {
   const LoadedProgram program = load_program(std::move(source), watch.stage("reading"),
                                              reading_on(reading, runs.front().setup.machine));
   note_unused_reading(*program.program, reading);
@@ -138,7 +139,7 @@ ui::ReportInput simulate_runs(const ReadOptions& reading, const std::vector<Aske
   std::vector<std::shared_ptr<const ui::ShownRun>> shown(runs.size());
   in_parallel(runs.size(), [&](std::size_t i) {
     Progress part(whole, 1 / static_cast<double>(runs.size()));
-    shown[i] = ui::simulate_shown(program, runs[i].setup, &part);
+    shown[i] = ui::simulate_shown(program, runs[i].setup, &part, nullptr, parts);
   });
   ui::ReportInput input;
   input.runs = ui::report_runs(shown);

@@ -40,8 +40,10 @@ int tell_of_shown_runs(const ui::ReportInput& input, const std::vector<std::stri
 /// Of its runs.
 std::vector<Setup> setups_of(const ui::ReportInput& input);
 
-/// Reads the program and simulates the runs, as many at a time as there are processors. Throws Cancelled.
+/// Reads the program and simulates the runs, as many at a time as there are processors, with those `parts`
+/// that are to be shown. Throws Cancelled.
 ui::ReportInput simulate_runs(const ReadOptions& reading, const std::vector<AskedRun>& runs,
-                              std::shared_ptr<const SourceText> source, Watch& watch);
+                              std::shared_ptr<const SourceText> source, Watch& watch,
+                              const ui::ShownParts& parts = {});
 
 }  // namespace feedscope

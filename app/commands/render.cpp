@@ -252,6 +252,14 @@ std::string picture_file(ui::ReportInput& input, const RenderOptions& options,
                                 : ui::sheet_file(input, request);
 }
 
+/// What the picture or the film draws of each run.
+ui::ShownParts parts_of(const RenderOptions& options) {
+  const View view = views.at(options.view);
+  const bool sheet = view == View::sheet || options.film.asked();
+  const bool lens = !options.lens.empty();
+  return {sheet || (view == View::scene && !lens), sheet || (view == View::charts && !lens), sheet};
+}
+
 void set_colours(const RenderOptions& options, ui::ReportInput& input) {
   if (!options.colour.empty()) {
     input.scene.colouring = *std::ranges::find(ui::all_colourings(), options.colour, ui::colouring_key);
@@ -349,8 +357,9 @@ int render(const RenderOptions& options) {
     Watch::tell_in_lines();
   }
   std::optional<Watch> watch(std::in_place);
-  ui::ReportInput input = session ? simulate_session(*session, *watch)
-                                  : simulate_runs(options.runs.reading(), runs, source, *watch);
+  ui::ReportInput input =
+      session ? simulate_session(*session, *watch)
+              : simulate_runs(options.runs.reading(), runs, source, *watch, parts_of(options));
   add_traces(input, options.traces, *watch);
   if (!session || !options.camera.empty()) {
     input.view = camera_of(options);

@@ -33,6 +33,11 @@ std::string short_time(double seconds) {
   constexpr double minute = 60;
   constexpr double hour = 3600;
   const double tenths = std::round(10 * seconds) / 10;
+  constexpr double in_ms = 0.1;  // [s]
+  if (seconds < in_ms) {
+    constexpr double milli = 1e3;
+    return seconds > 0 ? three_figures(milli * seconds) + " ms" : "0 s";
+  }
   if (tenths < minute) {
     return three_figures(seconds) + " s";
   }

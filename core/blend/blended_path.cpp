@@ -217,6 +217,11 @@ Corner BlendedPath::corner(std::size_t corner) const {
   return laid;
 }
 
+double BlendedPath::turn(std::size_t corner) const {
+  const CornerPlan plan = plan_of(corner);
+  return turn_angle(plan.in, plan.out);
+}
+
 double BlendedPath::min_radius(std::size_t corner) const {
   const CornerPlan plan = plan_of(corner);
   return kind(corners_[corner]) == ElementKind::blend

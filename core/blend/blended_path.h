@@ -125,6 +125,7 @@ class BlendedPath {
   std::size_t curve_count() const { return curves_; }                                  ///< smooth curves
   /// How the corner was laid: its turn [rad], transition and distance of the corner point [mm].
   Corner corner(std::size_t corner) const;
+  double turn(std::size_t corner) const;               ///< the same alone [rad]
   double min_radius(std::size_t corner) const;         ///< [mm]
   const Vec3& corner_point(std::size_t corner) const;  ///< programmed [mm]
 

@@ -621,10 +621,6 @@
 <context>
     <name>LineTimeText</name>
     <message>
-        <source>%1 ms</source>
-        <translation>%1&#xa0;ms</translation>
-    </message>
-    <message>
         <source>Line %1</source>
         <translation>Ligne %1</translation>
     </message>
@@ -11009,10 +11005,6 @@ max. : %1 %</translation>
         <translation>Enregistrer la machine et toutes ses modifications dans un fichier machine</translation>
     </message>
     <message>
-        <source>Save &amp;picture</source>
-        <translation>Enregistrer l’&amp;image</translation>
-    </message>
-    <message>
         <source>&amp;Copy picture</source>
         <translation>&amp;Copier l’image</translation>
     </message>
@@ -12541,10 +12533,6 @@ Utiliser la machine qu’elle décrit pour la simulation courante ?</translation
         <translation>Vue &amp;3D</translation>
     </message>
     <message>
-        <source>Save the 3D view with its annotations as PNG, SVG or PDF</source>
-        <translation>Enregistrer la vue 3D et ses annotations en PNG, SVG ou PDF</translation>
-    </message>
-    <message>
         <source>Copy the 3D view with its annotations to the clipboard</source>
         <translation>Copier la vue 3D et ses annotations dans le presse-papiers</translation>
     </message>
@@ -12557,10 +12545,6 @@ Utiliser la machine qu’elle décrit pour la simulation courante ?</translation
         <translation>&amp;Graphiques</translation>
     </message>
     <message>
-        <source>Save the charts as PNG, SVG or PDF</source>
-        <translation>Enregistrer les graphiques en PNG, SVG ou PDF</translation>
-    </message>
-    <message>
         <source>Copy the charts to the clipboard</source>
         <translation>Copier les graphiques dans le presse-papiers</translation>
     </message>
@@ -12569,28 +12553,8 @@ Utiliser la machine qu’elle décrit pour la simulation courante ?</translation
         <translation>&amp;Fenêtre</translation>
     </message>
     <message>
-        <source>Save all of the window as PNG, SVG or PDF</source>
-        <translation>Enregistrer toute la fenêtre en PNG, SVG ou PDF</translation>
-    </message>
-    <message>
         <source>Copy all of the window to the clipboard</source>
         <translation>Copier toute la fenêtre dans le presse-papiers</translation>
-    </message>
-    <message>
-        <source>%1 …</source>
-        <translation>%1 …</translation>
-    </message>
-    <message>
-        <source>Save picture</source>
-        <translation>Enregistrer l’image</translation>
-    </message>
-    <message>
-        <source>Picture (*.png);;Drawing (*.svg);;Document (*.pdf)</source>
-        <translation>Image (*.png);;Dessin (*.svg);;Document (*.pdf)</translation>
-    </message>
-    <message>
-        <source>%1 has been written</source>
-        <translation>%1 a été écrit</translation>
     </message>
 </context>
 <context>
@@ -16020,10 +15984,6 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>Control model</source>
         <translation>Modèle de commande</translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1&#xa0;s</translation>
     </message>
     <message>
         <source>%1 %2</source>

@@ -342,9 +342,9 @@ void DecideView::show_decision() {
   } else if (findings.report() != nullptr) {
     const TimeUse& use = findings.report()->use;
     headline = tr("%1, of which %2 are lost (%3).")
-                   .arg(short_time_text(use.cycle_time), short_time_text(std::max(0.0, use.lost())),
+                   .arg(clock_text(use.cycle_time), clock_text(std::max(0.0, use.lost())),
                         share_text(use.cycle_time > 0 ? std::max(0.0, use.lost()) / use.cycle_time : 0));
-    rule = tr("Lost: against the programmed feed (%1).").arg(short_time_text(use.programmed_time));
+    rule = tr("Lost: against the programmed feed (%1).").arg(clock_text(use.programmed_time));
   }
   headline_->setText(headline);
   headline_->setVisible(!headline.isEmpty());
@@ -411,7 +411,7 @@ void DecideView::add_row(std::size_t row, const QString& name, const std::option
     item->setText(time_column, tr("refused"));
   } else {
     const Summary& summary = result->run.summary;
-    item->setText(time_column, short_time_text(summary.cycle_time));
+    item->setText(time_column, clock_text(summary.cycle_time));
     item->setText(error_column, number_text(deciding_error(summary), Dimension::error));
     if (taken && runs_.result(taken->against) != nullptr) {
       const double gain = runs_.result(taken->against)->run.summary.cycle_time - summary.cycle_time;

@@ -28,7 +28,7 @@ QString time_tick(double seconds, double step) {
   if (seconds < minute || step < 0.1) {
     return QLocale().toString(seconds, 'f', step_decimals(step));
   }
-  return short_time_text(seconds);
+  return clock_text(seconds);
 }
 
 }  // namespace

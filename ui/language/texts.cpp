@@ -2,7 +2,6 @@
 
 #include <QCoreApplication>
 #include <QLocale>
-#include <cmath>
 
 #include "core/analysis/study/sweep.h"
 #include "core/base/short_text.h"
@@ -22,7 +21,7 @@ QString localised(const std::string& text) {
 
 }  // namespace
 
-QString short_time_text(double seconds) {
+QString clock_text(double seconds) {
   return localised(short_time(seconds));
 }
 
@@ -59,25 +58,6 @@ QString slower_tolerance_text(const SlowerTolerance& slower) {
       .arg(significant_text(slower.wide_value, Dimension::length, 5), seconds(slower.more),
            significant_text(slower.narrow_value, Dimension::length, 5), core_text(cause_title(slower.cause)),
            seconds(slower.cause_more));
-}
-
-QString clock_text(double seconds) {
-  constexpr int minute = 60;
-  constexpr double half_of_last_place = 5e-4;
-  if (seconds < minute - half_of_last_place) {
-    return QCoreApplication::translate("texts", "%1 s").arg(QLocale().toString(seconds, 'f', 3));
-  }
-  constexpr int hour = 60;  // [minutes]
-  constexpr int tenths_a_minute = 600;
-  const long long tenths = std::llround(seconds * 10);
-  const int minutes = static_cast<int>(tenths / tenths_a_minute);
-  const double rest = static_cast<double>(tenths % tenths_a_minute) / 10;
-  const auto padded = [](const QString& text, double value) { return (value < 10 ? "0" : "") + text; };
-  const QString rest_text = padded(QLocale().toString(rest, 'f', 1), rest);
-  return minutes < hour ? QStringLiteral("%1:%2").arg(minutes).arg(rest_text)
-                        : QStringLiteral("%1:%2:%3")
-                              .arg(minutes / hour)
-                              .arg(padded(QString::number(minutes % hour), minutes % hour), rest_text);
 }
 
 }  // namespace feedscope::ui

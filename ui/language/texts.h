@@ -7,12 +7,9 @@
 
 namespace feedscope::ui {
 
-/// A time for people: "12.345 s", from a minute on "3:05.2", from an hour on "4:39:01.0"; decimals by the
-/// locale.
+/// A time for people, as short_time(): "12.3 ms", "48.5 s", from a minute on "1:48.5", from an hour on
+/// "1:02:05"; decimals by the locale.
 QString clock_text(double seconds);
-
-/// The same in as few digits as a comparison needs: "48.5 s", "1:48.5", "1:02:05".
-QString short_time_text(double seconds);
 /// A share to a whole percent, below one to a figure that is not 0: "8 %", "0.3 %".
 QString share_text(double share);
 

@@ -24,15 +24,6 @@ double heat_of(double time, double largest) {
   return time > 0 && largest > 0 ? std::min(std::cbrt(time / largest), 1.0) : 0;
 }
 
-QString time_text(double seconds) {
-  constexpr double shortest_in_seconds = 0.1;
-  if (seconds >= shortest_in_seconds) {
-    return clock_text(seconds);
-  }
-  constexpr double milli = 1e3;
-  return LineTimeText::tr("%1 ms").arg(QLocale().toString(seconds * milli, 'f', seconds * milli < 1 ? 3 : 2));
-}
-
 QString line_time_text(const LineTimes& times, std::uint32_t first, std::uint32_t last) {
   const LineTime cost = times.of(first, last);
   if (cost.runs == 0) {
@@ -45,11 +36,11 @@ QString line_time_text(const LineTimes& times, std::uint32_t first, std::uint32_
                   ? LineTimeText::tr("Line %1").arg(locale.toString(first))
                   : LineTimeText::tr("Lines %1 to %2").arg(locale.toString(first), locale.toString(last)));
   text.append(LineTimeText::tr("%1, %2 % of the cycle time")
-                  .arg(time_text(cost.time), locale.toString(percent * cost.time / times.total(), 'f', 2)));
+                  .arg(clock_text(cost.time), locale.toString(percent * cost.time / times.total(), 'f', 2)));
   if (first == last && cost.runs > 1) {
     text.append(LineTimeText::tr("executed %1 times, %2 each on average")
                     .arg(locale.toString(static_cast<qulonglong>(cost.runs)),
-                         time_text(cost.time / static_cast<double>(cost.runs))));
+                         clock_text(cost.time / static_cast<double>(cost.runs))));
   }
   if (cost.mean_feed() > 0) {
     text.append(LineTimeText::tr("mean feed %1").arg(amount_text(cost.mean_feed(), Dimension::feed)));

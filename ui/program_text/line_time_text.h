@@ -10,9 +10,6 @@ namespace feedscope::ui {
 /// ratio, so that lines which differ by two are told apart and short ones are seen beside a long dwell.
 double heat_of(double time, double largest);
 
-/// A short time for people, "12.3 ms"; a longer one as clock_text().
-QString time_text(double seconds);
-
 /// What the lines from `first` to `last` cost: time and share, how often they ran, mean feed. Several lines
 /// of text; empty for lines that take no time.
 QString line_time_text(const LineTimes& times, std::uint32_t first, std::uint32_t last);

@@ -28,6 +28,7 @@ struct Session {
   std::vector<RunItem> runs;      ///< at least one
   std::size_t current_run = 0;
   double cursor = 0;  ///< time in the current run [s]
+  std::optional<double> error_bound;  ///< RunList::error_bound() [mm]
   SceneState scene;
   ScenesState scenes;
   ChartsState charts;

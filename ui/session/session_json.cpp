@@ -238,6 +238,9 @@ QJsonObject to_json(const Session& session, const std::filesystem::path& folder)
       {"traces", traces},
       {"lessons", to_json(session.lessons)},
       {"window", window}};
+  if (session.error_bound) {
+    json["max_contour_error_mm"] = *session.error_bound;
+  }
   if (const QJsonObject found = to_json(session.identification, folder, machines); !found.isEmpty()) {
     json["identification"] = found;
   }
@@ -251,7 +254,8 @@ ReadSession read_session(const QJsonObject& json, const std::filesystem::path& f
   note_unknown(
       json,
       {"format", "version", "program", "reading", "runs", "current_run", "cursor_s", "view", "compare",
-       "charts", "circular", "load_file", "annotations", "traces", "identification", "lessons", "window"},
+       "charts", "circular", "load_file", "annotations", "traces", "identification", "lessons", "window",
+       "max_contour_error_mm"},
       QStringLiteral("the session"), read.notes);
   Session& session = read.session;
   const QJsonObject program = json["program"].toObject();
@@ -274,6 +278,9 @@ ReadSession read_session(const QJsonObject& json, const std::filesystem::path& f
   session.current_run = static_cast<std::size_t>(
       std::clamp(json["current_run"].toInt(), 0, static_cast<int>(session.runs.size()) - 1));
   session.cursor = json["cursor_s"].toDouble();
+  if (const double bound = json["max_contour_error_mm"].toDouble(); bound > 0 && std::isfinite(bound)) {
+    session.error_bound = bound;
+  }
   read_json(json["view"].toObject(), session.scene);
   note_unknown(json["compare"].toObject(), {"mode", "other_run", "split", "reference_run"},
                QStringLiteral("\"compare\""), read.notes);

@@ -25,6 +25,7 @@ namespace feedscope::ui {
 namespace {
 
 constexpr int row_height = 22;
+constexpr int least_letters = 6;  // of the title of a column
 
 QTableView* make_table(QAbstractItemModel* model, const QString& name, QWidget* parent) {
   auto* table = new QTableView(parent);
@@ -218,11 +219,20 @@ void SetupView::fit_names() {
 bool SetupView::eventFilter(QObject* watched, QEvent* event) {
   if (watched == axes_ && event->type() == QEvent::Resize) {
     fit_names();
+    fit_settings();
   }
   return Panel::eventFilter(watched, event);
 }
 
+/// The ranges, which the tips say too, leave their room to the names where these need it.
 void SetupView::fit_settings() {
+  const auto& view = static_cast<const QAbstractItemView&>(*settings_);  // in which size hints are public
+  const QHeaderView& titles = *settings_->horizontalHeader();
+  int width = 0;
+  for (int column = 0; column < SettingsTable::columns; ++column) {
+    width += std::max(view.sizeHintForColumn(column), titles.fontMetrics().averageCharWidth() * least_letters);
+  }
+  settings_->setColumnHidden(SettingsTable::range, width > settings_->viewport()->width());
   settings_->setMaximumHeight(full_height(settings_));
 }
 

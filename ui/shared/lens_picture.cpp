@@ -64,6 +64,13 @@ struct LensPicture::View {
     return {mix(ground.red(), text.red()), mix(ground.green(), text.green()),
             mix(ground.blue(), text.blue())};
   }
+  /// What is drawn in `room` shows through the text that comes over it.
+  void make_pale(QPainter& painter, const QRectF& room) const {
+    constexpr double opacity = 0.8;
+    QColor ground = palette.color(QPalette::Base);
+    ground.setAlphaF(opacity);
+    painter.fillRect(room, ground);
+  }
 };
 
 LensPicture::LensPicture(const Lens& lens, std::vector<LensLook> looks, double scale)
@@ -183,9 +190,10 @@ void LensPicture::draw_scales(QPainter& painter, const View& view) const {
   painter.drawLine(QPointF(x - tick, y), QPointF(x + tick, y));
   painter.drawLine(QPointF(x - tick, high), QPointF(x + tick, high));
   const QString across_text = name(across, tr("%1 across"));
-  painter.drawText(
-      QPointF(x - 2 * tick - metrics.horizontalAdvance(across_text), (y + high) / 2 + metrics.ascent() / 2),
-      across_text);
+  QRectF room = metrics.boundingRect(across_text);
+  room.moveCenter({x - 2 * tick - room.width() / 2, (y + high) / 2});
+  view.make_pale(painter, room);
+  painter.drawText(room, Qt::AlignCenter, across_text);
 }
 
 /// Name, error and feed of each run at the cursor, top left.
@@ -208,6 +216,8 @@ void LensPicture::draw_table(QPainter& painter, const View& view) const {
     }
   }
   double y = view.plot.top() + margin * scale_;
+  view.make_pale(painter, QRectF(left, y, sample + 2.5 * gap + widths[0] + widths[1] + widths[2],
+                                 row * static_cast<double>(rows.size())));
   for (std::size_t r = 0; r < rows.size(); ++r) {
     double x = left;
     if (r > 0) {

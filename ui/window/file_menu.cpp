@@ -100,7 +100,7 @@ void FileMenu::add_paper() {
   follow();
   auto* pictures = new PictureCommands(window_);
   QMenu* images = addMenu(tr("Pi&ctures"));
-  for (QAction* action : pictures->save_actions() + pictures->copy_actions()) {
+  for (QAction* action : pictures->actions()) {
     set_everyday_words(action, tr("export image screenshot print"));
   }
   picture_ = add(
@@ -122,10 +122,7 @@ void FileMenu::add_paper() {
   const auto follow_run = [this, film] { film->setEnabled(workbench_.shown() != nullptr); };
   connect(&workbench_, &Workbench::run_changed, film, follow_run);
   follow_run();
-  images->addMenu(tr("Save &picture"))->addActions(pictures->save_actions());
-  images->addMenu(tr("&Copy picture"))->addActions(pictures->copy_actions());
-  connect(pictures, &PictureCommands::failed, this, &FileMenu::failed);
-  connect(pictures, &PictureCommands::saved, this, &FileMenu::done);
+  images->addMenu(tr("&Copy picture"))->addActions(pictures->actions());
 }
 
 void FileMenu::list_recent_files(QMenu* menu) {

@@ -2,26 +2,36 @@
 
 #include <QApplication>
 #include <QClipboard>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QPainter>
 
-#include "ui/charts/chart_export.h"
 #include "ui/charts/charts_panel.h"
-#include "ui/language/failure_text.h"
-#include "ui/report/picture_file.h"
+#include "ui/language/texts.h"
 #include "ui/shared/panel_action.h"
 #include "ui/shared/paths.h"
 #include "ui/window/main_window.h"
-#include "ui/window/proposed_file.h"
 
 namespace feedscope::ui {
 
 namespace {
 
-PictureFormat format_of(const QString& file) {
-  const QString ending = QFileInfo(file).suffix().toLower();
-  return ending == "svg" ? PictureFormat::svg : ending == "pdf" ? PictureFormat::pdf : PictureFormat::png;
+/// `picture` with a line of text below it, all of `scale` pixels to a unit.
+QImage captioned(const QImage& picture, const QString& caption, double scale) {
+  const QFont font = QApplication::font();
+  const QFontMetrics metrics(font);
+  const int row = 2 * metrics.height();
+  const QSize size = (QSizeF(picture.size()) / scale).toSize();
+  QImage whole(QSize(picture.width(), picture.height() + static_cast<int>(row * scale)), picture.format());
+  whole.setDevicePixelRatio(scale);
+  const QPalette palette = QApplication::palette();
+  whole.fill(palette.color(QPalette::Window));
+  QPainter painter(&whole);
+  painter.drawImage(QRectF(QPointF(), QSizeF(size)), picture);
+  painter.setPen(palette.color(QPalette::WindowText));
+  painter.setFont(font);
+  const QRect place = QRect(0, size.height(), size.width(), row).adjusted(row / 2, 0, -row / 2, 0);
+  painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter,
+                   metrics.elidedText(caption, Qt::ElideRight, place.width()));
+  return whole;
 }
 
 }  // namespace
@@ -30,84 +40,50 @@ PictureCommands::PictureCommands(MainWindow& window) : QObject(&window), window_
   struct Entry {
     Part part;
     QString name;
-    QString save_tip;
-    QString copy_tip;
-    QKeySequence copy_key;
+    QString tip;
+    QKeySequence key;
   };
   const Entry entries[] = {
-      {Part::scene, tr("&3D view"), tr("Save the 3D view with its annotations as PNG, SVG or PDF"),
-       tr("Copy the 3D view with its annotations to the clipboard"), QKeySequence(tr("Ctrl+Shift+P"))},
-      {Part::charts,
-       tr("&Charts"),
-       tr("Save the charts as PNG, SVG or PDF"),
-       tr("Copy the charts to the clipboard"),
-       {}},
-      {Part::window,
-       tr("&Window"),
-       tr("Save all of the window as PNG, SVG or PDF"),
-       tr("Copy all of the window to the clipboard"),
-       {}}};
+      {Part::scene, tr("&3D view"), tr("Copy the 3D view with its annotations to the clipboard"),
+       QKeySequence(tr("Ctrl+Shift+P"))},
+      {Part::charts, tr("&Charts"), tr("Copy the charts to the clipboard"), {}},
+      {Part::window, tr("&Window"), tr("Copy all of the window to the clipboard"), {}}};
   for (const Entry& entry : entries) {
     const Part part = entry.part;
-    save_.append(make_action(this, tr("%1 …").arg(entry.name), entry.save_tip, {},
-                             [this, part] { ask_and_save(part); }));
-    copy_.append(make_action(this, entry.name, entry.copy_tip, entry.copy_key, [this, part] { copy(part); }));
+    actions_.append(make_action(this, entry.name, entry.tip, entry.key, [this, part] {
+      QApplication::clipboard()->setImage(picture(part));
+    }));
   }
 }
 
 QImage PictureCommands::picture(Part part) const {
-  QWidget& shown = part == Part::scene    ? window_.scene().canvas()
-                   : part == Part::charts ? static_cast<QWidget&>(window_.part<ChartsPanel>())
-                                          : static_cast<QWidget&>(window_);
   window_.scenes().rest();
-  return shown.grab().toImage();
-}
-
-void PictureCommands::save(Part part, const QString& file) const {
-  PictureSpec spec;
-  spec.format = format_of(file);
-  spec.background = QApplication::palette().color(QPalette::Window);
-  spec.title = window_.windowTitle();
-  spec.scale = window_.devicePixelRatioF();
-  std::string bytes;
+  const double scale = window_.devicePixelRatioF();
+  if (part == Part::window) {
+    return window_.grab().toImage();
+  }
   if (part == Part::charts) {
-    spec.size = window_.part<ChartsPanel>().size();
-    bytes = make_picture(spec, [this](QPainter& painter) { window_.part<ChartsPanel>().draw(painter); });
-  } else {
-    const QImage image = picture(part);
-    spec.size = QSizeF(image.size()) / spec.scale;
-    bytes = make_picture(spec,
-                         [&](QPainter& painter) { painter.drawImage(QRectF(QPointF(), spec.size), image); });
+    return captioned(window_.part<ChartsPanel>().grab().toImage(), caption(), scale);
   }
-  write_whole_file(file, QByteArray::fromStdString(bytes));
+  SceneView& view = window_.scene();
+  view.scene().set_cube(false);
+  const QImage scene = view.canvas().grab().toImage();
+  view.scene().set_cube(true);
+  return captioned(scene, caption(), scale);
 }
 
-void PictureCommands::copy(Part part) const {
-  QApplication::clipboard()->setImage(picture(part));
-}
-
-QString PictureCommands::proposed_file(Part part) const {
-  const QString what = part == Part::scene    ? QStringLiteral("3d")
-                       : part == Part::charts ? QStringLiteral("charts")
-                                              : QStringLiteral("window");
-  return ui::proposed_file(window_.workbench().file(), what, QStringLiteral("png"));
-}
-
-void PictureCommands::ask_and_save(Part part) {
-  QString file = QFileDialog::getSaveFileName(&window_, tr("Save picture"), proposed_file(part),
-                                              tr("Picture (*.png);;Drawing (*.svg);;Document (*.pdf)"));
-  if (file.isEmpty()) {
-    return;
+QString PictureCommands::caption() const {
+  Workbench& workbench = window_.workbench();
+  const auto shown = workbench.shown();
+  if (shown == nullptr) {
+    return {};
   }
-  if (QFileInfo(file).suffix().isEmpty()) {
-    file += QStringLiteral(".png");
-  }
-  try {
-    save(part, file);
-    emit saved(tr("%1 has been written").arg(QFileInfo(file).fileName()));
-  } catch (const std::exception& error) {
-    emit failed(failure_text(error));
-  }
+  const Run& run = shown->run;
+  return QStringList{to_qstring(workbench.file().filename()),
+                     QString::fromStdString(run.setup.machine.name),
+                     workbench.runs().title(workbench.runs().current_item()),
+                     clock_text(run.summary.cycle_time)}
+      .join(QStringLiteral(" · "));
 }
 
 }  // namespace feedscope::ui

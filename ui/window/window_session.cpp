@@ -63,6 +63,7 @@ Session WindowSession::capture() const {
   session.reading = workbench_.reading();
   session.runs = workbench_.runs().items();
   session.current_run = workbench_.runs().current();
+  session.error_bound = workbench_.runs().error_bound();
   session.annotations = workbench_.annotations().items();
   session.traces = workbench_.traces().items();
   return session;
@@ -110,6 +111,7 @@ void WindowSession::show(const Session& session) {
 
 void WindowSession::show_contents(const Session& session) {
   workbench_.open(session.program, session.runs, session.current_run, session.reading, session.load);
+  workbench_.runs().set_error_bound(session.error_bound);
   workbench_.annotations().replace(session.annotations);
   workbench_.traces().replace(session.traces);
   window_.part<IdentificationView>().set_state(session.identification);  // it needs no run

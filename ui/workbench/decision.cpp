@@ -71,7 +71,7 @@ Decision DecisionTexts::decision(const RunList& runs) {
   }
   const Summary& summary = runs.result(taken->run)->run.summary;
   const QString name = names[static_cast<qsizetype>(taken->run)];
-  const QString time = short_time_text(summary.cycle_time);
+  const QString time = clock_text(summary.cycle_time);
   switch (taken->reason) {
     case Recommendation::Reason::only:
       return {tr("%1: %2, %3.").arg(name, time, error(summary)), tr("No other run can be taken.")};

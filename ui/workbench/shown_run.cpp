@@ -21,7 +21,8 @@ struct Shares {
 
 /// What is shown of `run`, each part beside the others, its summary too if that is still to come. `share`: of
 /// `progress`; `input`: the toolpath that was simulated, null: that of the run.
-std::shared_ptr<const ShownRun> shown_of(Run run, Progress& progress, double share, const Toolpath* input) {
+std::shared_ptr<const ShownRun> shown_of(Run run, Progress& progress, double share, const Toolpath* input,
+                                         const ShownParts& parts) {
   auto shown = std::make_shared<ShownRun>();
   shown->run = std::move(run);
   const std::shared_ptr<const Trajectory> trajectory = shown->run.trajectory;
@@ -33,29 +34,36 @@ std::shared_ptr<const ShownRun> shown_of(Run run, Progress& progress, double sha
   Progress places(progress, of.places * share);
   // What takes longest first.
   in_parallel({[&] {
-                 shown->samples = std::make_shared<const SampledPath>(
-                     sample_executed(*trajectory, default_max_points, {}, &samples, shown->run.sources));
+                 if (parts.path) {
+                   shown->samples = std::make_shared<const SampledPath>(
+                       sample_executed(*trajectory, default_max_points, {}, &samples, shown->run.sources));
+                 }
+                 samples.report(1);
                },
                [&] {
                  const Toolpath& toolpath = *shown->run.input.toolpath;
                  if (input != nullptr) {
                    add_summary(shown->run, &summary);
                  }
-                 if (input != nullptr && input != &toolpath) {
+                 if (parts.path && input != nullptr && input != &toolpath) {
                    shown->programmed = std::make_shared<const SampledPath>(sample_programmed(toolpath));
                  }
                  summary.report(1);
                },
                [&] {
-                 shown->envelope =
-                     std::make_shared<const Envelope>(trajectory, shown->run.sources, &envelope);
+                 if (parts.charts) {
+                   shown->envelope =
+                       std::make_shared<const Envelope>(trajectory, shown->run.sources, &envelope);
+                 }
                  envelope.report(1);
                },
                [&] {
-                 shown->line_times = std::make_shared<const LineTimes>(*trajectory, &lines);
+                 if (parts.lines) {
+                   shown->line_times = std::make_shared<const LineTimes>(*trajectory, &lines);
+                   shown->slow_places = std::make_shared<const SlowPlaces>(
+                       find_slow_places(*trajectory, slow_places_kept, &places));
+                 }
                  lines.report(1);
-                 shown->slow_places = std::make_shared<const SlowPlaces>(
-                     find_slow_places(*trajectory, slow_places_kept, &places));
                  places.report(1);
                }});
   return shown;
@@ -70,25 +78,26 @@ bool differ_in_load_alone(const Setup& a, Setup b) {
 
 std::shared_ptr<const ShownRun> make_shown(Run run, Progress* progress) {
   Progress unwatched;
-  return shown_of(std::move(run), progress != nullptr ? *progress : unwatched, 1, nullptr);
+  return shown_of(std::move(run), progress != nullptr ? *progress : unwatched, 1, nullptr, {});
 }
 
 std::shared_ptr<const ShownRun> simulate_shown(const LoadedProgram& input, Setup setup, Progress* progress,
-                                               const ShownRun* before) {
+                                               const ShownRun* before, const ShownParts& parts) {
   Progress unwatched;
   Progress& whole = progress != nullptr ? *progress : unwatched;
   if (before != nullptr && differ_in_load_alone(before->run.setup, setup)) {
     Progress load(whole, share_of_load);
     Run run = with_load(before->run, std::move(setup.load), &load);
     load.report(1);
-    auto shown = std::make_shared<ShownRun>(*shown_of(std::move(run), whole, 1 - share_of_load, nullptr));
+    auto shown =
+        std::make_shared<ShownRun>(*shown_of(std::move(run), whole, 1 - share_of_load, nullptr, parts));
     shown->programmed = before->programmed;
     return shown;
   }
   Progress motion(whole, share_of_motion);
   Run run = simulate_motion(input, std::move(setup), &motion);
   motion.report(1);
-  return shown_of(std::move(run), whole, 1 - share_of_motion, input.toolpath.get());
+  return shown_of(std::move(run), whole, 1 - share_of_motion, input.toolpath.get(), parts);
 }
 
 ShownProgram make_shown(LoadedProgram input) {

@@ -23,6 +23,13 @@ struct ShownRun {
   std::shared_ptr<const SlowPlaces> slow_places;
 };
 
+/// What of a ShownRun a picture needs beside the run and its summary.
+struct ShownParts {
+  bool path = true;    ///< samples, programmed
+  bool charts = true;  ///< envelope
+  bool lines = true;   ///< line_times, slow_places
+};
+
 /// Throws Cancelled if `progress` is cancelled.
 std::shared_ptr<const ShownRun> make_shown(Run run, Progress* progress = nullptr);
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double longest_unasked = 5;  // simulation of one run after which changes wait to be asked for [s]
 constexpr int pause_ms =
-    1200;  // of a run's changes after those of another: values often change again at once
+    2500;  // of a run's changes after those of another: values often change again at once
 constexpr std::size_t most_known = 16;
 
 }  // namespace

@@ -7,7 +7,7 @@ namespace {
 
 TEST(ShortText, TimesChangeTheirFormAtAMinuteAndAnHour) {
   EXPECT_EQ(short_time(0), "0 s");
-  EXPECT_EQ(short_time(0.0123), "0.0123 s");
+  EXPECT_EQ(short_time(0.0123), "12.3 ms");
   EXPECT_EQ(short_time(48.53), "48.5 s");
   EXPECT_EQ(short_time(59.94), "59.9 s");
   EXPECT_EQ(short_time(59.96), "1:00.0") << "never 60 s";

@@ -51,7 +51,9 @@ TEST_F(TestProgramDialogTest, SaysWhatEachPartTells) {
 }
 
 TEST_F(TestProgramDialogTest, SaysHowLongEachPartTakesOnTheMachineOfTheWindow) {
-  const auto time = [this] { return dialog.parts().topLevelItem(0)->text(2).section(' ', 0, 0).toDouble(); };
+  const auto time = [this] {
+    return dialog.parts().topLevelItem(0)->text(2).section(QChar::Nbsp, 0, 0).toDouble();
+  };
   const double usual = time();
   EXPECT_GT(usual, 5) << "ten sections between pauses of half a second";
   dialog.side().setValue(1000);

@@ -12,13 +12,14 @@ namespace {
 
 TEST(ClockText, IsOfSecondsMinutesAndHours) {
   const test::LocaleInForce locale(QLocale::c());
-  EXPECT_EQ(clock_text(12.3456), "12.346 s");
+  EXPECT_EQ(clock_text(0.0123), "12.3\u00a0ms");
+  EXPECT_EQ(clock_text(12.3456), "12.3\u00a0s");
   EXPECT_EQ(clock_text(59.9999), "1:00.0");
   EXPECT_EQ(clock_text(60), "1:00.0");
   EXPECT_EQ(clock_text(185.29), "3:05.3");
-  EXPECT_EQ(clock_text(3599.99), "1:00:00.0");
-  EXPECT_EQ(clock_text(3600), "1:00:00.0");
-  EXPECT_EQ(clock_text(16741), "4:39:01.0");
+  EXPECT_EQ(clock_text(3599.99), "1:00:00");
+  EXPECT_EQ(clock_text(3600), "1:00:00");
+  EXPECT_EQ(clock_text(16741), "4:39:01");
 }
 
 TEST(ClockText, SaysTheTimeThatItIsGiven) {
@@ -33,7 +34,7 @@ TEST(ClockText, SaysTheTimeThatItIsGiven) {
       said = 60 * said + part.toDouble();
       EXPECT_TRUE(&part == &parts.first() || part.toDouble() < 60) << parts.join(':').toStdString();
     }
-    EXPECT_NEAR(said, seconds, 0.0501) << parts.join(':').toStdString();
+    EXPECT_NEAR(said, seconds, seconds < 3600 ? 0.0501 : 0.501) << parts.join(':').toStdString();
   }
 }
 

@@ -94,10 +94,10 @@ TEST_F(OverviewStripTest, TipsTellTimeShareAndFeed) {
   show_text(program_with_slow_line(20, 7));
   const QPoint at_slow(2, view.top_of(7) + 3);
   EXPECT_THAT(tip_of(margin, at_slow).toStdString(),
-              AllOf(HasSubstr("Line 7"), HasSubstr("30.000 s"), HasSubstr("% of the cycle time"),
+              AllOf(HasSubstr("Line 7"), HasSubstr("30\u00a0s"), HasSubstr("% of the cycle time"),
                     HasSubstr("1000 mm/min")));
   EXPECT_THAT(tip_of(margin, {2, view.top_of(1) + 3}).toStdString(), HasSubstr("takes no time"));
-  EXPECT_THAT(tip_of(strip, {2, view.top_of(7) + 3}).toStdString(), HasSubstr("30.000 s"));
+  EXPECT_THAT(tip_of(strip, {2, view.top_of(7) + 3}).toStdString(), HasSubstr("30\u00a0s"));
 }
 
 TEST_F(OverviewStripTest, TheMarginShowsTheSlowLineHot) {
@@ -116,8 +116,9 @@ TEST(LineTimeText, SaysHowOftenALineRan) {
   const feedscope::Run run =
       test::simulate_text("G91 G1 F600\n#1=0\nWHILE [#1 LT 5] DO1\nX1\nY1\n#1=#1+1\nEND1\n", "cam");
   const LineTimes times(*run.trajectory);
-  EXPECT_THAT(line_time_text(times, 4, 4).toStdString(),
-              AllOf(HasSubstr("executed 5 times"), HasSubstr("0.500 s, 50.00 %"), HasSubstr("600 mm/min")));
+  EXPECT_THAT(
+      line_time_text(times, 4, 4).toStdString(),
+      AllOf(HasSubstr("executed 5 times"), HasSubstr("0.5\u00a0s, 50.00 %"), HasSubstr("600 mm/min")));
   EXPECT_EQ(line_time_text(times, 1, 3), "");
   EXPECT_THAT(line_time_text(times, 4, 5).toStdString(), HasSubstr("Lines 4 to 5"));
 }
@@ -127,9 +128,6 @@ TEST(LineTimeText, HeatGrowsWithTheTime) {
   EXPECT_EQ(heat_of(0, 0), 0);
   EXPECT_EQ(heat_of(2, 2), 1);
   EXPECT_DOUBLE_EQ(heat_of(1, 8), 0.5);
-  EXPECT_EQ(time_text(0.0123), "12.30 ms");
-  EXPECT_EQ(time_text(0.00012), "0.120 ms");
-  EXPECT_EQ(time_text(5.5), "5.500 s");
 }
 
 }  // namespace

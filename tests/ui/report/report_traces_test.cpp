@@ -7,6 +7,7 @@
 #include "tests/ui/report/pdf_reading.h"
 #include "tests/ui/report/report_fixture.h"
 #include "tests/ui/trace_fixture.h"
+#include "ui/language/texts.h"
 #include "ui/report/report.h"
 
 namespace feedscope::ui {
@@ -35,8 +36,8 @@ TEST(ReportTraces, TellsTimesDistanceAndThePlacesThatDifferMost) {
   const std::string html = traces_block(input).toStdString();
   EXPECT_THAT(html, HasSubstr("night shift"));
   EXPECT_THAT(html, HasSubstr("#009e73"));
-  EXPECT_THAT(html, HasSubstr(QString::number(agreement.measured_time, 'f', 3).toStdString() + " s"));
-  EXPECT_THAT(html, HasSubstr(QString::number(agreement.simulated_time, 'f', 3).toStdString() + " s"));
+  EXPECT_THAT(html, HasSubstr(clock_text(agreement.measured_time).toStdString()));
+  EXPECT_THAT(html, HasSubstr(clock_text(agreement.simulated_time).toStdString()));
   EXPECT_THAT(html, HasSubstr(QString::number(1000 * agreement.worst.front().lost, 'f', 2).toStdString()));
   EXPECT_THAT(html, HasSubstr("The trace was moved by X -12.5"));
 }

@@ -7,6 +7,7 @@
 
 #include "core/analysis/difference/run_difference.h"
 #include "core/analysis/run.h"
+#include "ui/scene/path/colouring.h"
 #include "ui/scene/path/compare_sampled.h"
 
 namespace feedscope::ui {
@@ -44,6 +45,19 @@ TEST(SampleCompared, HoldsTheDifferencesAtItsPoints) {
   }
   EXPECT_NEAR(double{path.lost.back()}, fine->duration() - coarse->duration(), 1e-6);
   EXPECT_FALSE(sample_executed(*fine).compared());
+  double by_cause = 0;
+  for (std::size_t i = 0; i < cause_kind_count; ++i) {
+    by_cause += path.cause_times[i] - path.reference_cause_times[i];
+  }
+  EXPECT_NEAR(by_cause, fine->duration() - coarse->duration(), 1e-9);
+  const ColourKey key = colour_key(path, Colouring::time_lost);
+  EXPECT_NEAR(key.lost, by_cause, 1e-6);
+  ASSERT_FALSE(key.changes.empty());
+  for (const CauseChange& change : key.changes) {
+    const auto kind = static_cast<std::size_t>(change.kind);
+    EXPECT_EQ(change.time, path.cause_times[kind] - path.reference_cause_times[kind]);
+    EXPECT_LE(std::abs(change.time), std::abs(key.changes.front().time));
+  }
 }
 
 void expect_same(const SampledPath& one, const SampledPath& other) {

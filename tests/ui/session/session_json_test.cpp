@@ -38,6 +38,7 @@ void expect_same(const Session& a, const Session& b) {
   EXPECT_EQ(a.runs, b.runs);
   EXPECT_EQ(a.current_run, b.current_run);
   EXPECT_EQ(a.cursor, b.cursor);
+  EXPECT_EQ(a.error_bound, b.error_bound);
   EXPECT_EQ(a.scene, b.scene);
   EXPECT_EQ(a.scenes, b.scenes);
   EXPECT_EQ(a.charts, b.charts);

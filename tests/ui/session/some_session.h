@@ -30,6 +30,7 @@ inline Session some_session(const std::filesystem::path& program) {
                   {0, "fine", QColor(0xd5, 0x5e, 0x00), false, fine}};
   session.current_run = 1;
   session.cursor = 0.25;
+  session.error_bound = 0.02;
   session.scene.exaggeration = 100;
   session.scene.colouring = Colouring::cause;
   session.scene.stretch = {PathStretch::to_cursor, true};

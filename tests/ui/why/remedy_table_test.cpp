@@ -11,6 +11,7 @@
 #include "tests/ui/locale_in_force.h"
 #include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
+#include "ui/language/texts.h"
 
 namespace feedscope::ui {
 namespace {
@@ -48,7 +49,7 @@ TEST_F(RemedyTableTest, ARowSaysWhatIsChangedAndWhatItGains) {
   EXPECT_EQ(text(0, RemedyTable::change), "Jerk of X 15 → 22.5 m/s³");
   EXPECT_EQ(text(0, RemedyTable::gain), "…");
   table.set_trial(0, {9.5, 2.25, {}});
-  EXPECT_EQ(text(0, RemedyTable::cycle_time), "9.500 s");
+  EXPECT_EQ(text(0, RemedyTable::cycle_time), clock_text(9.5).toStdString());
   EXPECT_EQ(text(0, RemedyTable::gain), "−0.500 s\n−5.0 %");
   EXPECT_EQ(text(0, RemedyTable::here), "+0.250 s\n+12.5 %");
   table.set_trial(1, {9.999, 2, {}});

@@ -34,51 +34,18 @@ class WindowPicturesTest : public testing::Test {
     QApplication::processEvents();
   }
 
-  QByteArray saved(Part part, const QString& name) const {
-    const QString file = folder_.filePath(name);
-    pictures_.save(part, file);
-    QFile input(file);
-    EXPECT_TRUE(input.open(QIODevice::ReadOnly));
-    return input.readAll();
-  }
-
   QTemporaryDir folder_;
   Workbench model_;
   MainWindow window_;
   PictureCommands pictures_;
 };
 
-TEST_F(WindowPicturesTest, EveryPartIsSavedInEveryFormat) {
-  for (const Part part : {Part::scene, Part::charts, Part::window}) {
-    EXPECT_FALSE(QImage::fromData(saved(part, "a.png")).isNull());
-    EXPECT_TRUE(QSvgRenderer(saved(part, "a.svg")).isValid());
-    EXPECT_TRUE(saved(part, "a.PDF").startsWith("%PDF-"));
-  }
-  EXPECT_EQ(QImage::fromData(saved(Part::window, "a.png")).size(), window_.size());
-  EXPECT_EQ(QImage::fromData(saved(Part::scene, "a.png")).size(), window_.scene().canvas().size());
-}
-
 TEST_F(WindowPicturesTest, EveryDetailIsInAPictureOfAViewThatMoves) {
-  pictures_.copy_actions().front()->trigger();
+  pictures_.actions().front()->trigger();
   const QImage rested = QApplication::clipboard()->image();
   window_.scene().scene().set_moving(true);
-  pictures_.copy_actions().front()->trigger();
+  pictures_.actions().front()->trigger();
   EXPECT_EQ(QApplication::clipboard()->image(), rested);
-}
-
-TEST_F(WindowPicturesTest, TheProposedNameIsThatOfTheProgramAndFree) {
-  const QString program = folder_.filePath("part.v2.nc");
-  QFile file(program);
-  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-  file.write(test::small_program.c_str());
-  file.close();
-  model_.open(program.toStdString());
-  EXPECT_EQ(pictures_.proposed_file(Part::scene), folder_.filePath("part.v2-3d.png"));
-  EXPECT_EQ(pictures_.proposed_file(Part::charts), folder_.filePath("part.v2-charts.png"));
-  for (const char* next : {"part.v2-3d-2.png", "part.v2-3d-3.png"}) {
-    pictures_.save(Part::scene, pictures_.proposed_file(Part::scene));
-    EXPECT_EQ(pictures_.proposed_file(Part::scene), folder_.filePath(next));
-  }
 }
 
 /// The folder of the samples is that of the installed program, or of its sources.
@@ -91,15 +58,32 @@ TEST_F(WindowPicturesTest, NothingIsProposedBesideASample) {
   EXPECT_EQ(folder_for_files_of(folder_.filePath("part.nc").toStdString()), folder_.path());
 }
 
-TEST_F(WindowPicturesTest, APictureIsCopiedToTheClipboard) {
-  pictures_.copy_actions().front()->trigger();
-  EXPECT_EQ(QApplication::clipboard()->image().size(), window_.scene().canvas().size());
+TEST_F(WindowPicturesTest, ViewAndChartsAreCopiedWithALineBelowThem) {
+  pictures_.actions().front()->trigger();
+  const QImage copied = QApplication::clipboard()->image();
+  const QSize canvas = window_.scene().canvas().size();
+  EXPECT_EQ(copied.width(), canvas.width());
+  EXPECT_GT(copied.height(), canvas.height());
+  const QImage caption = copied.copy(0, canvas.height(), canvas.width(), copied.height() - canvas.height());
+  EXPECT_NE(caption, QImage(caption.size(), caption.format()));
+  bool written = false;
+  for (int x = 0; x < caption.width(); ++x) {
+    written = written || caption.pixel(x, caption.height() / 2) != caption.pixel(0, 0);
+  }
+  EXPECT_TRUE(written);
+  EXPECT_EQ(pictures_.picture(Part::window).size(), window_.size());
 }
 
-TEST_F(WindowPicturesTest, NothingIsLeftWhereAFileCannotBeWritten) {
-  EXPECT_THAT([&] { pictures_.save(Part::scene, folder_.filePath("nowhere/a.png")); },
-              testing::ThrowsMessage<InputError>(testing::HasSubstr("cannot write")));
-  EXPECT_TRUE(QDir(folder_.path()).isEmpty());
+TEST_F(WindowPicturesTest, TheCubeOfViewsStaysInTheWindow) {
+  const QImage copied = pictures_.picture(Part::scene);
+  const QImage seen = window_.scene().canvas().grab().toImage();
+  const QRect corner(seen.width() - 60, 0, 60, 60);
+  EXPECT_NE(copied.copy(corner), seen.copy(corner));
+  const QImage cleared = copied.copy(corner);
+  const QRgb ground = cleared.pixel(0, 0);
+  for (int y = 10; y < 50; ++y) {
+    EXPECT_EQ(cleared.pixel(30, y), ground) << y;
+  }
 }
 
 }  // namespace

@@ -8,13 +8,17 @@
 #include <QScrollArea>
 #include <QTableView>
 #include <QTest>
+#include <algorithm>
 #include <memory>
+#include <vector>
 
 #include "tests/support/folders.h"
 #include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
 #include "ui/charts/charts_panel.h"
 #include "ui/language/language.h"
+#include "ui/scene_view/lens_overlay.h"
+#include "ui/scene_view/scene_view.h"
 #include "ui/window/main_window.h"
 
 namespace feedscope::ui {
@@ -62,6 +66,44 @@ class SmallScreenTest : public testing::TestWithParam<const char*> {
   SmallScreenTest() { install_language(GetParam()); }
   ~SmallScreenTest() override { install_language("en"); }
 };
+
+/// The legend, the scales, the cube and the lens of four runs, at the sizes of usual screens.
+TEST_P(SmallScreenTest, WhatLiesOverThePathDoesNotCoverEachOther) {
+  Workbench model(shipped_machines(), make_setup({}));
+  MainWindow window(model, RenderBackend::software);
+  window.show();
+  model.show(test::simulate_text(test::small_program));
+  for (const double tolerance : {0.02, 0.05, 0.1}) {
+    model.runs().duplicate(0);
+    model.set_tolerance(tolerance);
+  }
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !model.busy(); }, patience));
+  for (const QSize size : {QSize(1024, 768), QSize(1280, 800), QSize(1920, 1080)}) {
+    window.resize(size);
+    QApplication::processEvents();
+    const QWidget& canvas = window.scene().canvas();
+    std::vector<QRectF> places;
+    for (const auto& [upper, lower] : window.scene().scene().covered()) {
+      const double ratio = canvas.devicePixelRatioF();
+      places.emplace_back(QPointF(upper[0], upper[1]) / ratio, QPointF(lower[0], lower[1]) / ratio);
+    }
+    EXPECT_GE(places.size(), 4U) << "legend, colours, scale, cube";
+    const auto* lens = window.scene().findChild<LensOverlay*>();
+    ASSERT_NE(lens, nullptr);
+    EXPECT_TRUE(lens->isVisible()) << size.width();
+    const QRectF lens_place(lens->mapTo(&canvas, QPoint()), QSizeF(lens->size()));
+    if (std::ranges::find(places, lens_place) == places.end()) {
+      places.push_back(lens_place);
+    }
+    for (std::size_t a = 0; a < places.size(); ++a) {
+      EXPECT_TRUE(QRectF(canvas.rect()).adjusted(-1, -1, 1, 1).contains(places[a])) << size.width();
+      for (std::size_t b = 0; b < a; ++b) {
+        const QRectF both = places[a] & places[b];
+        EXPECT_FALSE(both.width() > 1 && both.height() > 1) << size.width() << ": " << a << " on " << b;
+      }
+    }
+  }
+}
 
 TEST_P(SmallScreenTest, EveryPanelFitsIntoTheWindow) {
   Workbench model(shipped_machines(), make_setup({}));

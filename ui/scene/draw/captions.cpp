@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 
+#include "core/base/short_text.h"
 #include "core/base/ticks.h"
 #include "ui/scene/cause_colour.h"
 #include "ui/scene/draw/tool_axes.h"
@@ -217,6 +218,7 @@ CaptionRows cause_rows(double width, double height, double scale, const Captions
 /// The scale of colours with its texts.
 struct ColourBar {
   std::string title;
+  std::vector<std::string> changes;  ///< below it
   std::array<std::string, 3> ticks;
   std::string unit;
   bool has_words = false;  ///< "gained" and "lost" at its ends
@@ -224,12 +226,14 @@ struct ColourBar {
   double length = 0;       ///< [pixels]
 
   ColourBar(double width, double scale, const Captions& captions)
-      : title(shortened(colour_title(captions.key, *captions.texts),
-                        width - 2 * (caption_margin + caption_padding) * scale, scale)),
+      : title(shortened(with_total(captions), width - 2 * (caption_margin + caption_padding) * scale, scale)),
         unit(captions.key.scale.unit),
         has_words(captions.key.colouring == Colouring::time_lost),
         after(unit.empty() ? 0 : text_width(unit, scale) + before_unit * scale),
         length(std::min(bar_length * scale, width - 2 * (caption_margin + caption_padding) * scale - after)) {
+    for (const CauseChange& change : captions.key.changes) {
+      changes.push_back(captions.texts->name_of(change.kind) + " " + signed_time(change.time, captions));
+    }
     const ColourScale& of = captions.key.scale;
     const std::array values{of.low, (of.low + of.high) / 2, of.high};
     const std::array signs{of.beyond && of.diverging ? "≤ " : "", "", of.beyond ? "≥ " : ""};
@@ -242,9 +246,12 @@ struct ColourBar {
   }
 
   Vec2 size(double scale) const {
-    const double content = std::max(text_width(title, scale), length + after);
-    return {content + 2 * caption_padding * scale,
-            (bar_height + 6 + caption_row * (has_words ? 3 : 2)) * scale};
+    double content = std::max(text_width(title, scale), length + after);
+    for (const std::string& change : changes) {
+      content = std::max(content, text_width(change, scale));
+    }
+    const int rows = (has_words ? 3 : 2) + static_cast<int>(changes.size());
+    return {content + 2 * caption_padding * scale, (bar_height + 6 + caption_row * rows) * scale};
   }
 
   void draw(Canvas& canvas, const ScreenRectangle& place, double scale, const Captions& captions) const {
@@ -252,7 +259,11 @@ struct ColourBar {
     TextStyle style = caption_style(scale, colours);
     const double left = place.low.x() + caption_padding * scale;
     canvas.text(title, {left, place.high.y() - caption_row / 2 * scale}, style);
-    const double top = place.high.y() - (caption_row + 2) * scale;
+    double top = place.high.y() - (caption_row + 2) * scale;
+    for (const std::string& change : changes) {
+      canvas.text(change, {left, top - (caption_row / 2 - 2) * scale}, style);
+      top -= caption_row * scale;
+    }
     draw_bar(canvas, {left, top - bar_height * scale}, top, captions);
     const double y = top - (bar_height + 2 + caption_row / 2) * scale;
     canvas.text(unit, {left + length + before_unit * scale, y}, style);
@@ -269,6 +280,17 @@ struct ColourBar {
   }
 
  private:
+  static std::string signed_time(double time, const Captions& captions) {
+    return captions.texts->localised((time < 0 ? "-" : "+") + short_time(std::abs(time)));
+  }
+
+  static std::string with_total(const Captions& captions) {
+    constexpr double none = 1e-3;  // [s]
+    const std::string title = colour_title(captions.key, *captions.texts);
+    return std::abs(captions.key.lost) < none ? title
+                                              : title + ": " + signed_time(captions.key.lost, captions);
+  }
+
   static constexpr double narrow_bar = 150;  // three numbers do not keep apart
 
   void draw_bar(Canvas& canvas, const Vec2& low, double top, const Captions& captions) const {

@@ -174,6 +174,23 @@ Rgba to_bytes(const Rgb& colour) {
   return {byte(colour[0]), byte(colour[1]), byte(colour[2]), 255};
 }
 
+/// The few largest, and none that is a small part of the largest.
+std::vector<CauseChange> changes_of(const SampledPath& path) {
+  constexpr std::size_t most = 3;
+  constexpr double least_share = 0.05;
+  constexpr double none = 1e-3;  // [s]
+  std::vector<CauseChange> changes;
+  for (std::size_t i = 0; i < cause_kind_count; ++i) {
+    changes.push_back({static_cast<CauseKind>(i), path.cause_times[i] - path.reference_cause_times[i]});
+  }
+  const auto size = [](const CauseChange& change) { return std::abs(change.time); };
+  std::ranges::sort(changes, std::ranges::greater(), size);
+  changes.resize(most);
+  const double least = std::max(none, least_share * size(changes.front()));
+  std::erase_if(changes, [&](const CauseChange& change) { return size(change) < least; });
+  return changes;
+}
+
 }  // namespace
 
 std::string colouring_title(Colouring colouring, const SceneTexts& texts) {
@@ -203,6 +220,10 @@ ColourKey colour_key(const SampledPath& path, Colouring colouring) {
     key.causes = shares_of(path);
   } else {
     key.scale = scale_of(path, colouring);
+  }
+  if (colouring == Colouring::time_lost && path.compared()) {
+    key.lost = path.lost.back();
+    key.changes = changes_of(path);
   }
   return key;
 }

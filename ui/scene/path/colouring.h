@@ -31,12 +31,20 @@ struct CauseShare {
   double share = 0;  ///< of the cycle time, as in tables and charts [0, 1]
 };
 
+/// How much longer a cause limits the run than the other one.
+struct CauseChange {
+  CauseKind kind = CauseKind::programmed_feed;
+  double time = 0;  ///< [s]
+};
+
 /// What the colours of a path mean: nothing, a scale, or causes.
 struct ColourKey {
   Colouring colouring = Colouring::feed;
   ColourScale scale;
-  std::vector<CauseShare> causes;  ///< the longest first
-  std::string reference;           ///< the run that is compared with, where one is; may be empty
+  std::vector<CauseShare> causes;      ///< the longest first
+  std::string reference;               ///< the run that is compared with, where one is; may be empty
+  double lost = 0;                     ///< in all against that one, of Colouring::time_lost [s]
+  std::vector<CauseChange> changes{};  ///< the largest of what makes up `lost`, the largest first
 
   bool has_scale() const { return scale.high > scale.low; }
 };

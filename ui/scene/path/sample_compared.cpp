@@ -1,12 +1,13 @@
 #include <algorithm>
 
 #include "core/analysis/difference/run_difference.h"
+#include "core/trajectory/part_walk.h"
 #include "ui/scene/path/compare_sampled.h"
 
 namespace feedscope::ui {
 namespace {
 
-constexpr std::size_t close_enough = 300'000;  // points of one path
+constexpr std::size_t close_enough = 100'000;  // points of one path
 
 bool are_close(std::span<const double> reference_times) {
   return reference_times.size() > close_enough;
@@ -25,6 +26,9 @@ SampledPath with_differences(SampledPath path, const Trajectory& trajectory, con
   path.lost.reserve(difference.lost.size());
   std::ranges::transform(difference.lost, std::back_inserter(path.lost),
                          [](double lost) { return static_cast<float>(lost); });
+  for (PartWalk walk(reference); !walk.done(); walk.next()) {
+    path.reference_cause_times[static_cast<std::size_t>(walk.part().cause.kind)] += walk.part().duration;
+  }
   return path;
 }
 

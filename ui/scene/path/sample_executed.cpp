@@ -8,6 +8,7 @@
 
 #include "core/analysis/path_deviation.h"
 #include "core/base/parallel.h"
+#include "core/base/units.h"
 #include "core/trajectory/part_walk.h"
 #include "ui/scene/path/sample_tool_axes.h"
 #include "ui/scene/path/sampler.h"
@@ -15,8 +16,12 @@
 namespace feedscope::ui {
 namespace {
 
-constexpr double spans_of_blend = 24;
-constexpr double spans_of_curve = 8;  // a span of a smooth curve turns little
+constexpr double turn_of_corner_span = units::pi / 90;  // of a corner: its curvature has peaks [rad]
+constexpr double most_spans_of_corner = 24;
+// Of the size of the path; a picture of it is some thousand pixels wide.
+constexpr double seen_of_chord = 1e-6;  // how far a span may be from a blend
+constexpr double seen_of_jump = 5e-5;   // how short a part may be for its colours to begin and end at once
+constexpr double spans_of_curve = 8;    // a span of a smooth curve turns little
 constexpr double feed_steps = 24;
 constexpr double spans_a_filter_time = 8;
 constexpr double share_of_actual = 0.4;  // of the time that it takes with drives
@@ -37,6 +42,10 @@ void reserve(SampledPath& path, std::size_t points, Has has) {
   }
 }
 
+double extent_of(const Bounds& bounds) {
+  return bounds.empty() ? 0 : (bounds.max - bounds.min).norm();
+}
+
 constexpr std::size_t pieces_a_chunk = 1024;
 
 /// Consecutive parts that are sampled by one thread; the same ones however many threads there are.
@@ -53,6 +62,7 @@ class ExecutedSampling {
   ExecutedSampling(const Trajectory& trajectory, std::span<const double> also_at, const RunSources& sources)
       : trajectory_(trajectory),
         origin_(local_origin(programmed_of(trajectory))),
+        extent_(extent_of(programmed_of(trajectory).bounds)),
         also_at_(also_at),
         sources_(sources),
         deviation_(programmed_of(trajectory)) {
@@ -114,7 +124,8 @@ class ExecutedSampling {
       // Of what is shorter than the spacing no end would be kept.
       if (last && has_gap(last->element, walk.part().element)) {
         add_before_gap(path, *last);
-      } else if (last && advance_of(*last) >= spacing && jumps(*last, walk.part())) {
+      } else if (last && advance_of(*last) >= std::max(spacing, seen_of_jump * extent_) &&
+                 jumps(*last, walk.part())) {
         add_end(path, sampler, *last, walk);
       }
       last = walk.part();
@@ -205,7 +216,7 @@ class ExecutedSampling {
     const double course = course_of(part);
     double wanted = 1;
     if (part.law == Law::parameter) {
-      wanted = spans_of_blend * course;
+      wanted = spans_of_corner(part.element) * course;
     } else if (!trajectory_.is_rapid(part.element) && top_speed_ > 0) {
       const double change = part.duration * (std::abs(part.a) + part.duration * std::abs(part.j) / 2);
       wanted = std::min(feed_steps, feed_steps * change / top_speed_);
@@ -214,7 +225,7 @@ class ExecutedSampling {
     if (kind == ElementKind::arc || kind == ElementKind::connecting_arc) {
       wanted = std::max(wanted, spans_of_arc(path.curve(part.element).arc, course));
     } else if (kind == ElementKind::blend && part.law == Law::path_length && path.length(part.element) > 0) {
-      wanted = std::max(wanted, spans_of_blend * course / path.length(part.element));
+      wanted = std::max(wanted, spans_of_corner(part.element) * course / path.length(part.element));
     }
     if (kind == ElementKind::curve) {
       wanted = std::max(wanted, spans_of_curve * course / path.length(part.element));
@@ -223,6 +234,16 @@ class ExecutedSampling {
       wanted = std::max(wanted, course / path.length(part.element) * blocks_of(part.element));
     }
     return spans(wanted, advance_of(part), spacing);
+  }
+
+  /// Of a whole blend, an even number: its middle, where it is farthest from the path, is the end of one.
+  double spans_of_corner(std::uint32_t element) const {
+    const BlendedPath& path = trajectory_.path();
+    const double turn = path.turn(path.index(element));
+    // Of the chords of an arc, which is less bent than a blend in its middle: half of what may be seen.
+    const double by_chord = std::sqrt(path.length(element) * turn / (4 * seen_of_chord * extent_));
+    const double half = std::ceil(std::min(by_chord, turn / turn_of_corner_span) / 2);
+    return 2 * std::clamp(half, 1.0, most_spans_of_corner / 2);
   }
 
   bool compacted() const { return &trajectory_.path().base() != trajectory_.path().programmed().get(); }
@@ -320,6 +341,7 @@ class ExecutedSampling {
 
   const Trajectory& trajectory_;
   Vec3 origin_;                      ///< [mm]
+  double extent_ = 0;                ///< of the programmed path [mm]
   std::span<const double> also_at_;  ///< those that are still to come [s]
   const RunSources& sources_;
   std::optional<InstantSampler> instants_;
