@@ -2,15 +2,70 @@
 
 #include <cmark.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <memory>
 
 namespace feedscope {
+namespace {
+
+constexpr std::string_view paragraph_begin = "<p>";
+constexpr std::string_view paragraph_end = "</p>";
+
+/// Takes the text before `mark` away from `rest`, `mark` too.
+std::string_view taken(std::string_view& rest, char mark) {
+  const std::string_view piece = rest.substr(0, rest.find(mark));
+  rest.remove_prefix(std::min(piece.size() + 1, rest.size()));
+  return piece;
+}
+
+/// "| a | b |" as a row of cells "th" or "td".
+std::string table_row(std::string_view line, std::string_view cell) {
+  taken(line, '|');
+  std::string row = "<tr>";
+  while (line.find('|') != line.npos) {
+    row.append("<").append(cell).append(" align=\"left\">").append(taken(line, '|'));
+    row.append("</").append(cell).append(">");
+  }
+  return row + "</tr>\n";
+}
+
+/// The table that a paragraph writes with bars, or nothing if its second line does not rule one off.
+std::string table_of(std::string_view lines) {
+  const std::string_view headings = taken(lines, '\n');
+  const std::string_view rule = taken(lines, '\n');
+  if (!rule.starts_with("|-") || rule.find_first_not_of("|- ") != rule.npos) {
+    return {};
+  }
+  std::string table =
+      "<table border=\"1\" cellspacing=\"0\" cellpadding=\"4\">\n" + table_row(headings, "th");
+  while (!lines.empty()) {
+    table += table_row(taken(lines, '\n'), "td");
+  }
+  return table + "</table>";
+}
+
+/// CommonMark has no tables: cmark leaves them as paragraphs, with all marks inside their cells done.
+std::string with_tables(const std::string& html) {
+  std::string result;
+  std::size_t from = 0;
+  for (std::size_t at = 0; (at = html.find("<p>|", from)) != html.npos;) {
+    const std::size_t end = html.find(paragraph_end, at);
+    const std::size_t inside = at + paragraph_begin.size();
+    const std::string table = table_of(std::string_view(html).substr(inside, end - inside));
+    result.append(html, from, at - from);
+    from = end + paragraph_end.size();
+    result.append(table.empty() ? html.substr(at, from - at) : table);
+  }
+  return result.append(html, from);
+}
+
+}  // namespace
 
 std::string markdown_as_html(std::string_view markdown) {
   const std::unique_ptr<char, void (*)(void*)> html(
       cmark_markdown_to_html(markdown.data(), markdown.size(), CMARK_OPT_DEFAULT), std::free);
-  return html.get();
+  return with_tables(html.get());
 }
 
 }  // namespace feedscope

@@ -5,7 +5,8 @@
 
 namespace feedscope {
 
-/// A Markdown text (CommonMark) as HTML: the inside of a body.
+/// A Markdown text as HTML: the inside of a body. CommonMark, and tables of lines "| a | b |" whose second
+/// line is "|---|---|"; a cell has no bar in it.
 std::string markdown_as_html(std::string_view markdown);
 
 }  // namespace feedscope

@@ -24,6 +24,7 @@ constexpr std::string_view style =
     "pre { background: #f1f3f5; padding: 10px 12px; overflow-x: auto; line-height: 1.35; }\n"
     "code { font-family: \"DejaVu Sans Mono\", monospace; font-size: 13px; }\n"
     "a { color: #1f5fa8; } li { margin: 3px 0; }\n"
+    "table { border-collapse: collapse; } th, td { padding: 4px 8px; vertical-align: top; }\n"
     "nav { font-size: 13px; border-bottom: 1px solid #c8ccd0; padding-bottom: 8px; }\n";
 
 /// Where a page has the list of all messages.

@@ -214,11 +214,11 @@ Sample drives() {
   return {"lesson_drives.nc", nc.text()};
 }
 
+/// Counter-clockwise inside a pocket under M3: climb milling, and the cutter stays in the stock at corners.
 /// The tool comes in by a full line before the corners with blends, and leaves by a slow one.
 Sample chip() {
-  NcWriter nc =
-      begin("A RECTANGLE OF 60 X 40 MM MILLED FROM OUTSIDE, ONE CORNER WITH AN EXACT STOP, A SLOW LINE",
-            "WHAT A SLOW-DOWN DOES TO CHIP THICKNESS AND CUTTING FORCE");
+  NcWriter nc = begin("THE WALL OF A POCKET OF 70 X 50 MM, CUTTER OF 10 MM, EXACT STOPS, A SLOW LINE",
+                      "WHAT A SLOW-DOWN DOES TO CHIP THICKNESS AND CUTTING FORCE");
   constexpr double left = -20;
   constexpr double right = 40;
   constexpr double low = -12;

@@ -80,6 +80,14 @@ TEST_P(HandbookOf, HasTheSamePagesAndChaptersAsTheEnglishOne) {
   }
 }
 
+TEST_P(HandbookOf, LeavesNoTableAsBars) {
+  for (const HandbookPage& page : handbook.pages()) {
+    const std::string html = page_html(page, ".html");
+    EXPECT_EQ(matches(html, "^(<p>\\|)").size(), 0U) << page.name;
+    EXPECT_EQ(matches(html, "(<table)").size(), matches(page.markdown, "^(\\|-)").size()) << page.name;
+  }
+}
+
 TEST_P(HandbookOf, IsPagesThatLinkEachOther) {
   const std::string index = whole_page_html(handbook.pages().front(), GetParam());
   EXPECT_THAT(index, HasSubstr("<html lang=\"" + GetParam() + "\">"));
