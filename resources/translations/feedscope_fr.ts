@@ -10394,6 +10394,14 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <source>out of reach</source>
         <translation>hors de portée</translation>
     </message>
+    <message>
+        <source>refused lines</source>
+        <translation>lignes refusées</translation>
+    </message>
+    <message>
+        <source>without refused lines</source>
+        <translation>sans les lignes refusées</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ContourChart</name>
@@ -14848,6 +14856,10 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>%1: %2 s</source>
         <translation>%1&#xa0;: %2 s</translation>
+    </message>
+    <message>
+        <source>, refused lines: %1</source>
+        <translation>, lignes refusées&#xa0;: %1</translation>
     </message>
 </context>
 <context>
