@@ -6384,8 +6384,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>o%1 est appelé, mais n’est ni dans le programme ni dans un fichier de son dossier</translation>
     </message>
     <message>
-        <source>its motion is missing; add the file %1 to the program&apos;s folder</source>
-        <translation>son déplacement manque&#xa0;; ajoutez le fichier %1 au dossier du programme</translation>
+        <source>its motion is missing; add the file &quot;%1&quot; to the program&apos;s folder</source>
+        <translation>son déplacement manque&#xa0;; ajoutez le fichier &quot;%1&quot; au dossier du programme</translation>
     </message>
     <message>
         <source>M%1 without P</source>
@@ -6436,8 +6436,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>rien n’est appelé&#xa0;; programmez P avec le numéro de la macro</translation>
     </message>
     <message>
-        <source>%1 is not a variable number</source>
-        <translation>%1 n’est pas un numéro de variable</translation>
+        <source>&quot;%1&quot; is not a variable number</source>
+        <translation>&quot;%1&quot; n’est pas un numéro de variable</translation>
     </message>
     <message>
         <source>the block does not move; variable numbers are whole and start at 0</source>
@@ -7392,8 +7392,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>le programme ne définit pas %1</translation>
     </message>
     <message>
-        <source>the block does not move; define data of the machine (GUD) at the program&apos;s top, DEF REAL %1=</source>
-        <translation>le bloc n’a pas de déplacement&#xa0;; définissez les données de la machine (GUD) en tête du programme, DEF REAL %1=</translation>
+        <source>the block does not move; define data of the machine (GUD) at the program&apos;s top, &quot;DEF REAL %1=&quot;</source>
+        <translation>le bloc n’a pas de déplacement&#xa0;; définissez les données de la machine (GUD) en tête du programme, &quot;DEF REAL %1=&quot;</translation>
     </message>
     <message>
         <source>R%1 is not an R parameter from R0 to R%2</source>
@@ -10389,6 +10389,14 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     <message>
         <source>out of reach</source>
         <translation>hors de portée</translation>
+    </message>
+    <message>
+        <source>refused lines</source>
+        <translation>lignes refusées</translation>
+    </message>
+    <message>
+        <source>without refused lines</source>
+        <translation>sans les lignes refusées</translation>
     </message>
 </context>
 <context>
@@ -14812,6 +14820,10 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>%1: %2 s</source>
         <translation>%1&#xa0;: %2 s</translation>
+    </message>
+    <message>
+        <source>, refused lines: %1</source>
+        <translation>, lignes refusées&#xa0;: %1</translation>
     </message>
 </context>
 <context>

@@ -10,6 +10,7 @@
 #include <iterator>
 #include <numeric>
 
+#include "core/base/ticks.h"
 #include "ui/charts/chart_input.h"
 #include "ui/charts/curve_columns.h"
 #include "ui/charts/mean_line.h"
@@ -91,7 +92,7 @@ KinematicChart::KinematicChart(ChartSpec spec, ViewRange& range, QWidget* parent
   chart()->setAnimationOptions(QChart::NoAnimation);
   chart()->layout()->setContentsMargins(0, 0, 0, 0);
   abscissa_ = make_axis(chart(), Qt::AlignBottom);
-  abscissa_->setLabelsVisible(false);
+  abscissa_->setLabelsVisible(false);  // draw_abscissa()
   ordinate_ = make_axis(chart(), Qt::AlignLeft);
   apply_colours();
   setRenderHint(QPainter::Antialiasing);
@@ -131,7 +132,6 @@ void KinematicChart::set_limits(std::vector<LimitLine> limits) {
 
 void KinematicChart::label_abscissa(const QString& title) {
   abscissa_title_ = title;
-  abscissa_->setLabelsVisible(!title.isEmpty());
   follow_type_size();
 }
 
@@ -319,26 +319,36 @@ void KinematicChart::draw_picture(QPainter& painter) {
   draw_limit_lines(painter, chart()->plotArea(), shown_limits(), colours, line_pixels(1, *this),
                    [this](double value) { return height_of(value); });
   painter.restore();
-  draw_abscissa_title(painter);
+  if (!abscissa_title_.isEmpty()) {
+    draw_abscissa(painter);
+  }
 }
 
-/// In the row of the numbers: left of them, or in place of the last one where that has no room.
-void KinematicChart::draw_abscissa_title(QPainter& painter) const {
-  if (abscissa_title_.isEmpty()) {
-    return;
-  }
+/// The numbers under their ticks, the last one moved to the left where it would be cut off, and the title in
+/// their row: left of them, or in place of those at the right end. Qt Charts would cut long numbers.
+void KinematicChart::draw_abscissa(QPainter& painter) const {
   const QFontMetricsF metrics(abscissa_->labelsFont());
   const QRectF plot = chart()->plotArea();
+  QRectF row(0, viewport()->height() - metrics.height() - 2, viewport()->width(), metrics.height());
+  painter.setFont(abscissa_->labelsFont());
+  painter.setPen(theme_colours(palette()).text);
   const double wide = metrics.horizontalAdvance(abscissa_title_) + 4;
   constexpr double half_label = 8;  // [px], of the 0 under the left end
   const bool left = wide <= plot.left() - half_label;
-  const QRectF row(left ? plot.left() - half_label - wide : viewport()->width() - wide,
-                   viewport()->height() - metrics.height() - 2, wide, metrics.height());
-  const ThemeColours& colours = theme_colours(palette());
-  painter.fillRect(row, colours.plot);
-  painter.setFont(abscissa_->labelsFont());
-  painter.setPen(colours.text);
-  painter.drawText(row, Qt::AlignCenter, abscissa_title_);
+  const double title = left ? plot.left() - half_label - wide : row.right() - wide;
+  painter.drawText(QRectF(title, row.top(), wide, row.height()), Qt::AlignCenter, abscissa_title_);
+  (left ? row.setLeft(title + wide) : row.setRight(title));
+  const double step = abscissa_->tickInterval();
+  for (const double tick : multiples(step, range_.lower(), range_.upper())) {
+    const QString number = QLocale().toString(tick, 'f', step_decimals(step));
+    const double half = metrics.horizontalAdvance(number) / 2;
+    QRectF place(pixel_of(tick) - half, row.top(), 2 * half, row.height());
+    place.moveRight(std::min(place.right(), viewport()->width() - 1.0));
+    if (place.left() >= row.left() && place.right() <= row.right()) {
+      painter.drawText(place, Qt::AlignCenter | Qt::TextDontClip, number);
+      row.setLeft(place.right() + half_label);
+    }
+  }
 }
 
 /// The largest curve first, so that none hides another; what is inside of those that swing below all.

@@ -117,7 +117,7 @@ class KinematicChart : public QChartView {
   /// None where they are those of axes of which no curve is shown.
   const std::vector<LimitLine>& shown_limits() const;
   void draw_picture(QPainter& painter);
-  void draw_abscissa_title(QPainter& painter) const;
+  void draw_abscissa(QPainter& painter) const;
   void draw_curves(QPainter& painter) const;
   void draw_extents(QPainter& painter, const std::vector<Extent>& extents, const QColor& color, double width,
                     bool dashed) const;

@@ -16,7 +16,7 @@ constexpr std::array iso_patterns{
     QT_TRANSLATE_NOOP(
         "core", "macro program %1 is called, which is neither in the program nor in a file in its folder"),
     QT_TRANSLATE_NOOP("core", "o%1 is called, which is neither in the program nor in a file in its folder"),
-    QT_TRANSLATE_NOOP("core", "its motion is missing; add the file %1 to the program's folder"),
+    QT_TRANSLATE_NOOP("core", "its motion is missing; add the file \"%1\" to the program's folder"),
     QT_TRANSLATE_NOOP("core", "M%1 without P"),
     QT_TRANSLATE_NOOP("core", "nothing is called; write P with the number of the subprogram"),
     QT_TRANSLATE_NOOP("core", "M97 without P and the number of a block in this program"),
@@ -29,7 +29,7 @@ constexpr std::array iso_patterns{
     QT_TRANSLATE_NOOP("core", "it is run once"),
     QT_TRANSLATE_NOOP("core", "G%1 without %2"),
     QT_TRANSLATE_NOOP("core", "nothing is called; write P with the macro's number"),
-    QT_TRANSLATE_NOOP("core", "%1 is not a variable number"),
+    QT_TRANSLATE_NOOP("core", "\"%1\" is not a variable number"),
     QT_TRANSLATE_NOOP("core", "the block does not move; variable numbers are whole and start at 0"),
     QT_TRANSLATE_NOOP("core", "\">\" is missing after the name"),
     QT_TRANSLATE_NOOP("core", "close the name with \">\""),

@@ -45,7 +45,7 @@ constexpr std::array sinumerik_patterns{
     QT_TRANSLATE_NOOP("core", "the program does not define %1"),
     QT_TRANSLATE_NOOP(
         "core",
-        "the block does not move; define data of the machine (GUD) at the program's top, DEF REAL %1="),
+        "the block does not move; define data of the machine (GUD) at the program's top, \"DEF REAL %1=\""),
     QT_TRANSLATE_NOOP("core", "R%1 is not an R parameter from R0 to R%2"),
     QT_TRANSLATE_NOOP("core", "R%1 is used before the program sets it"),
     QT_TRANSLATE_NOOP("core", "0 is used; the control has a value of its own"),

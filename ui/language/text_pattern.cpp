@@ -51,13 +51,16 @@ std::optional<std::vector<TextPattern::Part>> TextPattern::match(const QString& 
   std::vector<Part> parts;
   qsizetype from = fixed_.front().size();
   const qsizetype end = text.size() - fixed_.back().size();
+  qsizetype quotation_marks = 0;
   for (qsizetype i = 0; i < places; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const qsizetype to = i + 1 == places ? end : text.indexOf(fixed_[k + 1], from + 1);
     if (to <= from || to > end) {
       return std::nullopt;
     }
-    parts.push_back({text.mid(from, to - from), touches_program_text(fixed_[k], i == 0)});
+    quotation_marks += fixed_[k].count('"');
+    parts.push_back(
+        {text.mid(from, to - from), quotation_marks % 2 == 1 || touches_program_text(fixed_[k], i == 0)});
     from = to + fixed_[k + 1].size();
   }
   return parts;

@@ -13,8 +13,7 @@ class TextPattern {
   /// One place: what stands in it.
   struct Part {
     QString text;
-    bool is_program_text =
-        false;  ///< in the pattern a letter, a digit, a quotation mark or a place is before
+    bool is_program_text = false;  ///< in quotation marks, or behind a letter, a digit or another place
   };
 
   explicit TextPattern(const QString& text);

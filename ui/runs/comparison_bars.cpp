@@ -64,6 +64,7 @@ ComparisonBar bar_of(const ComparedRun& run, const KindFlags& told) {
                     summary.cutting_contour_error,
                     run.refused,
                     run.out_of_reach,
+                    run.lines_not_run,
                     {}};
   if (!run.is_possible()) {
     return bar;
@@ -110,6 +111,7 @@ ComparisonBars comparison_bars(std::span<const ComparedRun> runs) {
       result.machines.back().programmed_time = run.summary.programmed_time;
     }
     const ComparisonBar& bar = result.machines.back().bars.emplace_back(bar_of(run, told));
+    result.lines_refused = result.lines_refused || bar.lines_not_run > 0;
     result.rest = result.rest || (!bar.parts.empty() && !bar.parts.back().cause);
     result.longest = std::max({result.longest, bar.cycle_time, run.summary.programmed_time});
   }

@@ -25,6 +25,7 @@ struct ComparisonBar {
   double contour_error = 0;                   ///< largest [mm]
   bool refused = false;                       ///< ComparedRun::refused
   bool out_of_reach = false;                  ///< ComparedRun::out_of_reach
+  std::size_t lines_not_run = 0;              ///< that the control refuses
   std::vector<BarPart> parts;  ///< in the order of all_causes(), the rest last; they add up to cycle_time
 };
 
@@ -40,6 +41,7 @@ struct ComparisonBars {
   std::vector<MachineBars> machines;  ///< in the order of the runs
   std::vector<CauseKind> kinds;       ///< that are told apart, in the order of their parts
   bool rest = false;                  ///< whether any bar has a part without cause
+  bool lines_refused = false;         ///< whether a control refuses lines of any run
   double longest = 0;                 ///< time that the bars must have room for [s]
 
   std::size_t count() const;

@@ -23,6 +23,7 @@ constexpr double label_gap = 5;
 constexpr double separated = 3;  // a part wider than this is set apart from the one before by a white line
 const QColor band_color(0xf2, 0xf4, 0xf6);
 const QColor rest_color(0xb4, 0xba, 0xc2);
+const QColor refused_color(0xff, 0xff, 0xff, 0xa0);
 
 QFont sized(QFont font, int pixels, bool bold = false) {
   font.setPixelSize(pixels);
@@ -51,6 +52,11 @@ void fill_part(QPainter& painter, const QRectF& area, const std::optional<CauseK
     painter.setPen(QPen(rest_color, 1));
     painter.drawRect(area.adjusted(0.5, 0.5, -0.5, -0.5));
   }
+}
+
+/// Marks the time of a run without the lines that its control refuses.
+void hatch(QPainter& painter, const QRectF& area) {
+  painter.fillRect(area, QBrush(refused_color, Qt::FDiagPattern));
 }
 
 std::optional<CauseKind> kind_of(const BarPart& part) {
@@ -168,8 +174,13 @@ void ComparisonChart::draw_legend(QPainter& painter, const ComparisonLayout& lay
     const QRectF square(entry.left(), entry.center().y() - swatch / 2, swatch, swatch);
     if (i + 1 == layout.legend.size()) {
       draw_programmed_time(painter, square.center().x(), square.top() - 2, square.bottom() + 2);
+    } else if (i < bars_.kinds.size()) {
+      fill_part(painter, square, bars_.kinds[i]);
+    } else if (i == bars_.kinds.size() && bars_.rest) {
+      fill_part(painter, square, std::nullopt);
     } else {
-      fill_part(painter, square, i < bars_.kinds.size() ? std::optional(bars_.kinds[i]) : std::nullopt);
+      painter.fillRect(square, axis_color);
+      hatch(painter, square);
     }
     painter.setPen(text_color);
     const QRectF room = entry.adjusted(legend_swatch, 0, 0, 0);
@@ -252,6 +263,9 @@ void ComparisonChart::draw_bars(QPainter& painter, const ComparisonLayout& layou
         time += part.time;
         const QRectF piece(left, top, layout.x_of(time) - left, layout.bar_height);
         fill_part(painter, piece, kind_of(part));
+        if (bar.lines_not_run > 0) {
+          hatch(painter, piece);
+        }
         if (left > layout.plot.left() && piece.width() > separated) {
           painter.setPen(QPen(Qt::white, 1));
           painter.drawLine(piece.topLeft(), piece.bottomLeft());

@@ -81,6 +81,9 @@ std::vector<QString> legend_texts(const ComparisonBars& bars) {
   if (bars.rest) {
     texts.push_back(Comparison::tr("other causes"));
   }
+  if (bars.lines_refused) {
+    texts.push_back(Comparison::tr("without refused lines"));
+  }
   texts.push_back(Comparison::tr("programmed time"));
   return texts;
 }
@@ -165,6 +168,12 @@ std::vector<TextColumn> figure_columns(const ComparisonBars& bars) {
   columns.push_back(figure_column(
       bars, Comparison::tr("contour error"), with_unit_of({}, Dimension::length).trimmed(),
       [&](const ComparisonBar& bar) { return number_text(bar.contour_error, Dimension::length, 4); }));
+  if (bars.lines_refused) {
+    columns.push_back(
+        column_of(bars, Comparison::tr("refused lines"), QString(), [&](const ComparisonBar& bar) {
+          return bar.lines_not_run > 0 ? locale.toString(bar.lines_not_run) : QStringLiteral("–");
+        }));
+  }
   return columns;
 }
 
@@ -269,7 +278,7 @@ int min_comparison_height(const ComparisonBars& bars, int width, const QFont& fo
 
 int enough_comparison_height(const ComparisonBars& bars, int width) {
   const double entries_a_row = std::max(1.0, std::floor((width - 2 * margin) / max_legend_width));
-  const double max_rows = std::ceil(static_cast<double>(max_cause_kinds + 2) / entries_a_row);
+  const double max_rows = std::ceil(static_cast<double>(max_cause_kinds + 3) / entries_a_row);
   return static_cast<int>(std::ceil(fixed_height(max_rows) + min_row * row_units(bars)));
 }
 

@@ -25,7 +25,7 @@ struct TextColumn {
 /// its name, its bar and its figures, and the time axis below.
 struct ComparisonLayout {
   QRectF title;
-  std::vector<QString> legend_texts;  ///< a kind each, the rest if there is one, the programmed time
+  std::vector<QString> legend_texts;  ///< kinds, the rest, refused lines, the programmed time
   std::vector<QRectF> legend;         ///< with room for the swatch in front of the text
   QRectF headings;
   std::vector<TextColumn> names;    ///< left of the plot: model, tolerance

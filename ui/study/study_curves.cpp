@@ -4,6 +4,7 @@
 
 #include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"
+#include "ui/study/study_chart.h"
 
 namespace feedscope::ui {
 
@@ -25,6 +26,9 @@ StudyCurves study_curves(const Study& study) {
     for (std::size_t i = 1; i < study.sweeps.size(); ++i) {
       curve.name += QStringLiteral(", %1 %2").arg(setting_title(study.sweeps[i].key),
                                                   QLocale().toString(runs.front().swept[i], 'g', 4));
+    }
+    if (const std::size_t lines = runs.front().lines_not_run; lines > 0) {
+      curve.name += StudyChart::tr(", refused lines: %1").arg(lines);
     }
     const std::vector<bool> marks = fastest_marks(runs, study.within);
     for (std::size_t i = 0; i < runs.size(); ++i) {

@@ -192,9 +192,6 @@ std::optional<LinuxCncBlend> find_linuxcnc_blend(const LinuxCncSegment& p, const
   } else if (p.course.is_arc) {
     second.available = t.nominal_length / 2;
   }
-  if (p.course.is_arc && t.course.is_arc && theta0 < least_of_arcs) {
-    return std::nullopt;
-  }
   if (p.course.is_arc || t.course.is_arc) {
     theta = half_angle(first.tangent, second.tangent);
     for (const Side* side : {static_cast<const Side*>(&first), static_cast<const Side*>(&second)}) {
@@ -202,6 +199,9 @@ std::optional<LinuxCncBlend> find_linuxcnc_blend(const LinuxCncSegment& p, const
         theta = std::min(theta, theta0 - side->largest_turn / 4);
       }
     }
+  }
+  if (p.course.is_arc && t.course.is_arc && theta < least_of_arcs) {
+    return std::nullopt;
   }
   const double phi = pi - 2 * theta;
   Vec3 normal = first.tangent.cross(second.tangent);

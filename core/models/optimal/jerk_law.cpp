@@ -496,7 +496,8 @@ Cause JerkLaw::cause_of(std::size_t cell, const CellMotion& m) const {
   return slows ? Cause{CauseKind::ramp_down} : cause;
 }
 
-/// What times must grow by for a cell to keep all limits.
+/// Factor, at least 1, by which time in the cell must be stretched so that all limits are kept: velocity
+/// falls with the factor, acceleration with its square, jerk with its cube.
 double JerkLaw::excess_of(const Cell& cell, const CellMotion& m) {
   const Motion1d from{0, m.v0, m.a0};
   const Motion1d middle = advance(from, m.j1, m.time / 2);

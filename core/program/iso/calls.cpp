@@ -153,7 +153,7 @@ double Calls::repeats_of_block() const {
 void Calls::report_missing(const std::string& who, const std::string& file, std::uint32_t column) const {
   report(Severity::error, "subprogram", 0, column, [&] {
     return Text{fmt::format("{}, which is neither in the program nor in a file in its folder", who),
-                fmt::format("its motion is missing; add the file {} to the program's folder", file)};
+                fmt::format("its motion is missing; add the file \"{}\" to the program's folder", file)};
   });
 }
 

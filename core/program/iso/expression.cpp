@@ -256,7 +256,7 @@ std::uint32_t Expression::variable_number(Scanner& scanner) {
   const double value = number(read_operand(scanner));
   const double whole = std::round(value);
   if (!(whole >= 0 && whole <= largest && std::abs(value - whole) <= whole_within)) {
-    throw ReadFault{"variable", column, fmt::format("{} is not a variable number", value),
+    throw ReadFault{"variable", column, fmt::format("\"{}\" is not a variable number", value),
                     "the block does not move; variable numbers are whole and start at 0"};
   }
   return static_cast<std::uint32_t>(whole);

@@ -98,9 +98,9 @@ std::optional<double> Values::named(Scanner& scanner) {
   if (!is_function) {
     throw ReadFault{"unknown-name", scanner.column(),
                     fmt::format("the program does not define {}", feedscope::in_quotes(std::string(name))),
-                    "the block does not move; define data of the machine (GUD) at the "
-                    "program's top, DEF REAL " +
-                        std::string(name) + "="};
+                    fmt::format("the block does not move; define data of the machine (GUD) at the "
+                                "program's top, \"DEF REAL {}=\"",
+                                name)};
   }
   return std::nullopt;
 }

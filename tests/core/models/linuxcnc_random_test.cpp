@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -93,6 +94,32 @@ int periods_of(const Trajectory& motion, double period) {
     }
   }
   return first ? last - *first + 1 : 0;
+}
+
+double distance_passed(const Trajectory& motion, const Vec3& place) {
+  constexpr double step = 1e-5;  // [s]
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int k = 0; k * step < motion.duration(); ++k) {
+    nearest = std::min(nearest, (motion.state(k * step).position - place).norm());
+  }
+  return nearest;
+}
+
+/// Behind an arc that rises, blends leave the corner by far more than P: the control passed these corners,
+/// programmed with P0.02, at 0.1254 and 0.3756 mm.
+TEST(LinuxCncRandom, CornersBehindRisingArcsArePassedAsFarAsOnTheControl) {
+  const auto passed = [](const std::string& arcs, const Vec3& corner) {
+    RecordedProgram program;
+    program.settings =
+        settings_of(std::istringstream("0.001 100 1.2 100 100 50 100 100 750 750 400 1000 1000"));
+    program.text = "G21 G17 G90 G94\nG64 P0.02 Q0.02\nG1 F6000 X0 Y0 Z0\n" + arcs;
+    return distance_passed(motion_of(program), corner);
+  };
+  constexpr double tenth_of_micrometre = 1e-4;
+  EXPECT_NEAR(passed("G2 X20 Y0 Z1 I10 J-2000\nG2 X40 Y0 Z2 I10 J-2000\nG2 X60 Y0 Z3 I10 J-2000\nG1 X80\n",
+                     {60, 0, 3}),
+              0.1254, tenth_of_micrometre);
+  EXPECT_NEAR(passed("G2 X20 Y0 Z3 I10 J-2000\nG1 X40\n", {20, 0, 3}), 0.3756, tenth_of_micrometre);
 }
 
 TEST(LinuxCncRandom, ProgramsLastAsLongAsOnTheControl) {

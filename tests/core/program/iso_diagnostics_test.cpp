@@ -66,10 +66,10 @@ INSTANTIATE_TEST_SUITE_P(
              "once)"},
         Case{"G0 X1\nM98 P1000",
              "f:2:5: error: M98 calls program 1000, which is neither in the program nor in a file in its "
-             "folder [subprogram] (its motion is missing; add the file O1000 to the program's folder)"},
+             "folder [subprogram] (its motion is missing; add the file \"O1000\" to the program's folder)"},
         Case{"G0 X1\nM198 P10",
              "f:2:6: error: M198 calls program 10, which is neither in the program nor in a file in its "
-             "folder [subprogram] (its motion is missing; add the file O0010 to the program's folder)"},
+             "folder [subprogram] (its motion is missing; add the file \"O0010\" to the program's folder)"},
         Case{"G0 X1\nG05.1 Q1 R5",
              "f:2:10: info: R5 of G5.1 (machining condition from speed to accuracy) is not supported "
              "[unused-word] (its parameters exist only in the control; set acceleration and jerk of the "

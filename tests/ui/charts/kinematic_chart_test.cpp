@@ -10,6 +10,9 @@
 #include <cmath>
 #include <random>
 
+#include "tests/ui/report/recorded_text.h"
+#include "tests/ui/run_fixture.h"
+
 namespace feedscope::ui {
 namespace {
 
@@ -123,6 +126,34 @@ TEST_F(JerkChart, ZeroHasNoSignInAnyRange) {
       zeros += label.toDouble() == 0 ? 1 : 0;
     }
     EXPECT_EQ(zeros, 1) << lower << " to " << size;
+  }
+}
+
+/// Whole ranges of 0.1 s to 10 million seconds, and their last tenths.
+TEST(ChartAbscissa, NumbersAreNeverCut) {
+  ViewRange range;
+  range.set_trajectory(feedscope::test::simulate_text("G1 X0.01 F6000\n").trajectory, false);
+  KinematicChart chart({"Feed", "mm/min", {{QuantityId::feed, "feed", "achieved", CurveRole::path}}}, range);
+  chart.setAttribute(Qt::WA_DontShowOnScreen);
+  chart.label_abscissa("Time [s]");
+  chart.show();
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> exponent(-1, 7);
+  for (int i = 0; i < 100; ++i) {
+    const double end = i == 0 ? 120000.001 : std::pow(10.0, exponent(random));
+    range.set_end_beside(end);
+    range.show(i % 3 == 1 ? 0.9 * end : 0, end);
+    chart.resize(1000 - 7 * i, 200);
+    chart.show_bands(std::array{Band{}});
+    feedscope::test::RecordedText paper;
+    QPainter painter(&paper);
+    chart.draw(painter);
+    for (qsizetype k = 0; k < paper.texts().size(); ++k) {
+      const feedscope::test::TextSpan& span = paper.spans()[static_cast<std::size_t>(k)];
+      EXPECT_GE(span.left, 0) << paper.texts()[k].toStdString() << " up to " << end;
+      EXPECT_LE(span.right, chart.viewport()->width()) << paper.texts()[k].toStdString() << " up to " << end;
+    }
+    EXPECT_TRUE(i > 0 || paper.texts().contains("120000")) << paper.texts().join(" ").toStdString();
   }
 }
 

@@ -32,6 +32,8 @@ TEST(TextPattern, KnowsWordsOfThePrograms) {
   EXPECT_EQ(parts_of("R%1 of %2 mm", "R5.5 of 2.5 mm"), "<5.5>|2.5");
   EXPECT_EQ(parts_of("%1%2 is negative", "X-5.5 is negative"), "X|<-5.5>");
   EXPECT_EQ(parts_of("AR=%1 ('%2')", "AR=4.5 ('1.5')"), "<4.5>|<1.5>");
+  EXPECT_EQ(parts_of("\"%1 of %2\" is %3", "\"1.5 of 2.5\" is 3.5"), "<1.5>|<2.5>|3.5");
+  EXPECT_EQ(parts_of("write \"DEF REAL %1=\"", "write \"DEF REAL dwell=\""), "<dwell>");
 }
 
 TEST(TextPattern, RefusesTextsOfOtherPatterns) {

@@ -48,6 +48,16 @@ TEST(ComparisonBars, StandByMachineInTheOrderOfTheRuns) {
   EXPECT_EQ(bars.longest, 4);
 }
 
+TEST(ComparisonBars, KnowHowManyLinesEachControlRefuses) {
+  std::vector runs{compared_run("m", "cam", {}, {{feed, 2}}), compared_run("m", "klipper", {}, {{feed, 1}})};
+  EXPECT_FALSE(comparison_bars(runs).lines_refused);
+  runs[1].lines_not_run = 46;
+  const auto bars = comparison_bars(runs);
+  EXPECT_TRUE(bars.lines_refused);
+  EXPECT_EQ(bars.machines[0].bars[0].lines_not_run, 0u);
+  EXPECT_EQ(bars.machines[0].bars[1].lines_not_run, 46u);
+}
+
 TEST(ComparisonBars, LeaveRoomForTheProgrammedTime) {
   EXPECT_EQ(comparison_bars(std::vector{compared_run("m", "cam", {}, {{feed, 0.5}})}).longest, 2);
 }

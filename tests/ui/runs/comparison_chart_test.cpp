@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <QImage>
+#include <QPainter>
 #include <set>
 
 #include "tests/ui/comparison_fixture.h"
+#include "tests/ui/report/recorded_text.h"
 #include "ui/scene/cause_colour.h"
 
 namespace feedscope::ui {
@@ -59,6 +61,40 @@ TEST(ComparisonChart, DrawsNothingAndRunsWithoutMotion) {
   chart.set_comparison("a.nc", "",
                        comparison_bars(std::vector{feedscope::test::compared_run("m", "cam", {}, {})}));
   EXPECT_FALSE(drawn(chart, {640, 300}).isNull());
+}
+
+/// Otherwise a control that cuts less than the program looks fast.
+TEST(ComparisonChart, MarksTheRunWhoseControlRefusesLines) {
+  const std::vector times{std::pair{Cause{CauseKind::programmed_feed, -1}, 3.0}};
+  std::vector runs{feedscope::test::compared_run("m", "cam", {}, times),
+                   feedscope::test::compared_run("m", "klipper", {}, times)};
+  ComparisonChart chart;
+  const auto texts = [&] {
+    chart.set_comparison("a.nc", "", comparison_bars(runs));
+    chart.resize(1000, 300);
+    feedscope::test::RecordedText paper;
+    QPainter painter(&paper);
+    chart.draw(painter);
+    return paper.texts();
+  };
+  EXPECT_FALSE(texts().contains("refused lines"));
+  runs[1].lines_not_run = 46;
+  EXPECT_TRUE(texts().contains("refused lines"));
+  EXPECT_TRUE(texts().contains("46"));
+  EXPECT_TRUE(texts().contains("without refused lines"));
+
+  const QImage image = drawn(chart, {1000, 300});
+  const ComparisonLayout layout = lay_out(chart.bars(), {1000, 300}, chart.font());
+  const auto colours_of = [&](std::size_t run) {
+    const int y = static_cast<int>(layout.rows[run].center().y() - layout.bar_height / 2 + 2);
+    std::set<QRgb> seen;
+    for (int x = 10; x < 40; ++x) {
+      seen.insert(image.pixel(static_cast<int>(layout.plot.left()) + x, y));
+    }
+    return seen;
+  };
+  EXPECT_EQ(colours_of(0), std::set{color_of(CauseKind::programmed_feed)});
+  EXPECT_GT(colours_of(1).size(), 1u);
 }
 
 TEST(ComparisonChart, ElidesATitleThatIsTooLong) {

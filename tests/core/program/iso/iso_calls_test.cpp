@@ -281,7 +281,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Fault{Dialect::fanuc, "M98 P77",
               "f:2:5: error: M98 calls program 77, which is neither in the program nor in a file in its "
-              "folder [subprogram] (its motion is missing; add the file O0077 to the program's folder)"},
+              "folder [subprogram] (its motion is missing; add the file \"O0077\" to the program's folder)"},
         Fault{Dialect::fanuc, "M98",
               "f:2:1: error: M98 without P [subprogram] (nothing is called; write P with the number of the "
               "subprogram)"},
@@ -290,10 +290,10 @@ INSTANTIATE_TEST_SUITE_P(
             "f:2:1: error: G65 without P [subprogram] (nothing is called; write P with the macro's number)"},
         Fault{Dialect::fanuc, "G65 P9 A1",
               "f:2:5: error: macro program 9 is called, which is neither in the program nor in a file in its "
-              "folder [subprogram] (its motion is missing; add the file O0009 to the program's folder)"},
+              "folder [subprogram] (its motion is missing; add the file \"O0009\" to the program's folder)"},
         Fault{Dialect::linuxcnc, "o<probe> call [1]",
               "f:2:1: error: o<probe> is called, which is neither in the program nor in a file in its folder "
-              "[subprogram] (its motion is missing; add the file probe.ngc to the program's folder)"},
+              "[subprogram] (its motion is missing; add the file \"probe.ngc\" to the program's folder)"},
         Fault{Dialect::fanuc, "M97 P5",
               "f:2:1: error: M97 without P and the number of a block in this program [jump-target] (nothing "
               "is called; write P with the N number of the first block)"},

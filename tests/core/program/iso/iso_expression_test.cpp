@@ -153,7 +153,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"G0 X[1e3]",
               "f:2:7: error: \"]\" is missing here [expression] (check the brackets of the expression)"},
         Fault{"G0 X#1.5",
-              "f:2:6: error: 1.5 is not a variable number [variable] (the block does not move; variable "
+              "f:2:6: error: \"1.5\" is not a variable number [variable] (the block does not move; variable "
               "numbers are whole and start at 0)"},
         Fault{"G0 X#<a",
               "f:2:6: error: \">\" is missing after the name [expression] (close the name with \">\")"},

@@ -63,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(
              "ignored; define a variable by DEF before it is used)"},
         Case{"G0 X1\nX=_X_HOME",
              "f:2:3: error: the program does not define \"_X_HOME\" [unknown-name] (the block does not move; "
-             "define data of the machine (GUD) at the program's top, DEF REAL _X_HOME=)"},
+             "define data of the machine (GUD) at the program's top, \"DEF REAL _X_HOME=\")"},
         Case{"G0 X1\nG[1]=2 X3",
              "f:2:1: error: \"G[1]=2 X3\" does not start a word or statement [syntax] (the rest of the line "
              "is skipped and the block does not move; correct it)"},
