@@ -15,6 +15,7 @@
 #include "ui/report/report_words.h"
 #include "ui/report/scene_picture.h"
 #include "ui/runs/comparison_chart.h"
+#include "ui/scene/colourings.h"
 #include "ui/why/why_text.h"
 
 namespace feedscope::ui {
@@ -91,6 +92,8 @@ StandardView view_of(const Run& run, const SlowPlace& place) {
   return size.z() <= 0.05 * std::max(size.x(), size.y()) ? StandardView::top : StandardView::iso;
 }
 
+}  // namespace
+
 ReportPicture close_up(const ReportInput& input, const SlowPlace& place, const QSizeF& size) {
   ReportInput seen = input;
   seen.view = view_of(input.run().shown->run, place);
@@ -109,8 +112,6 @@ ReportPicture close_up(const ReportInput& input, const SlowPlace& place, const Q
             picture.paint(painter, QRectF(QPointF(), size), scale);
           }};
 }
-
-}  // namespace
 
 std::vector<Annotation> annotations_between(const ReportInput& input, double from, double to) {
   const Trajectory& trajectory = *input.run().shown->run.trajectory;
@@ -139,6 +140,25 @@ QString figure(const QString& picture, const QString& caption) {
              "<table class=\"figure\" width=\"100%\" cellspacing=\"0\" cellpadding=\"0\"><tr><td>%1"
              "<p class=\"caption\">%2%3</p></td></tr></table>\n")
       .arg(picture, figure_mark, caption);
+}
+
+QString two_columns(const QString& left, const QString& right, int share) {
+  constexpr int gap = 2;
+  return QStringLiteral(
+             "<table class=\"columns\" width=\"100%\" cellspacing=\"0\" cellpadding=\"0\"><tr>"
+             "<td width=\"%3%\">%1</td><td width=\"%4%\"></td><td width=\"%5%\">%2</td></tr></table>\n")
+      .arg(left, right)
+      .arg(share)
+      .arg(gap)
+      .arg(100 - gap - share);
+}
+
+ReportInput without_other_runs(ReportInput input) {
+  if (!needs_reference(input.scene.colouring)) {
+    input.runs = {input.run()};
+    input.current = 0;
+  }
+  return input;
 }
 
 QSizeF close_up_size() {
@@ -175,6 +195,19 @@ QString ReportPictures::add(const QString& name, ReportPicture picture, const QS
       .arg(description.toHtmlEscaped());
 }
 
+QString ReportPictures::add_elastic(const QString& name, double width, ElasticPicture picture,
+                                    const QString& description) {
+  const QSizeF size(width, picture.largest);
+  const QString html = add(name, picture.make(size), description);
+  elastic_.insert_or_assign(name, std::move(picture));
+  return html;
+}
+
+void ReportPictures::resize(const QString& name, double height) {
+  ReportPicture& picture = pictures_.at(name);
+  picture = elastic_.at(name).make({picture.size.width(), height});
+}
+
 void ReportPictures::paint(const QString& name, QPainter& painter, double pixel_ratio) const {
   const auto found = pictures_.find(name);
   if (found == pictures_.end()) {
@@ -195,6 +228,15 @@ QString run_view(const ReportInput& input, ReportPictures& pictures, double heig
   return figure(pictures.add(QStringLiteral("view"), scene_picture(input, {report_width, height}),
                              ReportWords::tr("3D view")),
                 caption.isEmpty() ? usual : caption);
+}
+
+QString elastic_view(const ReportInput& input, ReportPictures& pictures, const QString& caption) {
+  constexpr double least = 190;
+  constexpr double largest = 460;
+  const auto make = [input](const QSizeF& size) { return scene_picture(input, size); };
+  return figure(pictures.add_elastic(QStringLiteral("path"), report_width, {make, least, largest},
+                                     ReportWords::tr("3D view")),
+                caption);
 }
 
 QString view_block(const ReportInput& input, ReportPictures& pictures) {

@@ -40,6 +40,7 @@ TEST(ReportTime, WhatIsLeftOutIsNeitherShownNorSimulated) {
   const ReportInput without = with_time_report(input, false);
   EXPECT_TRUE(without.time->changes.tried.empty());
   EXPECT_EQ(time_changes_block(without), QString());
+  input = test::with_appendices(std::move(input));
   input.without = {"time_changes", "charts", "machines"};
   const std::string html = make_report(input, load_report_template(), ReportFormat::html);
   EXPECT_THAT(html, HasSubstr("Where does the time go?"));
@@ -89,7 +90,7 @@ TEST(ReportRemarks, AreParagraphsOfPlainText) {
 }
 
 TEST(ReportPictures, ThereIsOneForEachPageOfThePdf) {
-  ReportInput input = test::two_runs();
+  ReportInput input = test::with_appendices(test::two_runs());
   input.without = {"time_changes"};
   const std::vector<std::string> pages = make_report_pictures(input, load_report_template(), 48);
   EXPECT_GE(pages.size(), 4U);
