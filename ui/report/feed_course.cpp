@@ -17,7 +17,8 @@ class FeedWalk {
  public:
   FeedWalk(const Run& run, std::size_t parts)
       : trajectory_(*run.trajectory),
-        segments_(run.input.toolpath->segments),
+        toolpath_(*run.input.toolpath),
+        segments_(toolpath_.segments),
         time_(parts),
         programmed_(parts) {
     for (const Segment& segment : segments_) {
@@ -30,7 +31,7 @@ class FeedWalk {
     bool cutting = false;
     for (std::size_t i = 0; i < segments_.size(); ++i) {
       if (is_cut(segments_[i])) {
-        since_ = cutting ? since_ : time_at(i, 0);
+        since_ = cutting ? since_ : time_at(i, 0) + pauses_before(i);
         walk(i);
         const bool ends = i + 1 == segments_.size() || !is_cut(segments_[i + 1]);
         if (ends) {
@@ -45,6 +46,14 @@ class FeedWalk {
  private:
   double time_at(std::size_t segment, double share) const {
     return time_of(trajectory_, {static_cast<std::uint32_t>(segment), share});
+  }
+  /// That the tool stands where a segment begins, which time_of() does not contain [s].
+  double pauses_before(std::size_t segment) const {
+    double time = 0;
+    for (; segment > 0 && segments_[segment - 1].kind == SegmentKind::dwell; --segment) {
+      time += toolpath_.dwell_of(segments_[segment - 1]);
+    }
+    return time;
   }
   void take_time(double now) {
     time_[part_] += now - since_;
@@ -81,6 +90,7 @@ class FeedWalk {
   }
 
   const Trajectory& trajectory_;
+  const Toolpath& toolpath_;
   const std::vector<Segment>& segments_;
   std::vector<double> time_;        ///< of the parts [s]
   std::vector<double> programmed_;  ///< of the parts [s]

@@ -190,7 +190,7 @@ QString cause_bars(const ReportInput& input, double width, ReportPictures& pictu
 /// A picture without a caption; alone in a cell it has no room above.
 QString framed(const QString& picture) {
   return QStringLiteral(
-             "<table class=\"figure\" width=\"100%\" cellspacing=\"0\" cellpadding=\"0\"><tr><td>%1</td></tr>"
+             "<table class=\"frame\" width=\"100%\" cellspacing=\"0\" cellpadding=\"0\"><tr><td>%1</td></tr>"
              "</table>\n")
       .arg(picture);
 }

@@ -1,5 +1,6 @@
 #include "ui/report/report_pictures.h"
 
+#include <QImage>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,7 @@
 #include "ui/language/shown_numbers.h"
 #include "ui/report/charts_page.h"
 #include "ui/report/html_table.h"
+#include "ui/report/picture_file.h"
 #include "ui/report/report_numbers.h"
 #include "ui/report/report_tables.h"
 #include "ui/report/report_words.h"
@@ -35,6 +37,24 @@ ReportPicture scene_picture(const ReportInput& seen, const QSizeF& size) {
             ScenePicture(seen, seen.current, ThemeKind::light)
                 .paint(painter, QRectF(QPointF(), size), {pixel_ratio, 0.8});
           }};
+}
+
+/// Paths of many points are rasters: as vectors they would make the file many times larger.
+void paint_lightly(ScenePicture& picture, QPainter& painter, const ReportInput& seen, const QSizeF& size,
+                   const SceneScale& scale) {
+  constexpr std::size_t most_points = 5000;
+  if (seen.run().shown->samples->times.size() <= most_points) {
+    picture.paint(painter, QRectF(QPointF(), size), scale);
+    return;
+  }
+  QImage image((size * scale.pixel_ratio).toSize(), QImage::Format_RGB32);
+  image.fill(Qt::white);
+  QPainter pixels;
+  begin_units(pixels, image, scale.pixel_ratio);
+  picture.paint(pixels, QRectF(QPointF(), size), scale);
+  pixels.end();
+  image.setDevicePixelRatio(1);
+  painter.drawImage(QRectF(QPointF(), size), image);
 }
 
 /// Places that lose time in a similar way, as the turns of a pocket do.
@@ -109,7 +129,7 @@ ReportPicture close_up(const ReportInput& input, const SlowPlace& place, const Q
             picture.scene().zoom(0.7, {size.width() * pixel_ratio / 2, size.height() * pixel_ratio / 2});
             picture.scene().set_highlight(std::array{place.from, place.to});
             picture.scene().set_hover(picture.scene().drawn_at(place.slowest));
-            picture.paint(painter, QRectF(QPointF(), size), scale);
+            paint_lightly(picture, painter, seen, size, scale);
           }};
 }
 
@@ -233,7 +253,12 @@ QString run_view(const ReportInput& input, ReportPictures& pictures, double heig
 QString elastic_view(const ReportInput& input, ReportPictures& pictures, const QString& caption) {
   constexpr double least = 190;
   constexpr double largest = 460;
-  const auto make = [input](const QSizeF& size) { return scene_picture(input, size); };
+  const auto make = [input](const QSizeF& size) {
+    return ReportPicture{size, true, [input, size](QPainter& painter, double pixel_ratio) {
+                           ScenePicture picture(input, input.current, ThemeKind::light);
+                           paint_lightly(picture, painter, input, size, {pixel_ratio, 0.8});
+                         }};
+  };
   return figure(pictures.add_elastic(QStringLiteral("path"), report_width, {make, least, largest},
                                      ReportWords::tr("3D view")),
                 caption);

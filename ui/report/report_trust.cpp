@@ -30,6 +30,11 @@ QString trust_line(const QString& html) {
   return QStringLiteral("<p class=\"fine\">%1</p>\n").arg(html);
 }
 
+/// A paper, in the language that it has.
+QString source_span(const std::string& reference) {
+  return QStringLiteral("<span class=\"source\">%1</span>").arg(html_text(reference));
+}
+
 std::vector<const Machine*> machines_of(const ReportInput& input) {
   std::vector<const Machine*> machines;
   for (const ReportRun& run : input.runs) {
@@ -80,8 +85,8 @@ QString machine_part(const Machine& machine) {
   return trust_heading(ReportWords::tr("Machine")) +
          trust_line(QStringLiteral("<b>%1</b>%2").arg(html_text(machine.name), control)) +
          limits_table(machine) +
-         trust_line(
-             ReportWords::tr("Values in italics are assumed. Source: %1").arg(html_text(machine.reference)));
+         trust_line(ReportWords::tr("Values in italics are assumed. Source: %1")
+                        .arg(source_span(machine.reference)));
 }
 
 /// "contour_tolerance_mm=0.02": what of a setup is not that of the machine's file.
@@ -119,7 +124,7 @@ QString models_part(const ReportInput& input) {
     const ModelInfo& info = run.shown->run.setup.model->info();
     if (done.insert(info.id).second) {
       const QString reference =
-          info.reference.empty() ? QString() : QStringLiteral(" (%1)").arg(html_text(info.reference));
+          info.reference.empty() ? QString() : QStringLiteral(" (%1)").arg(source_span(info.reference));
       html += trust_line(
           QStringLiteral("<b>%1</b> %2%3")
               .arg(html_text(info.id), html_text(first_sentence(core_text(info.summary))), reference));

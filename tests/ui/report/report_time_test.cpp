@@ -18,10 +18,12 @@ std::string html_of(const ReportInput& input, const QString& page) {
   return make_report(input, ReportTemplate(page, "page.html", report_placeholders()), ReportFormat::html);
 }
 
-TEST(ReportTime, HoldsTheNumbersOfTheReportOnTheCurrentRun) {
+TEST(ReportTime, HoldsTheNumbersOfTheReportOnTheRecommendedRun) {
   ReportInput input = test::two_runs();
   input.current = 1;
-  const feedscope::Run& run = input.run().shown->run;
+  const ReportInput recommended = with_recommended_run(input);
+  ASSERT_EQ(recommended.current, 0U);
+  const feedscope::Run& run = recommended.run().shown->run;
   const TimeReport report = time_report(run);
   const std::string use = html_of(input, "{{time_use}}");
   EXPECT_THAT(use, HasSubstr(fixed(report.use.cycle_time, 3).toStdString()));
