@@ -38,7 +38,7 @@ ReportInput decision_runs(const std::string& text, const std::vector<double>& to
   return input;
 }
 
-/// Its many corners are faster where they may be rounded.
+/// Its many corners are rounded within the tolerance.
 const std::string many_corners = [] {
   std::string text = "G21 G90 F6000\n";
   for (int i = 1; i <= 40; ++i) {
@@ -48,11 +48,17 @@ const std::string many_corners = [] {
 }();
 
 TEST(ReportDecision, TheHeadlineIsTheRecommendedRun) {
-  const ReportInput input = decision_runs(many_corners, {0.01, 0.1});
+  const LoadedProgram program = load_program(data_folder() / "resources" / "programs" / "trochoidal_slot.nc");
+  std::vector<std::shared_ptr<const ShownRun>> shown;
+  for (const double tolerance : {0.01, 0.02}) {
+    shown.push_back(make_shown(simulate_run(program, make_setup({"", "essid", tolerance, {}}))));
+  }
+  ReportInput input;
+  input.runs = report_runs(shown);
   ASSERT_EQ(recommend(run_figures(input), {})->run, 1U);
   EXPECT_THAT(decision_page(input, "{{headline}}"),
-              AllOf(HasSubstr("B (0.1 mm): "), HasSubstr("less than A (0.01 mm)")));
-  EXPECT_EQ(decision_page(input, "{{lettered_run}}"), "B (0.1 mm)") << "pictures are of this run";
+              AllOf(HasSubstr("B (0.02 mm): "), HasSubstr("less than A (0.01 mm)")));
+  EXPECT_EQ(decision_page(input, "{{lettered_run}}"), "B (0.02 mm)") << "pictures are of this run";
 }
 
 TEST(ReportDecision, NoDifferenceTakesTheSmallestError) {
