@@ -3,6 +3,7 @@
 
 #include <QTimeZone>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -40,6 +41,9 @@ struct ReportOptions {
   std::string remarks;
   std::string logo;                  ///< picture file
   std::vector<std::string> without;  ///< placeholders
+  std::vector<std::string> with;     ///< sections
+  bool brief = false;
+  std::string within;  ///< as typed, mm
   std::string language;
   double dpi = 0;  ///< 0: not given
   bool progress = false;
@@ -94,6 +98,25 @@ QStringList left_out(const ReportOptions& options) {
   return names;
 }
 
+/// Throws InputError for a section that `page` does not offer.
+QStringList asked_sections(const ReportOptions& options, const ui::ReportTemplate& page) {
+  QStringList names = options.brief ? QStringList() : ui::ReportInput().with;
+  std::vector<std::string> all{"all"};
+  for (const QString& one : page.sections()) {
+    all.push_back(one.toStdString());
+  }
+  for (const std::string& name : options.with) {
+    if (std::ranges::find(all, name) == all.end()) {
+      const std::string near = nearest_name(name, all);
+      throw InputError(fmt::format("--with '{}' is not a section of this report; {}", name,
+                                   near.empty() ? fmt::format("they are: {}", fmt::join(all, ", "))
+                                                : fmt::format("did you mean '{}'?", near)));
+    }
+    names.append(QString::fromStdString(name));
+  }
+  return names;
+}
+
 QDateTime date_of(const std::string& text) {
   if (text.empty()) {
     return {};
@@ -121,10 +144,13 @@ QStringList commands_of(const ReportOptions& options, const std::vector<AskedRun
   add("--remarks", options.remarks);
   add("--logo", options.logo);
   add("--without", fmt::format("{}", fmt::join(options.without, ",")));
+  add("--with", fmt::format("{}", fmt::join(options.with, ",")));
+  add("--within", options.within);
   add("--display-units", asked_display_units());
   add("--language", options.language == usual_language() ? "" : options.language);
   add("--format", options.format);
   add("--dpi", options.dpi != 0 ? fmt::format("{}", options.dpi) : "");
+  whole += options.brief ? " --brief" : "";
   add("--out", options.out);
   QStringList commands{QString::fromStdString(whole)};
   for (const AskedRun& run : runs) {
@@ -140,6 +166,8 @@ int report(const ReportOptions& options) {
   const QString logo =
       options.logo.empty() ? QString() : ui::inline_picture_url(QString::fromStdString(options.logo));
   const QDateTime date = date_of(options.date);
+  const std::optional<double> within =
+      options.within.empty() ? std::nullopt : std::optional(parse_length(options.within, "--within"));
   std::optional<ui::Session> session = asked_session(options.runs);
   if (session) {
     session->load = asked_load(options.runs.load, std::move(session->load));
@@ -157,6 +185,7 @@ int report(const ReportOptions& options) {
     check_outputs(session->program.string(), {options.out});
   }
   const ui::ReportTemplate page = ui::load_report_template(QString::fromStdString(options.page));
+  const QStringList with = asked_sections(options, page);
   OutputFiles files;
   std::ostream* const out = &files.add(format == pages_format ? file_of_page(options.out, 0) : options.out);
   ui::ReportInput input;
@@ -178,6 +207,9 @@ int report(const ReportOptions& options) {
     input.remarks = QString::fromStdString(options.remarks);
     input.logo = logo;
     input.without = without;
+    input.with = with;
+    input.within = within;
+    input.tolerances_asked = options.runs.tolerances.size();
     const ui::OffscreenApplication application;
     speak_in(options.language, input, session);
     Progress* const drawing = watch.stage("drawing");
@@ -233,6 +265,16 @@ Command add_report_command(CLI::App& app) {
                    "Parts to omit, by their names in resources/report/README.md: time_changes,charts")
       ->delimiter(',')
       ->type_name("NAME,...");
+  command
+      ->add_option(
+          "--with", options->with,
+          "Sections to add after the four pages, or all: time,causes,charts,contour,machine,settings")
+      ->delimiter(',')
+      ->type_name("NAME,...");
+  command->add_flag("--brief", options->brief, "Two pages: the decision and the places that lose most");
+  command
+      ->add_option("--within", options->within, "Maximum contour error in mm of the run that is recommended")
+      ->type_name("MM");
   add_language_option(*command, options->language);
   add_number_option(
       *command, "--dpi", numbers(36, largest_dpi), [options](double dpi) { options->dpi = dpi; },

@@ -740,72 +740,20 @@
 <context>
     <name>ReportParts</name>
     <message>
-        <source>Summary</source>
-        <translation>Résumé</translation>
-    </message>
-    <message>
-        <source>Comparison of the runs</source>
-        <translation>Comparaison des simulations</translation>
-    </message>
-    <message>
-        <source>3D view</source>
-        <translation>Vue 3D</translation>
-    </message>
-    <message>
         <source>Annotations</source>
         <translation>Annotations</translation>
-    </message>
-    <message>
-        <source>Where does the time go?</source>
-        <translation>Où passe le temps ?</translation>
     </message>
     <message>
         <source>What would help (simulated)</source>
         <translation>Quels remèdes (simulés)</translation>
     </message>
     <message>
-        <source>Time by limiting cause</source>
-        <translation>Temps par cause limitante</translation>
-    </message>
-    <message>
-        <source>Axes against their limits</source>
-        <translation>Axes face à leurs limites</translation>
-    </message>
-    <message>
-        <source>Charts</source>
-        <translation>Graphiques</translation>
-    </message>
-    <message>
         <source>Places that lose most, with close-ups</source>
         <translation>Endroits qui perdent le plus, en gros plan</translation>
     </message>
     <message>
-        <source>Contour error, with close-ups</source>
-        <translation>Erreur de contour, en gros plan</translation>
-    </message>
-    <message>
-        <source>Circular test</source>
-        <translation>Essai circulaire</translation>
-    </message>
-    <message>
         <source>Cutting load</source>
         <translation>Charge de coupe</translation>
-    </message>
-    <message>
-        <source>Program</source>
-        <translation>Programme</translation>
-    </message>
-    <message>
-        <source>Messages of the reader</source>
-        <translation>Messages de lecture</translation>
-    </message>
-    <message>
-        <source>Machine with sources</source>
-        <translation>Machine avec ses sources</translation>
-    </message>
-    <message>
-        <source>Settings and control models</source>
-        <translation>Réglages et modèles de commande</translation>
     </message>
     <message>
         <source>Agreement with the control</source>
@@ -814,6 +762,66 @@
     <message>
         <source>Identification</source>
         <translation>Identification</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Mouvement</translation>
+    </message>
+    <message>
+        <source>Machine, settings, models, trust</source>
+        <translation>Machine, réglages, modèles, confiance</translation>
+    </message>
+    <message>
+        <source>Appendix: figures of the runs</source>
+        <translation>Annexe&#xa0;: chiffres des simulations</translation>
+    </message>
+    <message>
+        <source>Appendix: where does the time go?</source>
+        <translation>Annexe&#xa0;: où passe le temps</translation>
+    </message>
+    <message>
+        <source>Appendix: time by limiting cause</source>
+        <translation>Annexe&#xa0;: temps par cause limitante</translation>
+    </message>
+    <message>
+        <source>Appendix: settings that differ</source>
+        <translation>Annexe&#xa0;: réglages qui diffèrent</translation>
+    </message>
+    <message>
+        <source>Appendix: axes against their limits</source>
+        <translation>Annexe&#xa0;: axes par rapport à leurs limites</translation>
+    </message>
+    <message>
+        <source>Appendix: charts</source>
+        <translation>Annexe&#xa0;: graphiques</translation>
+    </message>
+    <message>
+        <source>Appendix: table of slow places</source>
+        <translation>Annexe&#xa0;: tableau des endroits lents</translation>
+    </message>
+    <message>
+        <source>Appendix: contour error</source>
+        <translation>Annexe&#xa0;: erreur de contour</translation>
+    </message>
+    <message>
+        <source>Appendix: circular test</source>
+        <translation>Annexe&#xa0;: essai circulaire</translation>
+    </message>
+    <message>
+        <source>Appendix: program</source>
+        <translation>Annexe&#xa0;: programme</translation>
+    </message>
+    <message>
+        <source>Appendix: machine with sources</source>
+        <translation>Annexe&#xa0;: machine avec ses sources</translation>
+    </message>
+    <message>
+        <source>Appendix: all settings</source>
+        <translation>Annexe&#xa0;: tous les réglages</translation>
+    </message>
+    <message>
+        <source>Appendix: control models</source>
+        <translation>Annexe&#xa0;: modèles de commande</translation>
     </message>
 </context>
 <context>
@@ -1836,6 +1844,230 @@
     <message>
         <source>roughly</source>
         <translation>à peu près</translation>
+    </message>
+    <message>
+        <source>other causes</source>
+        <translation>autres causes</translation>
+    </message>
+    <message>
+        <source>out of reach</source>
+        <translation>hors de portée</translation>
+    </message>
+    <message>
+        <source>simulated, not measured</source>
+        <translation>simulé, non mesuré</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 lost&lt;/b&gt;, %2 of all; %3.</source>
+        <translation>&lt;b&gt;%1 perdues&lt;/b&gt;, %2 du total&#xa0;; %3.</translation>
+    </message>
+    <message>
+        <source>Place %1</source>
+        <translation>Endroit %1</translation>
+    </message>
+    <message>
+        <source>Line %1.</source>
+        <translation>Ligne %1.</translation>
+    </message>
+    <message>
+        <source>actual contour error %1</source>
+        <translation>erreur de contour réelle %1</translation>
+    </message>
+    <message>
+        <source>contour error %1</source>
+        <translation>erreur de contour %1</translation>
+    </message>
+    <message>
+        <source>%1, of which %2 are lost (%3); %4.</source>
+        <translation>%1, dont %2 perdues (%3)&#xa0;; %4.</translation>
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Ligne %1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>The model %1 uses no contour tolerance: it has one run for the %2 that were asked for.</source>
+        <translation>Le modèle %1 n’utilise pas de tolérance de contour&#xa0;: une seule simulation pour les %2 demandées.</translation>
+    </message>
+    <message>
+        <source>Line of %1</source>
+        <translation>Trait de %1</translation>
+    </message>
+    <message>
+        <source>Cycle time over contour error of each run</source>
+        <translation>Temps de cycle selon l’erreur de contour de chaque simulation</translation>
+    </message>
+    <message>
+        <source>Cycle time of each run by limiting cause</source>
+        <translation>Temps de cycle de chaque simulation par cause limitante</translation>
+    </message>
+    <message>
+        <source>Lens at line %1</source>
+        <translation>Loupe à la ligne %1</translation>
+    </message>
+    <message>
+        <source>Largest contour error of %1, line %2, all runs.</source>
+        <translation>Plus grande erreur de contour de %1, ligne %2, toutes les simulations.</translation>
+    </message>
+    <message>
+        <source>Largest contour error, line %1.</source>
+        <translation>Plus grande erreur de contour, ligne %1.</translation>
+    </message>
+    <message>
+        <source>%1, line %2 and %3 more</source>
+        <translation>%1, ligne %2 et %3 autres</translation>
+    </message>
+    <message>
+        <source>%1, line %2</source>
+        <translation>%1, ligne %2</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Endroit</translation>
+    </message>
+    <message>
+        <source>Lost</source>
+        <translation>Perdu</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Gain</translation>
+    </message>
+    <message>
+        <source>What limits the feed [s]</source>
+        <translation>Ce qui limite l’avance [s]</translation>
+    </message>
+    <message>
+        <source>Cycle time over actual contour error</source>
+        <translation>Temps de cycle selon l’erreur de contour réelle</translation>
+    </message>
+    <message>
+        <source>Cycle time over contour error</source>
+        <translation>Temps de cycle selon l&apos;erreur de contour</translation>
+    </message>
+    <message>
+        <source>Cycle time</source>
+        <translation>Temps de cycle</translation>
+    </message>
+    <message>
+        <source>Against %1</source>
+        <translation>Par rapport à %1</translation>
+    </message>
+    <message>
+        <source>Actual contour error</source>
+        <translation>Erreur de contour réelle</translation>
+    </message>
+    <message>
+        <source>Executed path of %1, coloured by its feed.</source>
+        <translation>Trajectoire exécutée de %1, colorée selon son avance.</translation>
+    </message>
+    <message>
+        <source>Executed path, coloured by its feed.</source>
+        <translation>Trajectoire exécutée, colorée selon son avance.</translation>
+    </message>
+    <message>
+        <source>Where %1 still loses time</source>
+        <translation>Où %1 perd encore du temps</translation>
+    </message>
+    <message>
+        <source>Where time is lost</source>
+        <translation>Où le temps est perdu</translation>
+    </message>
+    <message>
+        <source>programmed</source>
+        <translation>programmée</translation>
+    </message>
+    <message>
+        <source>Time lost so far [s]</source>
+        <translation>Temps perdu jusque-là [s]</translation>
+    </message>
+    <message>
+        <source>Programmed path of feed motions</source>
+        <translation>Trajectoire programmée en avance de travail</translation>
+    </message>
+    <message>
+        <source>Line %1</source>
+        <translation>Ligne %1</translation>
+    </message>
+    <message>
+        <source>Time from the slowest instant [s]</source>
+        <translation>Temps depuis l’instant le plus lent [s]</translation>
+    </message>
+    <message>
+        <source>Feed and time lost over the path length</source>
+        <translation>Avance et temps perdu selon la longueur de trajectoire</translation>
+    </message>
+    <message>
+        <source>Feed of all runs, mean over each of %1 equal parts of the path, and the time lost against the programmed feed. Rapids and pauses are left out.</source>
+        <translation>Avance de toutes les simulations, moyenne sur chacune des %1 parts égales de la trajectoire, et temps perdu par rapport à l’avance programmée. Sans rapides ni pauses.</translation>
+    </message>
+    <message>
+        <source>Feed, acceleration and jerk about the worst places</source>
+        <translation>Avance, accélération et jerk autour des pires endroits</translation>
+    </message>
+    <message>
+        <source>Feed, acceleration and jerk of the tool about the places of %1 that lose most; other runs where they are at the same place of the program.</source>
+        <translation>Avance, accélération et jerk de l’outil autour des endroits de %1 qui perdent le plus&#xa0;; les autres simulations au même endroit du programme.</translation>
+    </message>
+    <message>
+        <source>Where %1 loses most</source>
+        <translation>Où %1 perd le plus</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Mouvement</translation>
+    </message>
+    <message>
+        <source>Machine, settings, models, trust</source>
+        <translation>Machine, réglages, modèles, confiance</translation>
+    </message>
+    <message>
+        <source>Figures of the runs</source>
+        <translation>Chiffres des simulations</translation>
+    </message>
+    <message>
+        <source>Values in italics are assumed. Source: %1</source>
+        <translation>Les valeurs en italique sont supposées. Source&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Settings that differ from the machine&apos;s file</source>
+        <translation>Réglages qui diffèrent du fichier de la machine</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 lines, path of %4 %5, %6 of it rapid.</source>
+        <translation>%1&#xa0;: %2, %3 lignes, trajectoire de %4 %5, dont %6 en rapide.</translation>
+    </message>
+    <message>
+        <source>How far to trust it</source>
+        <translation>Quelle confiance accorder</translation>
+    </message>
+    <message>
+        <source>All numbers are simulated, not measured: compare one cycle time with the machine before relying on them.</source>
+        <translation>Tous les chiffres sont simulés, non mesurés&#xa0;: comparer un temps de cycle avec la machine avant de s’y fier.</translation>
+    </message>
+    <message>
+        <source>Not modelled: cutting forces on the axes, vibration, friction beyond that of the drives that are set, temperature, spindle.</source>
+        <translation>Non modélisés&#xa0;: efforts de coupe sur les axes, vibrations, frottements autres que ceux des entraînements donnés, température, broche.</translation>
+    </message>
+    <message>
+        <source>Not modelled: the drives (the axes follow exactly), cutting forces on the axes, vibration, temperature, spindle.</source>
+        <translation>Non modélisés&#xa0;: entraînements (les axes suivent exactement), efforts de coupe sur les axes, vibrations, température, broche.</translation>
+    </message>
+    <message>
+        <source>The worst: %1, %2 lost, %3 of %4 %5.</source>
+        <translation>Le pire : %1, %2 perdues, %3 au lieu de %4 %5.</translation>
+    </message>
+    <message>
+        <source>Another: %1, %2 lost, %3 of %4 %5.</source>
+        <translation>Un autre : %1, %2 perdues, %3 au lieu de %4 %5.</translation>
+    </message>
+    <message>
+        <source>Executed path of %1.</source>
+        <translation>Trajectoire exécutée de %1.</translation>
+    </message>
+    <message>
+        <source>Executed path.</source>
+        <translation>Trajectoire exécutée.</translation>
     </message>
 </context>
 <context>

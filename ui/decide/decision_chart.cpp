@@ -135,6 +135,11 @@ std::vector<QRectF> DecisionChart::labels() const {
 
 void DecisionChart::paintEvent(QPaintEvent*) {
   QPainter painter(this);
+  draw(painter);
+}
+
+void DecisionChart::draw(QPainter& painter) const {
+  painter.setFont(font());
   painter.setRenderHint(QPainter::Antialiasing);
   const Scale at = scale();
   draw_axes(painter, at);

@@ -34,6 +34,9 @@ class DecisionChart : public QWidget {
   /// Of the line of the bound; none without a bound.
   std::optional<double> bound_x() const;
 
+  /// At the size that the chart has.
+  void draw(QPainter& painter) const;
+
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
 

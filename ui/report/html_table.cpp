@@ -87,8 +87,8 @@ void HtmlTable::add_group_head(const std::vector<std::pair<QString, int>>& group
   heads_ += QStringLiteral("</tr>\n");
 }
 
-void HtmlTable::add(const QStringList& cells) {
-  rows_ += QStringLiteral("<tr>");
+void HtmlTable::add(const QStringList& cells, const QString& ground) {
+  rows_ += ground.isEmpty() ? QStringLiteral("<tr>") : QStringLiteral("<tr bgcolor=\"%1\">").arg(ground);
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     rows_ += cell("td", i, cells.value(static_cast<qsizetype>(i)));
   }

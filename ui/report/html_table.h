@@ -27,7 +27,8 @@ class HtmlTable {
   void add_head(const QStringList& cells);
   /// A head over several columns each: text and how many.
   void add_group_head(const std::vector<std::pair<QString, int>>& groups);
-  void add(const QStringList& cells);
+  /// `ground`: colour of the row, "#ffeedd".
+  void add(const QStringList& cells, const QString& ground = {});
   bool empty() const { return rows_.isEmpty(); }
   QString html() const;
 

@@ -91,18 +91,22 @@ class PagedDocument::Pictures : public QObject, public QTextObjectInterface {
   std::exception_ptr failure_;
 };
 
-PagedDocument::PagedDocument(QString html, const ReportPictures& pictures, double raster_ratio)
-    : pictures_(std::make_unique<Pictures>(pictures, raster_ratio)) {
-  document_.setDefaultFont(paper_font(11));
-  document_.setUseDesignMetrics(true);
-  document_.setDocumentMargin(0);
-  document_.documentLayout()->registerHandler(QTextFormat::ImageObject, pictures_.get());
+void set_on_paper(QTextDocument& document, QString html) {
+  document.setDefaultFont(paper_font(11));
+  document.setUseDesignMetrics(true);
+  document.setDocumentMargin(0);
   QTextOption option;
   option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
-  document_.setDefaultTextOption(option);
-  document_.setHtml(
+  document.setDefaultTextOption(option);
+  document.setHtml(
       with_whole_units(std::move(html)).replace(QStringLiteral("<wbr>"), QStringLiteral("&#8203;")));
-  document_.setTextWidth(report_width);
+  document.setTextWidth(report_width);
+}
+
+PagedDocument::PagedDocument(QString html, const ReportPictures& pictures, double raster_ratio)
+    : pictures_(std::make_unique<Pictures>(pictures, raster_ratio)) {
+  document_.documentLayout()->registerHandler(QTextFormat::ImageObject, pictures_.get());
+  set_on_paper(document_, std::move(html));
   parts_ = page_parts(document_, page_contents_height);
 }
 

@@ -16,6 +16,9 @@ inline constexpr double page_margin_bottom = 60;
 /// Of what stands between the margins.
 inline constexpr double page_contents_height = page_height - page_margin_top - page_margin_bottom;
 
+/// Lays HTML out in the width of a report, on a page without end.
+void set_on_paper(QTextDocument& document, QString html);
+
 /// HTML with its pictures, laid out in the width of a report and cut into pages.
 class PagedDocument {
  public:

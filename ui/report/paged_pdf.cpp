@@ -7,6 +7,7 @@
 #include <QTextBlock>
 #include <vector>
 
+#include "ui/language/language.h"
 #include "ui/report/paged_document.h"
 #include "ui/report/pdf_file.h"
 #include "ui/report/picture_file.h"
@@ -41,7 +42,8 @@ void draw_margins(QPainter& painter, const PageTexts& texts, int page, int pages
     line(margin_top - 30, texts.title, date_text(texts.date));
   }
   line(page_height - margin_bottom + 22,
-       QStringLiteral("Feedscope %1").arg(QStringLiteral(FEEDSCOPE_VERSION)),
+       QStringLiteral("Feedscope %1").arg(QStringLiteral(FEEDSCOPE_VERSION)) +
+           (texts.note.isEmpty() ? QString() : QStringLiteral(" · ") + texts.note),
        texts.number.arg(page + 1).arg(pages));
   painter.setPen(QPen(QColor(0xc8, 0xcd, 0xd2), 0.6));
   const double rule = page_height - margin_bottom + 16;
@@ -97,7 +99,8 @@ std::string paged_pdf(const QString& html, const ReportPictures& pictures, const
   painter.end();
   const QString date =
       texts.date.isValid() ? texts.date.toUTC().toString(QStringLiteral("'D:'yyyyMMddHHmmss'Z'")) : QString();
-  return finished_pdf(buffer.data().toStdString(), {texts.title, texts.author, date, bookmarks_of(document)});
+  return finished_pdf(buffer.data().toStdString(),
+                      {texts.title, texts.author, date, bookmarks_of(document), spoken_language()});
 }
 
 RecordedPages recorded_pages(const QString& html, const ReportPictures& pictures, const PageTexts& texts) {

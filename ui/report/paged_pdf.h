@@ -16,6 +16,7 @@ struct PageTexts {
   QString author;  ///< of the file
   QDateTime date;  ///< invalid: none is written
   QString number = QStringLiteral("page %1 of %2");
+  QString note = {};  ///< below every page, after the version
 };
 
 /// `html` laid out on pages of A4 with title, page numbers and bookmarks from its headings. Headings stay

@@ -109,6 +109,9 @@ void set_properties(QPDF& pdf, const PdfProperties& properties) {
     info.replaceKey("/CreationDate", text_object(properties.date));
   }
   pdf.getTrailer().replaceKey("/Info", info);
+  if (!properties.language.isEmpty()) {
+    pdf.getRoot().replaceKey("/Lang", text_object(properties.language));
+  }
   QPDFObjectHandle view = QPDFObjectHandle::newDictionary();
   view.replaceKey("/DisplayDocTitle", QPDFObjectHandle::newBool(true));
   pdf.getRoot().replaceKey("/ViewerPreferences", view);

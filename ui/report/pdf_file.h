@@ -19,6 +19,7 @@ struct PdfProperties {
   QString author;
   QString date;  ///< of creation, as PDF files write it: "D:20250131120000Z"; empty: none
   std::vector<PdfBookmark> outline;
+  QString language = {};  ///< code of the texts; empty: not said
 };
 
 /// While it lives, hash tables that are made have one order: QPdfWriter numbers its fonts by one.

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/analysis/lens.h"
 #include "core/base/error.h"
 #include "ui/language/texts.h"
 #include "ui/report/charts_page.h"
@@ -16,7 +15,7 @@
 #include "ui/scene/draw/captions.h"
 #include "ui/scene/picture.h"
 #include "ui/scene/scene_style.h"
-#include "ui/shared/lens_picture.h"
+#include "ui/theme/fonts.h"
 #include "ui/theme/theme.h"
 #include "ui/workbench/reading_faults.h"
 #include "ui/workbench/run_comparison.h"
@@ -135,7 +134,7 @@ std::string charts_file(const ReportInput& input, const PictureRequest& request)
                       [&](QPainter& painter) { page.draw(painter, !request.transparent); });
 }
 
-std::string lens_file(const ReportInput& input, double time, const PictureRequest& request) {
+LensShot lens_shot(const ReportInput& input, double time) {
   std::vector<const Run*> runs;
   std::vector<LensLook> looks;
   std::size_t shown = 0;
@@ -148,11 +147,27 @@ std::string lens_file(const ReportInput& input, double time, const PictureReques
     runs.push_back(&run.shown->run);
     looks.push_back({run.name, run.colour, run_dashes(i)});
   }
-  const Lens lens = lens_at(runs, shown, time);
+  return {lens_at(runs, shown, time), std::move(looks)};
+}
+
+ReportPicture lens_picture(std::shared_ptr<const LensShot> shot, const QSizeF& size) {
+  return {size, false, [shot = std::move(shot), size](QPainter& painter, double) {
+            constexpr double scale = 0.8;
+            painter.setFont(paper_font(10));
+            LensPicture(shot->lens, shot->looks, scale)
+                .paint(painter, QRectF(QPointF(), size), QApplication::palette());
+            painter.setBrush(Qt::NoBrush);
+            painter.setPen(QPen(QColor(0xc8, 0xcd, 0xd2), 1));
+            painter.drawRect(QRectF(QPointF(), size).adjusted(0.5, 0.5, -0.5, -0.5));
+          }};
+}
+
+std::string lens_file(const ReportInput& input, double time, const PictureRequest& request) {
+  const LensShot shot = lens_shot(input, time);
   return make_picture(spec_of(request, input.heading()), [&](QPainter& painter) {
     const QRectF above = paint_caption(painter, input, PictureCaption::tr("run"), request);
     painter.setFont(QApplication::font());
-    LensPicture(lens, looks, text_scale_of(request)).paint(painter, above, QApplication::palette());
+    LensPicture(shot.lens, shot.looks, text_scale_of(request)).paint(painter, above, QApplication::palette());
   });
 }
 

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <QImage>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "ui/report/picture_file.h"
 #include "ui/report/report_input.h"
+#include "ui/report/report_pictures.h"
+#include "ui/shared/lens_picture.h"
 
 namespace feedscope::ui {
 
@@ -25,6 +28,15 @@ struct PictureRequest {
 std::string scene_file(const ReportInput& input, const PictureRequest& request);
 /// Charts of the current run as vectors, the other runs behind.
 std::string charts_file(const ReportInput& input, const PictureRequest& request);
+/// A lens and how its runs are drawn.
+struct LensShot {
+  Lens lens;
+  std::vector<LensLook> looks;
+};
+/// All runs that move, where the current one is at `time` [s].
+LensShot lens_shot(const ReportInput& input, double time);
+/// It as a picture of a report; `shot` is shared with it.
+ReportPicture lens_picture(std::shared_ptr<const LensShot> shot, const QSizeF& size);
 /// All runs through the lens, where the current one is at `time` [s] (LensPicture).
 std::string lens_file(const ReportInput& input, double time, const PictureRequest& request);
 /// paint_sheet().

@@ -7,16 +7,21 @@
 
 #include "ui/language/language.h"
 #include "ui/report/html_table.h"
+#include "ui/report/page_fit.h"
 #include "ui/report/paged_pdf.h"
+#include "ui/report/report_cards.h"
 #include "ui/report/report_circles.h"
 #include "ui/report/report_contour.h"
+#include "ui/report/report_decision.h"
 #include "ui/report/report_html.h"
 #include "ui/report/report_identification.h"
 #include "ui/report/report_load.h"
+#include "ui/report/report_motion.h"
 #include "ui/report/report_numbers.h"
 #include "ui/report/report_tables.h"
 #include "ui/report/report_time.h"
 #include "ui/report/report_traces.h"
+#include "ui/report/report_trust.h"
 #include "ui/report/report_words.h"
 #include "ui/report/template_pictures.h"
 
@@ -84,6 +89,17 @@ const std::vector<Block>& blocks() {
       {"date", plain([](const ReportInput& input) { return date_text(input.date); })},
       {"logo", plain(logo_block)},
       {"remarks", plain(remarks_block)},
+      {"subject", plain(subject_block)},
+      {"headline", plain(headline_block)},
+      {"verdict", plain(verdict_block)},
+      {"decision_charts", decision_charts_block},
+      {"runs_table", runs_table_block},
+      {"path", path_block},
+      {"losses", losses_block},
+      {"cards", cards_block},
+      {"feed_course", feed_course_block},
+      {"motion_windows", motion_windows_block},
+      {"trust", plain(trust_block)},
       {"program", plain([](const ReportInput& input) {
          return program_file_name(*input.program().program).toHtmlEscaped();
        })},
@@ -91,6 +107,7 @@ const std::vector<Block>& blocks() {
          return QString::fromStdString(input.run().shown->run.setup.machine.name).toHtmlEscaped();
        })},
       {"run", plain([](const ReportInput& input) { return input.run().name.toHtmlEscaped(); })},
+      {"lettered_run", plain([](const ReportInput& input) { return lettered_name(input, input.current); })},
       {"language", plain([](const ReportInput&) { return spoken_language(); })},
       {"version", plain([](const ReportInput&) { return QStringLiteral(FEEDSCOPE_VERSION); })},
       {"summary", plain(summary_block)},
@@ -128,7 +145,8 @@ const std::vector<Block>& blocks() {
 }
 
 PageTexts page_texts(const ReportInput& input) {
-  return {input.heading(), input.author, input.date, ReportWords::tr("page %1 of %2")};
+  return {input.heading(), input.author, input.date, ReportWords::tr("page %1 of %2"),
+          ReportWords::tr("simulated, not measured")};
 }
 
 }  // namespace
@@ -149,29 +167,37 @@ ReportTemplate load_report_template(const QString& file) {
 
 ReportPage report_page(const ReportInput& asked, const ReportTemplate& page, ReportFormat format,
                        Progress* progress) {
-  const auto wanted = [&asked, names = page.placeholders()](const char* name) {
+  const auto wanted = [&asked, names = page.placeholders(asked.with)](const char* name) {
     return names.contains(QLatin1String(name)) && !asked.without.contains(QLatin1String(name));
   };
-  ReportInput input = with_contour_reports(asked, progress);
+  ReportInput input = with_recommended_run(asked);
+  if (wanted("contour_histogram") || wanted("contour_places") || wanted("contour_place_views")) {
+    input = with_contour_reports(std::move(input), progress);
+  }
   if (wanted("circles") || wanted("circle_plots")) {
     input = with_circles(std::move(input), progress);
   }
-  if (wanted("time_use") || wanted("time_places") || wanted("time_changes")) {
-    input = with_time_report(std::move(input), wanted("time_changes"), progress);
+  const bool finds = wanted("losses") || wanted("cards") || wanted("motion_windows");
+  if (finds || wanted("time_use") || wanted("time_places") || wanted("time_changes")) {
+    const bool tries =
+        (wanted("losses") || wanted("time_changes")) && !input.without.contains("time_changes");
+    input = with_time_report(std::move(input), tries, progress);
   }
   ReportPage result{{}, ReportPictures(progress)};
-  result.html = page.filled([&](const QString& name) {
-    if (name == screen_section) {
-      return format == ReportFormat::html ? name : QString();
-    }
-    for (const Block& block : blocks()) {
-      if (name == QLatin1String(block.name) && !input.without.contains(name)) {
-        return block.make(input, result.pictures);
-      }
-    }
-    return QString();
-  });
-  result.html = with_figure_numbers(result.html);
+  result.html = page.filled(
+      [&](const QString& name) {
+        if (name == screen_section) {
+          return format == ReportFormat::html ? name : QString();
+        }
+        for (const Block& block : blocks()) {
+          if (name == QLatin1String(block.name) && !input.without.contains(name)) {
+            return block.make(input, result.pictures);
+          }
+        }
+        return QString();
+      },
+      asked.with);
+  result.html = with_filled_pages(with_figure_numbers(result.html), result.pictures);
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "core/analysis/recommendation.h"
 #include "core/machine/contour_tolerance.h"
 #include "core/machine/machine.h"
 #include "ui/workbench/run_list.h"
@@ -97,6 +98,53 @@ QString program_file_name(const Program& program) {
 
 QString ReportInput::heading() const {
   return title.isEmpty() ? program_file_name(*program().program) : title;
+}
+
+namespace {
+
+const QString name_joint = QStringLiteral(", ");
+
+/// Parts of names that all runs have.
+QStringList common_parts(const ReportInput& input) {
+  QStringList parts = input.runs.front().name.split(name_joint);
+  parts.removeIf([&](const QString& part) {
+    return !std::ranges::all_of(
+        input.runs, [&](const ReportRun& run) { return run.name.split(name_joint).contains(part); });
+  });
+  return parts;
+}
+
+}  // namespace
+
+QStringList short_names(const ReportInput& input) {
+  const QStringList common = input.runs.size() > 1 ? common_parts(input) : QStringList();
+  QStringList names;
+  for (const ReportRun& run : input.runs) {
+    QStringList own = run.name.split(name_joint);
+    own.removeIf([&](const QString& part) { return common.contains(part); });
+    names.append(own.isEmpty() ? run.name : own.join(name_joint));
+  }
+  return names;
+}
+
+QString common_name(const ReportInput& input) {
+  return common_parts(input).join(name_joint);
+}
+
+std::vector<ComparedRun> run_figures(const ReportInput& input) {
+  std::vector<ComparedRun> runs;
+  for (const ReportRun& run : input.runs) {
+    runs.push_back(figures_of(run.shown->run));
+  }
+  return runs;
+}
+
+ReportInput with_recommended_run(ReportInput input) {
+  const bool of_current =
+      !input.traces.empty() || input.identification.outcome != nullptr || input.charts.time;
+  const auto taken = of_current ? std::nullopt : recommend(run_figures(input), input.within);
+  input.current = taken ? taken->run : input.current;
+  return input;
 }
 
 ReportInput with_contour_reports(ReportInput input, Progress* progress) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/analysis/circularity/program_circles.h"
+#include "core/analysis/compare.h"
 #include "core/analysis/contour/contour_report.h"
 #include "core/analysis/time_use/time_report.h"
 #include "ui/charts/charts_state.h"
@@ -64,6 +65,12 @@ struct ReportInput {
   QString logo;          ///< data: URL of a picture as inline_picture_url(); may be empty
   QStringList commands;  ///< command lines that make this again
   QStringList without;   ///< placeholders of the template that stay empty
+  /// Sections of the template that are not omitted, as ReportTemplate::filled(); without these two the report
+  /// is brief.
+  QStringList with{QStringLiteral("motion"), QStringLiteral("trust")};
+  /// Largest contour error of a run that may be recommended [mm].
+  std::optional<double> within;
+  std::size_t tolerances_asked = 0;  ///< 0: not known
   /// Of the current run; until with_circles().
   std::shared_ptr<const ProgramCircles> circles = nullptr;
   /// Of the current run; until with_time_report().
@@ -79,6 +86,16 @@ QString program_file_name(const Program& program);
 
 /// The same with the contour report of every run. Throws Cancelled if `progress` is cancelled.
 ReportInput with_contour_reports(ReportInput input, Progress* progress = nullptr);
+
+/// What of the names of the runs is not the same in all: "0.02 mm"; the whole name where nothing is.
+QStringList short_names(const ReportInput& input);
+/// What is the same in all: "essid"; all of the name of a single run.
+QString common_name(const ReportInput& input);
+/// The figures of the runs, in their order.
+std::vector<ComparedRun> run_figures(const ReportInput& input);
+/// The input with the recommended run as its current one, unless something else belongs to the current one:
+/// recordings, or a stretch of its time.
+ReportInput with_recommended_run(ReportInput input);
 
 /// Runs that nobody has named or coloured: what tells them apart as the name ("essid, 0.01 mm"), colours told
 /// apart with every kind of colour vision.

@@ -1,5 +1,6 @@
 #include "ui/report/report_pictures.h"
 
+#include <QImage>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -10,11 +11,13 @@
 #include "ui/language/shown_numbers.h"
 #include "ui/report/charts_page.h"
 #include "ui/report/html_table.h"
+#include "ui/report/picture_file.h"
 #include "ui/report/report_numbers.h"
 #include "ui/report/report_tables.h"
 #include "ui/report/report_words.h"
 #include "ui/report/scene_picture.h"
 #include "ui/runs/comparison_chart.h"
+#include "ui/scene/colourings.h"
 #include "ui/why/why_text.h"
 
 namespace feedscope::ui {
@@ -34,6 +37,24 @@ ReportPicture scene_picture(const ReportInput& seen, const QSizeF& size) {
             ScenePicture(seen, seen.current, ThemeKind::light)
                 .paint(painter, QRectF(QPointF(), size), {pixel_ratio, 0.8});
           }};
+}
+
+/// Paths of many points are rasters: as vectors they would make the file many times larger.
+void paint_lightly(ScenePicture& picture, QPainter& painter, const ReportInput& seen, const QSizeF& size,
+                   const SceneScale& scale) {
+  constexpr std::size_t most_points = 5000;
+  if (seen.run().shown->samples->times.size() <= most_points) {
+    picture.paint(painter, QRectF(QPointF(), size), scale);
+    return;
+  }
+  QImage image((size * scale.pixel_ratio).toSize(), QImage::Format_RGB32);
+  image.fill(Qt::white);
+  QPainter pixels;
+  begin_units(pixels, image, scale.pixel_ratio);
+  picture.paint(pixels, QRectF(QPointF(), size), scale);
+  pixels.end();
+  image.setDevicePixelRatio(1);
+  painter.drawImage(QRectF(QPointF(), size), image);
 }
 
 /// Places that lose time in a similar way, as the turns of a pocket do.
@@ -91,6 +112,8 @@ StandardView view_of(const Run& run, const SlowPlace& place) {
   return size.z() <= 0.05 * std::max(size.x(), size.y()) ? StandardView::top : StandardView::iso;
 }
 
+}  // namespace
+
 ReportPicture close_up(const ReportInput& input, const SlowPlace& place, const QSizeF& size) {
   ReportInput seen = input;
   seen.view = view_of(input.run().shown->run, place);
@@ -106,11 +129,9 @@ ReportPicture close_up(const ReportInput& input, const SlowPlace& place, const Q
             picture.scene().zoom(0.7, {size.width() * pixel_ratio / 2, size.height() * pixel_ratio / 2});
             picture.scene().set_highlight(std::array{place.from, place.to});
             picture.scene().set_hover(picture.scene().drawn_at(place.slowest));
-            picture.paint(painter, QRectF(QPointF(), size), scale);
+            paint_lightly(picture, painter, seen, size, scale);
           }};
 }
-
-}  // namespace
 
 std::vector<Annotation> annotations_between(const ReportInput& input, double from, double to) {
   const Trajectory& trajectory = *input.run().shown->run.trajectory;
@@ -139,6 +160,25 @@ QString figure(const QString& picture, const QString& caption) {
              "<table class=\"figure\" width=\"100%\" cellspacing=\"0\" cellpadding=\"0\"><tr><td>%1"
              "<p class=\"caption\">%2%3</p></td></tr></table>\n")
       .arg(picture, figure_mark, caption);
+}
+
+QString two_columns(const QString& left, const QString& right, int share) {
+  constexpr int gap = 2;
+  return QStringLiteral(
+             "<table class=\"columns\" width=\"100%\" cellspacing=\"0\" cellpadding=\"0\"><tr>"
+             "<td width=\"%3%\">%1</td><td width=\"%4%\"></td><td width=\"%5%\">%2</td></tr></table>\n")
+      .arg(left, right)
+      .arg(share)
+      .arg(gap)
+      .arg(100 - gap - share);
+}
+
+ReportInput without_other_runs(ReportInput input) {
+  if (!needs_reference(input.scene.colouring)) {
+    input.runs = {input.run()};
+    input.current = 0;
+  }
+  return input;
 }
 
 QSizeF close_up_size() {
@@ -175,6 +215,19 @@ QString ReportPictures::add(const QString& name, ReportPicture picture, const QS
       .arg(description.toHtmlEscaped());
 }
 
+QString ReportPictures::add_elastic(const QString& name, double width, ElasticPicture picture,
+                                    const QString& description) {
+  const QSizeF size(width, picture.largest);
+  const QString html = add(name, picture.make(size), description);
+  elastic_.insert_or_assign(name, std::move(picture));
+  return html;
+}
+
+void ReportPictures::resize(const QString& name, double height) {
+  ReportPicture& picture = pictures_.at(name);
+  picture = elastic_.at(name).make({picture.size.width(), height});
+}
+
 void ReportPictures::paint(const QString& name, QPainter& painter, double pixel_ratio) const {
   const auto found = pictures_.find(name);
   if (found == pictures_.end()) {
@@ -195,6 +248,20 @@ QString run_view(const ReportInput& input, ReportPictures& pictures, double heig
   return figure(pictures.add(QStringLiteral("view"), scene_picture(input, {report_width, height}),
                              ReportWords::tr("3D view")),
                 caption.isEmpty() ? usual : caption);
+}
+
+QString elastic_view(const ReportInput& input, ReportPictures& pictures, const QString& caption) {
+  constexpr double least = 190;
+  constexpr double largest = 460;
+  const auto make = [input](const QSizeF& size) {
+    return ReportPicture{size, true, [input, size](QPainter& painter, double pixel_ratio) {
+                           ScenePicture picture(input, input.current, ThemeKind::light);
+                           paint_lightly(picture, painter, input, size, {pixel_ratio, 0.8});
+                         }};
+  };
+  return figure(pictures.add_elastic(QStringLiteral("path"), report_width, {make, least, largest},
+                                     ReportWords::tr("3D view")),
+                caption);
 }
 
 QString view_block(const ReportInput& input, ReportPictures& pictures) {

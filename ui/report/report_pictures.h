@@ -20,12 +20,27 @@ struct ReportPicture {
   std::function<void(QPainter&, double pixel_ratio)> paint;
 };
 
+/// Makes a picture of another size.
+using PictureMaker = std::function<ReportPicture(const QSizeF& size)>;
+
+/// A picture that takes what its page has left.
+struct ElasticPicture {
+  PictureMaker make;
+  double least = 0;    ///< height [1/96 inch]
+  double largest = 0;  ///< height [1/96 inch]
+};
+
 /// The pictures that the blocks of a report name, by these names.
 class ReportPictures {
  public:
   explicit ReportPictures(Progress* progress = nullptr) : progress_(progress) {}
   /// Adds a picture and gives the HTML that shows it.
   QString add(const QString& name, ReportPicture picture, const QString& description);
+  /// The same of a picture that begins with its largest height and may be made lower.
+  QString add_elastic(const QString& name, double width, ElasticPicture picture, const QString& description);
+  const std::map<QString, ElasticPicture>& elastic() const { return elastic_; }
+  /// Makes an elastic one again.
+  void resize(const QString& name, double height);
   const std::map<QString, ReportPicture>& all() const { return pictures_; }
   /// Paints one of them; throws Cancelled. A name that is none paints nothing.
   void paint(const QString& name, QPainter& painter, double pixel_ratio) const;
@@ -34,6 +49,7 @@ class ReportPictures {
   Progress* progress_;
   mutable std::size_t painted_ = 0;
   std::map<QString, ReportPicture> pictures_;
+  std::map<QString, ElasticPicture> elastic_;
 };
 
 /// Width of what stands between the margins of a report [1/96 inch].
@@ -45,8 +61,18 @@ QString with_figure_numbers(const QString& html);
 QString figure(const QString& picture, const QString& caption);
 /// Pictures with their captions beside each other, two a row; empty for none.
 QString close_up_table(const std::vector<std::pair<QString, QString>>& pictures);
+/// Two blocks beside each other, the left one `share` percent of the width.
+QString two_columns(const QString& left, const QString& right, int share);
+/// Of a narrow text or picture beside a wide one [%].
+inline constexpr int narrow_share = 34;
 /// The size of a picture there.
 QSizeF close_up_size();
+
+/// The current run at a slow place from above or obliquely, the place marked.
+ReportPicture close_up(const ReportInput& input, const SlowPlace& place, const QSizeF& size);
+
+/// The input with its current run alone, unless colours compare it with another one.
+ReportInput without_other_runs(ReportInput input);
 
 /// The annotations of the current run that belong to what it does between two times [s]: what a close-up
 /// shows of them.
@@ -57,6 +83,8 @@ std::vector<Annotation> annotations_between(const ReportInput& input, double fro
 /// The current run in 3D as `view_block`, and the charts of one run, so high [1/96 inch].
 QString run_view(const ReportInput& input, ReportPictures& pictures, double height,
                  const QString& caption = {});
+/// The current run in 3D; its height is what the page has left.
+QString elastic_view(const ReportInput& input, ReportPictures& pictures, const QString& caption);
 QString run_charts(const ReportInput& input, std::size_t row, ReportPictures& pictures, double height,
                    const QString& caption = {});
 

@@ -77,30 +77,6 @@ QString one_run_sentence(const ReportRun& run) {
   return sentence + not_run_sentence(run);
 }
 
-/// A sentence for each different set of events that cycle times do not contain.
-QString not_counted_sentences(const ReportInput& input) {
-  std::vector<std::pair<std::string, QStringList>> sets;
-  for (const ReportRun& run : input.runs) {
-    const std::string events = describe(summary_of(run).not_counted);
-    auto known = std::ranges::find(sets, events, [](const auto& set) { return set.first; });
-    if (known == sets.end()) {
-      known = sets.insert(sets.end(), {events, {}});
-    }
-    known->second.append(html_text(run.name));
-  }
-  QString html;
-  for (const auto& [events, runs] : sets) {
-    if (events.empty()) {
-      continue;
-    }
-    const QString shown = html_text(composed_text(events));
-    html += paragraph(sets.size() == 1 ? ReportWords::tr("Not in the cycle time: %1.").arg(shown)
-                                       : ReportWords::tr("Not in the cycle time of %1: %2.")
-                                             .arg(runs.join(QStringLiteral(", ")), shown));
-  }
-  return html;
-}
-
 /// Those that the machine can run and of which the control refuses the fewest lines: what is not run takes
 /// no time.
 std::vector<ReportRun> comparable_runs(const std::vector<ReportRun>& runs) {
@@ -139,22 +115,6 @@ QString fastest_sentence(const std::vector<ReportRun>& runs) {
              .arg(clock_text(time(fastest)), error(fastest), percent(1 - time(fastest) / time(slowest), 1),
                   html_text(slowest.name), clock_text(time(slowest)), error(slowest)) +
          not_run_sentence(fastest);
-}
-
-QString times_sentence(const ReportInput& input) {
-  const std::vector<ReportRun> comparable = comparable_runs(input.runs);
-  if (comparable.empty()) {
-    return one_run_sentence(input.run());
-  }
-  const QString sentence =
-      comparable.size() > 1 ? fastest_sentence(comparable) : one_run_sentence(comparable.front());
-  return comparable.size() == input.runs.size()
-             ? sentence
-             : sentence + ' ' +
-                   ReportWords::tr(
-                       "Runs of which the control refuses more lines or that the machine does not reach, and "
-                       "that are not compared: %1.")
-                       .arg(input.runs.size() - comparable.size());
 }
 
 QString swatch(CauseKind kind) {
@@ -211,8 +171,31 @@ QString causes_table(const ReportInput& input, const std::vector<std::size_t>& c
   return table.html();
 }
 
-/// What run_notes() and undetermined_limits() say of the runs, each once, with the runs that it is said of
-/// where those are not all.
+}  // namespace
+
+QString not_counted_sentences(const ReportInput& input) {
+  std::vector<std::pair<std::string, QStringList>> sets;
+  for (const ReportRun& run : input.runs) {
+    const std::string events = describe(summary_of(run).not_counted);
+    auto known = std::ranges::find(sets, events, [](const auto& set) { return set.first; });
+    if (known == sets.end()) {
+      known = sets.insert(sets.end(), {events, {}});
+    }
+    known->second.append(html_text(run.name));
+  }
+  QString html;
+  for (const auto& [events, runs] : sets) {
+    if (events.empty()) {
+      continue;
+    }
+    const QString shown = html_text(composed_text(events));
+    html += paragraph(sets.size() == 1 ? ReportWords::tr("Not in the cycle time: %1.").arg(shown)
+                                       : ReportWords::tr("Not in the cycle time of %1: %2.")
+                                             .arg(runs.join(QStringLiteral(", ")), shown));
+  }
+  return html;
+}
+
 QString run_notes_text(const ReportInput& input) {
   std::vector<std::pair<std::string, QStringList>> notes;
   for (const ReportRun& run : input.runs) {
@@ -239,6 +222,8 @@ QString run_notes_text(const ReportInput& input) {
   return html;
 }
 
+namespace {
+
 /// By how much the largest distance from the programmed path in rapids is above that in feed motions [mm].
 double excess_in_rapids(const ReportRun& run) {
   return is_refused(run.shown->run)
@@ -260,6 +245,22 @@ std::vector<std::pair<CauseKind, double>> time_by_kind(const Summary& summary) {
   std::erase_if(kinds, [](const auto& entry) { return !(entry.second > 0); });
   std::ranges::stable_sort(kinds, std::greater(), &std::pair<CauseKind, double>::second);
   return kinds;
+}
+
+QString times_sentence(const ReportInput& input) {
+  const std::vector<ReportRun> comparable = comparable_runs(input.runs);
+  if (comparable.empty()) {
+    return one_run_sentence(input.run());
+  }
+  const QString sentence =
+      comparable.size() > 1 ? fastest_sentence(comparable) : one_run_sentence(comparable.front());
+  return comparable.size() == input.runs.size()
+             ? sentence
+             : sentence + ' ' +
+                   ReportWords::tr(
+                       "Runs of which the control refuses more lines or that the machine does not reach, and "
+                       "that are not compared: %1.")
+                       .arg(input.runs.size() - comparable.size());
 }
 
 QString summary_block(const ReportInput& input) {

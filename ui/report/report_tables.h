@@ -26,6 +26,13 @@ QString settings_block(const ReportInput& input);
 /// The models: title, reference, what they do and what they promise with the settings of the runs.
 QString models_block(const ReportInput& input);
 
+/// Which run is the fastest, or what a single one takes; HTML.
+QString times_sentence(const ReportInput& input);
+/// A paragraph for each different set of events that cycle times do not contain; may be empty.
+QString not_counted_sentences(const ReportInput& input);
+/// What run_notes() and undetermined_limits() say of the runs, each once, with the runs that it is said of
+/// where those are not all; small paragraphs.
+QString run_notes_text(const ReportInput& input);
 /// One or two sentences with the main figures.
 QString summary_block(const ReportInput& input);
 /// Cycle time, feeds and contour error of each run.

@@ -47,6 +47,10 @@ std::string braced(const QString& name, const char* sign = "") {
 /// Texts that have translations: those of the shipped template.
 constexpr auto translated = std::to_array<const char*>({
     QT_TRANSLATE_NOOP("ReportWords", "%1 on %2"),
+    QT_TRANSLATE_NOOP("ReportWords", "Where %1 loses most"),
+    QT_TRANSLATE_NOOP("ReportWords", "Motion"),
+    QT_TRANSLATE_NOOP("ReportWords", "Machine, settings, models, trust"),
+    QT_TRANSLATE_NOOP("ReportWords", "Figures of the runs"),
     QT_TRANSLATE_NOOP("ReportWords", "Notes"),
     QT_TRANSLATE_NOOP("ReportWords", "Where does the time go?"),
     QT_TRANSLATE_NOOP("ReportWords", "Places that lose most, by what they have in common"),
@@ -136,12 +140,16 @@ void ReportTemplate::add(const QString& word, const std::string& place, const QS
     add_words(word, place, known);
     return;
   }
-  const Kind kind = word.startsWith('#') ? Kind::begin : word.startsWith('/') ? Kind::end : Kind::block;
+  const Kind kind = word.startsWith('#')   ? Kind::begin
+                    : word.startsWith('?') ? Kind::begin_asked
+                    : word.startsWith('/') ? Kind::end
+                                           : Kind::block;
   const QString name = kind == Kind::block ? word : word.mid(1).trimmed();
-  if (!known.contains(name)) {
+  const bool of_section = std::ranges::any_of(open, [&](const Open& one) { return one.name == name; });
+  if (kind != Kind::begin_asked && !(kind == Kind::end && of_section) && !known.contains(name)) {
     refuse_unknown(place, name, known);
   }
-  if (kind == Kind::begin) {
+  if (kind == Kind::begin || kind == Kind::begin_asked) {
     open.push_back({name, place});
   } else if (kind == Kind::end) {
     if (open.empty() || open.back().name != name) {
@@ -167,7 +175,16 @@ void ReportTemplate::add_words(const QString& word, const std::string& place, co
   parts_.push_back({Kind::words, word.mid(1, end - 1), blocks});
 }
 
-QString ReportTemplate::filled(const std::function<QString(const QString&)>& block) const {
+namespace {
+
+bool is_asked(const QStringList& with, const QString& section) {
+  return with.contains(section) || with.contains(QStringLiteral("all"));
+}
+
+}  // namespace
+
+QString ReportTemplate::filled(const std::function<QString(const QString&)>& block,
+                               const QStringList& with) const {
   QHash<QString, QString> blocks;
   const auto find = [&](const QString& name) {
     if (!blocks.contains(name)) {
@@ -176,42 +193,53 @@ QString ReportTemplate::filled(const std::function<QString(const QString&)>& blo
     return blocks.value(name);
   };
   QString page;
-  int left_out = 0;  // sections about the part that have an empty block
+  std::vector<bool> left_out{false};  // of the sections that are open
   for (const Part& part : parts_) {
-    switch (part.kind) {
-      case Kind::text:
-        page += left_out > 0 ? QString() : part.text;
-        break;
-      case Kind::words: {
-        QStringList found;
-        for (const QString& name : part.blocks) {
-          found.append(left_out > 0 ? QString() : find(name));
-        }
-        page += left_out > 0 ? QString() : with_blocks(in_language(part.text), found);
-        break;
+    if (part.kind == Kind::end) {
+      left_out.pop_back();
+    } else if (part.kind == Kind::begin_asked) {
+      left_out.push_back(left_out.back() || !is_asked(with, part.text));
+    } else if (part.kind == Kind::begin) {
+      left_out.push_back(left_out.back() || find(part.text).isEmpty());
+    } else if (!left_out.back()) {
+      QStringList found;
+      for (const QString& name : part.blocks) {
+        found.append(find(name));
       }
-      case Kind::block:
-        page += left_out > 0 ? QString() : find(part.text);
-        break;
-      case Kind::begin:
-        left_out += find(part.text).isEmpty() ? 1 : 0;
-        break;
-      case Kind::end:
-        left_out -= find(part.text).isEmpty() ? 1 : 0;
-        break;
+      page += part.kind == Kind::text    ? part.text
+              : part.kind == Kind::block ? find(part.text)
+                                         : with_blocks(in_language(part.text), found);
     }
   }
   return page;
 }
 
-QStringList ReportTemplate::placeholders() const {
+QStringList ReportTemplate::placeholders(const QStringList& with) const {
   QStringList names;
+  std::vector<bool> left_out{false};
   for (const Part& part : parts_) {
-    const bool named = part.kind != Kind::text && part.kind != Kind::words;
+    if (part.kind == Kind::end) {
+      left_out.pop_back();
+      continue;
+    }
+    if (part.kind == Kind::begin || part.kind == Kind::begin_asked) {
+      left_out.push_back(left_out.back() || (part.kind == Kind::begin_asked && !is_asked(with, part.text)));
+    }
+    const bool named = part.kind == Kind::block || part.kind == Kind::begin;
     for (const QString& name : named ? QStringList{part.text} : part.blocks) {
-      if (!names.contains(name)) {
+      if (!left_out.back() && !names.contains(name)) {
         names.append(name);
       }
+    }
+  }
+  return names;
+}
+
+QStringList ReportTemplate::sections() const {
+  QStringList names;
+  for (const Part& part : parts_) {
+    if (part.kind == Kind::begin_asked && !names.contains(part.text)) {
+      names.append(part.text);
     }
   }
   return names;

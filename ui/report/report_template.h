@@ -9,7 +9,9 @@
 namespace feedscope::ui {
 
 /// A page with placeholders in double braces, "{{comparison_table}}", which become blocks of a report. What
-/// stands between "{{#notes}}" and "{{/notes}}" is omitted where the block is empty. "{{!" begins a remark.
+/// stands between "{{#notes}}" and "{{/notes}}" is omitted where the block is empty; between "{{?charts}}"
+/// and
+/// "{{/charts}}", unless that section is asked for by its name, which is any word. "{{!" begins a remark.
 /// {{"Places of %1" run}} is a text in the language in force, with blocks for %1, %2 and so on; a text that
 /// has no translation stays as it is.
 class ReportTemplate {
@@ -18,13 +20,16 @@ class ReportTemplate {
   /// placeholder: a placeholder not in `known`, braces, quotes or a section not closed.
   ReportTemplate(QString text, QString name, const QStringList& known);
 
-  /// The page with blocks for placeholders; each block is asked for once.
-  QString filled(const std::function<QString(const QString&)>& block) const;
-  /// The placeholders that occur, without repetition, in their order.
-  QStringList placeholders() const;
+  /// The page with blocks for placeholders; each block is asked for once. `with`: sections that are asked
+  /// for, "all" for every one.
+  QString filled(const std::function<QString(const QString&)>& block, const QStringList& with = {}) const;
+  /// The placeholders that occur there, without repetition, in their order.
+  QStringList placeholders(const QStringList& with = {QStringLiteral("all")}) const;
+  /// The sections that may be asked for, in their order.
+  QStringList sections() const;
 
  private:
-  enum class Kind { text, words, block, begin, end };
+  enum class Kind { text, words, block, begin, begin_asked, end };
   struct Part {
     Kind kind = Kind::text;
     QString text;             ///< as it is, to be translated, or the placeholder's name

@@ -191,10 +191,10 @@ void ReportDialog::make_lists() {
   }
   const int row = runs_->fontMetrics().lineSpacing() + 8;
   runs_->setMaximumHeight(std::min(static_cast<int>(subject_.run_names.size()), list_rows) * row + 6);
-  const QStringList off = QSettings().value("report/without").toStringList();
+  const QStringList changed = QSettings().value("report/changed_parts").toStringList();
   for (const ReportPart& part : report_parts()) {
     const bool long_work = subject_.takes_long && part.placeholders.contains(QStringLiteral("time_changes"));
-    checkable(parts_, part.title, !long_work && !off.contains(part.placeholders.front()));
+    checkable(parts_, part.title, !long_work && part.usual != changed.contains(part.key()));
   }
 }
 
@@ -208,9 +208,14 @@ ReportWish ReportDialog::wish() const {
   wish.page = page_->text().trimmed();
   wish.language = language_->language();
   const std::vector<ReportPart> parts = report_parts();
+  wish.with.clear();
   for (int i = 0; i < parts_->count(); ++i) {
-    if (parts_->item(i)->checkState() != Qt::Checked) {
-      wish.without += parts[static_cast<std::size_t>(i)].placeholders;
+    const ReportPart& part = parts[static_cast<std::size_t>(i)];
+    const bool ticked = parts_->item(i)->checkState() == Qt::Checked;
+    if (ticked && !part.section.isEmpty()) {
+      wish.with.append(part.section);
+    } else if (!ticked) {
+      wish.without += part.placeholders;
     }
   }
   for (int i = 0; i < runs_->count(); ++i) {
@@ -332,14 +337,15 @@ void ReportDialog::remember() const {
   settings.setValue("report/author", author_->text().trimmed());
   settings.setValue("report/logo", logo_->text().trimmed());
   settings.setValue("report/template", page_->text().trimmed());
-  QStringList off;
+  QStringList changed;
   const std::vector<ReportPart> parts = report_parts();
   for (int i = 0; i < parts_->count(); ++i) {
-    if (parts_->item(i)->checkState() != Qt::Checked) {
-      off.append(parts[static_cast<std::size_t>(i)].placeholders.front());
+    const ReportPart& part = parts[static_cast<std::size_t>(i)];
+    if ((parts_->item(i)->checkState() == Qt::Checked) != part.usual) {
+      changed.append(part.key());
     }
   }
-  settings.setValue("report/without", off);
+  settings.setValue("report/changed_parts", changed);
 }
 
 }  // namespace feedscope::ui

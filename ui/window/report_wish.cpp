@@ -1,6 +1,7 @@
 #include "ui/window/report_wish.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 
 #include "ui/units/unit_system.h"
 
@@ -15,32 +16,32 @@ struct Parts {
 }  // namespace
 
 std::vector<ReportPart> report_parts() {
+  const auto section = [](const QString& title, const char* name, bool usual = false) {
+    return ReportPart{title, {}, QString::fromLatin1(name), usual};
+  };
   return {
-      {Parts::tr("Summary"), {QStringLiteral("summary")}},
-      {Parts::tr("Comparison of the runs"),
-       {QStringLiteral("comparison_table"), QStringLiteral("differing_settings")}},
-      {Parts::tr("3D view"), {QStringLiteral("view")}},
-      {Parts::tr("Annotations"), {QStringLiteral("notes")}},
-      {Parts::tr("Where does the time go?"), {QStringLiteral("time_use"), QStringLiteral("time_places")}},
       {Parts::tr("What would help (simulated)"), {QStringLiteral("time_changes")}},
-      {Parts::tr("Time by limiting cause"),
-       {QStringLiteral("causes_table"), QStringLiteral("comparison_bars")}},
-      {Parts::tr("Axes against their limits"), {QStringLiteral("peaks_table")}},
-      {Parts::tr("Charts"), {QStringLiteral("charts"), QStringLiteral("cause_view")}},
-      {Parts::tr("Places that lose most, with close-ups"),
-       {QStringLiteral("slow_places"), QStringLiteral("slow_place_views")}},
-      {Parts::tr("Contour error, with close-ups"),
-       {QStringLiteral("contour_histogram"), QStringLiteral("contour_places"),
-        QStringLiteral("contour_place_views")}},
+      {Parts::tr("Annotations"), {QStringLiteral("notes")}},
+      {Parts::tr("Places that lose most, with close-ups"), {QStringLiteral("cards")}},
+      section(Parts::tr("Motion"), "motion", true),
+      section(Parts::tr("Machine, settings, models, trust"), "trust", true),
       {Parts::tr("Agreement with the control"), {QStringLiteral("traces")}},
       {Parts::tr("Identification"),
        {QStringLiteral("identification"), QStringLiteral("identification_charts")}},
-      {Parts::tr("Circular test"), {QStringLiteral("circles"), QStringLiteral("circle_plots")}},
       {Parts::tr("Cutting load"), {QStringLiteral("load"), QStringLiteral("load_view")}},
-      {Parts::tr("Program"), {QStringLiteral("program_facts")}},
-      {Parts::tr("Messages of the reader"), {QStringLiteral("messages")}},
-      {Parts::tr("Machine with sources"), {QStringLiteral("machines")}},
-      {Parts::tr("Settings and control models"), {QStringLiteral("settings"), QStringLiteral("models")}},
+      section(Parts::tr("Appendix: figures of the runs"), "figures"),
+      section(Parts::tr("Appendix: where does the time go?"), "time"),
+      section(Parts::tr("Appendix: time by limiting cause"), "causes"),
+      section(Parts::tr("Appendix: settings that differ"), "differing"),
+      section(Parts::tr("Appendix: axes against their limits"), "axes"),
+      section(Parts::tr("Appendix: charts"), "charts"),
+      section(Parts::tr("Appendix: table of slow places"), "places"),
+      section(Parts::tr("Appendix: contour error"), "contour"),
+      section(Parts::tr("Appendix: circular test"), "circles"),
+      section(Parts::tr("Appendix: program"), "program"),
+      section(Parts::tr("Appendix: machine with sources"), "machine"),
+      section(Parts::tr("Appendix: all settings"), "settings"),
+      section(Parts::tr("Appendix: control models"), "models"),
   };
 }
 
@@ -59,6 +60,14 @@ QStringList report_arguments(const ReportWish& wish, const QString& session) {
   add("template", wish.page);
   add("language", wish.language);
   add("without", wish.without.join(','));
+  const QStringList usual = ReportInput().with;
+  QStringList more = wish.with;
+  if (std::ranges::all_of(usual, [&](const QString& name) { return wish.with.contains(name); })) {
+    more.removeIf([&](const QString& name) { return usual.contains(name); });
+  } else {
+    arguments.append(QStringLiteral("--brief"));
+  }
+  add("with", more.join(','));
   add("display-units", unit_system() == UnitSystem::inch ? QStringLiteral("inch") : QString());
   return arguments;
 }

@@ -5,14 +5,19 @@
 #include <QStringList>
 #include <vector>
 
+#include "ui/report/report_input.h"
 #include "ui/session/session.h"
 
 namespace feedscope::ui {
 
-/// A part of reports that may be omitted.
+/// A part of reports that may be omitted, or added.
 struct ReportPart {
   QString title;             ///< for people
-  QStringList placeholders;  ///< of the template
+  QStringList placeholders;  ///< of the template, empty without it; none where it is a section
+  QString section = {};      ///< of the template, which is asked for
+  bool usual = true;         ///< it is there unless people say otherwise
+
+  const QString& key() const { return section.isEmpty() ? placeholders.front() : section; }
 };
 /// In the order of the shipped template.
 std::vector<ReportPart> report_parts();
@@ -23,11 +28,12 @@ struct ReportWish {
   QString author;  ///< may be empty
   QDate date;      ///< invalid: none is written
   QString remarks;
-  QString logo;            ///< picture file; may be empty
-  QString page;            ///< template file; empty: the shipped one
-  QString language;        ///< code; empty: English
-  QStringList without;     ///< placeholders
-  std::vector<bool> runs;  ///< which runs of the session; at least one
+  QString logo;                           ///< picture file; may be empty
+  QString page;                           ///< template file; empty: the shipped one
+  QString language;                       ///< code; empty: English
+  QStringList without;                    ///< placeholders
+  QStringList with = ReportInput().with;  ///< sections
+  std::vector<bool> runs;                 ///< which runs of the session; at least one
 };
 
 /// Arguments of `feedscope report` that make it of a session file: all but --out.

@@ -43,20 +43,18 @@ QString DecisionTexts::error(const Summary& summary) {
   return summary.actual ? tr("actual contour error %1").arg(amount) : tr("contour error %1").arg(amount);
 }
 
-QString DecisionTexts::none_keeps(const RunList& runs, const QStringList& names) {
-  const Simulated found = simulated(runs);
-  const std::vector<bool> can = can_be_chosen(found.runs);
+QString DecisionTexts::none_keeps(std::span<const ComparedRun> runs, const QStringList& names, double bound) {
+  const std::vector<bool> can = can_be_chosen(runs);
   std::optional<std::size_t> least;
-  for (std::size_t i = 0; i < found.runs.size(); ++i) {
-    if (can[i] &&
-        (!least || deciding_error(found.runs[i].summary) < deciding_error(found.runs[*least].summary))) {
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (can[i] && (!least || deciding_error(runs[i].summary) < deciding_error(runs[*least].summary))) {
       least = i;
     }
   }
-  const QString bound = amount_text(*runs.error_bound(), Dimension::error);
   return least ? tr("No run keeps a contour error of %1. The smallest is %2, with %3.")
-                     .arg(bound, amount_text(deciding_error(found.runs[*least].summary), Dimension::error),
-                          names[static_cast<qsizetype>(found.rows[*least])])
+                     .arg(amount_text(bound, Dimension::error),
+                          amount_text(deciding_error(runs[*least].summary), Dimension::error),
+                          names[static_cast<qsizetype>(*least)])
                : QString();
 }
 
@@ -64,12 +62,22 @@ Decision DecisionTexts::decision(const RunList& runs) {
   if (runs.items().size() < 2) {
     return {};
   }
-  const QStringList names = short_run_titles(runs.items(), runs.feed_controls());
-  const auto taken = recommended(runs);
-  if (!taken) {
-    return {runs.error_bound() ? none_keeps(runs, names) : QString(), {}};
+  const Simulated found = simulated(runs);
+  const QStringList all = short_run_titles(runs.items(), runs.feed_controls());
+  QStringList names;
+  for (const std::size_t row : found.rows) {
+    names.append(all[static_cast<qsizetype>(row)]);
   }
-  const Summary& summary = runs.result(taken->run)->run.summary;
+  return decision(found.runs, names, runs.error_bound());
+}
+
+Decision DecisionTexts::decision(std::span<const ComparedRun> runs, const QStringList& names,
+                                 std::optional<double> bound) {
+  const auto taken = recommend(runs, bound);
+  if (!taken) {
+    return {bound ? none_keeps(runs, names, *bound) : QString(), {}};
+  }
+  const Summary& summary = runs[taken->run].summary;
   const QString name = names[static_cast<qsizetype>(taken->run)];
   const QString time = clock_text(summary.cycle_time);
   switch (taken->reason) {

@@ -2,7 +2,9 @@
 
 #include <QCoreApplication>
 #include <QString>
+#include <QStringList>
 #include <optional>
+#include <span>
 
 #include "core/analysis/recommendation.h"
 #include "ui/workbench/run_list.h"
@@ -24,10 +26,13 @@ class DecisionTexts {
 
  public:
   static Decision decision(const RunList& runs);
+  /// The same of several runs with these names; `bound`: on the contour error [mm].
+  static Decision decision(std::span<const ComparedRun> runs, const QStringList& names,
+                           std::optional<double> bound);
 
  private:
   static QString error(const Summary& summary);
-  static QString none_keeps(const RunList& runs, const QStringList& names);
+  static QString none_keeps(std::span<const ComparedRun> runs, const QStringList& names, double bound);
 };
 
 }  // namespace feedscope::ui

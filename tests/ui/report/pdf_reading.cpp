@@ -43,6 +43,10 @@ std::pair<double, double> PdfReading::page_size(std::size_t page) {
   return {box.urx - box.llx, box.ury - box.lly};
 }
 
+std::string PdfReading::language() {
+  return pdf_->getRoot().getKey("/Lang").getUTF8Value();
+}
+
 std::string PdfReading::info(const std::string& key) {
   QPDFObjectHandle value = pdf_->getTrailer().getKey("/Info").getKey(key);
   return value.isString() ? value.getUTF8Value() : "";

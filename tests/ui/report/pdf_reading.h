@@ -22,6 +22,7 @@ class PdfReading {
   /// Width and height of a page [points].
   std::pair<double, double> page_size(std::size_t page);
   std::string info(const std::string& key);
+  std::string language();
 
   struct Bookmark {
     int level = 0;

@@ -43,10 +43,11 @@ TEST(ReportCircles, TableHasTheValuesOfTheEvaluation) {
 
 TEST(ReportCircles, SectionIsThereWhereTheProgramHasFullCircles) {
   const ReportTemplate shipped = load_report_template();
-  test::PdfReading with(make_report(report_of(circles), shipped, ReportFormat::pdf));
+  test::PdfReading with(make_report(test::with_appendices(report_of(circles)), shipped, ReportFormat::pdf));
   using Bookmark = test::PdfReading::Bookmark;
   EXPECT_THAT(with.bookmarks(), Contains(Field(&Bookmark::title, "Circular test")));
-  test::PdfReading without(make_report(report_of("G21 F3000 G1 X10\nM30\n"), shipped, ReportFormat::pdf));
+  test::PdfReading without(
+      make_report(test::with_appendices(report_of("G21 F3000 G1 X10\nM30\n")), shipped, ReportFormat::pdf));
   EXPECT_THAT(without.bookmarks(), Not(Contains(Field(&Bookmark::title, "Circular test"))));
 }
 

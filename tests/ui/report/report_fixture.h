@@ -19,6 +19,12 @@ inline ui::ReportInput two_runs(const std::string& name = "test.nc") {
   return input;
 }
 
+/// The same with every appendix.
+inline ui::ReportInput with_appendices(ui::ReportInput input) {
+  input.with = {QStringLiteral("all")};
+  return input;
+}
+
 /// A callout half way along the first corner's second line.
 inline ui::Annotation note(const QString& text) {
   ui::Annotation annotation;

@@ -7,6 +7,7 @@
 #include "core/lessons/lesson_runs.h"
 #include "tests/support/random_cases.h"
 #include "tests/ui/report/page_checks.h"
+#include "tests/ui/report/report_fixture.h"
 #include "ui/language/language.h"
 #include "ui/report/handout.h"
 #include "ui/report/paged_document.h"
@@ -45,6 +46,7 @@ TEST_P(ReportPages, AreWellFilledAndKeepTogetherWhatBelongsTogether) {
       speak(language);
     }
     check(report_page(input, load_report_template(), ReportFormat::pdf));
+    check(report_page(test::with_appendices(input), load_report_template(), ReportFormat::pdf));
   }
   speak(languages().front());
   QLocale::setDefault(QLocale::c());

@@ -65,6 +65,21 @@ TEST(ReportTemplate, LeavesOutASectionWhoseBlockIsEmpty) {
   EXPECT_EQ(fill("{{#title}}a{{#notes}}b{{/notes}}c{{/title}}d"), "acd");
 }
 
+TEST(ReportTemplate, OmitsASectionThatIsNotAskedFor) {
+  const ReportTemplate page("a{{?more}}b{{#notes}}c{{notes}}{{/notes}}{{/more}}d{{title}}", "page.html",
+                            known);
+  const auto fill_with = [&](const QStringList& with) {
+    return page.filled([](const QString& name) { return name.left(1).toUpper(); }, with);
+  };
+  EXPECT_EQ(fill_with({}), "adT");
+  EXPECT_EQ(fill_with({"more"}), "abcNdT");
+  EXPECT_EQ(fill_with({"all"}), "abcNdT");
+  EXPECT_EQ(page.placeholders({}), QStringList{"title"});
+  EXPECT_EQ(page.placeholders({"more"}), (QStringList{"notes", "title"}));
+  EXPECT_EQ(page.sections(), QStringList{"more"});
+  EXPECT_THAT(refusal("{{?more}}"), testing::HasSubstr("section '{{#more}}' is not closed"));
+}
+
 TEST(ReportTemplate, AsksForEachBlockOnce) {
   int asked = 0;
   const ReportTemplate page("{{#title}}{{title}}{{title}}{{/title}}", "page.html", known);

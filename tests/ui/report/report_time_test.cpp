@@ -18,10 +18,12 @@ std::string html_of(const ReportInput& input, const QString& page) {
   return make_report(input, ReportTemplate(page, "page.html", report_placeholders()), ReportFormat::html);
 }
 
-TEST(ReportTime, HoldsTheNumbersOfTheReportOnTheCurrentRun) {
+TEST(ReportTime, HoldsTheNumbersOfTheReportOnTheRecommendedRun) {
   ReportInput input = test::two_runs();
   input.current = 1;
-  const feedscope::Run& run = input.run().shown->run;
+  const ReportInput recommended = with_recommended_run(input);
+  ASSERT_EQ(recommended.current, 0U);
+  const feedscope::Run& run = recommended.run().shown->run;
   const TimeReport report = time_report(run);
   const std::string use = html_of(input, "{{time_use}}");
   EXPECT_THAT(use, HasSubstr(fixed(report.use.cycle_time, 3).toStdString()));
@@ -40,6 +42,7 @@ TEST(ReportTime, WhatIsLeftOutIsNeitherShownNorSimulated) {
   const ReportInput without = with_time_report(input, false);
   EXPECT_TRUE(without.time->changes.tried.empty());
   EXPECT_EQ(time_changes_block(without), QString());
+  input = test::with_appendices(std::move(input));
   input.without = {"time_changes", "charts", "machines"};
   const std::string html = make_report(input, load_report_template(), ReportFormat::html);
   EXPECT_THAT(html, HasSubstr("Where does the time go?"));
@@ -89,7 +92,7 @@ TEST(ReportRemarks, AreParagraphsOfPlainText) {
 }
 
 TEST(ReportPictures, ThereIsOneForEachPageOfThePdf) {
-  ReportInput input = test::two_runs();
+  ReportInput input = test::with_appendices(test::two_runs());
   input.without = {"time_changes"};
   const std::vector<std::string> pages = make_report_pictures(input, load_report_template(), 48);
   EXPECT_GE(pages.size(), 4U);

@@ -11,28 +11,6 @@
 namespace feedscope::ui {
 namespace {
 
-using test::ColourTriple;
-using Matrix = std::array<ColourTriple, 3>;
-
-/// What is left of linear light without one kind of cones: Machado, Oliveira and Fernandes 2009, severity 1.
-constexpr std::array<Matrix, 4> visions{
-    Matrix{ColourTriple{1, 0, 0}, ColourTriple{0, 1, 0}, ColourTriple{0, 0, 1}},
-    Matrix{ColourTriple{0.152286, 1.052583, -0.204868}, ColourTriple{0.114503, 0.786281, 0.099216},
-           ColourTriple{-0.003882, -0.048116, 1.051998}},
-    Matrix{ColourTriple{0.367322, 0.860646, -0.227968}, ColourTriple{0.280085, 0.672501, 0.047413},
-           ColourTriple{-0.011820, 0.042940, 0.968881}},
-    Matrix{ColourTriple{1.255528, -0.076749, -0.178779}, ColourTriple{-0.078411, 0.930809, 0.147602},
-           ColourTriple{0.004733, 0.691367, 0.303900}}};
-
-ColourTriple seen(const Rgb& colour, const Matrix& vision) {
-  const ColourTriple light = test::to_linear(colour);
-  ColourTriple left;
-  std::ranges::transform(vision, left.begin(), [&](const ColourTriple& row) {
-    return std::clamp(row[0] * light[0] + row[1] * light[1] + row[2] * light[2], 0.0, 1.0);
-  });
-  return test::to_lab(left);
-}
-
 std::vector<CauseKind> all_kinds() {
   std::vector<CauseKind> kinds;
   for (const Cause& cause : all_causes()) {
@@ -47,11 +25,11 @@ class CauseColour : public testing::TestWithParam<Background> {};
 
 TEST_P(CauseColour, AnyTwoAreToldApartWithEveryKindOfColourVision) {
   const std::vector<CauseKind> kinds = all_kinds();
-  for (const Matrix& vision : visions) {
+  for (const test::ColourVision& vision : test::colour_visions) {
     for (std::size_t i = 0; i < kinds.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
-        EXPECT_GE(test::lab_distance(seen(cause_colour(kinds[i], GetParam()), vision),
-                                     seen(cause_colour(kinds[j], GetParam()), vision)),
+        EXPECT_GE(test::lab_distance(test::seen_lab(cause_colour(kinds[i], GetParam()), vision),
+                                     test::seen_lab(cause_colour(kinds[j], GetParam()), vision)),
                   15)
             << cause_title({kinds[i], -1}) << " and " << cause_title({kinds[j], -1});
       }

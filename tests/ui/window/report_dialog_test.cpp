@@ -66,8 +66,8 @@ TEST_F(ReportDialogTest, ShowsThePagesAsTheyAreAskedFor) {
   dialog.show();
   ASSERT_TRUE(rests(dialog));
   const qsizetype all = dialog.preview().count();
-  EXPECT_GE(all, 4);
-  for (int i = 1; i < dialog.parts().count(); ++i) {
+  EXPECT_GE(all, 2);
+  for (int i = 0; i < dialog.parts().count(); ++i) {
     dialog.parts().item(i)->setCheckState(Qt::Unchecked);
   }
   EXPECT_TRUE(dialog.busy());
@@ -86,7 +86,7 @@ TEST_F(ReportDialogTest, WritesTheChosenRunsWithOwnWords) {
   const std::string html = contents("r.html");
   EXPECT_THAT(html, HasSubstr("My own words."));
   EXPECT_THAT(html, HasSubstr("essid, 0.01 mm"));
-  EXPECT_THAT(html, Not(HasSubstr("essid, 0.05 mm")));
+  EXPECT_THAT(html, Not(HasSubstr("0.05 mm")));
   EXPECT_THAT(html, Not(HasSubstr("How to make this again"))) << "its session is not kept";
 }
 
@@ -115,7 +115,7 @@ TEST_F(ReportDialogTest, WritesInTheLanguageThatIsChosen) {
   ASSERT_TRUE(rests(dialog));
   const std::string html = contents("r.html");
   EXPECT_THAT(html, HasSubstr("<html lang=\"fr\">"));
-  EXPECT_THAT(html, HasSubstr("essid, 0,01 mm"));
+  EXPECT_THAT(html, HasSubstr("0,01 mm"));
 }
 
 /// It travels with the session that the report is made of.
@@ -152,6 +152,12 @@ TEST(ReportWish, BecomesTheArgumentsOfTheCommand) {
   wish.without = {"charts", "view"};
   EXPECT_EQ(report_arguments(wish, "s.feedscope"),
             (QStringList{"s.feedscope", "--title=A title", "--date=2026-01-15", "--without=charts,view"}));
+  wish = {};
+  wish.with.append("charts");
+  EXPECT_EQ(report_arguments(wish, "s.feedscope"), (QStringList{"s.feedscope", "--with=charts"}));
+  wish.with = {"trust", "charts"};
+  EXPECT_EQ(report_arguments(wish, "s.feedscope"),
+            (QStringList{"s.feedscope", "--brief", "--with=trust,charts"}));
 }
 
 TEST(ReportWish, RunsThatAreLeftOutKeepTheOthersInTheirPlace) {

@@ -272,6 +272,24 @@ TEST(RunColour, IsThatOfNoCurveInAnyTheme) {
   }
 }
 
+/// In grey print the dashes tell them apart: colours that are seen on light and dark grounds are all about as
+/// light.
+TEST(RunColour, EightRunsAreToldApartWithEveryKindOfColourVisionAndInGrey) {
+  const auto lab = [](std::size_t run, const test::ColourVision& vision) {
+    const QColor colour = run_colour(run);
+    return test::seen_lab({colour.redF(), colour.greenF(), colour.blueF()}, vision);
+  };
+  for (std::size_t run = 0; run < 8; ++run) {
+    for (std::size_t other = 0; other < run; ++other) {
+      for (const test::ColourVision& vision : test::colour_visions) {
+        const double least = run < 5 ? 25 : 15;  // [CIELAB]
+        EXPECT_GT(test::lab_distance(lab(run, vision), lab(other, vision)), least) << run << " and " << other;
+      }
+      EXPECT_NE(run_dashes(run), run_dashes(other));
+    }
+  }
+}
+
 /// Two runs that differ in tolerance, and one of another model.
 class ComparedSetupsTest : public RunListTest {
  protected:

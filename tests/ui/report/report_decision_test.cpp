@@ -1,0 +1,141 @@
+#include "ui/report/report_decision.h"
+
+#include <gmock/gmock.h>
+
+#include <QPainter>
+
+#include "core/analysis/recommendation.h"
+#include "core/base/data_folder.h"
+#include "tests/ui/report/pdf_reading.h"
+#include "tests/ui/report/recorded_text.h"
+#include "tests/ui/report/report_fixture.h"
+#include "ui/report/report.h"
+#include "ui/report/report_numbers.h"
+
+namespace feedscope::ui {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::string decision_page(const ReportInput& input, const char* page) {
+  return make_report(input, ReportTemplate(QString::fromLatin1(page), "page.html", report_placeholders()),
+                     ReportFormat::html);
+}
+
+/// A run of the program for each tolerance, with these assignments.
+ReportInput decision_runs(const std::string& text, const std::vector<double>& tolerances,
+                          const std::vector<std::string>& assignments = {},
+                          const std::string& model = "essid") {
+  const LoadedProgram program = load_program(std::make_shared<const SourceText>("part.nc", text));
+  std::vector<std::shared_ptr<const ShownRun>> shown;
+  for (const double tolerance : tolerances) {
+    shown.push_back(make_shown(simulate_run(program, make_setup({"", model, tolerance, assignments}))));
+  }
+  ReportInput input;
+  input.runs = report_runs(shown);
+  return input;
+}
+
+/// Its many corners are rounded within the tolerance.
+const std::string many_corners = [] {
+  std::string text = "G21 G90 F6000\n";
+  for (int i = 1; i <= 40; ++i) {
+    text += "G1 X" + std::to_string(2 * i) + " Y" + std::to_string(i % 2 == 0 ? 0 : 2) + "\n";
+  }
+  return text + "M30\n";
+}();
+
+TEST(ReportDecision, TheHeadlineIsTheRecommendedRun) {
+  const LoadedProgram program = load_program(data_folder() / "resources" / "programs" / "trochoidal_slot.nc");
+  std::vector<std::shared_ptr<const ShownRun>> shown;
+  for (const double tolerance : {0.01, 0.02}) {
+    shown.push_back(make_shown(simulate_run(program, make_setup({"", "essid", tolerance, {}}))));
+  }
+  ReportInput input;
+  input.runs = report_runs(shown);
+  ASSERT_EQ(recommend(run_figures(input), {})->run, 1U);
+  EXPECT_THAT(decision_page(input, "{{headline}}"),
+              AllOf(HasSubstr("B (0.02 mm): "), HasSubstr("less than A (0.01 mm)")));
+  EXPECT_EQ(decision_page(input, "{{lettered_run}}"), "B (0.02 mm)") << "pictures are of this run";
+}
+
+TEST(ReportDecision, NoDifferenceTakesTheSmallestError) {
+  EXPECT_THAT(decision_page(test::two_runs(), "{{headline}}"),
+              HasSubstr("No difference worth having: A (0.01 mm) takes "));
+}
+
+TEST(ReportDecision, ABoundTakesAnotherRun) {
+  ReportInput input = decision_runs(many_corners, {0.01, 0.1});
+  input.within = deciding_error(summary_of(input.runs[0]));
+  EXPECT_THAT(decision_page(input, "{{headline}}"), HasSubstr("A (0.01 mm): "));
+}
+
+TEST(ReportDecision, ASingleRunSaysWhatIsLost) {
+  ReportInput input = test::two_runs();
+  input.runs.resize(1);
+  EXPECT_THAT(decision_page(input, "{{headline}}"),
+              AllOf(HasSubstr(", of which "), HasSubstr("are lost"), HasSubstr("contour error")));
+  EXPECT_THAT(decision_page(input, "{{subject}}"), HasSubstr("test.nc · Spinner MVC 850 · essid, 0.01 mm"));
+}
+
+TEST(ReportDecision, WithDrivesTheErrorIsThatOfTheAxes) {
+  const ReportInput input =
+      decision_runs(test::small_program, {0.01, 0.05}, {"X.kv=60", "Y.kv=60", "Z.kv=60"});
+  const std::string table = decision_page(input, "{{runs_table}}");
+  EXPECT_THAT(table, HasSubstr("Actual contour error"));
+  for (const ReportRun& run : input.runs) {
+    ASSERT_TRUE(summary_of(run).actual.has_value());
+    ASSERT_GT(deciding_error(summary_of(run)), summary_of(run).cutting_contour_error);
+    EXPECT_THAT(table, HasSubstr(error_number(deciding_error(summary_of(run))).toStdString()));
+  }
+  EXPECT_THAT(decision_page(input, "{{headline}}"), HasSubstr("actual contour error"));
+}
+
+TEST(ReportDecision, TheFirstErrorIsUnderTheHeadline) {
+  const ReportInput input = decision_runs("G21 G90 F3000\nG1 X10\nG1 XA\nG1 X20\nG1 YB\n", {0.01});
+  EXPECT_THAT(decision_page(input, "{{verdict}}"), AllOf(HasSubstr("2 errors"), HasSubstr("Line 3: ")));
+  EXPECT_THAT(decision_page(test::two_runs(), "{{verdict}}"), Not(HasSubstr("class=\"fault\"")));
+}
+
+TEST(ReportDecision, TolerancesWithoutEffectAreNamed) {
+  ReportInput input = decision_runs(test::small_program, {0.01}, {}, "cam");
+  EXPECT_THAT(decision_page(input, "{{verdict}}"), Not(HasSubstr("uses no contour tolerance")));
+  input.tolerances_asked = 2;
+  EXPECT_THAT(decision_page(input, "{{verdict}}"),
+              HasSubstr("The model cam uses no contour tolerance: it has one run for the 2"));
+}
+
+TEST(ReportDecision, NoTextOfThePicturesIsCut) {
+  const ReportInput input = test::two_runs();
+  const ReportPage page = report_page(input, load_report_template(), ReportFormat::pdf);
+  for (const auto& [name, picture] : page.pictures.all()) {
+    if (!picture.raster) {
+      test::RecordedText paper;
+      QPainter painter(&paper);
+      page.pictures.paint(name, painter, 1);
+      painter.end();
+      EXPECT_TRUE(paper.texts().filter("…").isEmpty()) << name.toStdString();
+    }
+  }
+}
+
+TEST(ReportDecision, FourPagesAreTwoWhereTheyAreBrief) {
+  const LoadedProgram program = load_program(data_folder() / "resources" / "programs" / "trochoidal_slot.nc");
+  std::vector<std::shared_ptr<const ShownRun>> shown;
+  for (const double tolerance : {0.01, 0.05}) {
+    shown.push_back(make_shown(simulate_run(program, make_setup({"", "essid", tolerance, {}}))));
+  }
+  ReportInput input;
+  input.runs = report_runs(shown);
+  input.without = {"time_changes"};
+  test::PdfReading whole(make_report(input, load_report_template(), ReportFormat::pdf));
+  EXPECT_EQ(whole.page_count(), 4U);
+  input.with.clear();
+  test::PdfReading brief(make_report(input, load_report_template(), ReportFormat::pdf));
+  EXPECT_EQ(brief.page_count(), 2U);
+}
+
+}  // namespace
+}  // namespace feedscope::ui

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "ui/report/report_pictures.h"
+
+namespace feedscope::ui {
+
+// Blocks of the first page of a report: which run to take, what it gains and where it still loses time.
+
+/// Title where it is not the program, program, machine and what all runs have in common, in one line.
+QString subject_block(const ReportInput& input);
+/// The decision in a sentence; of a single run its cycle time and what is lost.
+QString headline_block(const ReportInput& input);
+/// Why this run, then what is wrong with program and runs: the first error, lines that are not run,
+/// tolerances without effect.
+QString verdict_block(const ReportInput& input);
+/// Cycle time over contour error and the causes of each run.
+QString decision_charts_block(const ReportInput& input, ReportPictures& pictures);
+/// Letter, line, cycle time, contour error and mean feed of each run; of machines with drives the actual
+/// contour error.
+QString runs_table_block(const ReportInput& input, ReportPictures& pictures);
+/// The path of the current run, in what the page has left.
+QString path_block(const ReportInput& input, ReportPictures& pictures);
+/// A lens at the worst corner of the current run, where it loses time and what would help.
+QString losses_block(const ReportInput& input, ReportPictures& pictures);
+
+/// "B (0.02 mm)"; the name alone of a single run.
+QString lettered_name(const ReportInput& input, std::size_t run);
+
+}  // namespace feedscope::ui
