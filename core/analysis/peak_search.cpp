@@ -191,17 +191,51 @@ AxisVector<AxisPeaks> PeakSearch::axes() const {
   return axes;
 }
 
+/// Largest magnitudes of the law itself.
+PeakSearch::LawPeaks PeakSearch::peaks_of(const Part& part) {
+  const LawPoint end = law_at(part, part.duration);
+  const double turn = -part.a / part.j;
+  const double turns_at = turn > 0 && turn < part.duration ? law_at(part, turn).v : 0;
+  return {std::max({std::abs(part.v), std::abs(end.v), std::abs(turns_at)}),
+          std::max(std::abs(part.a), std::abs(end.a)), std::abs(part.j)};
+}
+
 void PeakSearch::add_line(const Part& part, const Vec3& direction) {
-  const auto at = [&](double tau) {
-    const LawPoint law = law_at(part, tau);
-    return Rates{law.v * direction, law.a * direction, law.j * direction, Vec3::Zero()};
-  };
-  look(at, 0);
-  look_at_turn(at, part, 0, part.duration);
-  look(at, part.duration);
+  const LawPeaks law = peaks_of(part);
+  for (std::size_t i = 0; i < axis_count; ++i) {
+    const double share = std::abs(direction[static_cast<Eigen::Index>(i)]);
+    largest_[i] = std::max(largest_[i], law.v * share);
+    largest_[axis_count + i] = std::max(largest_[axis_count + i], law.a * share);
+    largest_[2 * axis_count + i] = std::max(largest_[2 * axis_count + i], law.j * share);
+  }
+  largest_[speed_place] = std::max(largest_[speed_place], law.v * direction.norm());
+}
+
+/// Whether the largest that each term of the chain rule can be on an arc adds up to nothing new: so it is
+/// with one arc after the other at a constant speed.
+bool PeakSearch::is_known(const LawPeaks& law, const Arc& arc) const {
+  constexpr double rounding = 1 + 1e-12;
+  const double rate = 1 / arc.length_per_radian();
+  bool known = law.v <= largest_[speed_place] * rounding;
+  for (std::size_t i = 0; known && i < axis_count; ++i) {
+    const auto axis = static_cast<Eigen::Index>(i);
+    const double turning =
+        rate * arc.radius * std::sqrt(arc.x[axis] * arc.x[axis] + arc.y[axis] * arc.y[axis]);
+    const double d1 = turning + rate * std::abs(arc.rise[axis]);
+    const double d2 = rate * turning;
+    const double d3 = rate * d2;
+    known = law.v * d1 <= largest_[i] * rounding &&
+            law.v * law.v * d2 + law.a * d1 <= largest_[axis_count + i] * rounding &&
+            law.v * law.v * law.v * d3 + 3 * law.v * law.a * d2 + law.j * d1 <=
+                largest_[2 * axis_count + i] * rounding;
+  }
+  return known;
 }
 
 void PeakSearch::add_arc(const Part& part, const Arc& arc) {
+  if (is_known(peaks_of(part), arc)) {
+    return;
+  }
   const double rate = 1 / arc.length_per_radian();
   const auto at = [&](double tau) {
     const LawPoint law = law_at(part, tau);

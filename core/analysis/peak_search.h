@@ -32,6 +32,15 @@ class PeakSearch {
   static constexpr std::size_t axis_count = 3;
   static constexpr std::size_t speed_place = 3 * axis_count;
 
+  /// Largest speed, acceleration and jerk along the path in a part.
+  struct LawPeaks {
+    double v = 0;  ///< [mm/s]
+    double a = 0;  ///< [mm/s2]
+    double j = 0;  ///< [mm/s3]
+  };
+  static LawPeaks peaks_of(const Part& part);
+  bool is_known(const LawPeaks& law, const Arc& arc) const;
+
   void add_line(const Part& part, const Vec3& direction);
   void add_arc(const Part& part, const Arc& arc);
   void add_blend(const Part& part, const CubicBlend& blend);

@@ -52,14 +52,17 @@ class PartsPlanner {
       junctions.push_back(sections[last - 1].nodes.back().junction);
       return junctions;
     };
-    in_turn(sections.size(), [&](std::size_t first, std::size_t last) {
-      if (last - first == 1 && !sections[first].changed) {
-        const std::span<const PlanNode> nodes = sections[first].nodes;
-        keep(nodes.first(nodes.size() - 1));
-        return Outcome::planned;
-      }
-      return add(junctions_of(first, last));
-    });
+    in_turn(
+        sections.size(),
+        [&](std::size_t first, std::size_t last) {
+          if (last - first == 1 && !sections[first].changed) {
+            const std::span<const PlanNode> nodes = sections[first].nodes;
+            keep(nodes.first(nodes.size() - 1));
+            return Outcome::planned;
+          }
+          return add(junctions_of(first, last));
+        },
+        [&](std::size_t i) { return sections[i].nodes.front().junction; });
     return finish();
   }
 
@@ -124,9 +127,12 @@ class PartsPlanner {
       round = 1;
     }
     const std::vector<std::size_t> ends = ends_of_parts(junctions);
-    return in_turn(ends.size() - 1, [&](std::size_t first, std::size_t last) {
-      return add(std::span(junctions).subspan(ends[first], ends[last] - ends[first] + 1), round);
-    });
+    return in_turn(
+        ends.size() - 1,
+        [&](std::size_t first, std::size_t last) {
+          return add(std::span(junctions).subspan(ends[first], ends[last] - ends[first] + 1), round);
+        },
+        [&](std::size_t i) { return junctions[ends[i]]; });
   }
 
   Outcome add(std::span<const std::uint32_t> junctions, int round) {
@@ -175,15 +181,20 @@ class PartsPlanner {
     return ends;
   }
 
+  /// The parts from part `first` on, and how many nodes lie before them.
+  struct Planned {
+    std::size_t first;
+    std::size_t nodes;
+  };
+
   /// Calls plan(first, last), which keeps nodes, for parts [first, last) that together are all `count`: at
   /// first for each by itself, then for more where an end between two is slower. An end of the whole that is
-  /// slower is what it returns.
-  template <class Plan>
-  Outcome in_turn(std::size_t count, const Plan& plan) {
-    struct Planned {
-      std::size_t first;
-      std::size_t nodes;  ///< before them
-    };
+  /// slower is what it returns. `begin_of(i)`: junction where part i begins.
+  ///
+  /// Cost linear in `count`: what is planned together is parted again at ends that keep their ceilings, and
+  /// where none does, as much again is added to what has to be planned once more.
+  template <class Plan, class BeginOf>
+  Outcome in_turn(std::size_t count, const Plan& plan, const BeginOf& begin_of) {
     std::vector<Planned> planned;
     for (std::size_t first = 0; first < count;) {
       std::size_t last = first + 1;
@@ -197,17 +208,32 @@ class PartsPlanner {
         if (outcome == Outcome::end_slower) {
           last = std::min(count, first + wanted);
         }
+        const std::size_t begin = first;
         for (; outcome == Outcome::begin_slower && !planned.empty() && last - first < wanted;
              planned.pop_back()) {
           first = planned.back().first;
           kept = planned.back().nodes;
         }
+        last = std::min(count, std::max(last, first + 2 * (begin - first)));
         nodes_.resize(kept);
       }
       planned.push_back({first, kept});
+      for (std::size_t i = first + 1; i < last; ++i) {
+        add_parting(planned, i, begin_of(i));
+      }
       first = last;
     }
     return Outcome::planned;
+  }
+
+  /// Parts the last of `planned` where `part` begins, at `junction`, if that keeps its ceiling.
+  void add_parting(std::vector<Planned>& planned, std::size_t part, std::uint32_t junction) const {
+    const auto begin = nodes_.begin() + static_cast<std::ptrdiff_t>(planned.back().nodes);
+    const auto node = std::lower_bound(begin, nodes_.end(), junction,
+                                       [](const PlanNode& n, std::uint32_t j) { return n.junction < j; });
+    if (node != nodes_.end() && node->junction == junction && node->speed == ceiling_[junction].value) {
+      planned.push_back({part, static_cast<std::size_t>(node - nodes_.begin())});
+    }
   }
 
   std::vector<PlanNode> finish() {

@@ -120,17 +120,8 @@ void NodePlanner::find_too_fast(const Gap& gap, const PlanNode& from, const Plan
   for (std::size_t e = first; e < last; ++e) {
     const double begin = s;
     s += elements_[e].length;
-    const double ceiling = elements_[e].speed().value * plan_slack;
-    bool inside = fastest > ceiling;
-    if (inside) {
-      const Bracket faster = speeds.above(ceiling);
-      inside = faster.low < s && faster.high > begin;
-    }
-    bool after = e + 1 < last && fastest > ceiling_[e + 1].value * plan_slack;
-    if (after) {
-      const Bracket faster = speeds.above(ceiling_[e + 1].value * plan_slack);
-      after = faster.low < s && faster.high > s;
-    }
+    const bool inside = speeds.is_above(elements_[e].speed().value * plan_slack, begin, s);
+    const bool after = e + 1 < last && speeds.is_above(ceiling_[e + 1].value * plan_slack, s, s);
     const bool only_inside = inside && !after && !before;
     before = after;
     if (only_inside) {  // hold the element by its two ends

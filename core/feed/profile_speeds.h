@@ -27,6 +27,10 @@ class ProfileSpeeds {
   double largest() const { return top_; }  ///< [mm/s]
   /// The part of the path on which the profile is faster than `speed` [mm]; high < low where it nowhere is.
   Bracket above(double speed) const;
+  /// Whether it is faster than `speed` somewhere before `to` and after `from` [mm].
+  bool is_above(double speed, double from, double to) const {
+    return speed < top_ && up_.length_to(speed) < to && length_ - down_.length_to(speed) > from;
+  }
 
  private:
   /// A rise of the speed from no acceleration to none: jerk, constant acceleration, opposite jerk.

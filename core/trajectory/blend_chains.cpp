@@ -177,8 +177,7 @@ class BlendChains {
         if (!ramps_over(steps, e)) {
           continue;
         }
-        const Bracket faster = speeds.above(ramps(e)[steps.of[e]].speed * plan_slack);
-        if (faster.low < s && faster.high > begin) {
+        if (speeds.is_above(ramps(e)[steps.of[e]].speed * plan_slack, begin, s)) {
           ++steps.of[e];
           for (std::uint32_t beside = is_blend(e - 1) ? e : e - 1; beside <= e + (is_blend(e + 1) ? 0 : 1);
                ++beside) {

@@ -163,6 +163,39 @@ double ContourSearch::rise_above_chord(std::size_t index, const PathDeviation::F
   return nearest > 0 ? sag + chord * chord / 8 / nearest : std::numeric_limits<double>::infinity();
 }
 
+/// Largest distance of a straight span from the flat arc on which it has its feet, if that is at one of its
+/// ends: the distance from the axis is convex along it. So it is with halves of chords; bounds by bends would
+/// ask for many halvings of each of them.
+std::optional<double> ContourSearch::largest_on_chord(const ContourSpan& span) const {
+  constexpr double rounding = 1e-10;  // [mm]
+  const ContourNode& from = span.from;
+  const ContourNode& to = span.to;
+  const Toolpath& path = programmed_path(trajectory_);
+  const Segment& segment = path.segments[from.foot.segment];
+  if (segment.kind != SegmentKind::arc || trajectory_.path().kind(from.place.element) != ElementKind::line) {
+    return std::nullopt;
+  }
+  const Arc& arc = path.arc_of(segment);
+  const auto is_inside = [&](const ContourNode& node) {
+    return (node.foot.s > 0 && node.foot.s < segment.length) || node.error < PathDeviation::as_near;
+  };
+  const bool turns_far = std::abs(to.foot.s - from.foot.s) > std::numbers::pi / 2 * arc.length_per_radian();
+  if (!arc.rise.isZero(0) || turns_far || !is_inside(from) || !is_inside(to)) {
+    return std::nullopt;
+  }
+  const Vec3 axis = arc.x.cross(arc.y);
+  const Vec3 start = from.point.position - arc.center;
+  const Vec3 along = to.point.position - from.point.position;
+  const double beside = std::max(std::abs(start.dot(axis)), std::abs((start + along).dot(axis)));
+  const Vec3 flat_start = start - start.dot(axis) * axis;
+  const Vec3 flat_along = along - along.dot(axis) * axis;
+  const double squared = flat_along.squaredNorm();
+  const double share = squared > 0 ? std::clamp(-flat_start.dot(flat_along) / squared, 0.0, 1.0) : 0;
+  const double inwards = std::max(arc.radius - (flat_start + share * flat_along).norm(), 0.0);
+  const double at_ends = std::max(from.error, to.error);
+  return std::hypot(inwards, beside) <= at_ends + rounding ? std::optional(at_ends) : std::nullopt;
+}
+
 /// On one arc at a constant speed the filters draw another arc, at the same distance everywhere.
 bool ContourSearch::is_steady(const ContourSpan& span) const {
   constexpr double same = 1e-9;
@@ -181,6 +214,9 @@ double ContourSearch::bound_of(const ContourSpan& span) const {
   if (first == second) {
     if (course_.is_on_one_line(to.place.element, from.place.u, to.place.u) || is_steady(span)) {
       return std::max(from.error, to.error);
+    }
+    if (const std::optional<double> largest = largest_on_chord(span)) {
+      return *largest;
     }
     return std::min(std::max(from.error, to.error) + rise_above_chord(first, from.foot, to.foot, span),
                     never_above);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "core/analysis/contour/contour_course.h"
@@ -68,6 +69,7 @@ class ContourSearch {
   double sagitta(const ContourNode& from, const ContourNode& to) const;
   PathDeviation::Foot foot_of(const Vec3& position, std::size_t segment) const;
   bool is_steady(const ContourSpan& span) const;
+  std::optional<double> largest_on_chord(const ContourSpan& span) const;
   double bound_of(const ContourSpan& span) const;
   double rise_above_chord(std::size_t segment, const PathDeviation::Foot& at_from,
                           const PathDeviation::Foot& at_to, const ContourSpan& span) const;

@@ -30,6 +30,10 @@ struct Use {
   Cause cause;
 
   void add(double value, const Vec3& limit_inverse, const Vec3& direction, CauseKind kind) {
+    constexpr double rounding = 1 + 1e-12;
+    if (std::abs(value) * rounding * limit_inverse.maxCoeff() <= share) {  // whatever the direction
+      return;
+    }
     for (int j = 0; j < 3; ++j) {
       const double part = std::abs(value * direction[j]) * limit_inverse[j];
       if (part > share) {
@@ -50,9 +54,11 @@ class BlendRunner {
     const BlendShape::Point p = shape_.at(sample.u);
     const double v = p.sigma * sample.du;
     const double dv = p.dsigma * sample.du * sample.du + p.sigma * sample.ddu;
-    const double jerk_inverse = p.tangent.cwiseAbs().cwiseProduct(limits_.inverse.tangential_jerk).maxCoeff();
+    const auto jerk_inverse = [&] {
+      return p.tangent.cwiseAbs().cwiseProduct(limits_.inverse.tangential_jerk).maxCoeff();
+    };
     Use use;
-    use.share = (v + (dv > 0 ? dv * dv / 2 * jerk_inverse : 0)) / ceiling_.value;
+    use.share = (v + (dv > 0 ? dv * dv / 2 * jerk_inverse() : 0)) / ceiling_.value;
     use.cause = ceiling_.cause;
     use.add(v, limits_.inverse.velocity, p.tangent, CauseKind::blend_velocity);
     use.add(dv, limits_.inverse.tangential_acceleration, p.tangent, CauseKind::blend_tangential_acceleration);
@@ -259,7 +265,7 @@ MotionLimits blend_motion_limits(const BlendShape& shape, const SpeedBound& spee
 }
 
 BlendMotion run_blend(const BlendShape& shape, double speed, const SpeedBound& ceiling,
-                      const BlendLimits& limits, double period) {
+                      const BlendLimits& limits, double period, double fastest) {
   constexpr std::size_t max_samples = 5000;
   const BlendRunner runner(shape, ceiling, limits);
   const BlendShape::Point entry = shape.at(0);
@@ -283,6 +289,9 @@ BlendMotion run_blend(const BlendShape& shape, double speed, const SpeedBound& c
     look_at(now, here);
     const Sample half_way = step(now, jerk, duration / 2);
     look_at(half_way, shape.at(half_way.u));
+    if (motion.peak_speed > fastest * sampled_slack || motion.peak_axis_use > sampled_slack) {
+      break;
+    }
     if (next.u < 1) {
       motion.steps.push_back({period, now.u, now.du, now.ddu, jerk, cause});
       now = next;
@@ -294,7 +303,7 @@ BlendMotion run_blend(const BlendShape& shape, double speed, const SpeedBound& c
     motion.exit_speed = p.sigma * end.du;
     motion.peak_speed = std::max(motion.peak_speed, motion.exit_speed);
     motion.exit_acceleration = p.dsigma * end.du * end.du + p.sigma * end.ddu;
-    motion.complete = end.du > 0;
+    motion.complete = end.du > 0 && motion.peak_speed <= fastest * sampled_slack;
     break;
   }
   return motion;

@@ -62,7 +62,7 @@ struct BlendMotion {
   double peak_speed = 0;         ///< largest at the samples and half way between them [mm/s]
   double peak_axis_use = 0;      ///< largest share of an axis velocity at the same places
   double exit_acceleration = 0;  ///< along the path [mm/s2]
-  bool complete = false;         ///< false: the tool would stall on the blend
+  bool complete = false;         ///< false: the tool would stall on the blend, or be too fast
 };
 
 /// Largest parametric jerk of every sample that keeps eq 24 (Essid 2019, eq 16, 28-30 and the algorithm),
@@ -70,9 +70,13 @@ struct BlendMotion {
 /// keeps v + v'^2/(2 j_t) <= ceiling so that it can be levelled off in time, and where no value keeps every
 /// row, the one with the least excess is taken.
 /// `speed`: at the entry, without acceleration along the path (eq 25) [mm/s]; `ceiling`: of the whole blend
-/// [mm/s]; `period`: sampling time t_s [s].
+/// [mm/s]; `period`: sampling time t_s [s]. Given up, and not complete, where the motion passes `fastest`
+/// [mm/s] or the velocity of an axis by more than sampled_slack.
 BlendMotion run_blend(const BlendShape& shape, double speed, const SpeedBound& ceiling,
-                      const BlendLimits& limits, double period);
+                      const BlendLimits& limits, double period, double fastest);
+
+/// What the rows of eq 24, kept at samples alone, may push a speed above its ceiling, as a factor.
+inline constexpr double sampled_slack = 1.005;
 
 /// Speed at both ends of a blend that is run at constant du/dt, the highest that keeps every row of eq 24 on
 /// the whole blend (reading "strict").

@@ -211,13 +211,11 @@ std::optional<std::size_t> EssidRunner::move_over_blend(const std::vector<PlanNo
     return std::nullopt;
   }
   const double period = time / samples;
-  constexpr double sampled_slack = 1.005;  // what the rows of eq 24 may push the speed above its ceiling
   const double fastest = ceiling.value;
   for (const double share : {1.0, 0.5, 0.0}) {
     ceiling.value = speed_ + share * (fastest - speed_);
-    const BlendMotion motion = run_blend(blend.shape, speed_, ceiling, blend_limits_, period);
-    if (!motion.complete || motion.peak_speed > fastest * sampled_slack ||
-        motion.peak_axis_use > sampled_slack) {
+    const BlendMotion motion = run_blend(blend.shape, speed_, ceiling, blend_limits_, period, fastest);
+    if (!motion.complete) {
       continue;
     }
     const double carried = settings_.reading == EssidReading::published ? 0 : motion.exit_acceleration;
