@@ -2055,11 +2055,11 @@
     </message>
     <message>
         <source>The worst: %1, %2 lost, %3 of %4 %5.</source>
-        <translation>Le pire : %1, %2 perdues, %3 au lieu de %4 %5.</translation>
+        <translation>Le pire&#xa0;: %1, %2 perdues, %3 au lieu de %4 %5.</translation>
     </message>
     <message>
         <source>Another: %1, %2 lost, %3 of %4 %5.</source>
-        <translation>Un autre : %1, %2 perdues, %3 au lieu de %4 %5.</translation>
+        <translation>Un autre&#xa0;: %1, %2 perdues, %3 au lieu de %4 %5.</translation>
     </message>
     <message>
         <source>Executed path of %1.</source>

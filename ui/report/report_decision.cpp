@@ -221,6 +221,9 @@ QString corner_figure(const ReportInput& input, ReportPictures& pictures) {
     return {};
   }
   const auto shot = std::make_shared<const LensShot>(lens_shot(input, *time));
+  if (!shot->lens.deviates) {  // what drives do beyond the control's path is not in the lens
+    return {};
+  }
   const QString picture = pictures.add(QStringLiteral("corner"), lens_picture(shot, corner_size),
                                        ReportWords::tr("Lens at line %1").arg(shot->lens.line));
   return figure(picture, input.runs.size() > 1
@@ -263,15 +266,22 @@ QString help_table(const ReportInput& input) {
     return paragraph(
         ReportWords::tr("None of the %1 changes that were simulated helps.").arg(trials.tried.size()));
   }
-  HtmlTable table("lrr", {58, 18, 24});
-  table.add_head({ReportWords::tr("What would help"), ReportWords::tr("Gain"),
-                  with_unit_of(ReportWords::tr("Contour error"), Dimension::error)});
+  const bool with_error = !has_drives(input);  // the actual one of a change is not known
+  HtmlTable table(with_error ? "lrr" : "lr", with_error ? std::vector{58, 18, 24} : std::vector{76, 24});
+  QStringList head{ReportWords::tr("What would help"), ReportWords::tr("Gain")};
+  if (with_error) {
+    head.append(with_unit_of(ReportWords::tr("Contour error"), Dimension::error));
+  }
+  table.add_head(head);
   for (const std::size_t i : trials.best) {
     const TriedChange& change = trials.tried[i];
-    table.add(
-        {html_text(remedy_text(change.remedy, input.run().shown->run.setup)),
-         TimeTexts::gain(input.time->use.cycle_time - change.cycle_time),
-         change.cutting_contour_error ? error_number(*change.cutting_contour_error) : QStringLiteral("–")});
+    QStringList row{html_text(remedy_text(change.remedy, input.run().shown->run.setup)),
+                    TimeTexts::gain(input.time->use.cycle_time - change.cycle_time)};
+    if (with_error) {
+      row.append(change.cutting_contour_error ? error_number(*change.cutting_contour_error)
+                                              : QStringLiteral("–"));
+    }
+    table.add(row);
   }
   return table.html();
 }

@@ -38,9 +38,9 @@ TEST_P(CauseColour, AnyTwoAreToldApartWithEveryKindOfColourVision) {
 }
 
 TEST_P(CauseColour, StandsOutFromTheBackground) {
-  const ColourTriple background = seen(scene_colours(GetParam()).background, visions[0]);
+  const auto background = test::seen_lab(scene_colours(GetParam()).background, test::colour_visions[0]);
   for (const CauseKind kind : all_kinds()) {
-    const ColourTriple colour = seen(cause_colour(kind, GetParam()), visions[0]);
+    const auto colour = test::seen_lab(cause_colour(kind, GetParam()), test::colour_visions[0]);
     EXPECT_GE(test::lab_distance(colour, background), 15) << cause_title({kind, -1});
     if (GetParam() == Background::dark) {
       EXPECT_GE(colour[0] - background[0], 25) << cause_title({kind, -1});
