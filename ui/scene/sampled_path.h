@@ -113,10 +113,10 @@ inline constexpr std::size_t default_max_points = 2'000'000;
 /// The programmed path: ends of lines, arcs every 3 degrees (coarser where the budget ends).
 SampledPath sample_programmed(const Toolpath& toolpath, std::size_t max_points = default_max_points);
 
-/// The executed path: arcs every 3 degrees, blends in spans of 2 degrees or as far from them as a picture can show, and wherever the
-/// feed changes by some 1/24 of its peak. Linear in the pieces. Safe to call off the GUI thread. `also_at`:
-/// times at which there are points too where the spacing allows, rising [s]. `sources`: of its run. Throws
-/// Cancelled when stopped.
+/// The executed path: arcs every 3 degrees, blends in spans of 2 degrees or as far from them as a picture can
+/// show, and wherever the feed changes by some 1/24 of its peak. Linear in the pieces. Safe to call off the
+/// GUI thread. `also_at`: times at which there are points too where the spacing allows, rising [s].
+/// `sources`: of its run. Throws Cancelled when stopped.
 SampledPath sample_executed(const Trajectory& trajectory, std::size_t max_points = default_max_points,
                             std::span<const double> also_at = {}, Progress* progress = nullptr,
                             const RunSources& sources = {});

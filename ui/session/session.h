@@ -27,7 +27,7 @@ struct Session {
   ReadOptions reading;            ///< of the program; a tool table's path is absolute
   std::vector<RunItem> runs;      ///< at least one
   std::size_t current_run = 0;
-  double cursor = 0;  ///< time in the current run [s]
+  double cursor = 0;                  ///< time in the current run [s]
   std::optional<double> error_bound;  ///< RunList::error_bound() [mm]
   SceneState scene;
   ScenesState scenes;

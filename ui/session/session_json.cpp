@@ -251,12 +251,11 @@ ReadSession read_session(const QJsonObject& json, const std::filesystem::path& f
                          const MachineLibrary& machines) {
   check_format(json);
   ReadSession read;
-  note_unknown(
-      json,
-      {"format", "version", "program", "reading", "runs", "current_run", "cursor_s", "view", "compare",
-       "charts", "circular", "load_file", "annotations", "traces", "identification", "lessons", "window",
-       "max_contour_error_mm"},
-      QStringLiteral("the session"), read.notes);
+  note_unknown(json,
+               {"format", "version", "program", "reading", "runs", "current_run", "cursor_s", "view",
+                "compare", "charts", "circular", "load_file", "annotations", "traces", "identification",
+                "lessons", "window", "max_contour_error_mm"},
+               QStringLiteral("the session"), read.notes);
   Session& session = read.session;
   const QJsonObject program = json["program"].toObject();
   note_unknown(program, {"file", "sha256"}, QStringLiteral("\"program\""), read.notes);

@@ -230,7 +230,8 @@ void SetupView::fit_settings() {
   const QHeaderView& titles = *settings_->horizontalHeader();
   int width = 0;
   for (int column = 0; column < SettingsTable::columns; ++column) {
-    width += std::max(view.sizeHintForColumn(column), titles.fontMetrics().averageCharWidth() * least_letters);
+    width +=
+        std::max(view.sizeHintForColumn(column), titles.fontMetrics().averageCharWidth() * least_letters);
   }
   settings_->setColumnHidden(SettingsTable::range, width > settings_->viewport()->width());
   settings_->setMaximumHeight(full_height(settings_));

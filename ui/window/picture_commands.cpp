@@ -50,9 +50,8 @@ PictureCommands::PictureCommands(MainWindow& window) : QObject(&window), window_
       {Part::window, tr("&Window"), tr("Copy all of the window to the clipboard"), {}}};
   for (const Entry& entry : entries) {
     const Part part = entry.part;
-    actions_.append(make_action(this, entry.name, entry.tip, entry.key, [this, part] {
-      QApplication::clipboard()->setImage(picture(part));
-    }));
+    actions_.append(make_action(this, entry.name, entry.tip, entry.key,
+                                [this, part] { QApplication::clipboard()->setImage(picture(part)); }));
   }
 }
 
@@ -79,8 +78,7 @@ QString PictureCommands::caption() const {
     return {};
   }
   const Run& run = shown->run;
-  return QStringList{to_qstring(workbench.file().filename()),
-                     QString::fromStdString(run.setup.machine.name),
+  return QStringList{to_qstring(workbench.file().filename()), QString::fromStdString(run.setup.machine.name),
                      workbench.runs().title(workbench.runs().current_item()),
                      clock_text(run.summary.cycle_time)}
       .join(QStringLiteral(" · "));
