@@ -4,15 +4,18 @@
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
+#include <atomic>
 #include <exception>
 #include <vector>
 
 #include "core/base/happens_before.h"
+#include "core/base/progress.h"
 
 namespace feedscope {
 
 void in_parallel(std::size_t count, const std::function<void(std::size_t)>& work) {
   std::vector<std::exception_ptr> errors(count);
+  std::atomic<bool> cancelled{false};
   HappensBefore begin;
   HappensBefore end;
   begin.before();
@@ -21,7 +24,12 @@ void in_parallel(std::size_t count, const std::function<void(std::size_t)>& work
       [&](std::size_t i) {
         begin.after();
         try {
-          work(i);
+          if (!cancelled.load(std::memory_order_relaxed)) {
+            work(i);
+          }
+        } catch (const Cancelled&) {
+          errors[i] = std::current_exception();
+          cancelled.store(true, std::memory_order_relaxed);
         } catch (...) {
           errors[i] = std::current_exception();
         }

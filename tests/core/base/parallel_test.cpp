@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/progress.h"
+
 namespace feedscope {
 namespace {
 
@@ -33,6 +35,17 @@ TEST(InParallel, CallsAllAndThrowsWhatTheFirstOneThrew) {
   };
   EXPECT_THAT(work, ThrowsMessage<std::runtime_error>("7"));
   EXPECT_EQ(calls, 50);
+}
+
+TEST(InParallel, BeginsNothingMoreOnceItIsCancelled) {
+  constexpr std::size_t count = 100'000;
+  std::atomic<std::size_t> begun{0};
+  const auto work = [&](std::size_t) {
+    ++begun;
+    throw Cancelled();
+  };
+  EXPECT_THROW(in_parallel(count, work), Cancelled);
+  EXPECT_LE(begun, 1000U) << "one on each thread";
 }
 
 TEST(InParallel, DoesAllTasks) {
