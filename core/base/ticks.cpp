@@ -55,7 +55,7 @@ Ticks round_ticks(double minimum, double maximum, int most) {
 
 std::vector<double> multiples(double step, double low, double high) {
   std::vector<double> values;
-  if (!std::isfinite(high - low)) {
+  if (!(step > 0) || !std::isfinite(high - low)) {
     return values;
   }
   while (std::floor(high / step) - std::ceil(low / step) >= max_values) {

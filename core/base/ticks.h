@@ -29,8 +29,8 @@ Ticks round_ticks(double minimum, double maximum, int most);
 /// 1000 values; beyond, the step is larger.
 Ticks round_ticks_between(double minimum, double maximum, double most, double low, double high);
 
-/// Multiples of `step` > 0 from `low` to `high`, rising; where they are more than 1000, of a larger round
-/// step.
+/// Multiples of `step` from `low` to `high`, rising; where they are more than 1000, of a larger round step.
+/// None of a step that is not above 0.
 std::vector<double> multiples(double step, double low, double high);
 
 /// A multiple of `step`, as labels have it.

@@ -20,8 +20,11 @@ struct Steps {
 
 class BlendChains {
  public:
-  BlendChains(Stretch& stretch, const RampsOfBlend& ramps_of)
-      : stretch_(stretch), plan_(stretch.plan), chains_{std::vector(stretch.plan.size(), Steps::level)} {
+  BlendChains(Stretch& stretch, const RampsOfBlend& ramps_of, const std::function<void()>& stop)
+      : stretch_(stretch),
+        plan_(stretch.plan),
+        stop_(stop),
+        chains_{std::vector(stretch.plan.size(), Steps::level)} {
     const std::size_t count = plan_.size();
     blend_.resize(count);
     for (std::size_t e = 0; e < count; ++e) {
@@ -118,6 +121,7 @@ class BlendChains {
   std::vector<PlanNode> plan_ramps(Steps& steps) {
     set_limits(steps);
     std::vector<PlanNode> before;
+    stop_();
     std::vector<PlanNode> nodes = plan_nodes(plan_, stretch_.ceiling, stretch_.held());
     std::vector<std::uint32_t> changed;
     for (;;) {
@@ -127,6 +131,7 @@ class BlendChains {
       }
       set_limits(steps);
       before = std::move(nodes);
+      stop_();
       nodes = plan_nodes_again(plan_, stretch_.ceiling, stretch_.held(), before, changed);
     }
   }
@@ -217,6 +222,7 @@ class BlendChains {
 
   Stretch& stretch_;
   std::vector<PlanElement>& plan_;
+  const std::function<void()>& stop_;
   std::vector<std::uint32_t> blend_;  ///< an element; of a blend: which it is
   std::vector<BlendRamps> ramps_;     ///< a blend
   std::vector<Ramp> level_limits_;    ///< a blend; as the stretch came
@@ -233,8 +239,9 @@ double blend_ramp_speed(std::size_t step, double turning, double ramping) {
   return std::min(shares[step] * std::min(turning, ramping), most * ramping);
 }
 
-std::vector<PlanNode> plan_over_blends(Stretch& stretch, const RampsOfBlend& ramps) {
-  return BlendChains(stretch, ramps).fastest();
+std::vector<PlanNode> plan_over_blends(Stretch& stretch, const RampsOfBlend& ramps,
+                                       const std::function<void()>& stop) {
+  return BlendChains(stretch, ramps, stop).fastest();
 }
 
 }  // namespace feedscope

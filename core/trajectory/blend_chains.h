@@ -42,7 +42,9 @@ using RampsOfBlend = std::function<BlendRamps(std::size_t e)>;
 /// blends level: they never make a stretch slower.
 ///
 /// `stretch`: limits of blends are those at one speed; this function sets those of the plan it returns, and
-/// the levels. Cost: one plan, of a stretch that holds a chain three to five.
-std::vector<PlanNode> plan_over_blends(Stretch& stretch, const RampsOfBlend& ramps);
+/// the levels. Cost: one plan, of a stretch that holds a chain three to five; before each `stop` is called,
+/// which throws Cancelled if there is to be none.
+std::vector<PlanNode> plan_over_blends(Stretch& stretch, const RampsOfBlend& ramps,
+                                       const std::function<void()>& stop);
 
 }  // namespace feedscope

@@ -105,7 +105,7 @@ TEST_F(ReportCommand, SaysWhatTheCycleTimeDoesNotContain) {
   ASSERT_EQ(report(call).code, 0);
   EXPECT_THAT(contents(folder_ / "r.html"), HasSubstr("2 tool changes, 1 spindle start, 3 moves to or from"));
   const std::string zero = "--set part_zero_x_mm=0 --set part_zero_y_mm=0 --set part_zero_z_mm=0 ";
-  ASSERT_EQ(report(call + zero + "--set tool_change_time_s=4 --set home_z_mm=300").code, 0);
+  ASSERT_EQ(report(call + zero + "--set tool_change_time_s=4 --set home_z_mm=300 --with all").code, 0);
   EXPECT_THAT(contents(folder_ / "r.html"), HasSubstr("1 spindle start"));
   EXPECT_THAT(contents(folder_ / "r.html"), Not(HasSubstr("moves to or from")));
   EXPECT_THAT(contents(folder_ / "r.html"), HasSubstr("tool change"));

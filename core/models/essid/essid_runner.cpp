@@ -49,16 +49,16 @@ EssidRunner::EssidRunner(const Toolpath& toolpath, const AxisVectors& axes, cons
 void EssidRunner::run(const StretchRange& range, ProgressSteps& steps) {
   lay_path(range);
   follow_acceleration_mode(stretch_, builder_.path(), rules_, settings_.period);
-  move_over_curves(builder_, stretch_, axes_, [&] { plan_and_move(steps); });
+  move_over_curves(builder_, stretch_, axes_, [&] { plan_and_move(range, steps); });
 }
 
-void EssidRunner::plan_and_move(ProgressSteps& steps) {
+void EssidRunner::plan_and_move(const StretchRange& range, ProgressSteps& steps) {
   stretch_.level.clear();
   set_junction_ceilings(stretch_, builder_.path(), axes_.jerk, settings_.period, settings_.lookahead);
   part_turning(stretch_, builder_.path());
   if (settings_.reading == EssidReading::strict) {
     const auto ramps = [&](std::size_t e) { return parameter_ramps(blend_of(e).shape, blend_limits_); };
-    move(plan_over_blends(stretch_, ramps), steps);
+    move(plan_over_blends(stretch_, ramps, [&] { steps.at(range.first); }), steps);
     return;
   }
   hold_level_blends();

@@ -39,7 +39,7 @@ class EssidRunner {
   /// Makes level places of the plan, with one speed for both of their ends, of blends that turn much.
   void hold_level_blends();
 
-  void plan_and_move(ProgressSteps& steps);
+  void plan_and_move(const StretchRange& range, ProgressSteps& steps);
   void move(const std::vector<PlanNode>& nodes, ProgressSteps& steps);
   /// Tries the law of the paper on the blend behind node `n`; moves on to the node it returns if that works.
   std::optional<std::size_t> move_over_blend(const std::vector<PlanNode>& nodes, std::size_t n);

@@ -152,10 +152,11 @@ Trajectory GassaraModel::do_simulate(const std::shared_ptr<const Toolpath>& shar
       follow_acceleration_mode(*stretch, path, rules, own.period);
       set_junction_ceilings(*stretch, path, axes.jerk, own.period, own.lookahead);
       part_turning(*stretch, path);
-      const std::vector<PlanNode> nodes = plan_over_blends(*stretch, [&](std::size_t e) {
+      const auto ramps = [&](std::size_t e) {
         return arc_blend_ramps(stretch->plan[e].limits(), path.min_radius(path.index(stretch->element(e))),
                                own);
-      });
+      };
+      const std::vector<PlanNode> nodes = plan_over_blends(*stretch, ramps, [&] { steps.at(range.first); });
       add_planned_motion(part, *stretch, nodes, steps);
     };
   });

@@ -68,6 +68,11 @@ TEST(Ticks, OfAScaleWithoutEndAreFewWhereFewAreShown) {
   EXPECT_LE(multiples(1e-3, -1e6, 1e6).size(), 1000U);
 }
 
+TEST(Ticks, OfNoStepAreNone) {
+  EXPECT_TRUE(multiples(0, 1, 2).empty());
+  EXPECT_TRUE(multiples(-1, 1, 2).empty());
+}
+
 TEST(Ticks, NeverShowMinusZero) {
   for (const std::string& label : round_ticks(-1, 1, 3).labels) {
     EXPECT_NE(label, "-0");
