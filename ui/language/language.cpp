@@ -48,6 +48,12 @@ void install(const QString& name, const QString& folder) {
   }
 }
 
+/// Without marks between thousands: a comma there is a decimal sign to others.
+void write_numbers_as(QLocale locale) {
+  locale.setNumberOptions(QLocale::OmitGroupSeparator);
+  QLocale::setDefault(locale);
+}
+
 }  // namespace
 
 QStringList languages() {
@@ -82,7 +88,7 @@ void install_language(const QString& code) {
     delete translator;  // it removes itself
   }
   const bool desktop = code == QLocale::system().name().section('_', 0, 0);
-  QLocale::setDefault(desktop ? QLocale::system() : QLocale(code));
+  write_numbers_as(desktop ? QLocale::system() : QLocale(code));
   if (code != english) {
     install(QStringLiteral("qtbase_%1").arg(code), QLibraryInfo::path(QLibraryInfo::TranslationsPath));
     install(QStringLiteral("feedscope_%1").arg(code), QStringLiteral(":/translations"));
@@ -91,7 +97,7 @@ void install_language(const QString& code) {
 
 void speak(const QString& code) {
   install_language(code);
-  QLocale::setDefault(QLocale(code));
+  write_numbers_as(QLocale(code));
 }
 
 }  // namespace feedscope::ui
