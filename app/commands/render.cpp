@@ -252,7 +252,7 @@ std::string picture_file(ui::ReportInput& input, const RenderOptions& options,
                                 : ui::sheet_file(input, request);
 }
 
-/// What the picture or the film draws of each run.
+/// The parts of a run that the picture or the film needs.
 ui::ShownParts parts_of(const RenderOptions& options) {
   const View view = views.at(options.view);
   const bool sheet = view == View::sheet || options.film.asked();

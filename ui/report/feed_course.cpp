@@ -47,7 +47,7 @@ class FeedWalk {
   double time_at(std::size_t segment, double share) const {
     return time_of(trajectory_, {static_cast<std::uint32_t>(segment), share});
   }
-  /// That the tool stands where a segment begins, which time_of() does not contain [s].
+  /// How long the tool rests where a segment begins; time_of() leaves this out [s].
   double pauses_before(std::size_t segment) const {
     double time = 0;
     for (; segment > 0 && segments_[segment - 1].kind == SegmentKind::dwell; --segment) {

@@ -98,7 +98,7 @@ QString reading_fault(const ReportInput& input) {
                          .arg(reading_faults_text(program).toHtmlEscaped(), message_text(*first)));
 }
 
-/// What machine or control cannot do of the program, each once.
+/// What the machine or the control cannot do with the program; no sentence twice.
 QString run_faults(const ReportInput& input) {
   QStringList texts;
   for (const ReportRun& run : input.runs) {

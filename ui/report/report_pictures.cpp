@@ -125,6 +125,7 @@ ReportPicture close_up(const ReportInput& input, const SlowPlace& place, const Q
             ScenePicture picture(seen, seen.current, ThemeKind::light);
             const SceneScale scale{pixel_ratio, 0.68};
             picture.prepare(size, scale);
+            picture.scene().set_warning({});  // the first page says what is wrong with the program
             picture.scene().fit_times(place.from, place.to);
             picture.scene().zoom(0.7, {size.width() * pixel_ratio / 2, size.height() * pixel_ratio / 2});
             picture.scene().set_highlight(std::array{place.from, place.to});

@@ -5,7 +5,6 @@
 #include <set>
 
 #include "core/analysis/program_facts.h"
-#include "core/analysis/run_notes.h"
 #include "core/analysis/setup_options.h"
 #include "ui/language/composed_text.h"
 #include "ui/language/core_texts.h"
@@ -145,21 +144,6 @@ QString program_part(const ReportInput& input) {
                              fixed(facts.rapid_length, Dimension::length)));
 }
 
-QString figure_notes_part(const ReportInput& input) {
-  QStringList notes;
-  for (const ReportRun& run : input.runs) {
-    for (const char* note : figure_notes(*run.shown->run.input.toolpath, run.shown->run.setup)) {
-      notes.append(html_text(core_text(note)));
-    }
-  }
-  notes.removeDuplicates();
-  QString html;
-  for (const QString& note : notes) {
-    html += trust_line(note);
-  }
-  return html;
-}
-
 QString trust_part(const ReportInput& input) {
   const bool drives = std::ranges::any_of(
       input.runs, [](const ReportRun& run) { return summary_of(run).actual.has_value(); });
@@ -172,7 +156,7 @@ QString trust_part(const ReportInput& input) {
                                       "that of the drives that are set, temperature, spindle.")
                     : ReportWords::tr("Not modelled: the drives (the axes follow exactly), cutting forces on "
                                       "the axes, vibration, temperature, spindle.")) +
-         figure_notes_part(input) + run_notes_text(input) + not_counted_sentences(input);
+         run_notes_text(input) + not_counted_sentences(input);
 }
 
 }  // namespace
