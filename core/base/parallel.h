@@ -7,8 +7,8 @@
 namespace feedscope {
 
 /// Calls `work(i)` for every i below `count`, on as many threads as there are processors, those with small
-/// numbers first. All are called, those behind one that threw Cancelled excepted; then what the one with the
-/// smallest number threw is thrown.
+/// numbers first. All are called, unless one throws Cancelled: then no more are begun. At the end the
+/// exception of the smallest number is thrown.
 void in_parallel(std::size_t count, const std::function<void(std::size_t)>& work);
 /// The same of some tasks; what takes longest stands first.
 void in_parallel(std::initializer_list<std::function<void()>> tasks);

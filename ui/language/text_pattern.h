@@ -13,7 +13,7 @@ class TextPattern {
   /// One place: what stands in it.
   struct Part {
     QString text;
-    bool is_program_text = false;  ///< in quotation marks, or behind a letter, a digit or another place
+    bool is_program_text = false;  ///< in quotation marks, or directly after a letter, a digit or a place
   };
 
   explicit TextPattern(const QString& text);

@@ -75,7 +75,7 @@ struct BlendMotion {
 BlendMotion run_blend(const BlendShape& shape, double speed, const SpeedBound& ceiling,
                       const BlendLimits& limits, double period, double fastest);
 
-/// What the rows of eq 24, kept at samples alone, may push a speed above its ceiling, as a factor.
+/// The rows of eq 24 hold at samples alone: a speed between them may exceed its ceiling by this factor.
 inline constexpr double sampled_slack = 1.005;
 
 /// Speed at both ends of a blend that is run at constant du/dt, the highest that keeps every row of eq 24 on
