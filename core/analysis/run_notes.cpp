@@ -12,6 +12,7 @@
 #include "core/analysis/unadvised_tolerance.h"
 #include "core/analysis/unreachable_feed.h"
 #include "core/base/translatable.h"
+#include "core/drives/drive_response.h"
 #include "core/toolpath/rotary_resolver.h"
 
 namespace feedscope {
@@ -150,6 +151,15 @@ std::vector<const char*> figure_notes(const Toolpath& path, const Setup& setup) 
                                  limits_note(setup),
                                  jump_note(setup)};
   std::erase(notes, nullptr);
+  if (setup.settings.has(exact_stop_window_key) && setup.settings.number(exact_stop_window_key) > 0 &&
+      !has_drives(setup.machine)) {
+    notes.push_back(
+        QT_TRANSLATE_NOOP("core",
+                          "The exact stop window has no effect: the machine gives no drive (kv_1_s), so "
+                          "that its axes are where they should be at once."));
+  }
+  const std::vector<const char*> left_out = setup.model->left_out(path, setup.settings);
+  notes.insert(notes.end(), left_out.begin(), left_out.end());
   return notes;
 }
 

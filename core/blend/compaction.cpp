@@ -113,6 +113,7 @@ CompactedPath with_chords(const Toolpath& toolpath, const ChordRule& rule) {
   result.path.spindles = toolpath.spindles;
   result.path.part = toolpath.part;
   result.path.turn_ceiling = toolpath.turn_ceiling;
+  result.path.block_time = toolpath.block_time;
   for (std::size_t i = 0; i < toolpath.segments.size();) {
     const std::size_t count = compactor.count_from(i);
     Segment segment = toolpath.segments[i];

@@ -24,6 +24,8 @@ class DriveLaw {
   bool follows_exactly() const { return gain_ == 0; }
   /// Fastest rate at which the drive answers [1/s]; 0 where it follows exactly.
   double fastest_rate() const { return fastest_; }
+  /// Rate at which what is left of an error dies, or swings where the drive overshoots [1/s].
+  double settling_rate() const { return slow_ > 0 ? slow_ : fastest_; }
   bool operator==(const DriveLaw&) const = default;
 
  private:

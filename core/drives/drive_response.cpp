@@ -1,11 +1,35 @@
 #include "core/drives/drive_response.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace feedscope {
 namespace {
 
 constexpr std::size_t spans_per_start = 32;
+
+/// First instant at which the motor is within `window` [mm] of a set position that rests [s].
+double settling_time_of(const DriveLaw& law, const MotorMotion& motor, double window) {
+  const auto within = [&](double time) {
+    return std::abs(DriveStep(law, time, 1).answer(SetCourse(), motor).error) <= window;
+  };
+  if (law.follows_exactly() || within(0)) {
+    return 0;
+  }
+  constexpr double part = 0.2;  // of a time constant, so that no swing through the window is missed
+  const double step = part / law.settling_rate();
+  double late = step;
+  while (!within(late)) {
+    late += step;
+  }
+  double early = late - step;
+  constexpr int halvings = 50;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = (early + late) / 2;
+    (within(middle) ? late : early) = middle;
+  }
+  return late;
+}
 
 }  // namespace
 
@@ -95,6 +119,33 @@ void ActualWalk::next_span() {
   for (std::size_t axis = 0; axis < reached.size(); ++axis) {
     const auto i = static_cast<Eigen::Index>(axis);
     motors_[axis] = {reached[axis].offset + start[i] - span.start[i], reached[axis].velocity};
+  }
+}
+
+double ActualWalk::settling_time(double window) const {
+  AxisSteps whole;
+  const SetSpan& span = set_.span();
+  whole.set(drives_.laws, set_.done() ? span.duration : 0, span.degree());
+  double time = 0;
+  for (std::size_t axis = 0; axis < motors_.size(); ++axis) {
+    const MotorMotion motor = whole.of(axis).answer(span.axes[axis], motors_[axis]).next_start();
+    time = std::max(time, settling_time_of(drives_.laws[axis], motor, window));
+  }
+  return time;
+}
+
+void ActualWalk::rest(double time) {
+  if (set_.done()) {
+    return;
+  }
+  AxisSteps steps;
+  steps.set(drives_.laws, time, 1);
+  const SetCourse set;
+  for (std::size_t axis = 0; axis < motors_.size(); ++axis) {
+    if (!slides_[axis].is_rigid()) {
+      slides_[axis].follow({drives_.laws[axis], set, motors_[axis]}, drives_.laws[axis], 0, time);
+    }
+    motors_[axis] = steps.of(axis).answer(set, motors_[axis]).next_start();
   }
 }
 

@@ -66,6 +66,8 @@ class ActualWalk {
  public:
   /// `from`: the first instant [s]. `response` must outlive this.
   explicit ActualWalk(const DriveResponse& response, double from = 0);
+  /// From the start of a trajectory; both must outlive this.
+  ActualWalk(const Trajectory& trajectory, const AxisDrives& drives);
   /// `time` [s]: not before that of the last call.
   ActualMotion at(double time);
   /// The same without going on to another span.
@@ -83,6 +85,12 @@ class ActualWalk {
     seen_ = to.seen;
   }
 
+  /// How long the motors take until each has been within `window` [mm] of its set position, if these stay as
+  /// they are at the start of the span, or at the end of the last one [s].
+  double settling_time(double window) const;
+  /// So long the set positions stay there [s]; not behind the last span.
+  void rest(double time);
+
   bool done() const { return set_.done(); }
   /// The span that is under way.
   const SetSpan& span() const { return set_.span(); }
@@ -91,7 +99,6 @@ class ActualWalk {
 
  private:
   friend class DriveResponse;
-  ActualWalk(const Trajectory& trajectory, const AxisDrives& drives);
 
   const AxisDrives& drives_;
   SetWalk set_;

@@ -25,6 +25,7 @@ enum class CauseKind : std::uint8_t {
   curvilinear_jerk,
   curvature_crossing,
   interpolation_period,
+  block_time,  ///< that the control takes to prepare a block
   contour_tolerance,
   lookahead_horizon,
   velocity_filter,         ///< filters of the control that spread every change of feed

@@ -29,6 +29,7 @@ enum class Symbol : std::uint8_t {
   tangential_share,      ///< r_jct
   curvature_step,        ///< |dk_X|, of the curvature vector
   period,                ///< t_cy, interpolation period
+  block_time,            ///< t_b, that the control takes for a block
   block_length,          ///< L, of a block or an arc
   path_acceleration,     ///< A, along the path
   path_jerk,             ///< J, along the path
@@ -102,6 +103,7 @@ enum class FormulaId : std::uint8_t {
   curvilinear_jerk,
   curvature_crossing,
   interpolation_period,
+  block_time,
   horizon_jerk,
   horizon_acceleration,
   braking_jerk,

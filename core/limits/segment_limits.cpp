@@ -92,6 +92,11 @@ SpeedBound feed_ceiling(const Toolpath& toolpath, std::size_t i, const Vec3& vel
   SpeedBound bound = programmed_speed(toolpath, i, velocity);
   const SpeedBound turning = turning_ceiling(toolpath, i, part);
   bound.lower(turning.value, turning.cause);
+  const Segment& segment = toolpath.segments[i];
+  const bool is_block = segment.kind != SegmentKind::dwell && !segment.rapid && !segment.on_curve;
+  if (toolpath.block_time > 0 && is_block) {
+    bound.lower(segment.length / toolpath.block_time, {CauseKind::block_time});
+  }
   return bound;
 }
 

@@ -108,8 +108,24 @@ std::vector<SettingSpec> make_common_settings() {
                         "limited by half of a part of a line. Without it, or 0, every line is a block."));
   merge.maximum = 0.001;
   merge.least_above_zero = 1e-9;
-  std::vector<SettingSpec> specs{tolerance,  own,         period,     lookahead, acceleration_share,
-                                 jerk_share, curvilinear, tangential, merge};
+  SettingSpec block_time = optional_spec(
+      block_time_key, QT_TRANSLATE_NOOP("core", "Block time"), "ms",
+      QT_TRANSLATE_NOOP("core",
+                        "Least time that the control takes to prepare a block: the feed on a block is "
+                        "at most its length by this time. Without it, or 0, blocks are prepared at "
+                        "once."));
+  block_time.maximum = 1000;
+  SettingSpec stop_window = optional_spec(
+      exact_stop_window_key, QT_TRANSLATE_NOOP("core", "Exact stop window"), "um",
+      QT_TRANSLATE_NOOP(
+          "core",
+          "At exact stops (G9, G60 with G601 or G602, G61), before pauses and at the end the control "
+          "waits until every axis is within this distance of its set position, by the gain of its "
+          "drive. Without it, or 0, it does not wait."));
+  stop_window.maximum = 10000;
+  stop_window.least_above_zero = 0.001;
+  std::vector<SettingSpec> specs{tolerance,   own,        period, lookahead,  acceleration_share, jerk_share,
+                                 curvilinear, tangential, merge,  block_time, stop_window};
   specs.insert(specs.end(), machine_settings().begin(), machine_settings().end());
   return specs;
 }

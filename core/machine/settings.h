@@ -33,13 +33,21 @@ struct SettingSpec {
 
 /// Settings that every model may read: contour_tolerance_mm, program_tolerance, interpolation_period_s,
 /// lookahead_blocks, radial_acceleration_share, radial_jerk_share, curvilinear_jerk_m_s3, tangential_share,
-/// merge_collinear_mm, which is optional; and those of machine_settings(), which hold for every model.
+/// merge_collinear_mm, block_time_ms and exact_stop_window_um, which are optional; and those of
+/// machine_settings(), which hold for every model.
 const std::vector<SettingSpec>& common_settings();
 /// What of a machine no model of its control needs, each optional: tool_change_time_s, spindle_start_time_s,
 /// feed_override_percent, of every axis home_x_mm, tool_change_x_mm, part_zero_x_mm, cutting_feed_x_m_min,
 /// tool_length_mm,
 /// orientation_tolerance_deg and part_angle_x_deg.
 const std::vector<SettingSpec>& machine_settings();
+
+/// Time that a control takes for a block at least [ms]; without it, or 0, none.
+inline constexpr const char* block_time_key = "block_time_ms";
+
+/// Distance from the set position within which the motors must be before an exact stop ends [um]; without it,
+/// or 0, the control waits for none.
+inline constexpr const char* exact_stop_window_key = "exact_stop_window_um";
 
 using SettingValue = std::variant<double, std::string>;
 

@@ -8,7 +8,9 @@
 
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
+#include "core/base/units.h"
 #include "core/blend/compaction.h"
+#include "core/drives/stop_waits.h"
 #include "core/machine/contour_tolerance.h"
 #include "core/toolpath/machine_toolpath.h"
 #include "core/trajectory/program_blocks.h"
@@ -48,9 +50,11 @@ Trajectory ControlModel::simulate(std::shared_ptr<const Toolpath> toolpath, cons
   const std::shared_ptr<const Toolpath> run =
       on_machine(read(std::move(toolpath), settings, progress).path, machine, settings, progress);
   check_axes(*run, machine);
-  return on_merged(run, settings, [&](const std::shared_ptr<const Toolpath>& path) {
+  Trajectory motion = on_merged(run, settings, [&](const std::shared_ptr<const Toolpath>& path) {
     return do_simulate(path, machine, settings, progress);
   });
+  const double window = settings.has(exact_stop_window_key) ? settings.number(exact_stop_window_key) : 0;
+  return window > 0 ? with_stop_waits(std::move(motion), machine, units::from_um(window), progress) : motion;
 }
 
 Trajectory ControlModel::simulate(const Toolpath& toolpath, const Machine& machine, const Settings& settings,

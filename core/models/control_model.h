@@ -41,6 +41,11 @@ class ControlModel {
   virtual const ModelInfo& info() const = 0;
   /// What holds of every motion that simulate() makes with `settings`, as complete_settings gives them.
   virtual Guarantees guarantees(const Settings& settings) const = 0;
+  /// What the control does on `path`, as the machine runs it, that the model leaves out: a sentence each,
+  /// translatable.
+  virtual std::vector<const char*> left_out(const Toolpath& /*path*/, const Settings& /*settings*/) const {
+    return {};
+  }
   /// What the control reads in the text of `toolpath`, where it reads it in a way of its own: its path and
   /// the lines that it refuses. Else `toolpath` as it is. Throws Cancelled when stopped.
   ControlReading read(std::shared_ptr<const Toolpath> toolpath, const Settings& settings,

@@ -228,6 +228,18 @@ std::shared_ptr<const Toolpath> with_cutting_feeds(std::shared_ptr<const Toolpat
   return changed;
 }
 
+std::shared_ptr<const Toolpath> with_block_time(std::shared_ptr<const Toolpath> path,
+                                                const Settings& settings) {
+  const double time = units::from_ms(given(settings, block_time_key).value_or(0));
+  if (!(time > 0)) {
+    return path;
+  }
+  auto changed = std::make_shared<Toolpath>(*path);
+  changed->programmed = path->programmed ? path->programmed : std::move(path);
+  changed->block_time = time;
+  return changed;
+}
+
 }  // namespace
 
 std::shared_ptr<const Toolpath> on_machine(std::shared_ptr<const Toolpath> path, const Machine& machine,
@@ -236,6 +248,7 @@ std::shared_ptr<const Toolpath> on_machine(std::shared_ptr<const Toolpath> path,
     path = path->programmed;
   }
   path = with_cutting_feeds(with_feed_override(std::move(path), settings), settings);
+  path = with_block_time(std::move(path), settings);
   path = with_rotary_moves(std::move(path), machine, settings, progress);
   return path->pauses.empty() ? path : Resolver(path, settings).run();
 }

@@ -12,12 +12,12 @@
 namespace feedscope {
 
 /// The same path as a machine runs it, with these machine_settings(): feeds are times the feed override and
-/// within the cutting feeds of X, Y and Z, tool changes and spindle starts take the times that are given, and
-/// moves whose two ends are known become lines, rapids where the program gives no feed. What the settings do
-/// not say stays as it is. Every segment keeps its index but for pauses in which the machine's rotary axes
-/// turn, see with_rotary_moves(). A path that was made for a machine is worked out anew from that of the
-/// program (Toolpath::programmed). Returns `path` itself where nothing changes. Throws Cancelled when
-/// stopped.
+/// within the cutting feeds of X, Y and Z, blocks take block_time_ms at least, tool changes and spindle
+/// starts take the times that are given, and moves whose two ends are known become lines, rapids where the
+/// program gives no feed. What the settings do not say stays as it is. Every segment keeps its index but for
+/// pauses in which the machine's rotary axes turn, see with_rotary_moves(). A path that was made for a
+/// machine is worked out anew from that of the program (Toolpath::programmed). Returns `path` itself where
+/// nothing changes. Throws Cancelled when stopped.
 std::shared_ptr<const Toolpath> on_machine(std::shared_ptr<const Toolpath> path, const Machine& machine,
                                            const Settings& settings, const Progress* progress = nullptr);
 

@@ -173,6 +173,7 @@ struct Toolpath {
   std::vector<TurnPart> turn_parts;                 ///< of segments whose limits differ along them, by place
   std::shared_ptr<const TurnCeiling> turn_ceiling;  ///< that made them; null where no rotary axis turns
   PartOnMachine part;                               ///< rotary_turns and segment_turns are worked out with it
+  double block_time = 0;                            ///< least time that the control takes for a block [s]
   /// The path of the program that on_machine() made this one of; null: this is it.
   std::shared_ptr<const Toolpath> programmed;
   std::vector<RotaryTurn> rotary_turns;        ///< what they came to on the machine

@@ -69,6 +69,7 @@ class Trajectory {
   double path_length() const { return content_.path.length(); }  ///< executed [mm]
   const BlendedPath& path() const { return content_.path; }
   const Content& content() const { return content_; }
+  Content take() && { return std::move(content_); }
   const std::vector<Piece>& pieces() const { return content_.pieces; }
   const std::vector<FilteredMotion>& motions() const { return content_.motions; }
   /// Largest distance of a programmed point that the control leaves out from the executed path [mm].

@@ -339,6 +339,11 @@ QString WhyText::limit_sentence(const Reason& reason, const State& state) {
     case CauseKind::interpolation_period:
       return tr("The block is %1 long and takes the control at least one interpolation period, %2.")
           .arg(of_symbol(reason, Symbol::block_length), of_symbol(reason, Symbol::period));
+    case CauseKind::block_time:
+      return tr("The block is %1 long and takes the control at least %2 to prepare: longer blocks, with "
+                "fewer "
+                "points, are faster.")
+          .arg(of_symbol(reason, Symbol::block_length), of_symbol(reason, Symbol::block_time));
     case CauseKind::contour_tolerance:
       return is_of_joints(reason) ? joint_sentence(reason) : tolerance_sentence(reason);
     case CauseKind::lookahead_horizon:

@@ -45,6 +45,13 @@ std::size_t ElementLimits::block(std::uint32_t element) const {
   return path_.base_segment_of(element);
 }
 
+double ElementLimits::shortest_block(std::uint32_t element) const {
+  const SpeedBound ceiling = path_.kind(element) == ElementKind::curve
+                                 ? programmed_speed_of_span(path_, element, axes_.velocity)
+                                 : element_ceiling(path_, element, axes_.velocity);
+  return ceiling.value * path_.programmed()->block_time;
+}
+
 const Arc* ElementLimits::programmed_arc(std::uint32_t element) const {
   const Toolpath& path = *path_.programmed();
   const Segment& segment = path.segments[path_.segment(element)];
@@ -303,6 +310,11 @@ Formula ElementLimits::speed(Cause cause, std::uint32_t element) const {
       feed = programmed_speed_of_span(path_, element, axes_.velocity).value;
     }
     return {FormulaId::programmed_feed, {{Symbol::feed, -1, feed}}};
+  }
+  if (cause.kind == CauseKind::block_time) {
+    return {FormulaId::block_time,
+            {{Symbol::block_length, -1, shortest_block(element)},
+             {Symbol::block_time, -1, programmed.block_time}}};
   }
   if (kind == ElementKind::curve) {
     return curve_speed(cause, element);

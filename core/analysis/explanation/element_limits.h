@@ -48,6 +48,8 @@ class ElementLimits {
   Formula curve_speed(Cause cause, std::uint32_t element) const;
   Formula curve_ramp(bool by_jerk, std::uint32_t element) const;
   std::size_t block(std::uint32_t element) const;
+  /// Of those that an element is on, where their time limits the feed [mm].
+  double shortest_block(std::uint32_t element) const;
   Formula stop_within(std::uint32_t element) const;
   Formula acceleration_along(std::uint32_t element) const;
   Formula velocity_along(std::uint32_t element) const;

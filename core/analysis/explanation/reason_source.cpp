@@ -63,6 +63,8 @@ std::string_view source_of(FormulaId id, const LimitTraits& traits) {
       return "Ward 2021, eq 25 to 30";
     case FormulaId::arc_error:
       return "Ward 2021, eq 1, on a circle";
+    case FormulaId::block_time:
+      return "one block each t_b";
     case FormulaId::junction_deviation:
     case FormulaId::square_corner:
     case FormulaId::corner_within_blocks:

@@ -252,6 +252,9 @@ void add_for(Candidates& candidates, Cause cause, const Setup& setup) {
         candidates.set("compaction_mm", std::max(usual_length, 2 * setup.settings.number("compaction_mm")));
       }
       break;
+    case CauseKind::block_time:
+      candidates.setting(block_time_key, 0.5);
+      break;
     case CauseKind::curvature_crossing:
       candidates.setting("interpolation_period_s", 2);
       break;

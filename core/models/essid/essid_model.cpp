@@ -54,7 +54,8 @@ const ModelInfo& EssidModel::info() const {
                           "the paper does not cover, keep the static limits of Tapie 2007."),
         with_compressor({alpha, used_tolerance_setting(), reading}),
         {"contour_tolerance_mm", "program_tolerance", "interpolation_period_s", "lookahead_blocks",
-         "radial_acceleration_share", "radial_jerk_share", "merge_collinear_mm"},
+         "radial_acceleration_share", "radial_jerk_share", "merge_collinear_mm", "block_time_ms",
+         "exact_stop_window_um"},
         {QT_TRANSLATE_NOOP("core",
                            "reading corrected, published: at the entry of a blend the radial shares of "
                            "acceleration and jerk are kept. Further on, with equal axes and shares of 0.2, "

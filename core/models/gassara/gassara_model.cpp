@@ -105,7 +105,8 @@ const ModelInfo& GassaraModel::info() const {
           "junctions keep the static limits of Tapie 2007."),
       {used_tolerance_setting()},
       {"contour_tolerance_mm", "program_tolerance", "interpolation_period_s", "lookahead_blocks",
-       "radial_acceleration_share", "radial_jerk_share", "merge_collinear_mm"},
+       "radial_acceleration_share", "radial_jerk_share", "merge_collinear_mm", "block_time_ms",
+       "exact_stop_window_um"},
       {QT_TRANSLATE_NOOP(
           "core",
           "On blends the shares of the least acceleration and jerk of the axes are kept: of the acceleration "

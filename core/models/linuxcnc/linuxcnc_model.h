@@ -9,6 +9,7 @@ class LinuxCncModel : public ControlModel {
  public:
   const ModelInfo& info() const override;
   Guarantees guarantees(const Settings& settings) const override;
+  std::vector<const char*> left_out(const Toolpath& path, const Settings& settings) const override;
 
  private:
   Trajectory do_simulate(const std::shared_ptr<const Toolpath>& toolpath, const Machine& machine,

@@ -141,6 +141,19 @@ LinuxCncWaits::Found waits_of(std::string_view line) {
 
 }  // namespace
 
+bool switches_coolant(const SourceText& source) {
+  bool found = false;
+  for (std::uint32_t number = 1; number <= source.line_count() && !found; ++number) {
+    const std::string_view line = source.line(number);
+    if (line.find_first_of("mM") != std::string_view::npos) {
+      for_each_word(line, [&](char letter, double value) {
+        found = found || (letter == 'M' && (value == 7 || value == 8 || value == 9));
+      });
+    }
+  }
+  return found;
+}
+
 void LinuxCncWaits::take(std::uint32_t first, std::uint32_t last, Found& all) const {
   for (std::uint32_t number = first; number <= last; ++number) {
     const Found found = waits_of(toolpath_.source->line(number));

@@ -33,4 +33,7 @@ class LinuxCncWaits {
   std::uint32_t without_from_ = std::numeric_limits<std::uint32_t>::max();  ///< nor does any from this one on
 };
 
+/// Whether a line has M7, M8 or M9.
+bool switches_coolant(const SourceText& source);
+
 }  // namespace feedscope

@@ -49,7 +49,8 @@ const ModelInfo& MsaddekModel::info() const {
             "does not cover, keep the static limits of arcs and lines or are exact stops."),
         with_compressor({compaction, law}),
         {"contour_tolerance_mm", "program_tolerance", "interpolation_period_s", "lookahead_blocks",
-         "curvilinear_jerk_m_s3", "tangential_share", "merge_collinear_mm"},
+         "curvilinear_jerk_m_s3", "tangential_share", "merge_collinear_mm", "block_time_ms",
+         "exact_stop_window_um"},
         {QT_TRANSLATE_NOOP("core",
                            "Points that compaction omits stay within the tolerance of the chord; a corner "
                            "blend may deviate from the chord in addition."),

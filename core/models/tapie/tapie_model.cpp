@@ -19,7 +19,7 @@ const ModelInfo& TapieModel::info() const {
           "Corners are exact stops: the paper states that the control rounds them, but not how."),
       {},
       {"interpolation_period_s", "lookahead_blocks", "curvilinear_jerk_m_s3", "tangential_share",
-       "merge_collinear_mm"},
+       "merge_collinear_mm", "block_time_ms", "exact_stop_window_um"},
       {QT_TRANSLATE_NOOP("core",
                          "On arcs the tangential and the radial acceleration each keep the axis limits at "
                          "the place where the steady feed is reached, and so do the two parts of the jerk "

@@ -96,7 +96,8 @@ const ModelInfo& WardModel::info() const {
                           "axis. On arcs, which the paper does not cover, the pulses follow the tangent; "
                           "they keep the static limits of Tapie 2007 and, as at corners, the tolerance."),
         with_smoothed_points({filters, jerk, time, enforce}),
-        {"contour_tolerance_mm", "program_tolerance", "merge_collinear_mm"},
+        {"contour_tolerance_mm", "program_tolerance", "merge_collinear_mm", "block_time_ms",
+         "exact_stop_window_um"},
         {QT_TRANSLATE_NOOP(
              "core",
              "A filtered velocity is an average of commanded ones, which keeps the axes' velocities."),

@@ -1,5 +1,6 @@
 #include "core/analysis/explanation/explanation.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -90,6 +91,21 @@ TEST(Explanation, ShortBlocksAreLimitedByTheInterpolationPeriod) {
   EXPECT_EQ(number(reason, Symbol::period), 0.002);
   EXPECT_NEAR(units::to_mm_min(reason.formula.value()), 3000, 1e-6);
   EXPECT_TRUE(reason.sets_it());
+}
+
+TEST(Explanation, BlockTimeSaysTheLengthOfTheBlock) {
+  std::string program = "G1 G90 F9600\n";
+  for (int i = 1; i <= 200; ++i) {
+    program += fmt::format("X{} Y{}\n", i * 0.4, i % 2 * 0.001);
+  }
+  for (const char* model : {"tapie", "essid", "gassara", "msaddek", "ward"}) {
+    SCOPED_TRACE(model);
+    const SimulatedRun run = run_of(text(program + "M30\n"), model, "spinner-mvc850", {"block_time_ms=8"});
+    const Reason reason = first_with(run, CauseKind::block_time).reason;
+    EXPECT_NEAR(number(reason, Symbol::block_length), 0.4, 1e-5);
+    EXPECT_EQ(number(reason, Symbol::block_time), 0.008);
+    EXPECT_NEAR(units::to_mm_min(reason.formula.value()), 3000, 0.1);
+  }
 }
 
 TEST(Explanation, BlendOfEssidIsEnteredAtItsLimit) {

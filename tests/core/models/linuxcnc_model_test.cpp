@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "core/analysis/run.h"
+#include "core/analysis/run_notes.h"
 #include "core/export/export.h"
 #include "core/machine/import/machine_import.h"
 #include "tests/support/folders.h"
@@ -18,6 +19,7 @@ namespace {
 
 using std::numbers::pi;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 constexpr double acceleration = 1000;  // [mm/s2]
@@ -240,6 +242,26 @@ TEST(LinuxCncModel, RoundsCornersBetweenRapidsAsRapids) {
 
 TEST(LinuxCncModel, RoundsNothingUnderAnExactStop) {
   EXPECT_EQ(run("G21 G90 G61\nG1 X20 F3000\nY20\nM2\n").blend_count(), 0U);
+}
+
+/// A run says what of the control its model has not: rotary axes that turn alone, and waits for coolant.
+TEST(LinuxCncLeavesOut, WhatItsRunsName) {
+  const auto notes = [](const std::string& text, const std::string& model) {
+    const struct Setup setup = make_setup({.machine = "five-axis-table-ac", .model = model});
+    const LoadedProgram loaded = load_program(std::make_shared<const SourceText>("test.ngc", text));
+    std::string all;
+    for (const std::string& note : run_notes(loaded, setup)) {
+      all += note + '\n';
+    }
+    return all;
+  };
+  const std::string plain = "G21 G64 P0.01\nG1 X10 F1000\n(no M8)\nM8000\nX20 ;M8\nM2\n";
+  EXPECT_THAT(notes(plain, "linuxcnc"), Not(HasSubstr("coolant")));
+  EXPECT_THAT(notes(plain, "linuxcnc"), Not(HasSubstr("turn alone")));
+  const std::string both = "G21 G64 P0.01\nG1 X10 F1000\nM08\nA10\nX20\nM2\n";
+  EXPECT_THAT(notes(both, "linuxcnc"), HasSubstr("coolant"));
+  EXPECT_THAT(notes(both, "linuxcnc"), HasSubstr("turn alone"));
+  EXPECT_THAT(notes(both, "essid"), Not(HasSubstr("coolant")));
 }
 
 }  // namespace
