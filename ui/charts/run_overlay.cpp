@@ -12,8 +12,8 @@ std::vector<RunOverlay> other_runs(const RunList& runs) {
     const auto result = runs.result(row);
     const RunItem& item = runs.items()[row];
     if (row != runs.current() && item.visible && result != nullptr) {
-      others.push_back(
-          {result->run.trajectory, result->envelope, result->run.sources, item.colour, runs.title(item)});
+      others.push_back({result->run.trajectory, result->envelope, result->run.sources, item.colour,
+                        runs.lettered_title(row)});
     }
   }
   return others;

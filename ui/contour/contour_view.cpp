@@ -193,7 +193,7 @@ ContourCurves ContourView::curves() const {
     const auto report = runs.result(row) == nullptr ? nullptr : job_.report(runs.result(row));
     if (report != nullptr) {
       const RunItem& item = runs.items()[row];
-      shown.runs.push_back({runs.title(item), item.colour, report->largest, report->spread});
+      shown.runs.push_back({runs.lettered_title(row), item.colour, report->largest, report->spread});
     }
     return report;
   };

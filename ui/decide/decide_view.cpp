@@ -360,7 +360,7 @@ void DecideView::show_chart() {
     const auto result = runs_.result(row);
     if (result != nullptr && !is_refused(result->run)) {
       dots.push_back({row, result->run.summary.cycle_time, deciding_error(result->run.summary),
-                      names[static_cast<qsizetype>(row)], runs_.items()[row].colour,
+                      runs_.lettered(row, names[static_cast<qsizetype>(row)]), runs_.items()[row].colour,
                       taken && taken->run == row, row == runs_.current()});
     }
   }
@@ -384,7 +384,7 @@ void DecideView::show_table() {
     const QStringList names = short_run_titles(runs_.items(), runs_.feed_controls());
     const auto taken = recommended(runs_);
     for (std::size_t row = 0; row < runs_.items().size(); ++row) {
-      add_row(row, names[static_cast<qsizetype>(row)], taken);
+      add_row(row, runs_.lettered(row, names[static_cast<qsizetype>(row)]), taken);
     }
     table_->setCurrentItem(table_->topLevelItem(static_cast<int>(runs_.current())));
     const auto rows = static_cast<int>(std::min(most_rows, runs_.items().size()));
@@ -400,7 +400,7 @@ void DecideView::add_row(std::size_t row, const QString& name, const std::option
   item->setCheckState(name_column, run.visible ? Qt::Checked : Qt::Unchecked);
   item->setIcon(name_column, line_icon(run, row, *this));
   item->setText(name_column, name);
-  item->setToolTip(name_column, run_letter(row) + QStringLiteral(": ") + runs_.title(run));
+  item->setToolTip(name_column, runs_.title(run));
   const auto result = runs_.result(row);
   if (result == nullptr) {
     const RunStatus status = runs_.status(row);

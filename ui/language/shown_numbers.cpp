@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ui/language/core_texts.h"
+#include "ui/language/signed_number.h"
 
 namespace feedscope::ui {
 
@@ -61,7 +62,9 @@ int decimals_of(Dimension dimension, int metric_decimals) {
 }
 
 QString number_text(double value, Dimension dimension, int metric_decimals) {
-  return QLocale().toString(in_shown_unit(value, dimension), 'f', decimals_of(dimension, metric_decimals));
+  const int decimals = decimals_of(dimension, metric_decimals);
+  const double number = in_shown_unit(value, dimension);
+  return number < 0 ? signed_number(number, decimals) : QLocale().toString(number, 'f', decimals);
 }
 
 QString amount_text(double value, Dimension dimension, int metric_decimals) {

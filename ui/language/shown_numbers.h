@@ -33,7 +33,7 @@ inline double from_shown_unit(double number, Dimension dimension) {
 
 /// Decimals of a number that has `metric_decimals` in metric units, for about the same resolution.
 int decimals_of(Dimension dimension, int metric_decimals);
-/// By the locale, without unit; -1: the usual decimals of the dimension.
+/// By the locale with a true minus, without unit; -1: the usual decimals of the dimension.
 QString number_text(double value, Dimension dimension, int metric_decimals = -1);
 /// "12.5 mm".
 QString amount_text(double value, Dimension dimension, int metric_decimals = -1);

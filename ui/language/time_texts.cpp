@@ -114,14 +114,15 @@ QString TimeTexts::in_common(const SlowGroup& group) {
 }
 
 QString TimeTexts::change(double seconds) {
-  if (std::abs(seconds) < nothing) {
-    return QStringLiteral("0");
-  }
-  return tr("%1%2 s").arg(QString(QChar(seconds < 0 ? 0x2212 : '+')), seconds_text(seconds));
+  return std::abs(seconds) < nothing ? QStringLiteral("0")
+                                     : QChar(seconds < 0 ? 0x2212 : '+') + gain(std::abs(seconds));
 }
 
 QString TimeTexts::gain(double seconds) {
-  return tr("%1 s").arg(QLocale().toString(seconds, 'f', decimals_of_gain(seconds)));
+  constexpr double minute = 60;
+  return std::abs(seconds) < minute
+             ? tr("%1 s").arg(QLocale().toString(seconds, 'f', decimals_of_gain(seconds)))
+             : clock_text(seconds);
 }
 
 QString TimeTexts::percent(double part, double of) {

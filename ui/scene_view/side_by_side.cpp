@@ -345,7 +345,7 @@ void SideBySide::show_overlays() {
     const RunItem& item = runs.items()[row];
     // In a split view the other run has its half.
     if (row != runs.current() && item.visible && result != nullptr && mode_ != ScenesMode::split) {
-      overlays.push_back({result->samples, rgb(item.colour), runs.title(item).toStdString()});
+      overlays.push_back({result->samples, rgb(item.colour), runs.lettered_title(row).toStdString()});
     }
   }
   const TraceList& traces = workbench_.traces();

@@ -7,22 +7,13 @@
 
 #include "ui/language/remedy_text.h"
 #include "ui/language/texts.h"
+#include "ui/language/time_texts.h"
 
 namespace feedscope::ui {
 
 namespace {
 
 constexpr double nothing = 5e-4;  // a gain that no digit shows [s]
-
-/// "−0.123 s", with a sign that is as wide as a plus.
-QString difference_text(double seconds) {
-  if (std::abs(seconds) < nothing) {
-    return QStringLiteral("0");
-  }
-  const int decimals = std::abs(seconds) < 1 ? 3 : 2;
-  const QString amount = QLocale().toString(std::abs(seconds), 'f', decimals);
-  return RemedyTable::tr("%1%2 s").arg(QString(QChar(seconds < 0 ? 0x2212 : '+')), amount);
-}
 
 /// "" where it would be 0.0.
 QString percent_text(double change, double of) {
@@ -110,11 +101,11 @@ QString RemedyTable::text(const Row& row, int column) const {
       return clock_text(row.trial->cycle_time);
     case gain:
       return QStringLiteral("%1\n%2")
-          .arg(difference_text(total), percent_text(total, before_.cycle_time))
+          .arg(TimeTexts::change(total), percent_text(total, before_.cycle_time))
           .trimmed();
     default:
       return QStringLiteral("%1\n%2")
-          .arg(difference_text(passage), percent_text(passage, before_.passage_time))
+          .arg(TimeTexts::change(passage), percent_text(passage, before_.passage_time))
           .trimmed();
   }
 }
