@@ -76,6 +76,16 @@ TEST_F(ReportCommand, TheSameCallGivesTheSameBytes) {
   }
 }
 
+TEST_F(ReportCommand, TheDesktopsLanguageChangesNoByte) {
+  for (const std::string of : {"report corner.nc --brief --tolerance 0.1 --tolerance 0.02 --out ",
+                               "render corner.nc --view sheet --out "}) {
+    const std::string ending = of.starts_with("report") ? ".html" : ".svg";
+    EXPECT_EQ(run(of + "plain" + ending, no_display).code, 0);
+    EXPECT_EQ(run(of + "german" + ending, std::string(no_display) + " LC_ALL=de_DE.UTF-8").code, 0);
+    EXPECT_EQ(contents(folder_ / ("plain" + ending)), contents(folder_ / ("german" + ending))) << of;
+  }
+}
+
 TEST_F(ReportCommand, CommandsOfAReportRun) {
   write("it's a part.nc", "G1 X20 F3000\nY20\n");
   ASSERT_EQ(report("\"it's a part.nc\" --set alpha=2 --out r.html").code, 0);

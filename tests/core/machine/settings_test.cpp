@@ -35,7 +35,7 @@ auto fails_with(const std::string& message) {
 }
 
 TEST(CommonSettings, HaveTitleExplanationAndAFallbackInBounds) {
-  EXPECT_EQ(common_settings().size(), 9U + machine_settings().size());
+  EXPECT_EQ(common_settings().size(), 11U + machine_settings().size());
   for (const SettingSpec& spec : common_settings()) {
     EXPECT_FALSE(spec.title.empty()) << spec.key;
     EXPECT_FALSE(spec.explanation.empty()) << spec.key;
