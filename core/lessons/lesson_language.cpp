@@ -148,7 +148,7 @@ const std::map<std::string, std::string>& french_words() {
       {"Circular-arc blends at constant speed", "Raccords en arc de cercle à vitesse constante"},
       {"Circular interpolation (Sinumerik 840D)", "Interpolation circulaire (Sinumerik 840D)"},
       {"Connecting arcs, static and dynamic look-ahead (Sinumerik 840D, TNC 430)",
-       "Arcs de raccordement, anticipation statique et dynamique (Sinumerik 840D, TNC 430)"},
+       "Arcs de raccord, anticipation statique et dynamique (Sinumerik 840D, TNC 430)"},
       {"Velocity pulses through FIR filters (Heidenhain TNC 640)",
        "Impulsions de vitesse et filtres RIF (Heidenhain TNC 640)"},
       {"Time-optimal bound", "Borne en temps optimal"},
