@@ -51,6 +51,15 @@ const std::map<std::string, std::string>& french_words() {
       {"What limits the feed along the path: {}.",
        "Ce qui limite l’avance le long de la trajectoire\u00a0: {}."},
       {"Values tried", "Valeurs essayées"},
+      {"my value:", "ma valeur\u00a0:"},
+      {"Before you look", "Avant de regarder"},
+      {"On my control", "Sur ma commande"},
+      {"Path of {}.", "Trajectoire ({})."},
+      // Lists
+      {"Half a day, {} minutes: lessons {}", "Une demi-journée, {} minutes\u00a0: leçons {}"},
+      {"Two days: all, with own programs after 4, 8 and 12",
+       "Deux jours\u00a0: toutes, avec des programmes personnels après 4, 8 et 12"},
+      {"half day", "demi-journée"},
       // Claims
       {"as the lesson begins", "au départ de la leçon"},
       {"with {}", "avec {}"},

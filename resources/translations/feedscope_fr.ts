@@ -12107,12 +12107,28 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <translation>&amp;Documents à distribuer</translation>
     </message>
     <message>
-        <source>Lessons %1 to %2</source>
-        <translation>Leçons %1 à %2</translation>
+        <source>Half a &amp;day</source>
+        <translation>&amp;Demi-journée</translation>
+    </message>
+    <message>
+        <source>T&amp;wo days</source>
+        <translation>De&amp;ux jours</translation>
     </message>
 </context>
 <context>
     <name>feedscope::ui::LessonView</name>
+    <message>
+        <source>A course of half a day: %1. Of two days: all.</source>
+        <translation>Un cours d’une demi-journée&#xa0;: %1. De deux jours&#xa0;: toutes.</translation>
+    </message>
+    <message>
+        <source>Before you look</source>
+        <translation>Avant de regarder</translation>
+    </message>
+    <message>
+        <source>On my control</source>
+        <translation>Sur ma commande</translation>
+    </message>
     <message>
         <source>Text of the lesson</source>
         <translation>Texte de la leçon</translation>
