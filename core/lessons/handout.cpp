@@ -31,7 +31,7 @@ table.question td { break-inside: avoid; }
 .question h2 { margin-top: 0; }
 .hint { color: #555; font-size: 13px; }
 table.lines { border-collapse: collapse; width: 100%; }
-table.lines td { border-bottom: 1px solid #999; height: 30px; font-size: 17px; }
+table.lines td { border-bottom: 1px solid #999; height: 27px; font-size: 17px; }
 table.blank { border-collapse: collapse; width: 100%; margin: 8px 0; }
 table.blank td, table.blank th { border: 1px solid #999; padding: 3px 6px; font-size: 12px; text-align: left; height: 22px; }
 table.claims { border-collapse: collapse; width: 100%; margin: 6px 0 12px; }
@@ -126,15 +126,16 @@ std::string task_html(const Question& question, std::size_t number, const Handou
   const auto word = [&](const std::string& english) { return lesson_word(english, language); };
   std::string html = fmt::format("<h2>{} {}</h2>\n{}", word("Question"), number,
                                  markdown_as_html(filled(question.text, numbers)));
+  std::string first;
   if (!question.with.empty()) {
     std::vector<std::string> set;
     for (const std::string& assignment : question.with) {
       set.push_back(change_text(assignment, language, contents.words));
     }
-    html += fmt::format("<p><b>{}</b> {}</p>\n", word("First set"),
-                        escaped(fmt::format("{}", fmt::join(set, "; "))));
+    first =
+        fmt::format("<b>{}</b> {}<br>", word("First set"), escaped(fmt::format("{}", fmt::join(set, "; "))));
   }
-  html += fmt::format("<p><b>{}</b> {}<br><b>{}</b> {}</p>\n", word("Move"),
+  html += fmt::format("<p>{}<b>{}</b> {}<br><b>{}</b> {}</p>\n", first, word("Move"),
                       escaped(control_text(question.control, language, contents.words)), word("Watch"),
                       escaped(watched_text(question, language)));
   if (!question.hint.empty() && contents.reader != HandoutReader::learners) {
@@ -172,7 +173,7 @@ std::string blank_table(const Question& question, const HandoutContents& content
 std::string learners_question(const Lesson& lesson, std::size_t index, const HandoutContents& contents) {
   const Question& question = lesson.questions[index];
   std::string html = "<table class=\"question\" width=\"100%\"><tr><td>\n";
-  constexpr int lines = 3;
+  constexpr int lines = 2;
   html += task_html(question, index + 1, contents, lesson.language) +
           blank_table(question, contents, lesson.language) + empty_lines(lines);
   return html + "</td></tr></table>\n";
@@ -279,7 +280,7 @@ std::string handout_html(const Lesson& lesson, const HandoutContents& contents) 
     html += fmt::format("<p><b>{}</b></p>\n", word(of_teacher ? "For the teacher" : "For learners"));
   }
   html += setup_table(lesson, contents.words) + markdown_as_html(filled(lesson.text, contents.numbers)) +
-          contents.figures + written_part("Before you look", lesson.predict, 3, lesson, contents);
+          contents.figures + written_part("Before you look", lesson.predict, 2, lesson, contents);
   for (std::size_t i = 0; i < lesson.questions.size(); ++i) {
     html += of_teacher ? answer_html(lesson, i, contents, true) : learners_question(lesson, i, contents);
   }

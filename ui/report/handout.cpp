@@ -62,14 +62,14 @@ ReportPage handout_page(const Lesson& lesson, LessonRuns& runs, HandoutReader re
   ReportInput input = input_of(lesson, runs, progress);
   input.texts = texts;
   ReportPage page{{}, ReportPictures(progress)};
-  constexpr double view_height = 270;
   constexpr double charts_height = 360;
   const auto caption = [&](const char* english) {
     return QString::fromStdString(fmt::format(fmt::runtime(lesson_word(english, lesson.language)),
                                               html_text(input.run().name).toStdString()));
   };
   const bool of_teacher = reader == HandoutReader::teacher;
-  if (!of_teacher) {  // who has to predict sees the path and nothing else
+  const double view_height = of_teacher ? 270 : 180;  // what learners fill in has two pages
+  if (!of_teacher) {                                  // who has to predict sees the path and nothing else
     input.scene.colouring = Colouring::run;
   }
   QString figures;
