@@ -41,12 +41,26 @@ struct LessonsOptions {
   std::string reader = handout_readers().front();
 };
 
+/// The lessons in their order, and the two ways through them.
 void list_lessons(const std::string& language) {
+  const auto word = [&](const char* english) { return lesson_word(english, language); };
+  std::vector<std::size_t> half_day;
+  double minutes = 0;
+  std::size_t number = 0;
   for (const std::filesystem::path& file : shipped_lessons()) {
     const Lesson lesson = read_lesson(file, language);
-    fmt::print("{}: {} ({} min)\n    {}\n", lesson.id, lesson.title, lesson.minutes,
-               wrapped(lesson.learn, 4));
+    ++number;
+    if (lesson.half_day) {
+      half_day.push_back(number);
+      minutes += lesson.minutes;
+    }
+    fmt::print("{}: {} ({} min{})\n    {}\n", lesson.id, lesson.title, lesson.minutes,
+               lesson.half_day ? ", " + word("half day") : "", wrapped(lesson.learn, 4));
   }
+  fmt::print("\n{}\n{}\n",
+             fmt::format(fmt::runtime(word("Half a day, {} minutes: lessons {}")), minutes,
+                         fmt::join(half_day, ", ")),
+             word("Two days: all, with own programs after 4, 8 and 12"));
 }
 
 /// Paragraphs and list items of a Markdown text, each wrapped by itself; code as it is.
@@ -85,9 +99,17 @@ void show_lesson(const Lesson& lesson, const WrittenNumbers& numbers) {
   fmt::print("{} ({} {})\n{}\n\n", lesson.title, lesson.minutes, word("minutes"), wrapped(lesson.learn, 0));
   fmt::print("{} {}\n\n", word("Begins with"), wrapped(fmt::format("{}", fmt::join(lesson.start, ", ")), 4));
   print_text(filled(lesson.text, numbers), 0);
+  const auto print_part = [&](const char* heading, const std::string& text) {
+    if (!text.empty()) {
+      fmt::print("\n{}\n", word(heading));
+      print_text(filled(text, numbers), 2);
+    }
+  };
+  print_part("Before you look", lesson.predict);
   for (std::size_t i = 0; i < lesson.questions.size(); ++i) {
     print_question(lesson.questions[i], i + 1, numbers, lesson.language);
   }
+  print_part("On my control", lesson.transfer);
   fmt::print("\n{}\n", word("Answers"));
   for (std::size_t i = 0; i < lesson.questions.size(); ++i) {
     fmt::print("\n  {}.\n", i + 1);

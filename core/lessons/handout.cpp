@@ -26,12 +26,12 @@ code { font-family: "DejaVu Sans Mono", monospace; font-size: 12px; }
 table.setup { border-collapse: collapse; margin: 11px 0; }
 table.setup td { padding: 2px 19px 2px 0; vertical-align: top; }
 .name { color: #555; }
-table.question { border-collapse: collapse; width: 100%; margin: 19px 0; }
+table.question { border-collapse: collapse; width: 100%; margin: 14px 0; }
 table.question td { break-inside: avoid; }
 .question h2 { margin-top: 0; }
 .hint { color: #555; font-size: 13px; }
 table.lines { border-collapse: collapse; width: 100%; }
-table.lines td { border-bottom: 1px solid #999; height: 30px; font-size: 17px; }
+table.lines td { border-bottom: 1px solid #999; height: 27px; font-size: 17px; }
 table.blank { border-collapse: collapse; width: 100%; margin: 8px 0; }
 table.blank td, table.blank th { border: 1px solid #999; padding: 3px 6px; font-size: 12px; text-align: left; height: 22px; }
 table.claims { border-collapse: collapse; width: 100%; margin: 6px 0 12px; }
@@ -98,6 +98,27 @@ std::string watched_text(const Question& question, const std::string& language) 
   return title_of(question.watch, language) + (unit.empty() ? "" : fmt::format(" [{}]", unit));
 }
 
+std::string empty_lines(int count) {
+  std::string html = "<table class=\"lines\" width=\"100%\">\n";
+  for (int i = 0; i < count; ++i) {
+    html += "<tr><td>&nbsp;</td></tr>\n";
+  }
+  return html + "</table>\n";
+}
+
+/// A text to be answered or completed by hand; "" without one.
+std::string written_part(const char* heading, const std::string& text, int lines, const Lesson& lesson,
+                         const HandoutContents& contents) {
+  if (text.empty()) {
+    return {};
+  }
+  const std::string part = fmt::format("<h2>{}</h2>\n{}", lesson_word(heading, lesson.language),
+                                       markdown_as_html(filled(text, contents.numbers)));
+  return contents.reader == HandoutReader::teacher ? part
+                                                   : "<table class=\"question\" width=\"100%\"><tr><td>\n" +
+                                                         part + empty_lines(lines) + "</td></tr></table>\n";
+}
+
 /// What is asked, and what to do for it.
 std::string task_html(const Question& question, std::size_t number, const HandoutContents& contents,
                       const std::string& language) {
@@ -105,18 +126,19 @@ std::string task_html(const Question& question, std::size_t number, const Handou
   const auto word = [&](const std::string& english) { return lesson_word(english, language); };
   std::string html = fmt::format("<h2>{} {}</h2>\n{}", word("Question"), number,
                                  markdown_as_html(filled(question.text, numbers)));
+  std::string first;
   if (!question.with.empty()) {
     std::vector<std::string> set;
     for (const std::string& assignment : question.with) {
       set.push_back(change_text(assignment, language, contents.words));
     }
-    html += fmt::format("<p><b>{}</b> {}</p>\n", word("First set"),
-                        escaped(fmt::format("{}", fmt::join(set, "; "))));
+    first =
+        fmt::format("<b>{}</b> {}<br>", word("First set"), escaped(fmt::format("{}", fmt::join(set, "; "))));
   }
-  html += fmt::format("<p><b>{}</b> {}<br><b>{}</b> {}</p>\n", word("Move"),
+  html += fmt::format("<p>{}<b>{}</b> {}<br><b>{}</b> {}</p>\n", first, word("Move"),
                       escaped(control_text(question.control, language, contents.words)), word("Watch"),
                       escaped(watched_text(question, language)));
-  if (!question.hint.empty()) {
+  if (!question.hint.empty() && contents.reader != HandoutReader::learners) {
     html += fmt::format(
         "<div class=\"hint\">{}</div>\n",
         markdown_as_html(fmt::format(fmt::runtime(word("*Hint:* {}")), filled(question.hint, numbers))));
@@ -124,12 +146,11 @@ std::string task_html(const Question& question, std::size_t number, const Handou
   return html;
 }
 
-/// Room for the values that a learner tries.
+/// The values to try and one of the learner's own, with room for what they come to.
 std::string blank_table(const Question& question, const HandoutContents& contents,
                         const std::string& language) {
   const auto word = [&](const std::string& english) { return lesson_word(english, language); };
   const bool of_time = question.watch.spec->key == "cycle_time_s" && question.watch.first_line == 0;
-  constexpr std::size_t least_rows = 3;
   std::string html = "<table class=\"blank\" width=\"100%\" border=\"1\" cellspacing=\"0\"><tr>";
   html += fmt::format(
       "<th width=\"34%\">{} ({})</th><th width=\"33%\">{} [s]</th>", word("Values tried"),
@@ -138,10 +159,13 @@ std::string blank_table(const Question& question, const HandoutContents& content
   html += of_time ? std::string()
                   : fmt::format("<th width=\"33%\">{}</th>", escaped(watched_text(question, language)));
   html += "</tr>\n";
-  const std::size_t rows =
-      question.control.range ? least_rows : std::max(least_rows, question.control.values.size());
-  for (std::size_t i = 0; i < rows; ++i) {
-    html += of_time ? "<tr><td>&nbsp;</td><td></td></tr>\n" : "<tr><td>&nbsp;</td><td></td><td></td></tr>\n";
+  std::vector<std::string> rows;
+  for (const std::string& value : question.control.values) {
+    rows.push_back(escaped(written_value(question.control, value, language, contents.words)));
+  }
+  rows.push_back(word("my value:"));
+  for (const std::string& row : rows) {
+    html += fmt::format("<tr><td>{}</td><td></td>{}</tr>\n", row, of_time ? "" : "<td></td>");
   }
   return html + "</table>\n";
 }
@@ -149,14 +173,10 @@ std::string blank_table(const Question& question, const HandoutContents& content
 std::string learners_question(const Lesson& lesson, std::size_t index, const HandoutContents& contents) {
   const Question& question = lesson.questions[index];
   std::string html = "<table class=\"question\" width=\"100%\"><tr><td>\n";
-  html += task_html(question, index + 1, contents, lesson.language) + figure_of(contents, index) +
-          blank_table(question, contents, lesson.language);
-  constexpr int lines = 3;
-  html += "<table class=\"lines\" width=\"100%\">\n";
-  for (int i = 0; i < lines; ++i) {
-    html += "<tr><td>&nbsp;</td></tr>\n";
-  }
-  return html + "</table>\n</td></tr></table>\n";
+  constexpr int lines = 2;
+  html += task_html(question, index + 1, contents, lesson.language) +
+          blank_table(question, contents, lesson.language) + empty_lines(lines);
+  return html + "</td></tr></table>\n";
 }
 
 /// What the answer builds on, with what the simulation gives for it.
@@ -260,20 +280,19 @@ std::string handout_html(const Lesson& lesson, const HandoutContents& contents) 
     html += fmt::format("<p><b>{}</b></p>\n", word(of_teacher ? "For the teacher" : "For learners"));
   }
   html += setup_table(lesson, contents.words) + markdown_as_html(filled(lesson.text, contents.numbers)) +
-          contents.figures;
+          contents.figures + written_part("Before you look", lesson.predict, 2, lesson, contents);
   for (std::size_t i = 0; i < lesson.questions.size(); ++i) {
     html += of_teacher ? answer_html(lesson, i, contents, true) : learners_question(lesson, i, contents);
   }
-  const std::string sources = sources_html(lesson);
+  html += written_part("On my control", lesson.transfer, 1, lesson, contents);
   if (contents.reader == HandoutReader::everybody) {
-    html += sources + fmt::format("<h1 class=\"answers\">{}</h1>\n", word("Answers"));
+    html += fmt::format("<h1 class=\"answers\">{}</h1>\n", word("Answers"));
     for (std::size_t i = 0; i < lesson.questions.size(); ++i) {
       html += answer_html(lesson, i, contents, false);
     }
-  } else {
-    html += sources;
   }
-  return html + "</body>\n</html>\n";
+  return html + (contents.reader == HandoutReader::learners ? std::string() : sources_html(lesson)) +
+         "</body>\n</html>\n";
 }
 
 }  // namespace feedscope

@@ -11,8 +11,8 @@
 
 namespace feedscope {
 
-/// Whom a hand-out is for: questions with room to write; answers with the numbers that they build on; both,
-/// the answers from a page of their own on.
+/// Whom a hand-out is for: prediction and questions with room to write, on two pages; hints and answers with
+/// the numbers that they build on; the learners' pages, then answers from a page of their own on.
 enum class HandoutReader : std::uint8_t { everybody, learners, teacher };
 /// "everybody", "learners", "teacher", in the order of HandoutReader.
 const std::vector<std::string>& handout_readers();
@@ -25,7 +25,7 @@ struct HandoutContents {
   WrittenNumbers numbers;                        ///< as LessonRuns::numbers()
   std::vector<std::vector<ClaimResult>> claims;  ///< of each question's claims; may be shorter
   std::string figures;                           ///< HTML of pictures of what the lesson begins with
-  std::vector<std::string> question_figures;     ///< HTML of a picture of each question; may be shorter
+  std::vector<std::string> question_figures;     ///< for the teacher, of each question; may be shorter
   SettingWords words = {};                       ///< titles with their units, in the language of the lesson
 };
 

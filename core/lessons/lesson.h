@@ -85,10 +85,15 @@ struct Lesson {
   std::string title;
   std::string learn;  ///< what one learns, a sentence or two
   double minutes = 0;
+  bool half_day = false;  ///< of the course of half a day; all are of that of two days
+  /// Ids of earlier lessons that this one answers for.
+  std::vector<std::string> replaces;
   std::vector<std::string> sources;
-  std::string text;  ///< Markdown with {numbers}
-  Changes start;     ///< program, machine, perhaps model, settings
-  LoadSetup load;    ///< how the tools are engaged; may be empty
+  std::string text;      ///< Markdown with {numbers}, as the next two
+  std::string predict;   ///< to be written down before anything is shown; may be ""
+  std::string transfer;  ///< a sentence about one's own control, to be completed; may be ""
+  Changes start;         ///< program, machine, perhaps model, settings
+  LoadSetup load;        ///< how the tools are engaged in the program of the start; may be empty
   LessonWindow window;
   std::map<std::string, LessonQuantity> numbers;
   std::map<std::string, GivenNumber> given;
@@ -131,8 +136,8 @@ Lesson parse_lesson(const std::string& text, const std::filesystem::path& file,
 
 /// The lessons of resources/lessons in the data folder, sorted by file name.
 std::vector<std::filesystem::path> shipped_lessons();
-/// The file of a lesson: by id, by the number or the name in an id, or an existing file. Throws InputError
-/// with the nearest id.
+/// The file of a lesson: by id, by the number or the name in an id, by those of a lesson that it replaces, or
+/// an existing file. Throws InputError with the nearest id.
 std::filesystem::path find_lesson(const std::string& id_or_file);
 
 }  // namespace feedscope

@@ -90,13 +90,15 @@ class LessonReader {
 
   Lesson read(const ConfigNode& root) {
     const std::string where = "the file";
-    root.check_keys(TranslatedTexts::with_languages({"title", "learn", "minutes", "sources", "text", "start",
+    root.check_keys(TranslatedTexts::with_languages({"title", "learn", "minutes", "course", "replaces",
+                                                     "sources", "text", "predict", "transfer", "start",
                                                      "window", "numbers", "given", "question"}),
                     where);
-    TranslatedTexts::check(root, {"title", "learn", "text"}, where);
+    TranslatedTexts::check(root, {"title", "learn", "text", "predict", "transfer"}, where);
     lesson_.title = texts_.plain(root, "title", where);
     lesson_.learn = texts_.plain(root, "learn", where);
     lesson_.minutes = whole_number(root.need("minutes", where), "'minutes' in the file", 1);
+    read_course(root, where);
     lesson_.sources = texts(root.need("sources", where), "'sources' in the file");
     read_start(root.need_table("start", where));
     if (root.find("window") != nullptr) {
@@ -105,12 +107,28 @@ class LessonReader {
     read_numbers(root);
     read_given(root);
     lesson_.text = texts_.with_numbers(root, "text", where);
+    lesson_.predict = optional_text(root, "predict", where);
+    lesson_.transfer = optional_text(root, "transfer", where);
     read_questions(root.need("question", where));
     finish_language();
     return std::move(lesson_);
   }
 
  private:
+  void read_course(const ConfigNode& root, const std::string& where) {
+    if (root.find("course") != nullptr) {
+      const Names courses{"half day", "two days"};
+      lesson_.half_day = one_of(root, "course", courses, where) == courses.front();
+    }
+    if (root.find("replaces") != nullptr) {
+      lesson_.replaces = texts(root.need("replaces", where), "'replaces' in the file");
+    }
+  }
+
+  std::string optional_text(const ConfigNode& table, const std::string& key, const std::string& where) {
+    return table.find(key) == nullptr ? std::string() : texts_.with_numbers(table, key, where);
+  }
+
   void read_start(const ConfigNode& table) {
     const std::string where = "[start]";
     table.check_keys({"program", "machine", "model", "load", "set"}, where);
@@ -434,9 +452,7 @@ class LessonReader {
       question.control =
           control(table.need_table("control", where), question.with, fmt::format("'control' of {}", where));
       question.watch = watch(table, where);
-      if (table.find("hint") != nullptr) {
-        question.hint = texts_.with_numbers(table, "hint", where);
-      }
+      question.hint = optional_text(table, "hint", where);
       question.answer = texts_.with_numbers(table, "answer", where);
       const ConfigNode& claims = table.need("claim", where);
       if (!claims.is_list() || claims.items().empty()) {

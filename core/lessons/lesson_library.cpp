@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <charconv>
+#include <map>
 
 #include "core/base/data_folder.h"
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
 #include "core/lessons/lesson.h"
+#include "core/machine/config_file.h"
 
 namespace feedscope {
 namespace {
@@ -28,6 +30,21 @@ bool is_called(const std::string& id, const std::string& name) {
     return error == std::errc() && end == text.data() + text.size() ? value : -1;
   };
   return number(name) >= 0 && number(name) == number(id.substr(0, underscore));
+}
+
+/// The lesson that each id stands for: that of a shipped one, or of an earlier one that it replaces.
+std::map<std::string, fs::path> files_by_id() {
+  std::map<std::string, fs::path> files;
+  for (const fs::path& file : shipped_lessons()) {
+    files[file.stem().string()] = file;
+    const ConfigNode root = read_config_file(file, "lesson");
+    if (const ConfigNode* replaces = root.find("replaces")) {
+      for (const ConfigNode& earlier : replaces->items()) {
+        files.emplace(earlier.text(), file);
+      }
+    }
+  }
+  return files;
 }
 
 /// A number that no lesson has is near to none of them.
@@ -74,11 +91,19 @@ fs::path find_lesson(const std::string& id_or_file) {
   if (fs::exists(id_or_file, ignored)) {
     return id_or_file;
   }
-  const std::string nearest = nearest_id(id_or_file, ids);
+  const std::map<std::string, fs::path> files = files_by_id();
+  std::vector<std::string> all;
+  for (const auto& [id, file] : files) {
+    all.push_back(id);
+    if (is_called(id, id_or_file)) {
+      return file;
+    }
+  }
+  const std::string nearest = nearest_id(id_or_file, all);
   throw InputError(fmt::format(
       "unknown lesson '{}': no id and no file; {}", id_or_file,
       nearest.empty() ? fmt::format("numbers 1 to {}, or ids: {}", ids.size(), fmt::join(ids, ", "))
-                      : fmt::format("did you mean '{}'?", nearest)));
+                      : fmt::format("did you mean '{}'?", files.at(nearest).stem().string())));
 }
 
 }  // namespace feedscope

@@ -30,14 +30,6 @@ std::string title_in(const SettingWords& words, const std::string& key) {
   return words.title ? words.title(key) : key;
 }
 
-std::string value_in(const SettingWords& words, const std::string& key, const std::string& value,
-                     const std::string& language) {
-  if (typed_number(value).value) {
-    return number_in(value, language);
-  }
-  return words.value ? words.value(key, value) : value;
-}
-
 /// As in lesson files, unless `words` call settings otherwise.
 std::string changes_text(const Changes& changes, const std::string& language, const SettingWords& words) {
   if (changes.empty()) {
@@ -219,11 +211,19 @@ std::string expectation_text(const Claim& claim, const std::string& language, co
   return bound;
 }
 
+std::string written_value(const Control& control, const std::string& value, const std::string& language,
+                          const SettingWords& words) {
+  if (typed_number(value).value) {
+    return number_in(value, language);
+  }
+  return words.value ? words.value(control.key, value) : value;
+}
+
 std::string control_text(const Control& control, const std::string& language, const SettingWords& words) {
   const std::string name = title_in(words, control.key);
   std::vector<std::string> values;
   for (const std::string& value : control.values) {
-    values.push_back(value_in(words, control.key, value, language));
+    values.push_back(written_value(control, value, language, words));
   }
   if (control.range) {
     return fmt::format(fmt::runtime(lesson_word("{}: from {} to {}", language)), name, values.front(),
@@ -253,6 +253,8 @@ std::vector<std::string> unchecked_numbers(const Lesson& lesson) {
   };
   look(lesson.learn, "'learn'");
   look(lesson.text, "the text");
+  look(lesson.predict, "'predict'");
+  look(lesson.transfer, "'transfer'");
   for (std::size_t i = 0; i < lesson.questions.size(); ++i) {
     const Question& question = lesson.questions[i];
     look(question.text, fmt::format("question {}", i + 1));

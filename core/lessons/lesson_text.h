@@ -35,6 +35,9 @@ std::string quantity_text(const LessonQuantity& quantity, const std::string& lan
 std::string unit_of(const LessonQuantity& quantity);
 /// A value of a quantity with its unit: "1.267 s", "12 %", "1.59".
 std::string value_text(const LessonQuantity& quantity, double value, const std::string& language = "en");
+/// A value of a control: "0.01", "on".
+std::string written_value(const Control& control, const std::string& value,
+                          const std::string& language = "en", const SettingWords& words = {});
 /// "contour_tolerance_mm: 0.01, 0.05, 0.1".
 std::string control_text(const Control& control, const std::string& language = "en",
                          const SettingWords& words = {});

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/analysis/contour/contour_errors.h"
 #include "core/analysis/line_times.h"
 #include "core/analysis/peak_search.h"
 #include "core/base/error.h"
@@ -83,8 +84,8 @@ std::vector<MeasureSpec> make_measures() {
       {"least_feed_m_min", "least feed", "m/min", 2, m_min, min_feed, needed},
       {"corner_feed_mm_min", "feed in the corner at the end", "mm/min", 0, mm_min, corner_feed, needed},
       {"corner_feed_m_min", "feed in the corner at the end", "m/min", 2, m_min, corner_feed, needed},
-      {"max_contour_error_mm", "contour error", "mm", 4, 1, contour_error},
-      {"max_contour_error_um", "contour error", "µm", 1, 1e-3, contour_error},
+      {"max_contour_error_mm", "contour error", "mm", 4, 1, contour_error, optional},
+      {"max_contour_error_um", "contour error", "µm", 1, 1e-3, contour_error, optional},
       {"path_length_mm", "path length", "mm", 2, 1, path_length, optional},
       {"blends", "corner blends", "", 0, 1, blends},
       {"peak_velocity_m_min", "largest velocity", "m/min", 2, m_min, peak_velocity, none, true},
@@ -371,6 +372,31 @@ LineTime line_time(const Measure& measure, const Run& run) {
   return time;
 }
 
+double contour_error_on_lines(const Measure& measure, const Trajectory& trajectory) {
+  const auto counts = [&](std::size_t element) {
+    const std::uint32_t line = trajectory.line_of(element);
+    return line >= measure.first_line && line <= measure.last_line;
+  };
+  double largest = -1;
+  for (std::size_t begin = 0; begin < trajectory.path().size(); ++begin) {
+    std::size_t end = begin;
+    while (end < trajectory.path().size() && counts(end)) {
+      ++end;
+    }
+    if (end > begin) {
+      ContourRequest request;
+      request.first_element = static_cast<std::uint32_t>(begin);
+      request.last_element = static_cast<std::uint32_t>(end);
+      largest = std::max(largest, contour_errors(trajectory, request).largest);
+      begin = end;
+    }
+  }
+  if (largest < 0) {
+    fail_without_motion(measure);
+  }
+  return largest;
+}
+
 double on_lines(const Measure& measure, const Run& run) {
   switch (measure.spec->what) {
     case cycle_time:
@@ -379,6 +405,8 @@ double on_lines(const Measure& measure, const Run& run) {
       return line_time(measure, run).mean_feed();
     case path_length:
       return line_time(measure, run).length;
+    case contour_error:
+      return contour_error_on_lines(measure, *run.trajectory);
     case corner_feed:
       return feed_in_corner(measure, *run.trajectory);
     case min_feed:

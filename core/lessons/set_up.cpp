@@ -102,6 +102,8 @@ LessonSetup LessonSetups::set_up(const Lesson& lesson, const Changes& changes) {
     take(*some, "machine", request.machine);
     take(*some, "model", request.model);
   }
+  std::string begins_with;
+  take(lesson.start, "program", begins_with);
   fs::path file = find_program(lesson, program);
   const std::pair key(request.machine, request.model);
   auto known = files_.find(key);
@@ -110,7 +112,9 @@ LessonSetup LessonSetups::set_up(const Lesson& lesson, const Changes& changes) {
   }
   LessonSetup result{std::move(file), known->second, {}};
   result.setup = result.file;
-  result.setup.load = lesson.load;
+  if (program == begins_with) {  // a load file names tools and lines of its program
+    result.setup.load = lesson.load;
+  }
   apply(lesson.start, true, result.setup);
   apply(changes, false, result.setup);
   return result;

@@ -3265,7 +3265,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Connecting arcs, static and dynamic look-ahead (Sinumerik 840D, TNC 430)</source>
-        <translation>Arcs de raccordement, anticipation statique et dynamique (Sinumerik 840D, TNC 430)</translation>
+        <translation>Arcs de raccord, anticipation statique et dynamique (Sinumerik 840D, TNC 430)</translation>
     </message>
     <message>
         <source>Compaction length</source>
@@ -3317,7 +3317,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Tolerances and blend distances of the program are not used: the model has no blends.</source>
-        <translation>Les tolérances et distances de raccordement du programme ne sont pas suivies : le modèle n’a pas de raccordements.</translation>
+        <translation>Les tolérances et distances de raccord du programme ne sont pas suivies : le modèle n’a pas de raccords.</translation>
     </message>
     <message>
         <source>Compaction requested by the program is not simulated: short blocks are not joined.</source>
@@ -3501,7 +3501,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Connecting arcs are inserted at corners between lines within the contour tolerance (TIT); short blocks are merged. Static look-ahead assigns one feed to every block and arc; dynamic look-ahead plans ramps below it. Helices, dwells, rapids and corners at an arc, which the paper does not cover, keep the static limits of arcs and lines or are exact stops.</source>
-        <translation>Des arcs de raccordement sont insérés aux angles entre droites dans la tolérance de contour (TIT)&#xa0;; les blocs courts sont réunis. L’anticipation statique attribue une avance à chaque bloc et à chaque arc&#xa0;; l’anticipation dynamique planifie des rampes au-dessous. Hélices, temporisations, rapides et angles touchant un arc, que l’article ne traite pas, gardent les limites statiques des arcs et des droites ou sont des arrêts précis.</translation>
+        <translation>Des arcs de raccord sont insérés aux angles entre droites dans la tolérance de contour (TIT)&#xa0;; les blocs courts sont réunis. L’anticipation statique attribue une avance à chaque bloc et à chaque arc&#xa0;; l’anticipation dynamique planifie des rampes au-dessous. Hélices, temporisations, rapides et angles touchant un arc, que l’article ne traite pas, gardent les limites statiques des arcs et des droites ou sont des arrêts précis.</translation>
     </message>
     <message>
         <source>Number of moving averages in series; 3 are closer to the control in the paper, 2 are simpler.</source>
@@ -3709,7 +3709,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Lays a smooth curve through dense short blocks within the contour tolerance, in place of a blend in every corner. program: where the program asks for it (COMPON, COMPCURV, COMPCAD, COMPSURF, CYCLE832, cycle 32, G05.1 Q1); off: never; on: everywhere. Our own curve: no maker publishes theirs.</source>
-        <translation>Fait passer une courbe lisse par les blocs courts et denses, dans la tolérance de contour, au lieu d’un raccordement à chaque angle. programme : là où le programme le demande (COMPON, COMPCURV, COMPCAD, COMPSURF, CYCLE832, cycle 32, G05.1 Q1) ; non : jamais ; oui : partout. Cette courbe est la nôtre : aucun fabricant ne publie la sienne.</translation>
+        <translation>Fait passer une courbe lisse par les blocs courts et denses, dans la tolérance de contour, au lieu d’un raccord à chaque angle. programme : là où le programme le demande (COMPON, COMPCURV, COMPCAD, COMPSURF, CYCLE832, cycle 32, G05.1 Q1) ; non : jamais ; oui : partout. Cette courbe est la nôtre : aucun fabricant ne publie la sienne.</translation>
     </message>
     <message>
         <source>program</source>
@@ -8653,7 +8653,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>P of G64 in the start-up code has no effect on blends in LinuxCNC 2.9; P%1 is used for joining blocks alone</source>
-        <translation>P de G64 dans le code de démarrage n’a pas d’effet sur les raccordements dans LinuxCNC 2.9&#xa0;; P%1 ne sert qu’à réunir des blocs</translation>
+        <translation>P de G64 dans le code de démarrage n’a pas d’effet sur les raccords dans LinuxCNC 2.9&#xa0;; P%1 ne sert qu’à réunir des blocs</translation>
     </message>
     <message>
         <source>write G64 P into the program, or set blend_tolerance_mm if your release takes it</source>
@@ -12107,12 +12107,28 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <translation>&amp;Documents à distribuer</translation>
     </message>
     <message>
-        <source>Lessons %1 to %2</source>
-        <translation>Leçons %1 à %2</translation>
+        <source>Half a &amp;day</source>
+        <translation>&amp;Demi-journée</translation>
+    </message>
+    <message>
+        <source>T&amp;wo days</source>
+        <translation>De&amp;ux jours</translation>
     </message>
 </context>
 <context>
     <name>feedscope::ui::LessonView</name>
+    <message>
+        <source>A course of half a day: %1. Of two days: all.</source>
+        <translation>Un cours d’une demi-journée&#xa0;: %1. De deux jours&#xa0;: toutes.</translation>
+    </message>
+    <message>
+        <source>Before you look</source>
+        <translation>Avant de regarder</translation>
+    </message>
+    <message>
+        <source>On my control</source>
+        <translation>Sur ma commande</translation>
+    </message>
     <message>
         <source>Text of the lesson</source>
         <translation>Texte de la leçon</translation>

@@ -26,17 +26,19 @@ class LessonsCommand : public CommandLine {
 TEST_F(LessonsCommand, ListsLessons) {
   const Result result = run("lessons");
   EXPECT_EQ(result.code, 0);
-  EXPECT_THAT(result.out, AllOf(HasSubstr("04_small_circle: Why a small circle is slow (25 min)"),
-                                HasSubstr("14_slow_down_and_tool: ")));
+  EXPECT_THAT(result.out, AllOf(HasSubstr("08_small_circle: Small circles and approaches (20 min, half day)"),
+                                HasSubstr("09_trochoid_or_slot: Trochoid or full slot (20 min)"),
+                                HasSubstr("Half a day, 140 minutes: lessons 1, 2, 3, 4, 5, 8, 12")));
 }
 
 TEST_F(LessonsCommand, ShowsOneWithMeasuredNumbersAndAnswers) {
-  const Result result = run("lessons 4");
+  const Result result = run("lessons 04_small_circle");  // as it was called before
   EXPECT_EQ(result.code, 0);
-  EXPECT_THAT(result.out,
-              AllOf(HasSubstr("Why a small circle is slow (25 minutes)"), HasSubstr("2.008 m/min"),
-                    HasSubstr("Question 3"), HasSubstr("curvilinear_jerk_m_s3: 5, 10, 20"),
-                    HasSubstr("Answers"), HasSubstr("Sources"), Not(HasSubstr("{"))));
+  EXPECT_THAT(
+      result.out,
+      AllOf(HasSubstr("Small circles and approaches (20 minutes)"), HasSubstr("2.01 m/min"),
+            HasSubstr("Before you look"), HasSubstr("Question 2"), HasSubstr("X.jerk: 5, 10"),
+            HasSubstr("On my control"), HasSubstr("Answers"), HasSubstr("Sources"), Not(HasSubstr("{"))));
 }
 
 TEST_F(LessonsCommand, ShowsALessonFileBesideItsProgram) {
@@ -68,15 +70,15 @@ TEST_F(LessonsCommand, NotesNumbersThatNothingChecks) {
 
 TEST_F(LessonsCommand, SpeaksFrench) {
   EXPECT_THAT(run("lessons --language fr").out,
-              HasSubstr("04_small_circle: Pourquoi un petit cercle est lent (25 min)"));
-  const Result result = run("lessons 4 --language fr");
+              HasSubstr("08_small_circle: Petits cercles et approches (20 min, demi-journée)"));
+  const Result result = run("lessons 8 --language fr");
   EXPECT_EQ(result.code, 0);
-  EXPECT_THAT(result.out, AllOf(HasSubstr("2,008\u00a0m/min"), HasSubstr("Indice    Les lignes"),
+  EXPECT_THAT(result.out, AllOf(HasSubstr("2,01\u00a0m/min"), HasSubstr("Indice    Cliquez sur les"),
                                 HasSubstr("Observer  avance maximale, ligne 16"), HasSubstr("Réponses"),
                                 Not(HasSubstr("{"))));
-  EXPECT_EQ(run("lessons 8 --language fr --out handout.html").code, 0);
+  EXPECT_EQ(run("lessons 2 --language fr --out handout.html").code, 0);
   EXPECT_THAT(contents(folder_ / "handout.html"),
-              AllOf(HasSubstr("lang=\"fr\""), HasSubstr("0,9489\u00a0s"), HasSubstr(">Réponses</h1>")));
+              AllOf(HasSubstr("lang=\"fr\""), HasSubstr("2,115\u00a0s"), HasSubstr(">Réponses</h1>")));
   expect_wrong_use("lessons 4 --language de", "--language: de not in {en,fr}");
 }
 
@@ -103,32 +105,32 @@ TEST_F(LessonsCommand, ChecksTranslations) {
 }
 
 TEST_F(LessonsCommand, WritesAHandOut) {
-  const Result result = run("lessons 8 --out handout.html");
+  const Result result = run("lessons 2 --out handout.html");
   EXPECT_EQ(result.code, 0);
   EXPECT_EQ(result.out, "");
-  EXPECT_THAT(contents(folder_ / "handout.html"), AllOf(HasSubstr("<!DOCTYPE html>"), HasSubstr("0.9489 s")));
-  EXPECT_EQ(run("lessons 8 --out -").out, contents(folder_ / "handout.html"));
+  EXPECT_THAT(contents(folder_ / "handout.html"), AllOf(HasSubstr("<!DOCTYPE html>"), HasSubstr("2.115 s")));
+  EXPECT_EQ(run("lessons 2 --out -").out, contents(folder_ / "handout.html"));
 }
 
 #ifdef FEEDSCOPE_WITH_UI
 TEST_F(LessonsCommand, WritesAHandOutOnPages) {
-  EXPECT_EQ(run("lessons 8 --out handout.pdf").code, 0);
+  EXPECT_EQ(run("lessons 2 --out handout.pdf").code, 0);
   const std::string pdf = contents(folder_ / "handout.pdf");
   EXPECT_THAT(pdf, StartsWith("%PDF-"));
-  run("lessons 8 --out again.pdf");
+  run("lessons 2 --out again.pdf");
   EXPECT_EQ(contents(folder_ / "again.pdf"), pdf);
 }
 
 TEST_F(LessonsCommand, TheWindowOpensWithALesson) {
-  expect_wrong_use("--lesson small_circel", "did you mean '04_small_circle'?");
+  expect_wrong_use("--lesson small_circel", "did you mean '08_small_circle'?");
   EXPECT_THAT(run("--lesson 4", no_display).err, HasSubstr("the window needs a display"));
 }
 #endif
 
 TEST_F(LessonsCommand, AHandOutIsForItsReader) {
-  EXPECT_EQ(run("lessons 8 --for learners --out sheet.html").code, 0);
+  EXPECT_EQ(run("lessons 2 --for learners --out sheet.html").code, 0);
   EXPECT_THAT(contents(folder_ / "sheet.html"), AllOf(HasSubstr("Question 1"), Not(HasSubstr("Answer"))));
-  EXPECT_EQ(run("lessons 8 --for teacher --out key.html").code, 0);
+  EXPECT_EQ(run("lessons 2 --for teacher --out key.html").code, 0);
   EXPECT_THAT(contents(folder_ / "key.html"), AllOf(HasSubstr("Answer"), HasSubstr("Computed")));
   expect_wrong_use("lessons 8 --for pupils --out x.html",
                    "--for: pupils not in {everybody,learners,teacher}");
@@ -137,13 +139,13 @@ TEST_F(LessonsCommand, AHandOutIsForItsReader) {
 
 TEST_F(LessonsCommand, SaysWhatIsWrong) {
   expect_wrong_use("lessons nothing_like_it", "unknown lesson 'nothing_like_it': no id and no file");
-  expect_wrong_use("lessons smal_circle", "did you mean '04_small_circle'?");
+  expect_wrong_use("lessons smal_circle", "did you mean '08_small_circle'?");
   expect_wrong_use("lessons --out x.html", "--out writes one lesson: give its ID");
   expect_wrong_use("lessons corner.nc", "not valid TOML");
   expect_wrong_use("lessons 4 --out nowhere/x.html", "nowhere/x.html");
   expect_wrong_use("lessons 4 --out x.docx", "--out 'x.docx' does not state the format");
   expect_wrong_use("lessons 4 --out x", "--out 'x' does not state the format");
-  expect_wrong_use("lessons 0", "unknown lesson '0': no id and no file; numbers 1 to 18, or ids: ");
+  expect_wrong_use("lessons 0", "unknown lesson '0': no id and no file; numbers 1 to 12, or ids: ");
   write_lesson("\"x\"");
   expect_wrong_use("lessons mine.toml", "mine.toml:19:13: 'less_than' in claim 1 of question 1 is 'x'");
   write_lesson("0.9");

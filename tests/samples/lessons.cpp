@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "core/base/units.h"
 #include "tests/samples/nc_writer.h"
@@ -47,6 +48,22 @@ Sample corners() {
   }
   nc.raw("M30");
   return {"lesson_corners.nc", nc.text()};
+}
+
+/// From the middle of a side once around, so that every corner is passed in motion.
+Sample polygon() {
+  NcWriter nc = begin("ONCE AROUND AN OCTAGON WITH SIDES OF 20 MM AT 6000 MM/MIN, FROM THE MIDDLE OF A SIDE",
+                      "CORNERS OF 45 DEGREES THAT ARE PASSED WITHOUT A STOP");
+  constexpr double side = 20;
+  constexpr int corners = 8;
+  constexpr double turn = 360.0 / corners;
+  Vector3d place = Vector3d::Zero();
+  for (int i = 0; i <= corners; ++i) {
+    place += (i == 0 || i == corners ? side / 2 : side) * direction(i * turn);
+    nc.line(place, i == 0 ? 6000 : 0);
+  }
+  nc.raw("M30");
+  return {"lesson_polygon.nc", nc.text()};
 }
 
 /// Out and back: the reversals are exact stops on every control.
@@ -124,36 +141,137 @@ Sample wave() {
   return {"lesson_short_wave.nc", nc.text()};
 }
 
-/// Four waves as a CAM system writes them: chords as long as `chord_error` [mm] allows.
+/// Four waves, as all programs of lesson_dense*.
+constexpr double waves_length = 100;
+
+Vector2d wave_at(double x) {
+  return {x, 4 * std::sin(2 * units::pi * x / 25)};
+}
+
+Vector2d wave_direction(double x) {
+  return Vector2d(1, 4 * 2 * units::pi / 25 * std::cos(2 * units::pi * x / 25)).normalized();
+}
+
+/// Ends of the longest pieces of the waves of which `leaves(from, to)` is at most `error` [mm]; of at most
+/// `longest` along X.
+template <typename Leaves>
+std::vector<double> wave_pieces(double error, double longest, Leaves leaves) {
+  constexpr double fine = 0.02;
+  std::vector<double> ends;
+  for (double x = 0; x < waves_length;) {
+    double step = fine;
+    while (step < longest && leaves(x, x + step + fine) <= error) {
+      step += fine;
+    }
+    x = std::min(x + step, waves_length);
+    ends.push_back(x);
+  }
+  return ends;
+}
+
+double chord_leaves_wave(double from, double to) {
+  double largest = 0;
+  const Vector2d start = wave_at(from);
+  const double slope = (wave_at(to).y() - start.y()) / (to - from);
+  for (int i = 1; i < 20; ++i) {
+    const double x = from + (to - from) * i / 20;
+    largest =
+        std::max(largest, std::abs(wave_at(x).y() - start.y() - slope * (x - from)) / std::hypot(1, slope));
+  }
+  return largest;
+}
+
+/// Chords as long as `chord_error` [mm] allows, as a CAM system writes them.
 Sample waves(double chord_error, const std::string& name, const std::string& shows) {
   NcWriter nc =
       begin(fmt::format("FOUR WAVES OF 25 MM, 8 MM HIGH, WITH A CHORD ERROR OF {:.0f} UM AT 6000 MM/MIN",
                         1000 * chord_error),
             shows);
-  constexpr double length = 100;
-  const auto height = [](double x) { return 4 * std::sin(2 * units::pi * x / 25); };
-  const auto chord_leaves = [&](double from, double to) {
-    double largest = 0;
-    const double slope = (height(to) - height(from)) / (to - from);
-    for (int i = 1; i < 20; ++i) {
-      const double x = from + (to - from) * i / 20;
-      largest =
-          std::max(largest, std::abs(height(x) - height(from) - slope * (x - from)) / std::hypot(1, slope));
-    }
-    return largest;
-  };
   bool first = true;
-  for (double x = 0; x < length;) {
-    double step = 0.02;
-    while (step < 3 && chord_leaves(x, x + step + 0.02) <= chord_error) {
-      step += 0.02;
-    }
-    x = std::min(x + step, length);
-    nc.line({x, height(x), 0}, first ? 6000 : 0);
+  for (const double x : wave_pieces(chord_error, 3, chord_leaves_wave)) {
+    nc.line({x, wave_at(x).y(), 0}, first ? 6000 : 0);
     first = false;
   }
   nc.raw("M30");
   return {name, nc.text()};
+}
+
+/// Two arcs from one point of the waves to another that are tangent to the waves there and to each other
+/// where they meet: the biarc whose control points are equally far from its ends.
+struct Biarc {
+  std::array<Vector2d, 2> centers;
+  Vector2d middle;
+};
+
+Biarc wave_biarc(double from, double to) {
+  const Vector2d start = wave_at(from);
+  const Vector2d end = wave_at(to);
+  const Vector2d along = wave_direction(from);
+  const Vector2d along_end = wave_direction(to);
+  const Vector2d chord = end - start;
+  const double both = chord.dot(along + along_end);
+  const double turn = 2 * (1 - along.dot(along_end));
+  const double reach = chord.squaredNorm() / (both + std::sqrt(both * both + turn * chord.squaredNorm()));
+  Biarc biarc;
+  biarc.middle = (start + reach * along + end - reach * along_end) / 2;
+  const auto center = [&](const Vector2d& point, const Vector2d& direction) -> Vector2d {
+    const Vector2d left(-direction.y(), direction.x());
+    const Vector2d to_middle = biarc.middle - point;
+    return point + to_middle.squaredNorm() / (2 * left.dot(to_middle)) * left;
+  };
+  biarc.centers = {center(start, along), center(end, along_end)};
+  return biarc;
+}
+
+double biarc_leaves_wave(double from, double to) {
+  constexpr double half_wave = 12.5;
+  if (std::floor(from / half_wave) < std::floor(to / half_wave - 1e-9)) {
+    return waves_length;  // the curvature changes its sign on the way
+  }
+  const Biarc biarc = wave_biarc(from, to);
+  double largest = 0;
+  for (int i = 1; i < 20; ++i) {
+    const Vector2d point = wave_at(from + (to - from) * i / 20);
+    const Vector2d& center = biarc.centers[point.x() < biarc.middle.x() ? 0 : 1];
+    largest = std::max(largest, std::abs((point - center).norm() - (biarc.middle - center).norm()));
+  }
+  return largest;
+}
+
+/// The same waves in tangent arcs.
+Sample wave_arcs() {
+  NcWriter nc = begin("FOUR WAVES OF 25 MM, 8 MM HIGH, IN TANGENT ARCS WITHIN 5 UM AT 6000 MM/MIN",
+                      "WHAT ARCS MAKE OF A CURVE THAT CAM COULD WRITE AS LINES OR AS A SPLINE");
+  constexpr double error = 0.005;
+  constexpr double longest = 12.5;
+  nc.raw("F6000");
+  double from = 0;
+  for (const double to : wave_pieces(error, longest, biarc_leaves_wave)) {
+    const Biarc biarc = wave_biarc(from, to);
+    const bool crest = wave_at((from + to) / 2).y() > 0;
+    nc.arc(crest, {biarc.middle.x(), biarc.middle.y(), 0}, biarc.centers[0]);
+    nc.arc(crest, {to, wave_at(to).y(), 0}, biarc.centers[1]);
+    from = to;
+  }
+  nc.raw("M30");
+  return {"lesson_dense_arcs.nc", nc.text()};
+}
+
+/// The same waves as a spline through 64 points; straight at both ends, as the waves are there.
+Sample wave_spline() {
+  NcWriter nc(decimals);
+  nc.raw("; Four waves of 25 mm, 8 mm high, as one spline through 64 points at 6000 mm/min");
+  nc.raw("; Shows: what a spline makes of a curve that CAM could write as lines or as arcs");
+  nc.raw("G17 G710 G90 G94");
+  nc.raw("G1 X0 Y0 F6000");
+  nc.raw("BNAT ENAT CSPLINE");
+  constexpr int points = 64;
+  for (int i = 1; i <= points; ++i) {
+    const Vector2d point = wave_at(waves_length * i / points);
+    nc.raw(fmt::format("X{:.4f} Y{:.4f}", point.x(), point.y()));
+  }
+  nc.raw("M30");
+  return {"lesson_dense_spline.mpf", nc.text()};
 }
 
 Sample right_angle() {
@@ -163,35 +281,6 @@ Sample right_angle() {
   nc.line({20, 20, 0});
   nc.raw("M30");
   return {"lesson_right_angle.nc", nc.text()};
-}
-
-/// Every line begins with its command, as Klipper wants it, whose comments begin with a semicolon.
-Sample five_controls() {
-  NcWriter nc(decimals);
-  nc.raw("; ONE RIGHT ANGLE BETWEEN TWO LEGS OF 20 MM AT 3000 MM/MIN");
-  nc.raw(
-      "; SHOWS: WHAT THE CORNER RULES OF FIVE CONTROLS MAKE OF IT; A COMMAND IN EVERY LINE, AS KLIPPER WANTS "
-      "IT");
-  nc.raw("G21");
-  nc.raw("G90");
-  nc.raw("G1 X20 F3000");
-  nc.raw("G1 Y20");
-  nc.raw("M30");
-  return {"lesson_five_controls.nc", nc.text()};
-}
-
-Sample directions() {
-  NcWriter nc =
-      begin("LINES OF 50 MM ALONG X, AT 45 DEGREES AND ALONG Y, AT 12 M/MIN, OUT AND BACK, FROM REST TO REST",
-            "TWO AXES TOGETHER ARE FASTER THAN ONE");
-  constexpr double length = 50;
-  nc.raw("F12000");
-  for (const double angle : {0.0, 45.0, 90.0}) {
-    nc.line(length * direction(angle));
-    nc.line({0, 0, 0});
-  }
-  nc.raw("M30");
-  return {"lesson_directions.nc", nc.text()};
 }
 
 /// The axes come to rest before the slanted line and behind it.
@@ -295,17 +384,20 @@ Sample zigzag(int feed) {
 
 std::vector<Sample> lesson_programs() {
   return {corners(),
+          polygon(),
           lines(),
           approaches(),
           row(0.1, 100, 9600, "lesson_short_blocks.nc",
               "BLOCKS SHORTER THAN THE FEED COVERS IN ONE INTERPOLATION PERIOD"),
           wave(),
           waves(0.005, "lesson_dense.nc", "WHAT A COMPRESSOR MAKES OF DENSE SHORT BLOCKS"),
+          waves(0.002, "lesson_dense_2.nc", "FINER CHORDS THAN THE CONTROL NEEDS"),
+          waves(0.02, "lesson_dense_20.nc", "CHORDS AS COARSE AS A FINISHING TOLERANCE"),
           waves(0.05, "lesson_dense_rough.nc", "CHORDS COARSER THAN THE TOLERANCE"),
+          wave_arcs(),
+          wave_spline(),
           row(0.5, 200, 6000, "lesson_lookahead.nc", "A HORIZON OF TOO FEW BLOCKS"),
           right_angle(),
-          five_controls(),
-          directions(),
           drives(),
           chip(),
           past_the_axis(0, "lesson_singular.nc", "A ROTARY AXIS NEAR ITS SINGULAR POSITION"),

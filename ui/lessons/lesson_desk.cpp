@@ -92,8 +92,8 @@ LessonDesk::Catalogue LessonDesk::read_catalogue(const std::string& language) {
   try {
     for (const std::filesystem::path& file : shipped_lessons()) {
       const Lesson lesson = read_lesson(file, language);
-      catalogue.entries.push_back(
-          {file, QString::fromStdString(lesson.title), QString::fromStdString(lesson.learn), lesson.minutes});
+      catalogue.entries.push_back({file, QString::fromStdString(lesson.title),
+                                   QString::fromStdString(lesson.learn), lesson.minutes, lesson.half_day});
     }
   } catch (const std::exception& error) {
     catalogue.failure = failure_text(error);

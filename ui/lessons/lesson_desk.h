@@ -19,6 +19,7 @@ struct LessonEntry {
   QString title;
   QString learn;  ///< what one learns
   double minutes = 0;
+  bool half_day = false;  ///< of the course of half a day; all are of that of two days
 };
 
 /// The lesson that is worked on in the window: its texts with the numbers measured, the question one is at,

@@ -342,14 +342,19 @@ void LessonView::offer_return(bool there) {
 }
 
 void LessonView::show_list() {
-  QString contents = desk_.entries().empty() ? tr("Loading lessons …") : QString();
+  QString contents;
+  QStringList half_day;
   for (std::size_t i = 0; i < desk_.entries().size(); ++i) {
     const LessonEntry& entry = desk_.entries()[i];
+    if (entry.half_day) {
+      half_day.append(QString::number(i + 1));
+    }
     const QString title =
         tr("%1. %2 (%3 min)").arg(i + 1).arg(entry.title, QLocale().toString(entry.minutes));
     contents += QStringLiteral("[**%1**](%2)\n\n%3\n\n").arg(title).arg(i).arg(entry.learn);
   }
-  list_->setHtml(as_html(contents));
+  const QString courses = tr("A course of half a day: %1. Of two days: all.").arg(half_day.join(", "));
+  list_->setHtml(as_html(contents.isEmpty() ? tr("Loading lessons …") : courses + "\n\n" + contents));
   show_lesson();
 }
 
@@ -359,9 +364,14 @@ void LessonView::show_lesson() {
   list_action_->setEnabled(lesson != nullptr);
   pages_->setCurrentIndex(lesson != nullptr ? 1 : 0);
   if (lesson != nullptr) {
-    text_->setHtml(as_html(QStringLiteral("### %1\n\n*%2*\n\n%3")
-                               .arg(QString::fromStdString(lesson->title),
-                                    QString::fromStdString(lesson->learn), desk_.filled(lesson->text))));
+    const auto part = [this](const QString& heading, const std::string& text) {
+      return text.empty() ? QString() : QStringLiteral("\n\n**%1**\n\n").arg(heading) + desk_.filled(text);
+    };
+    text_->setHtml(
+        as_html(QStringLiteral("### %1\n\n*%2*\n\n%3%4%5")
+                    .arg(QString::fromStdString(lesson->title), QString::fromStdString(lesson->learn),
+                         desk_.filled(lesson->text), part(tr("Before you look"), lesson->predict),
+                         part(tr("On my control"), lesson->transfer))));
   }
   show_question();
 }

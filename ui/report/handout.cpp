@@ -62,20 +62,27 @@ ReportPage handout_page(const Lesson& lesson, LessonRuns& runs, HandoutReader re
   ReportInput input = input_of(lesson, runs, progress);
   input.texts = texts;
   ReportPage page{{}, ReportPictures(progress)};
-  constexpr double view_height = 270;
   constexpr double charts_height = 360;
   const auto caption = [&](const char* english) {
     return QString::fromStdString(fmt::format(fmt::runtime(lesson_word(english, lesson.language)),
                                               html_text(input.run().name).toStdString()));
   };
+  const bool of_teacher = reader == HandoutReader::teacher;
+  const double view_height = of_teacher ? 270 : 180;  // what learners fill in has two pages
+  if (!of_teacher) {                                  // who has to predict sees the path and nothing else
+    input.scene.colouring = Colouring::run;
+  }
   QString figures;
   if (!is_straight(*input.run().shown->samples)) {
-    figures += run_view(input, page.pictures, view_height, caption("Programmed and executed path of {}."));
+    figures += run_view(input, page.pictures, view_height,
+                        caption(of_teacher ? "Programmed and executed path of {}." : "Path of {}."));
   }
-  figures += run_charts(input, input.current, page.pictures, charts_height,
-                        caption("Feed with its limiting causes, acceleration and jerk of {}."));
+  if (of_teacher) {
+    figures += run_charts(input, input.current, page.pictures, charts_height,
+                          caption("Feed with its limiting causes, acceleration and jerk of {}."));
+  }
   contents.figures = figures.toStdString();
-  for (std::size_t i = 0; i < lesson.questions.size(); ++i) {
+  for (std::size_t i = 0; of_teacher && i < lesson.questions.size(); ++i) {
     const QString name = QStringLiteral("question%1").arg(i + 1);
     contents.question_figures.push_back(
         question_figure(lesson, lesson.questions[i], input, runs, name, page.pictures, progress)

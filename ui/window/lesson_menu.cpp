@@ -1,14 +1,6 @@
 #include "ui/window/lesson_menu.h"
 
-#include <algorithm>
-
 namespace feedscope::ui {
-
-namespace {
-
-constexpr std::size_t lessons_a_menu = 9;
-
-}  // namespace
 
 LessonMenu::LessonMenu(LessonDesk& desk, const QList<QAction*>& commands, const QList<QAction*>& handouts,
                        QWidget* parent)
@@ -24,12 +16,14 @@ void LessonMenu::list() {
   qDeleteAll(lists_);
   lists_.clear();
   const std::vector<LessonEntry>& entries = desk_.entries();
-  for (std::size_t first = 0; first < entries.size(); first += lessons_a_menu) {
-    const std::size_t end = std::min(first + lessons_a_menu, entries.size());
-    auto* menu = new QMenu(tr("Lessons %1 to %2").arg(first + 1).arg(end), this);
+  for (const bool half_day : {true, false}) {
+    auto* menu = new QMenu(half_day ? tr("Half a &day") : tr("T&wo days"), this);
     menu->setToolTipsVisible(true);
-    for (std::size_t i = first; i < end; ++i) {
+    for (std::size_t i = 0; i < entries.size(); ++i) {
       const LessonEntry& entry = entries[i];
+      if (half_day && !entry.half_day) {
+        continue;
+      }
       QAction* action =
           menu->addAction(QStringLiteral("%1 %2").arg(i + 1).arg(QString(entry.title).replace('&', "&&")));
       action->setToolTip(entry.learn);

@@ -7,7 +7,7 @@
 
 namespace feedscope::ui {
 
-/// All lessons, in menus of a few, then the commands of the lesson that is open.
+/// The lessons of each of the two courses in their order, then the commands of the lesson that is open.
 class LessonMenu : public QMenu {
   Q_OBJECT
 

@@ -41,39 +41,41 @@ TEST_F(Handout, HoldsTheLessonAndItsAnswersAtTheEnd) {
   EXPECT_LT(html.find("How long?"), answers);
 }
 
-TEST_F(Handout, LearnersGetTheQuestionsWithRoomToWriteAndNoAnswers) {
-  const Lesson lesson = read_lesson(find_lesson("4"));
+TEST_F(Handout, LearnersGetThePredictionFirstThenRoomForTheirValuesAndNoHelp) {
+  const Lesson lesson = read_lesson(find_lesson("small_circle"));
   LessonRuns runs(lesson);
   const HandoutContents contents = handout_contents(lesson, runs, HandoutReader::learners);
   EXPECT_TRUE(contents.claims.empty());
   const std::string html = handout_html(lesson, contents);
-  EXPECT_THAT(html, AllOf(HasSubstr("Which feed does each of them reach?"), HasSubstr("class=\"lines\""),
-                          HasSubstr("Values tried (curvilinear_jerk_m_s3)"), HasSubstr("tables 1 to 3")));
-  EXPECT_THAT(html, AllOf(Not(HasSubstr("All four reach")), Not(HasSubstr("Answer"))));
+  EXPECT_THAT(html, AllOf(HasSubstr("Which feed do the circles of"), HasSubstr("class=\"lines\""),
+                          HasSubstr("Values tried (X.jerk)"), HasSubstr("<td>my value:</td>")));
+  EXPECT_LT(html.find("Before you look"), html.find("Question 1"));
+  EXPECT_GT(html.find("On my control"), html.find("Question 2"));
+  EXPECT_THAT(html, AllOf(Not(HasSubstr("All four of")), Not(HasSubstr("Answer")), Not(HasSubstr("Hint")),
+                          Not(HasSubstr("Sources"))));
 }
 
 TEST_F(Handout, CallsSettingsAsItIsTold) {
-  const Lesson lesson = read_lesson(find_lesson("4"));
+  const Lesson lesson = read_lesson(find_lesson("small_circle"));
   LessonRuns runs(lesson);
   HandoutContents contents = handout_contents(lesson, runs, HandoutReader::learners);
   contents.words.title = [](const std::string& key) { return "<" + key + ">"; };
   const std::string html = handout_html(lesson, contents);
-  EXPECT_THAT(html, AllOf(HasSubstr("Values tried (&lt;curvilinear_jerk_m_s3&gt;)"),
-                          HasSubstr("&lt;curvilinear_jerk_m_s3&gt;: 5, 10, 20")));
+  EXPECT_THAT(html, AllOf(HasSubstr("Values tried (&lt;X.jerk&gt;)"), HasSubstr("&lt;X.jerk&gt;: 5, 10")));
 }
 
 TEST_F(Handout, TheTeacherGetsAnswersAndWhatTheyBuildOn) {
-  const Lesson lesson = read_lesson(find_lesson("4"), "fr");
+  const Lesson lesson = read_lesson(find_lesson("small_circle"), "fr");
   LessonRuns runs(lesson);
   const std::string html = handout_html(lesson, handout_contents(lesson, runs, HandoutReader::teacher));
-  EXPECT_THAT(html, AllOf(HasSubstr("Les quatre atteignent 2,008\u00a0m/min"), HasSubstr("Calculé"),
-                          HasSubstr("environ 2,01\u00a0m/min, à 0,5\u00a0% près"),
+  EXPECT_THAT(html, AllOf(HasSubstr("atteignent 2,01\u00a0m/min"), HasSubstr("Calculé"), HasSubstr("Indice"),
+                          HasSubstr("Sources"), HasSubstr("environ 2,01\u00a0m/min, à 0,5\u00a0% près"),
                           HasSubstr(">2,008\u00a0m/min</td>"), HasSubstr("divisé par la valeur avec")));
   EXPECT_THAT(html, AllOf(Not(HasSubstr("class=\"lines\"")), Not(HasSubstr("non vérifié"))));
 }
 
 TEST_F(Handout, SaysWhatNoLongerHolds) {
-  const Lesson lesson = read_lesson(find_lesson("4"));
+  const Lesson lesson = read_lesson(find_lesson("small_circle"));
   LessonRuns runs(lesson);
   HandoutContents contents = handout_contents(lesson, runs, HandoutReader::teacher);
   contents.claims[0][0].holds = false;

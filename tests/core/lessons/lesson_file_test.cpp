@@ -175,7 +175,8 @@ TEST_F(LessonFile, TellsWhatIsNoLesson) {
   expect_error(changed("minutes = 10", "minutes = "), ":3:", "not valid TOML");
   expect_error(changed("[[question]]", "[question]"), ":", "");
   EXPECT_THAT([] { find_lesson("tolerence_and_time"); },
-              ThrowsMessage<InputError>(HasSubstr("02_tolerance_and_time")));
+              ThrowsMessage<InputError>(HasSubstr("did you mean '01_lost_time'?")))
+      << "the lesson that replaces it";
 }
 
 /// Cut off anywhere, or with one character too many, a lesson is read or refused with its place.
@@ -197,6 +198,30 @@ TEST_F(LessonFile, BrokenFilesAreRefusedCleanly) {
   }
 }
 
+TEST_F(LessonFile, HasAPlaceInACourseAndTextsToBeWrittenInto) {
+  const Lesson plain = read_lesson(write(good_lesson));
+  EXPECT_FALSE(plain.half_day);
+  EXPECT_EQ(plain.predict + plain.transfer, "");
+  const std::string more =
+      "minutes = 10\ncourse = \"half day\"\nreplaces = [\"01_old\"]\npredict = \"Longer than {time}?\"\n"
+      "transfer = \"On mine …\"";
+  const Lesson lesson = read_lesson(changed("minutes = 10", more));
+  EXPECT_TRUE(lesson.half_day);
+  EXPECT_THAT(lesson.replaces, ElementsAre("01_old"));
+  EXPECT_EQ(lesson.predict, "Longer than {time}?");
+  EXPECT_EQ(lesson.transfer, "On mine …");
+  expect_error(changed("minutes = 10", "minutes = 10\ncourse = \"half a day\""),
+               ":4:", "did you mean 'half day'?");
+  expect_error(changed("minutes = 10", "minutes = 10\npredict = \"{tim}\""), ":4:", "did you mean {time}?");
+}
+
+/// A load file names tools and lines of the program that the lesson begins with.
+TEST(LessonSetup, AnotherProgramHasNoLoad) {
+  const Lesson lesson = read_lesson(find_lesson("9"));
+  EXPECT_FALSE(set_up(lesson, {"tolerance=0.05"}).setup.load.operations.empty());
+  EXPECT_TRUE(set_up(lesson, {"program=lesson_slot.nc"}).setup.load.operations.empty());
+}
+
 TEST_F(LessonFile, AProgramBesideTheLessonComesFirst) {
   write("G1 X5 F1000\n", "mine.nc");
   const Lesson lesson = read_lesson(changed("lesson_right_angle.nc", "mine.nc"));
@@ -215,13 +240,24 @@ TEST_F(LessonFile, ChangesAreMadeOnTopOfTheStart) {
 }
 
 TEST(LessonLibrary, FindsLessonsByIdNumberAndName) {
-  const auto file = find_lesson("04_small_circle");
-  EXPECT_EQ(find_lesson("4"), file);
-  EXPECT_EQ(find_lesson("04"), file);
+  const auto file = find_lesson("08_small_circle");
+  EXPECT_EQ(find_lesson("8"), file);
+  EXPECT_EQ(find_lesson("08"), file);
   EXPECT_EQ(find_lesson("small_circle"), file);
   EXPECT_EQ(find_lesson(file.string()), file);
   EXPECT_THROW(find_lesson("99"), InputError);
   EXPECT_THROW(find_lesson(""), InputError);
+}
+
+TEST(LessonLibrary, EarlierLessonsAreAnsweredByThoseThatReplaceThem) {
+  EXPECT_EQ(find_lesson("04_small_circle"), find_lesson("8"));
+  EXPECT_EQ(find_lesson("05_approach_arcs"), find_lesson("8"));
+  for (const char* name : {"15_compressor", "compressor", "15"}) {
+    EXPECT_EQ(find_lesson(name).stem(), "04_two_tolerances") << name;
+  }
+  for (int number = 1; number <= 18; ++number) {
+    EXPECT_NO_THROW(find_lesson(std::to_string(number))) << number;
+  }
 }
 
 }  // namespace

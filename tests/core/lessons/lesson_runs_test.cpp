@@ -156,6 +156,23 @@ TEST_F(LessonRunsTest, QuantitiesArePutAgainstEachOther) {
   EXPECT_THAT([&] { runs.value(quantity); }, ThrowsMessage<InputError>(HasSubstr("so there is no ratio")));
 }
 
+/// The first two corners are blended, the third is an exact stop.
+TEST_F(LessonRunsTest, TheContourErrorOfLinesIsThatOfTheirPartOfThePath) {
+  const Lesson lesson = lesson_on("G1 X20 F3000\nY20\nG9 X0\nY40\n", "spinner-mvc850", "essid");
+  LessonRuns runs(lesson);
+  const auto error = [&](std::uint32_t first, std::uint32_t last) {
+    Measure measure = of("max_contour_error_um");
+    measure.first_line = first;
+    measure.last_line = last;
+    return measured(measure, runs.run({}));
+  };
+  EXPECT_GT(error(0, 0), 1);
+  EXPECT_NEAR(error(1, 3), error(0, 0), 1e-3);
+  EXPECT_NEAR(error(1, 2), error(0, 0), 1e-3);
+  EXPECT_NEAR(error(4, 4), 0, 1e-3);
+  EXPECT_THROW(error(9, 9), InputError);
+}
+
 TEST_F(LessonRunsTest, ClaimsHoldOrDoNot) {
   const Lesson lesson = lesson_on("G1 X60 F3000\n", "spinner-mvc850", "cam");
   LessonRuns runs(lesson);

@@ -110,8 +110,8 @@ TEST_F(LessonTranslation, NamesWhatIsWrong) {
   expect_error(french("{time}", "{tim}"), ":10:", "did you mean {time}?");
   expect_error(french("{less}", "{les}"), ":41:", "did you mean {less}?");
   expect_error(french("[fr]", "[fe]"), ":7:",
-               "unknown key 'fe' in the file; known: title, learn, minutes, sources, text, "
-               "start, window, numbers, given, question, fr");
+               "unknown key 'fe' in the file; known: title, learn, minutes, course, replaces, sources, text, "
+               "predict, transfer, start, window, numbers, given, question, fr");
   expect_error(french("[question.fr]", "[question.fe]"), ":38:", "unknown key 'fe' in question 1");
   expect_error(changed("[start]", "fr = \"x\"\n[start]"), ":7:", "fr");
   expect_error(french("\"Essai\"", "3"), ":8:", "'title' in 'fr' of the file");

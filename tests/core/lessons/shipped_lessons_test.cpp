@@ -56,6 +56,7 @@ TEST_P(ShippedLesson, IsTranslatedWithTheSameNumbers) {
     EXPECT_THAT(other.untranslated, testing::IsEmpty()) << language;
     EXPECT_THAT(unchecked_numbers(other), testing::IsEmpty()) << language;
     EXPECT_EQ(names_in(other.text), names_in(lesson_.text));
+    EXPECT_EQ(names_in(other.predict), names_in(lesson_.predict));
     for (std::size_t i = 0; i < lesson_.questions.size(); ++i) {
       EXPECT_EQ(names_in(other.questions[i].text), names_in(lesson_.questions[i].text));
       EXPECT_EQ(names_in(other.questions[i].hint), names_in(lesson_.questions[i].hint));
@@ -65,7 +66,7 @@ TEST_P(ShippedLesson, IsTranslatedWithTheSameNumbers) {
 }
 
 TEST_P(ShippedLesson, EveryNumberThatIsNamedIsUsed) {
-  std::string texts = lesson_.text + lesson_.learn;
+  std::string texts = lesson_.text + lesson_.learn + lesson_.predict;
   std::set<double> bounds;
   for (const Question& question : lesson_.questions) {
     texts += question.text + question.hint + question.answer;
@@ -129,12 +130,25 @@ TEST_P(ShippedLesson, ItsSourcesAreThere) {
 INSTANTIATE_TEST_SUITE_P(Lessons, ShippedLesson, testing::ValuesIn(shipped_ids()),
                          [](const auto& lesson) { return lesson.param; });
 
-TEST(ShippedLessons, AreAtLeastTenAndNumberedWithoutGaps) {
+/// A prediction, room for one's own control, and questions that two pages have room for.
+TEST_P(ShippedLesson, IsALessonOfTheCourse) {
+  EXPECT_EQ(lesson_.minutes, 20);
+  EXPECT_NE(lesson_.predict, "");
+  EXPECT_THAT(lesson_.transfer, testing::HasSubstr("…"));
+  EXPECT_EQ(lesson_.questions.size(), 2U);
+}
+
+TEST(ShippedLessons, AreTwelveNumberedWithoutGapsAndSevenMakeHalfADay) {
   const std::vector<std::string> ids = shipped_ids();
-  EXPECT_GE(ids.size(), 10u);
+  EXPECT_EQ(ids.size(), 12U);
+  std::vector<std::size_t> half_day;
   for (std::size_t i = 0; i < ids.size(); ++i) {
     EXPECT_THAT(ids[i], testing::StartsWith(fmt::format("{:02}_", i + 1)));
+    if (read_lesson(find_lesson(ids[i])).half_day) {
+      half_day.push_back(i + 1);
+    }
   }
+  EXPECT_THAT(half_day, testing::ElementsAre(1, 2, 3, 4, 5, 8, 12));
 }
 
 class Readme : public test::LessonFolder {};

@@ -38,28 +38,29 @@ TEST_F(LessonDeskTest, ListsTheShippedLessons) {
   EXPECT_TRUE(desk.entries().empty()) << "they are read on another thread";
   ASSERT_TRUE(listed.wait(patience));
   ASSERT_EQ(desk.entries().size(), shipped_lessons().size());
-  EXPECT_EQ(desk.entries()[3].title, "Why a small circle is slow");
-  EXPECT_EQ(desk.entries()[3].minutes, 25);
+  EXPECT_EQ(desk.entries()[3].title, "Chord tolerance and control tolerance");
+  EXPECT_EQ(desk.entries()[3].minutes, 20);
+  EXPECT_TRUE(desk.entries()[3].half_day);
+  EXPECT_FALSE(desk.entries()[5].half_day);
 }
 
 TEST_F(LessonDeskTest, OpensALessonWithItsNumbersAndLeavesTheWindow) {
-  open("4");
-  EXPECT_THAT(desk.filled(desk.lesson()->text).toStdString(),
-              HasSubstr("circles of 2.5 mm and 30 mm radius"));
+  open("8");
+  EXPECT_THAT(desk.filled(desk.lesson()->text).toStdString(), HasSubstr("four full circles of 2.5 mm"));
   EXPECT_EQ(model.program(), nullptr);
   EXPECT_EQ(desk.value(), "");
 }
 
 TEST_F(LessonDeskTest, SetsUpProgramRunsAndView) {
-  open("10");
+  open("2");
   QSignalSpy view(&desk, &LessonDesk::view_wanted);
   desk.set_up_window();
-  wait_for("1.241 s");
-  EXPECT_EQ(model.file().filename(), "essid_table1.nc");
+  wait_for("0.767 s");
+  EXPECT_EQ(model.file().filename(), "lesson_lines.nc");
   ASSERT_EQ(model.runs().items().size(), 3U);
   EXPECT_EQ(model.runs().current(), 0U);
-  EXPECT_EQ(model.runs().items()[1].setup.file().model->info().id, "optimal");
-  EXPECT_EQ(std::get<std::string>(model.runs().items()[1].setup.value("jerk")), "on");
+  EXPECT_EQ(model.runs().items()[1].setup.file().model->info().id, "essid");
+  EXPECT_EQ(std::get<double>(model.runs().items()[1].setup.value("X.acceleration")), 10);
   EXPECT_FALSE(model.runs().history().canUndo());
   EXPECT_EQ(view.count(), 1) << "once, when the first result is there";
 }
@@ -94,11 +95,12 @@ TEST_F(LessonDeskTest, AQuestionMayNeedAnotherProgram) {
   open("6");
   desk.set_up_window();
   wait_for("3000 mm/min");
-  desk.choose_question(2);
-  desk.move_control("5");
+  desk.choose_question(1);
+  desk.move_control("4");
   EXPECT_TRUE(QTest::qWaitFor(
       [&] {
-        return !model.busy() && model.file().filename() == "lesson_short_wave.nc" && desk.value() == "7.0 µm";
+        return !model.busy() && model.file().filename() == "lesson_lookahead.nc" &&
+               desk.value() == "2.38 m/min";
       },
       patience))
       << desk.value().toStdString();
@@ -109,13 +111,13 @@ TEST_F(LessonDeskTest, ANumberIsOfTheLessonsOwnProgramOrNone) {
   open("6");
   desk.set_up_window();
   wait_for("3000 mm/min");
-  open("10");
+  open("12");
   EXPECT_EQ(desk.value(), "") << "of " << model.file();
   emit model.run_changed();
   QTest::qWait(50);
   EXPECT_EQ(desk.value(), "") << "of " << model.file();
   desk.set_up_window();
-  wait_for("1.241 s");
+  wait_for("2.115 s");
   const QTemporaryDir folder;
   const std::filesystem::path own = folder.filePath("own.nc").toStdString();
   std::ofstream(own) << "G21 G90 G94 F1000\nG1 X10\nG1 X10 Y10\nM30\n";
@@ -127,10 +129,10 @@ TEST_F(LessonDeskTest, ANumberIsOfTheLessonsOwnProgramOrNone) {
 
 TEST_F(LessonDeskTest, QuestionsStayWithinTheLesson) {
   open("6");
-  desk.choose_question(4);
+  desk.choose_question(2);
   EXPECT_EQ(desk.question(), 0U);
-  desk.choose_question(3);
-  EXPECT_EQ(desk.question(), 3U);
+  desk.choose_question(1);
+  EXPECT_EQ(desk.question(), 1U);
   open("7");
   EXPECT_EQ(desk.question(), 0U);
 }
@@ -144,13 +146,13 @@ TEST_F(FrenchLessonDesk, ListsOpensAndMeasuresInFrench) {
   QSignalSpy listed(&french, &LessonDesk::listed);
   french.list();
   ASSERT_TRUE(listed.wait(patience));
-  EXPECT_EQ(french.entries()[3].title, "Pourquoi un petit cercle est lent");
-  EXPECT_TRUE(french.entries()[3].learn.startsWith("Pourquoi une avance"));
-  french.open(find_lesson("10"), true);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return french.value() == "1,241\u00a0s"; }, patience))
+  EXPECT_EQ(french.entries()[3].title, "Tolérance de corde et tolérance de commande");
+  EXPECT_TRUE(french.entries()[3].learn.startsWith("Choisir ensemble"));
+  french.open(find_lesson("12"), true);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return french.value() == "2,115\u00a0s"; }, patience))
       << french.value().toStdString();
-  EXPECT_EQ(french.watched(), "temps de cycle");
-  EXPECT_THAT(french.filled(french.lesson()->text).toStdString(), HasSubstr("met 1,241\u00a0s"));
+  EXPECT_EQ(french.watched(), "temps de cycle, ligne 4");
+  EXPECT_THAT(french.filled(french.lesson()->text).toStdString(), HasSubstr("met 2,1150\u00a0s"));
 }
 
 TEST_F(LessonDeskTest, SaysWhatIsWrongWithAFile) {

@@ -20,7 +20,7 @@ class HandoutCommandTest : public testing::Test {
  protected:
   void open(LessonDesk& desk) {
     QSignalSpy opened(&desk, &LessonDesk::opened);
-    desk.open(find_lesson("10"));
+    desk.open(find_lesson("3"));
     ASSERT_TRUE(opened.wait(patience));
   }
   std::string contents(const QString& name) const {
@@ -56,7 +56,7 @@ TEST_F(HandoutCommandTest, WritesPagesWithPicturesInTheLanguageOfTheLesson) {
   const std::string page = contents("lecon.html");
   EXPECT_THAT(page, HasSubstr("lang=\"fr\""));
   EXPECT_THAT(page, HasSubstr("<img"));
-  EXPECT_THAT(page, HasSubstr("1,241"));
+  EXPECT_THAT(page, HasSubstr("2,144"));
   command.write(HandoutReader::everybody, folder.filePath("lecon.pdf"));
   ASSERT_TRUE(done.wait(patience));
   EXPECT_THAT(contents("lecon.pdf"), StartsWith("%PDF"));

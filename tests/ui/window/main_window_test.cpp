@@ -497,11 +497,11 @@ TEST_F(MainWindowTest, ALessonSetsUpTheWindowAndLeadsToItsControl) {
   EXPECT_TRUE(dock->isVisible());
   LessonView& lesson = window.part<LessonView>();
   QSignalSpy opened(&lesson.desk(), &LessonDesk::opened);
-  lesson.desk().open(find_lesson("3"));
+  lesson.desk().open(find_lesson("2"));
   ASSERT_TRUE(opened.wait(patience));
   QTest::mouseClick(&lesson.set_up_button(), Qt::LeftButton);
   ASSERT_TRUE(
-      QTest::qWaitFor([&] { return !model.busy() && lesson.measured().contains("2.115 s"); }, patience))
+      QTest::qWaitFor([&] { return !model.busy() && lesson.measured().contains("0.767 s"); }, patience))
       << lesson.measured().toStdString();
   EXPECT_EQ(model.file().filename(), "lesson_lines.nc");
   EXPECT_EQ(model.runs().items().size(), 3U);

@@ -127,7 +127,7 @@ TEST_F(PresentationTest, EveryLessonFitsEveryScreenAndLeavesThe3dViewAndChartsTh
 
 /// Its tables are as high as their type, and none lies on another one.
 TEST_F(PresentationTest, TheMachinePanelIsNotCrushed) {
-  open(find_lesson("4"));
+  open(find_lesson("8"));
   desk().set_up_window();
   ASSERT_TRUE(QTest::qWaitFor([&] { return !model.busy() && model.shown() != nullptr; }, patience));
   present(true);

@@ -63,7 +63,7 @@ TEST_F(PrintDialogTest, PrintsTheViewAsVectors) {
 
 TEST_F(PrintDialogTest, OffersWhatThereIs) {
   EXPECT_EQ(PrintDialog(subject, FEEDSCOPE_EXECUTABLE).choice().count(), 4);
-  const Lesson lesson = read_lesson(find_lesson("10"), "fr");
+  const Lesson lesson = read_lesson(find_lesson("3"), "fr");
   subject.lesson = &lesson;
   PrintDialog dialog(subject, FEEDSCOPE_EXECUTABLE);
   ASSERT_EQ(dialog.choice().count(), 7);

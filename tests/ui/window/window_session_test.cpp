@@ -382,14 +382,14 @@ TEST_F(WindowSessionTest, WhatALessonReplacesComesBackAnyNumberOfTimes) {
   QAction& back = *lesson.panel_actions().last();
   EXPECT_FALSE(back.isEnabled());
   for (int time = 0; time < 3; ++time) {
-    w.window.open_lesson(find_lesson("4"));
+    w.window.open_lesson(find_lesson("8"));
     ASSERT_TRUE(QTest::qWaitFor(
         [&] {
           return w.model.file().filename() == "tapie_circle_2_5.nc" && !lesson.desk().value().isEmpty();
         },
         patience));
     EXPECT_TRUE(w.window.session().file().empty()) << "else the lesson would be saved over it";
-    lesson.desk().choose_question(2);
+    lesson.desk().choose_question(1);
     lesson.desk().move_control("5");
     w.wait();
     lesson.desk().set_up_window();
@@ -422,7 +422,7 @@ TEST_F(WindowSessionTest, AnswersAndTriesOfALessonAreKeptWithTheSession) {
     Window w;
     open_saved(w);
     LessonDesk& desk = w.window.part<LessonView>().desk();
-    w.window.open_lesson(find_lesson("4"));
+    w.window.open_lesson(find_lesson("8"));
     ASSERT_TRUE(QTest::qWaitFor(
         [&] { return w.model.file().filename() == "tapie_circle_2_5.nc" && !desk.work().tries.empty(); },
         patience));
@@ -441,16 +441,16 @@ TEST_F(WindowSessionTest, AnswersAndTriesOfALessonAreKeptWithTheSession) {
   ASSERT_TRUE(again.window.session().open(file_));
   again.wait();
   const LessonWork& work = again.window.part<LessonView>().desk().all_work();
-  ASSERT_TRUE(work.contains({"04_small_circle", 0}));
-  EXPECT_EQ(work.at({"04_small_circle", 0}).answer, "All the same.");
-  EXPECT_EQ(work.at({"04_small_circle", 0}).tries.size(), 1U);
+  ASSERT_TRUE(work.contains({"08_small_circle", 0}));
+  EXPECT_EQ(work.at({"08_small_circle", 0}).answer, "All the same.");
+  EXPECT_EQ(work.at({"08_small_circle", 0}).tries.size(), 1U);
   EXPECT_FALSE(again.window.session().changed());
 }
 
 TEST_F(WindowSessionTest, WhatALessonReplacedUnsavedIsAskedFor) {
   Window w;
   set_up(w);
-  w.window.open_lesson(find_lesson("4"));
+  w.window.open_lesson(find_lesson("8"));
   ASSERT_TRUE(QTest::qWaitFor([&] { return w.model.file() != program_ && !w.model.busy(); }, patience));
   int asked = 0;
   answer_next(QMessageBox::RejectRole, asked);
