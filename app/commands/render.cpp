@@ -257,7 +257,9 @@ ui::ShownParts parts_of(const RenderOptions& options) {
   const View view = views.at(options.view);
   const bool sheet = view == View::sheet || options.film.asked();
   const bool lens = !options.lens.empty();
-  return {sheet || (view == View::scene && !lens), sheet || (view == View::charts && !lens), sheet};
+  const bool scene = view == View::scene && !lens;
+  const bool charts = view == View::charts && !lens;
+  return {sheet || scene, sheet || charts, sheet, sheet || !(scene || charts)};
 }
 
 void set_colours(const RenderOptions& options, ui::ReportInput& input) {

@@ -43,7 +43,7 @@ struct Window {
 void sample(State& state) {
   const Run& run = run_of(static_cast<std::size_t>(state.range(0)));
   for (auto _ : state) {
-    const ui::SampledPath path = ui::sample_executed(*run.trajectory);
+    const ui::SampledPath path = ui::sample_executed(run.trajectory);
     state.counters["points"] = static_cast<double>(path.size());
   }
 }

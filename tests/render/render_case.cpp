@@ -64,7 +64,7 @@ void make_dark(ui::PathScene& scene, const Run& run) {
 void add_overlays(ui::PathScene& scene, const Run& run) {
   const Run other = simulate_text(std::string(run.input.program->source->utf8_text()), "msaddek");
   scene.set_colouring(ui::Colouring::run);
-  scene.set_overlays({{std::make_shared<const ui::SampledPath>(ui::sample_executed(*other.trajectory)),
+  scene.set_overlays({{std::make_shared<const ui::SampledPath>(ui::sample_executed(other.trajectory)),
                        {0.84, 0.37, 0.0},
                        "Msaddek 2011"}});
   scene.set_exaggeration(20);
@@ -83,9 +83,9 @@ Draw compared_by(ui::Colouring colouring, ui::Background background) {
     Setup loose = run.setup;
     loose.settings.set("contour_tolerance_mm", 0.5);
     const Run other = simulate_run(run.input, loose);
-    scene.set_executed(run.trajectory, std::make_shared<const ui::SampledPath>(ui::sample_compared(
-                                           *run.trajectory, *other.trajectory,
-                                           ui::sample_executed(*other.trajectory).times)));
+    scene.set_executed(run.trajectory,
+                       std::make_shared<const ui::SampledPath>(ui::sample_compared(
+                           run.trajectory, *other.trajectory, ui::sample_executed(other.trajectory).times)));
     scene.set_comparison("essid, 0.5 mm", nullptr);
     scene.set_colouring(colouring);
     scene.set_background(background);

@@ -1,6 +1,8 @@
 #include "ui/charts/mean_line.h"
 
+#include <QPaintEngine>
 #include <QPainter>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -53,6 +55,37 @@ std::vector<QPolygonF> mean_lines(const QRectF& plot, std::span<const ColumnSpan
   return lines;
 }
 
+namespace {
+
+/// The same pixels in strips: where a line goes up and down in every column, the work of the raster engine
+/// grows with the square of the columns. `reach`: of the pen to either side [px].
+void draw_in_strips(QPainter& painter, const QPolygonF& line, double reach) {
+  constexpr qsizetype points_a_strip = 48;
+  const auto pixel = [&](qsizetype point) { return static_cast<int>(std::floor(line[point].x())); };
+  const auto whole = static_cast<int>(std::ceil(reach));
+  const QRect around = line.boundingRect().toAlignedRect().adjusted(-whole, -whole, whole, whole);
+  const qsizetype last = line.size() - 1;
+  for (qsizetype first = 0, end = 0; first < last; first = end) {
+    end = std::min(first + points_a_strip, last);
+    qsizetype from = first;
+    qsizetype to = end;
+    while (from > 0 && line[from].x() > line[first].x() - reach - 1) {
+      --from;
+    }
+    while (to < last && line[to].x() < line[end].x() + reach + 1) {
+      ++to;
+    }
+    painter.save();
+    painter.setClipRect(QRect(QPoint(first == 0 ? around.left() : pixel(first), around.top()),
+                              QPoint(end == last ? around.right() : pixel(end) - 1, around.bottom())),
+                        Qt::IntersectClip);
+    painter.drawPolyline(line.constData() + from, static_cast<int>(to - from + 1));
+    painter.restore();
+  }
+}
+
+}  // namespace
+
 void draw_mean_lines(QPainter& painter, const std::vector<QPolygonF>& lines, const QColor& colour,
                      QColor behind, double scale) {
   constexpr double width = 1.6;
@@ -62,7 +95,11 @@ void draw_mean_lines(QPainter& painter, const std::vector<QPolygonF>& lines, con
   for (const QPolygonF& line : lines) {
     for (const QPen& pen : {QPen(behind, scale * halo), QPen(colour, scale * width)}) {
       painter.setPen(QPen(pen.color(), pen.widthF(), Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
-      painter.drawPolyline(line);
+      if (painter.paintEngine()->type() == QPaintEngine::Raster) {
+        draw_in_strips(painter, line, pen.widthF());
+      } else {
+        painter.drawPolyline(line);
+      }
     }
   }
 }

@@ -7,6 +7,7 @@
 #include <QTextDocument>
 #include <QVBoxLayout>
 
+#include "core/toolpath/machine_toolpath.h"
 #include "ui/language/core_texts.h"
 #include "ui/workbench/reading_faults.h"
 
@@ -18,7 +19,7 @@ QString title_of(const Run& run) {
   const QString file = program_file_name(*run.input.program);
   const QString time = QLocale().toString(run.trajectory->duration(), 'f', 3);
   const QString faults = reading_faults_text(*run.input.program);
-  const QString not_counted = not_counted_text(run.summary.not_counted);
+  const QString omitted = not_counted_text(not_counted(*run.input.toolpath));
   const QString title =
       QStringLiteral("<b>%1</b> &nbsp; %2 · %3 · %4 s%5")
           .arg(file.toHtmlEscaped(), QString::fromStdString(run.setup.machine.name).toHtmlEscaped(),
@@ -26,9 +27,9 @@ QString title_of(const Run& run) {
                faults.isEmpty()
                    ? QString()
                    : QStringLiteral(" &nbsp; <span style=\"color:#c62818\"><b>%1</b></span>").arg(faults));
-  return not_counted.isEmpty()
+  return omitted.isEmpty()
              ? title
-             : QStringLiteral("%1<br/><span style=\"color:#c62818\">%2</span>").arg(title, not_counted);
+             : QStringLiteral("%1<br/><span style=\"color:#c62818\">%2</span>").arg(title, omitted);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/toolpath/machine_toolpath.h"
 #include "ui/language/texts.h"
 #include "ui/report/charts_page.h"
 #include "ui/report/scene_picture.h"
@@ -68,9 +69,9 @@ QRectF paint_caption(QPainter& painter, const ReportInput& input, const QString&
   const QString separator = QStringLiteral(" · ");
   const QString text =
       QStringList{input.heading(), QString::fromStdString(run.setup.machine.name), input.run().name,
-                  clock_text(run.summary.cycle_time), PictureCaption::tr("colour: %1").arg(colours)}
+                  clock_text(run.trajectory->duration()), PictureCaption::tr("colour: %1").arg(colours)}
           .join(separator);
-  const QString omitted = not_counted_text(run.summary.not_counted);
+  const QString omitted = not_counted_text(not_counted(*run.input.toolpath));
   const QString whole = omitted.isEmpty() ? text : text + separator + omitted;
 
   QFont font = QApplication::font();

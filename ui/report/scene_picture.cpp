@@ -107,7 +107,7 @@ std::shared_ptr<const SampledPath> ScenePicture::samples() {
   const ReportRun& other = input_.runs[*reference];
   scene_.set_comparison(other.name.toStdString(), nullptr);
   return std::make_shared<const SampledPath>(
-      sample_compared(*shown.run.trajectory, *other.shown->run.trajectory, other.shown->samples->times,
+      sample_compared(shown.run.trajectory, *other.shown->run.trajectory, other.shown->samples->times,
                       nullptr, shown.run.sources));
 }
 

@@ -35,7 +35,7 @@ std::array<std::size_t, colouring_count> list_samples() {
       samples[static_cast<std::size_t>(quantity.id)] = next++;
     }
   }
-  for (const Colouring other : {Colouring::contour_error, Colouring::time_lost, Colouring::path_distance}) {
+  for (const Colouring other : {Colouring::time_lost, Colouring::path_distance}) {
     samples[static_cast<std::size_t>(other)] = next++;
   }
   return samples;

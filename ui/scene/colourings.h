@@ -44,9 +44,10 @@ constexpr bool needs_reference(Colouring colouring) {
 /// What a run must have so that it can be coloured.
 QuantitySource source_of(Colouring colouring);
 
-/// Colourings whose values are kept at every point of a path, and the position of one among them.
-inline constexpr std::size_t sampled_count = coloured_count + 3;
-inline constexpr std::size_t own_sampled_count = coloured_count + 1;  ///< that need no other run
+/// Colourings whose values are kept at every point of a path, and the position of one among them; those of
+/// contour_error are found when they are asked for.
+inline constexpr std::size_t sampled_count = coloured_count + 2;
+inline constexpr std::size_t own_sampled_count = coloured_count;  ///< that need no other run
 std::size_t sample_index(Colouring colouring);
 /// What the values at this position are of.
 QuantitySource source_of_sample(std::size_t sample);

@@ -40,13 +40,17 @@ void PathScene::set_programmed(std::shared_ptr<const SampledPath> samples) {
 }
 
 void PathScene::set_executed(std::shared_ptr<const Trajectory> trajectory) {
-  auto samples = trajectory ? std::make_shared<const SampledPath>(sample_executed(*trajectory)) : nullptr;
+  auto samples = trajectory ? std::make_shared<const SampledPath>(sample_executed(trajectory)) : nullptr;
   set_executed(std::move(trajectory), std::move(samples));
 }
 
 void PathScene::set_executed(std::shared_ptr<const Trajectory> trajectory,
                              std::shared_ptr<const SampledPath> samples) {
   impl_->trajectory = std::move(trajectory);
+  impl_->deviation.reset();
+  if (impl_->trajectory && !impl_->trajectory->pieces().empty()) {
+    impl_->deviation.emplace(*impl_->trajectory->path().programmed());
+  }
   impl_->executed_samples = std::move(samples);
   impl_->rebuild();
 }
@@ -360,7 +364,7 @@ std::optional<State> PathScene::state_at(double time) const {
 }
 
 double PathScene::contour_error_at(double time) const {
-  return value_at(impl_->pickable(), Colouring::contour_error, time);
+  return impl_->deviation ? ui::contour_error_at(*impl_->trajectory, *impl_->deviation, time) : 0;
 }
 
 Vec3 PathScene::drawn_at(double time) const {
@@ -368,7 +372,10 @@ Vec3 PathScene::drawn_at(double time) const {
     return Vec3::Zero();
   }
   const Vec3 place = impl_->place_at(time);
-  return impl_->on_machine() ? place : place + (exaggeration() - 1) * deviation_at(impl_->pickable(), time);
+  if (impl_->on_machine() || exaggeration() == 1) {
+    return place;
+  }
+  return place + (exaggeration() - 1) * deviation_at(impl_->pickable(), time);
 }
 
 std::vector<std::array<Pixel, 2>> PathScene::covered() const {

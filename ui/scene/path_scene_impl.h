@@ -198,6 +198,7 @@ class PathScene::Impl : public ScenePaths {
   Tool tool_drawn;
   SceneCamera camera;
   std::function<void()> callback;
+  std::optional<PathDeviation> deviation;  ///< from the programmed path of the run
 
   std::optional<Vec3> cursor;       ///< as drawn
   std::optional<double> cursor_at;  ///< its time, where it is on the path

@@ -66,7 +66,7 @@ Picture draw_run(const Run& run, PictureSize size, StandardView view) {
   PathScene scene;
   scene.set_programmed(run.input.toolpath);
   scene.set_executed(run.trajectory, std::make_shared<const SampledPath>(sample_executed(
-                                         *run.trajectory, default_max_points, {}, nullptr, run.sources)));
+                                         run.trajectory, default_max_points, {}, nullptr, run.sources)));
   scene.set_standard_view(view);
   return draw_picture(scene, size);
 }

@@ -8,6 +8,20 @@
 #include "ui/scene/path/shown_extent.h"
 
 namespace feedscope::ui {
+
+const SampledDeviations& AskedDeviations::at(std::span<const double> times) const {
+  std::call_once(once_, [&] {
+    found_ = find_(times);
+    asked_.store(true);
+  });
+  return found_;
+}
+
+const SampledDeviations& SampledPath::found_deviations() const {
+  static const SampledDeviations none;
+  return deviations ? deviations->at(times) : none;
+}
+
 SampledPath sample_programmed(const Toolpath& toolpath, std::size_t max_points) {
   SampledPath path;
   if (toolpath.segments.empty()) {

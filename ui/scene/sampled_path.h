@@ -2,11 +2,16 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <mutex>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "core/analysis/path_deviation.h"
 #include "core/analysis/run_sources.h"
 #include "core/base/progress.h"
 #include "core/toolpath/toolpath.h"
@@ -57,9 +62,34 @@ struct ToolAxis {
 /// Most of them that a path keeps.
 inline constexpr std::size_t most_tool_axes = 4000;
 
+/// How far the points of a path are from the programmed one.
+struct SampledDeviations {
+  std::vector<Stored> errors;  ///< PathDeviation::Result::nearest [mm]; empty where no colour shows them
+  std::vector<StoredVector>
+      shifts;  ///< PathDeviation::Result::along_bisector [mm]; empty: not to be enlarged
+};
+
+/// The same, found when first asked for: few pictures show them. May be asked by several threads.
+class AskedDeviations {
+ public:
+  using Find = std::function<SampledDeviations(std::span<const double>)>;
+  explicit AskedDeviations(Find find) : find_(std::move(find)) {}
+
+  /// `times`: of all points, the same in every call [s].
+  const SampledDeviations& at(std::span<const double> times) const;
+  bool asked() const { return asked_.load(); }
+
+ private:
+  Find find_;
+  mutable std::once_flag once_;
+  mutable std::atomic<bool> asked_{false};
+  mutable SampledDeviations found_;
+};
+
 /// A path as points close enough that straight spans between them look like the path. Positions are single
-/// precision offsets from `origin`: one part in 10^7 of the path's size. An executed path takes 44 bytes a
-/// point, 8 more while it is compared with another run, its levels and what finds them 4 more.
+/// precision offsets from `origin`: one part in 10^7 of the path's size. An executed path takes 36 bytes a
+/// point, 8 more each when its deviations are asked for and while it is compared with another run, its levels
+/// and what finds them 4 more.
 struct SampledPath {
   Vec3 origin = Vec3::Zero();              ///< [mm]
   std::vector<Eigen::Vector3f> positions;  ///< offsets from origin [mm]
@@ -79,7 +109,7 @@ struct SampledPath {
   /// What each kind of cause takes of the whole run, rapids included [s]; all 0 for a programmed path.
   std::array<double, cause_kind_count> cause_times{};
   std::array<double, cause_kind_count> reference_cause_times{};  ///< of the other run; 0 without one [s]
-  std::vector<StoredVector> deviations;        ///< PathDeviation::Result::along_bisector [mm]
+  std::shared_ptr<const AskedDeviations> deviations;             ///< see found_deviations(); null: none
   std::vector<float> lost;                     ///< RunDifference::lost [s]; empty without another run
   std::shared_ptr<const SampledPath> actual;   ///< what the axes run; null without drives
   std::shared_ptr<const RotaryCourse> rotary;  ///< of the run; null where no rotary axis turns
@@ -91,11 +121,17 @@ struct SampledPath {
   bool executed() const { return !times.empty(); }
   bool compared() const { return !lost.empty(); }
   Vec3 position(std::size_t i) const { return origin + positions[i].cast<double>(); }
+  /// Found by the first call, on all cores.
+  const SampledDeviations& found_deviations() const;
+  /// SampledDeviations::shifts
   Vec3 deviation(std::size_t i) const {
-    return {double(float(deviations[i][0])), double(float(deviations[i][1])),
-            double(float(deviations[i][2]))};
+    const StoredVector& shift = found_deviations().shifts[i];
+    return {double(float(shift[0])), double(float(shift[1])), double(float(shift[2]))};
   }
-  const std::vector<Stored>& values_of(Colouring colouring) const { return values[sample_index(colouring)]; }
+  const std::vector<Stored>& values_of(Colouring colouring) const {
+    return colouring == Colouring::contour_error ? found_deviations().errors
+                                                 : values[sample_index(colouring)];
+  }
   double value(Colouring colouring, std::size_t i) const { return double(float(values_of(colouring)[i])); }
   /// Whether an executed path has what comes from this source.
   bool has(QuantitySource source) const {
@@ -117,9 +153,12 @@ SampledPath sample_programmed(const Toolpath& toolpath, std::size_t max_points =
 /// show, and wherever the feed changes by some 1/24 of its peak. Linear in the pieces. Safe to call off the
 /// GUI thread. `also_at`: times at which there are points too where the spacing allows, rising [s].
 /// `sources`: of its run. Throws Cancelled when stopped.
-SampledPath sample_executed(const Trajectory& trajectory, std::size_t max_points = default_max_points,
-                            std::span<const double> also_at = {}, Progress* progress = nullptr,
-                            const RunSources& sources = {});
+SampledPath sample_executed(const std::shared_ptr<const Trajectory>& trajectory,
+                            std::size_t max_points = default_max_points, std::span<const double> also_at = {},
+                            Progress* progress = nullptr, const RunSources& sources = {});
+
+/// Contour error of a run at a time [mm]. `deviation`: from its programmed path, which it has.
+double contour_error_at(const Trajectory& trajectory, const PathDeviation& deviation, double time);
 
 /// A run in the coordinates of the machine, coloured as in those of the part: where X, Y and Z stand while
 /// rotary axes turn part or tool; points every 3 degrees of these too. Without deviations and tool axes.
@@ -142,7 +181,7 @@ SampledPath sample_recorded(const TraceOnProgram& trace, const ProgrammedCourse&
 /// where the reference changes its feed, too, unless both have so many that they are close enough.
 /// `reference_times`: those of sample_executed(reference) [s]. `sources`: of the run itself. Linear;
 /// safe to call off the GUI thread. Throws what compare_places() throws.
-SampledPath sample_compared(const Trajectory& trajectory, const Trajectory& reference,
+SampledPath sample_compared(const std::shared_ptr<const Trajectory>& trajectory, const Trajectory& reference,
                             std::span<const double> reference_times, Progress* progress = nullptr,
                             const RunSources& sources = {});
 

@@ -85,7 +85,7 @@ void RunComparison::start(Pair& pair) {
        drawn = pair.reference->samples](JobControl& control) -> Samples {
         try {
           return std::make_shared<const SampledPath>(
-              compare_sampled(*sampled, *run, *reference, drawn->times, &control.progress, sources));
+              compare_sampled(*sampled, run, *reference, drawn->times, &control.progress, sources));
         } catch (const std::invalid_argument&) {
           return nullptr;  // one of them does not move
         }

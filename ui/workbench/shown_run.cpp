@@ -20,9 +20,12 @@ struct Shares {
 };
 
 /// What is shown of `run`, each part beside the others, its summary too if that is still to come. `share`: of
-/// `progress`; `input`: the toolpath that was simulated, null: that of the run.
+/// `progress`; `input`: the toolpath that was simulated, null: that of the run; `before`: what was asked of
+/// its samples is made of these at once.
 std::shared_ptr<const ShownRun> shown_of(Run run, Progress& progress, double share, const Toolpath* input,
-                                         const ShownParts& parts) {
+                                         const ShownRun* before, const ShownParts& parts) {
+  const bool with_deviations = before != nullptr && before->samples && before->samples->deviations &&
+                               before->samples->deviations->asked();
   auto shown = std::make_shared<ShownRun>();
   shown->run = std::move(run);
   const std::shared_ptr<const Trajectory> trajectory = shown->run.trajectory;
@@ -36,13 +39,16 @@ std::shared_ptr<const ShownRun> shown_of(Run run, Progress& progress, double sha
   in_parallel({[&] {
                  if (parts.path) {
                    shown->samples = std::make_shared<const SampledPath>(
-                       sample_executed(*trajectory, default_max_points, {}, &samples, shown->run.sources));
+                       sample_executed(trajectory, default_max_points, {}, &samples, shown->run.sources));
+                   if (with_deviations) {
+                     shown->samples->found_deviations();
+                   }
                  }
                  samples.report(1);
                },
                [&] {
                  const Toolpath& toolpath = *shown->run.input.toolpath;
-                 if (input != nullptr) {
+                 if (input != nullptr && parts.summary) {
                    add_summary(shown->run, &summary);
                  }
                  if (parts.path && input != nullptr && input != &toolpath) {
@@ -78,7 +84,7 @@ bool differ_in_load_alone(const Setup& a, Setup b) {
 
 std::shared_ptr<const ShownRun> make_shown(Run run, Progress* progress) {
   Progress unwatched;
-  return shown_of(std::move(run), progress != nullptr ? *progress : unwatched, 1, nullptr, {});
+  return shown_of(std::move(run), progress != nullptr ? *progress : unwatched, 1, nullptr, nullptr, {});
 }
 
 std::shared_ptr<const ShownRun> simulate_shown(const LoadedProgram& input, Setup setup, Progress* progress,
@@ -89,15 +95,15 @@ std::shared_ptr<const ShownRun> simulate_shown(const LoadedProgram& input, Setup
     Progress load(whole, share_of_load);
     Run run = with_load(before->run, std::move(setup.load), &load);
     load.report(1);
-    auto shown =
-        std::make_shared<ShownRun>(*shown_of(std::move(run), whole, 1 - share_of_load, nullptr, parts));
+    auto shown = std::make_shared<ShownRun>(
+        *shown_of(std::move(run), whole, 1 - share_of_load, nullptr, before, parts));
     shown->programmed = before->programmed;
     return shown;
   }
   Progress motion(whole, share_of_motion);
   Run run = simulate_motion(input, std::move(setup), &motion);
   motion.report(1);
-  return shown_of(std::move(run), whole, 1 - share_of_motion, input.toolpath.get(), parts);
+  return shown_of(std::move(run), whole, 1 - share_of_motion, input.toolpath.get(), before, parts);
 }
 
 ShownProgram make_shown(LoadedProgram input) {

@@ -23,11 +23,12 @@ struct ShownRun {
   std::shared_ptr<const SlowPlaces> slow_places;
 };
 
-/// What of a ShownRun a picture needs beside the run and its summary.
+/// What of a ShownRun a picture needs beside the run.
 struct ShownParts {
   bool path = true;    ///< samples, programmed
   bool charts = true;  ///< envelope
   bool lines = true;   ///< line_times, slow_places
+  bool summary = true;
 };
 
 /// Throws Cancelled if `progress` is cancelled.

@@ -6,7 +6,7 @@ namespace feedscope::ui {
 
 /// Simulates a run and makes what its pictures need, on all cores: the summary beside the pictures. Throws
 /// what simulate_run() throws. `before`: another run of the same program; where only the cutting load
-/// differs, its motion is used again. `parts`: the others stay null.
+/// differs, its motion is used again. `parts`: the others stay null, or empty.
 std::shared_ptr<const ShownRun> simulate_shown(const LoadedProgram& input, Setup setup,
                                                Progress* progress = nullptr, const ShownRun* before = nullptr,
                                                const ShownParts& parts = {});

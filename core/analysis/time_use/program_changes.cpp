@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <mutex>
+#include <numeric>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "core/analysis/contour/contour_errors.h"
 #include "core/analysis/control_dialect.h"
@@ -97,22 +101,70 @@ Remedy joined(Remedy first, const Remedy& second) {
   return first;
 }
 
-TriedChange tried(const Run& run, const Remedy& remedy, bool with_error, Progress* progress) {
+/// A change with its motion; without one where it failed or is not simulated yet.
+struct Trial {
   TriedChange change;
-  change.remedy = remedy;
+  std::optional<Trajectory> motion;
+};
+
+/// Simulates the change unless its motion is there.
+void complete(Trial& trial, const Run& run, bool with_error, Progress* progress) {
+  TriedChange& change = trial.change;
   try {
-    const Trajectory faster = try_remedy(run.input, run.setup, remedy, progress);
-    change.cycle_time = faster.duration();
+    if (!trial.motion) {
+      trial.motion = try_remedy(run.input, run.setup, change.remedy, progress);
+      change.cycle_time = trial.motion->duration();
+    }
     if (with_error) {
-      const ContourErrors errors = contour_errors(faster, {1}, progress);
+      const ContourErrors errors = contour_errors(*trial.motion, {1}, progress);
       change.max_contour_error = errors.largest;
-      change.cutting_contour_error = cutting_contour_error(faster, errors, {}, progress);
+      change.cutting_contour_error = cutting_contour_error(*trial.motion, errors, {}, progress);
     }
   } catch (const InputError& error) {
     change.failure = error.what();
+    trial.motion.reset();
   }
-  return change;
 }
+
+/// Motions of the best changes so far, each of another kind. Those of best_of() are among them: a change only
+/// falls back as others come.
+class BestMotions {
+ public:
+  /// `place`: in the order of the changes; of those that take the same time the first is the better one.
+  void offer(std::size_t place, Trial trial) {
+    if (!trial.motion) {
+      return;
+    }
+    Kept offered{trial.change.cycle_time, place, kind_of(trial.change.remedy), std::move(*trial.motion)};
+    const std::lock_guard lock(mutex_);
+    const auto same = std::ranges::find(kept_, offered.kind, &Kept::kind);
+    if (same != kept_.end() && rank(*same) < rank(offered)) {
+      return;
+    }
+    if (same != kept_.end()) {
+      kept_.erase(same);
+    }
+    kept_.insert(std::ranges::upper_bound(kept_, rank(offered), {}, rank), std::move(offered));
+    if (kept_.size() > ChangeTrials::most) {
+      kept_.pop_back();
+    }
+  }
+  Trajectory take(std::size_t place) {
+    return std::move(std::ranges::find(kept_, place, &Kept::place)->motion);
+  }
+
+ private:
+  struct Kept {
+    double cycle_time;  ///< [s]
+    std::size_t place;
+    std::string kind;
+    Trajectory motion;
+  };
+  static std::pair<double, std::size_t> rank(const Kept& kept) { return {kept.cycle_time, kept.place}; }
+
+  std::mutex mutex_;
+  std::vector<Kept> kept_;  ///< best first
+};
 
 /// The best of each kind, those that gain most.
 std::vector<std::size_t> best_of(const std::vector<TriedChange>& tried, double cycle_time) {
@@ -163,46 +215,52 @@ ChangeTrials try_changes(const Run& run, const std::vector<Remedy>& changes, Pro
   Progress unwatched;
   Progress& whole = progress != nullptr ? *progress : unwatched;
   const auto steps = static_cast<double>(changes.size() + ChangeTrials::most + 1);
-  const auto try_all = [&](std::vector<TriedChange>& results, const std::vector<Remedy>& remedies,
-                           bool with_error) {
-    results.resize(remedies.size());
-    in_parallel(remedies.size(), [&](std::size_t i) {
-      Progress part(whole, 1 / steps);
-      part.report(0);
-      results[i] = tried(run, remedies[i], with_error, &part);
-      part.report(1);
-      if (tell && !with_error) {
-        tell(i, results[i]);
-      }
-    });
+  const auto try_one = [&](Trial& trial, bool with_error) {
+    Progress part(whole, 1 / steps);
+    part.report(0);
+    complete(trial, run, with_error, &part);
+    part.report(1);
   };
-  ChangeTrials trials;
-  try_all(trials.tried, changes, false);
-  std::ranges::stable_sort(trials.tried, {}, [](const TriedChange& change) {
-    return change.failure.empty() ? change.cycle_time : std::numeric_limits<double>::infinity();
+  std::vector<TriedChange> tried(changes.size());
+  BestMotions motions;
+  in_parallel(changes.size(), [&](std::size_t i) {
+    Trial trial;
+    trial.change.remedy = changes[i];
+    try_one(trial, false);
+    tried[i] = trial.change;
+    motions.offer(i, std::move(trial));
+    if (tell) {
+      tell(i, tried[i]);
+    }
   });
+  std::vector<std::size_t> order(changes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) {
+    return tried[i].failure.empty() ? tried[i].cycle_time : std::numeric_limits<double>::infinity();
+  });
+  ChangeTrials trials;
+  std::ranges::transform(order, std::back_inserter(trials.tried), [&](std::size_t i) { return tried[i]; });
   trials.best = best_of(trials.tried, run.trajectory->duration());
-  std::vector<Remedy> again;
+  std::vector<Trial> best;
   Remedy together;
   std::size_t joins = 0;
   for (const std::size_t i : trials.best) {
-    const Remedy& remedy = trials.tried[i].remedy;
-    again.push_back(remedy);
-    if (remedy.machine.empty()) {
+    best.push_back({trials.tried[i], motions.take(order[i])});
+    if (const Remedy& remedy = trials.tried[i].remedy; remedy.machine.empty()) {
       together = joined(std::move(together), remedy);
       ++joins;
     }
   }
   if (joins > 1) {
-    again.push_back(std::move(together));
+    best.emplace_back();
+    best.back().change.remedy = std::move(together);
   }
-  std::vector<TriedChange> with_error;
-  try_all(with_error, again, true);
+  in_parallel(best.size(), [&](std::size_t i) { try_one(best[i], true); });
   for (std::size_t i = 0; i < trials.best.size(); ++i) {
-    trials.tried[trials.best[i]] = with_error[i];
+    trials.tried[trials.best[i]] = best[i].change;
   }
   if (joins > 1) {
-    trials.together = with_error.back();
+    trials.together = best.back().change;
   }
   whole.report(1);
   return trials;

@@ -45,9 +45,9 @@ std::string kind_of(const Remedy& remedy);
 /// line that is run, with the same model.
 std::vector<Remedy> changes_worth_trying(const Run& run, const TimeUse& use);
 
-/// Simulates the changes, as many at a time as there are processors, and the best of them once more with
-/// their contour error. `tell` hears of each as it is done, with its place in `changes`, from several
-/// threads. Throws Cancelled.
+/// Simulates the changes, as many at a time as there are processors, and finds the contour error of the best
+/// of them, whose motions it keeps until then. `tell` hears of each as it is done, with its place in
+/// `changes`, from several threads. Throws Cancelled.
 ChangeTrials try_changes(const Run& run, const std::vector<Remedy>& changes, Progress* progress = nullptr,
                          const std::function<void(std::size_t, const TriedChange&)>& tell = {});
 

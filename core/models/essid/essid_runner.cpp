@@ -212,7 +212,11 @@ std::optional<std::size_t> EssidRunner::move_over_blend(const std::vector<PlanNo
   }
   const double period = time / samples;
   const double fastest = ceiling.value;
+  constexpr double rounding = 1e-12;
   for (const double share : {1.0, 0.5, 0.0}) {
+    if (share < 1 && fastest <= speed_ * (1 + rounding)) {
+      break;  // the same ceiling again
+    }
     ceiling.value = speed_ + share * (fastest - speed_);
     const BlendMotion motion = run_blend(blend.shape, speed_, ceiling, blend_limits_, period, fastest);
     if (!motion.complete) {

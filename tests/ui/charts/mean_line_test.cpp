@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <QImage>
+#include <QPainter>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -48,6 +51,37 @@ TEST(MeanLine, StandsAlongHighColumnsOnly) {
   EXPECT_EQ(mean_lines(plot, columns, broken, height_of)[0].size(), 14);
   EXPECT_EQ(mean_lines(plot, columns, means, height_of, true)[0].size(), 60) << "everywhere";
   EXPECT_TRUE(mean_lines(plot, columns, std::vector<float>(3), height_of).empty());
+}
+
+/// As the lines would be in one go: strips must leave no seam.
+TEST(MeanLine, IsDrawnWithoutSeams) {
+  QPolygonF line;
+  for (int i = 0; i < 400; ++i) {
+    line.append(QPointF(10.5 + i, 100 + 80 * std::sin(1.7 * i) * std::cos(0.03 * i)));
+  }
+  for (const double scale : {1.0, 1.5}) {
+    QImage drawn(420, 200, QImage::Format_RGB32);
+    drawn.fill(Qt::lightGray);
+    QImage expected = drawn;
+    QPainter painter(&drawn);
+    painter.setRenderHint(QPainter::Antialiasing);
+    draw_mean_lines(painter, {line}, Qt::darkBlue, Qt::white, scale);
+    painter.end();
+    QPainter at_once(&expected);
+    at_once.setRenderHint(QPainter::Antialiasing);
+    for (const QPen& pen : {QPen(QColor(255, 255, 255, 200), 4 * scale), QPen(Qt::darkBlue, 1.6 * scale)}) {
+      at_once.setPen(QPen(pen.color(), pen.widthF(), Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
+      at_once.drawPolyline(line);
+    }
+    at_once.end();
+    int most = 0;
+    for (int y = 0; y < drawn.height(); ++y) {
+      for (int x = 0; x < drawn.width(); ++x) {
+        most = std::max(most, std::abs(qGray(drawn.pixel(x, y)) - qGray(expected.pixel(x, y))));
+      }
+    }
+    EXPECT_LE(most, 2) << "scale " << scale;
+  }
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace {
 const std::string program = "G21 G90 G94 F3000\nG1 X40\nY40\nX80 F1200\nG0 Z20\n";
 
 SampledPath executed(const std::string& model = "essid") {
-  return sample_executed(*test::simulate_text(program, model).trajectory);
+  return sample_executed(test::simulate_text(program, model).trajectory);
 }
 
 /// Executed points with one quantity.
@@ -30,10 +30,16 @@ SampledPath with_values(Colouring quantity, const std::vector<double>& values) {
     path.times.push_back(double(i));
     path.causes.push_back(CauseKind::programmed_feed);
     for (std::size_t q = 0; q < sampled_count; ++q) {
-      const bool wanted = q == sample_index(quantity);
+      const bool wanted = quantity != Colouring::contour_error && q == sample_index(quantity);
       path.values[q].push_back(Stored(wanted ? float(values[i]) : 0.0F));
     }
   }
+  path.deviations = std::make_shared<const AskedDeviations>([values](std::span<const double>) {
+    SampledDeviations found;
+    std::ranges::transform(values, std::back_inserter(found.errors),
+                           [](double value) { return Stored(float(value)); });
+    return found;
+  });
   return path;
 }
 
@@ -191,7 +197,7 @@ TEST(ColourKey, OfCausesHasTheSharesOfTheCycleTimeThatTheSummaryHas) {
         run.summary.time_by_cause[i] / run.summary.cycle_time;
   }
   for (const std::size_t points : {std::size_t{6}, default_max_points}) {
-    const ColourKey key = colour_key(sample_executed(*run.trajectory, points), Colouring::cause);
+    const ColourKey key = colour_key(sample_executed(run.trajectory, points), Colouring::cause);
     ASSERT_FALSE(key.causes.empty());
     double sum = 0;
     for (std::size_t i = 0; i < key.causes.size(); ++i) {

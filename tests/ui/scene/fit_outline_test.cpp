@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 namespace feedscope::ui {
@@ -17,6 +18,26 @@ TEST(ConvexHull, HasTheCornersAlone) {
   EXPECT_EQ(convex_hull({{1, 1}, {1, 1}}).size(), 1U);
   EXPECT_EQ(convex_hull({{0, 0}, {1, 1}, {2, 2}, {0.5, 0.5}}).size(), 2U);
   EXPECT_TRUE(convex_hull({}).empty());
+}
+
+TEST(ConvexHull, IsAroundAllPointsAndTurnsOneWay) {
+  std::mt19937 random(3);
+  std::normal_distribution<double> place(0, 100);
+  for (int round = 0; round < 200; ++round) {
+    std::vector<Vec2> points;
+    for (int i = 0; i < 3 + round; ++i) {
+      points.emplace_back(place(random), round % 3 == 0 ? 1e-3 * place(random) : place(random));
+    }
+    const std::vector<Vec2> hull = convex_hull(points);
+    for (std::size_t k = 0; k < hull.size(); ++k) {
+      EXPECT_TRUE(std::ranges::count(points, hull[k]) > 0) << "round " << round;
+      const Vec2 side = hull[(k + 1) % hull.size()] - hull[k];
+      for (const Vec2& point : points) {
+        const Vec2 from = point - hull[k];
+        EXPECT_GE(side.x() * from.y() - side.y() * from.x(), -1e-9) << "round " << round;
+      }
+    }
+  }
 }
 
 TEST(FitOutline, FillsAFreeRoomInOneDirectionAndIsInItsMiddle) {

@@ -24,8 +24,10 @@ std::shared_ptr<const Trajectory> run_with(const LoadedProgram& program, const s
       .trajectory;
 }
 
-SampledPath compared(const Trajectory& run, const Trajectory& reference) {
-  return sample_compared(run, reference, sample_executed(reference).times);
+using SharedMotion = std::shared_ptr<const Trajectory>;
+
+SampledPath compared(const SharedMotion& run, const SharedMotion& reference) {
+  return sample_compared(run, *reference, sample_executed(reference).times);
 }
 
 constexpr const char* corners = "G1 F6000 X50\nY50\nX100 Y0\nG4 P0.5\nG1 X150\nG0 X0\n";
@@ -34,7 +36,7 @@ TEST(SampleCompared, HoldsTheDifferencesAtItsPoints) {
   const LoadedProgram program = read(corners);
   const auto fine = run_with(program, "essid", 0.005);
   const auto coarse = run_with(program, "essid", 0.1);
-  const SampledPath path = compared(*fine, *coarse);
+  const SampledPath path = compared(fine, coarse);
   ASSERT_TRUE(path.compared());
   ASSERT_EQ(path.lost.size(), path.size());
   const RunDifference difference = compare_places(*fine, *coarse, path.times);
@@ -44,7 +46,7 @@ TEST(SampleCompared, HoldsTheDifferencesAtItsPoints) {
                 0.004 * std::abs(double{difference.pace[i]}) + 1e-12);
   }
   EXPECT_NEAR(double{path.lost.back()}, fine->duration() - coarse->duration(), 1e-6);
-  EXPECT_FALSE(sample_executed(*fine).compared());
+  EXPECT_FALSE(sample_executed(fine).compared());
   double by_cause = 0;
   for (std::size_t i = 0; i < cause_kind_count; ++i) {
     by_cause += path.cause_times[i] - path.reference_cause_times[i];
@@ -77,10 +79,10 @@ TEST(SampleCompared, IsTheSameOfARunThatHasBeenDrawn) {
     const LoadedProgram program = read(text.c_str());
     const auto fine = run_with(program, "essid", 0.005);
     const auto coarse = run_with(program, "essid", 0.1);
-    const std::vector<double> times = sample_executed(*coarse).times;
+    const std::vector<double> times = sample_executed(coarse).times;
     EXPECT_EQ(times.size() > 300'000, text == zigzag) << times.size();
-    expect_same(compare_sampled(sample_executed(*fine), *fine, *coarse, times),
-                sample_compared(*fine, *coarse, times));
+    expect_same(compare_sampled(sample_executed(fine), fine, *coarse, times),
+                sample_compared(fine, *coarse, times));
   }
 }
 
@@ -89,18 +91,18 @@ TEST(SampleCompared, HasPointsWhereTheOtherRunChangesItsFeed) {
   const LoadedProgram program = read(corners);
   const auto level = run_with(program, "cam", 0.01);
   const auto real = run_with(program, "essid", 0.01);
-  const std::size_t alone = sample_executed(*level).size();
-  const SampledPath path = compared(*level, *real);
+  const std::size_t alone = sample_executed(level).size();
+  const SampledPath path = compared(level, real);
   EXPECT_GT(path.size(), alone + 50);
   EXPECT_TRUE(std::ranges::is_sorted(path.times));
-  EXPECT_EQ(path.deviations.size(), path.size());
+  EXPECT_EQ(path.found_deviations().shifts.size(), path.size());
   EXPECT_LT(double{path.lost.back()}, 0);  // nothing is as fast as the program
 }
 
 TEST(SampleCompared, OfRunsOfOtherProgramsIsRefused) {
   const auto run = run_with(read(corners), "cam", 0.01);
   const auto other = run_with(read("G1 X10 F100\n"), "cam", 0.01);
-  EXPECT_THROW(compared(*run, *other), std::invalid_argument);
+  EXPECT_THROW(compared(run, other), std::invalid_argument);
 }
 
 }  // namespace

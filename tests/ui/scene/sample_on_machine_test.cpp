@@ -24,7 +24,7 @@ const std::vector<std::string> known_place{"tool_length_mm=150", "part_zero_x_mm
 const std::string long_turn = "TRAORI\nG0 X40 Y0 Z0\nG1 X60 C90 F3000\n";
 
 SampledPath samples_of(const TurnedRun& run) {
-  return sample_executed(*run.trajectory, default_max_points, {}, nullptr, run.sources);
+  return sample_executed(run.trajectory, default_max_points, {}, nullptr, run.sources);
 }
 
 TEST(OnMachine, PointsAreWhereTheAxesStand) {
@@ -44,7 +44,7 @@ TEST(OnMachine, PointsAreWhereTheAxesStand) {
     }
   }
   EXPECT_GT(known, 90);
-  EXPECT_TRUE(machine.deviations.empty()) << "there is no programmed path on the machine";
+  EXPECT_TRUE(machine.found_deviations().shifts.empty()) << "there is no programmed path on the machine";
 }
 
 /// A turn of 90 degrees at 70 mm from the axis bends the way of X and Y: spans of 3 degrees are 0.024 mm off.

@@ -76,7 +76,7 @@ TEST(SampledPath, LeavesGapsAtMovesToMachinePositions) {
       EXPECT_NEAR(length_of(programmed, SpanKind::cut) + length_of(programmed, SpanKind::rapid),
                   toolpath.length(), 1e-3)
           << "seed " << seed;
-      const SampledPath executed = sample_executed(*run.trajectory);
+      const SampledPath executed = sample_executed(run.trajectory);
       const double drawn = length_of(executed, SpanKind::cut) + length_of(executed, SpanKind::rapid) +
                            length_of(executed, SpanKind::blend) + length_of(executed, SpanKind::curve);
       EXPECT_NEAR(drawn, run.trajectory->path_length(), 2e-3 * drawn) << model << ", seed " << seed;
@@ -89,13 +89,13 @@ TEST(SampledPath, LeavesGapsAtMovesToMachinePositions) {
 
 TEST(SampledPath, OfNothingIsEmpty) {
   EXPECT_EQ(sample_programmed(Toolpath{}).size(), 0);
-  EXPECT_EQ(sample_executed(Trajectory{}).size(), 0);
-  EXPECT_TRUE(sample_executed(Trajectory{}).bounds.empty());
+  EXPECT_EQ(sample_executed(std::make_shared<const Trajectory>()).size(), 0);
+  EXPECT_TRUE(sample_executed(std::make_shared<const Trajectory>()).bounds.empty());
 }
 
 TEST(SampledExecuted, LiesOnTheTrajectoryAtItsTimes) {
   const auto run = simulate_text(random_program(1, 60));
-  const SampledPath path = sample_executed(*run.trajectory);
+  const SampledPath path = sample_executed(run.trajectory);
   ASSERT_GT(path.size(), 100);
   EXPECT_EQ(path.times.front(), 0);
   EXPECT_EQ(path.times.back(), run.trajectory->duration());
@@ -115,7 +115,7 @@ TEST(SampledExecuted, IsAsExactFarFromTheZeroPoint) {
   const auto is_cut = [](SpanKind kind) { return kind != SpanKind::rapid && kind != SpanKind::gap; };
   constexpr double exact = 2e-9;  // [mm] 1e-7 of 20 um
   std::size_t count = 0;
-  const SampledPath executed = sample_executed(*run.trajectory);
+  const SampledPath executed = sample_executed(run.trajectory);
   for (std::size_t i = 0; i < executed.size(); ++i) {
     if (is_cut(executed.kinds[i])) {
       const State state = run.trajectory->state(executed.times[i]);
@@ -131,7 +131,7 @@ TEST(SampledExecuted, IsAsExactFarFromTheZeroPoint) {
 
 TEST(SampledExecuted, ColoursChangeInSmallSteps) {
   const auto run = simulate_text(random_program(2, 60));
-  const SampledPath path = sample_executed(*run.trajectory);
+  const SampledPath path = sample_executed(run.trajectory);
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
     if (path.kinds[i] == SpanKind::cut && (path.positions[i + 1] - path.positions[i]).norm() > 1e-6F) {
       EXPECT_LT(std::abs(path.value(Colouring::feed, i + 1) - path.value(Colouring::feed, i)),
@@ -145,7 +145,7 @@ class MarkedCorners : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(MarkedCorners, HaveTheLengthOfTheBlends) {
   const auto run = simulate_text(random_program(3, 40), GetParam());
-  const SampledPath path = sample_executed(*run.trajectory);
+  const SampledPath path = sample_executed(run.trajectory);
   double length = 0;
   for (const BlendRecord& blend : testing::blends_of(*run.trajectory)) {
     length += run.trajectory->is_rapid(blend.element) ? 0 : blend.length;
@@ -158,7 +158,7 @@ INSTANTIATE_TEST_SUITE_P(CubicsAndConnectingArcs, MarkedCorners, ::testing::Valu
 
 TEST(SampledExecuted, FeedThatJumpsDoesNotFlowAlongTheLine) {
   const auto run = simulate_text("G21 G90 G94\nG1 X100 F3000\nX200 F600\n", "cam");
-  const SampledPath path = sample_executed(*run.trajectory);
+  const SampledPath path = sample_executed(run.trajectory);
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
     if ((path.positions[i + 1] - path.positions[i]).norm() > 0) {
       EXPECT_EQ(path.value(Colouring::feed, i), path.value(Colouring::feed, i + 1))
@@ -172,11 +172,11 @@ TEST(SampledExecuted, FeedThatJumpsDoesNotFlowAlongTheLine) {
 TEST(SampledExecuted, KeepsToItsBudgetAndToThePath) {
   const auto run = simulate_text(random_program(4, 400));
   constexpr std::size_t budget = 1000;
-  const SampledPath path = sample_executed(*run.trajectory, budget);
+  const SampledPath path = sample_executed(run.trajectory, budget);
   EXPECT_LE(path.size(), 3 * budget + 2);
   EXPECT_GE(path.size(), budget / 3);
   const double spacing = run.trajectory->path_length() / budget;
-  const SampledPath whole = sample_executed(*run.trajectory);
+  const SampledPath whole = sample_executed(run.trajectory);
   ASSERT_GT(whole.size(), 3 * budget) << "else the test shows nothing";
   // The two walk the path together, so the nearest kept point in time is within a few spacings.
   std::size_t k = 0;
@@ -213,7 +213,7 @@ TEST(SampledExecuted, EveryRoundOfALongProgramIsTheSame) {
   constexpr std::size_t count = 300;
   const auto run = simulate_text(rounds(count));
   ASSERT_GT(run.trajectory->pieces().size(), 3 * 1024U) << "else the test shows nothing";
-  const SampledPath path = sample_executed(*run.trajectory);
+  const SampledPath path = sample_executed(run.trajectory);
   EXPECT_EQ(path.times.front(), 0);
   EXPECT_EQ(path.times.back(), run.trajectory->duration());
   EXPECT_TRUE(std::ranges::is_sorted(path.times));
@@ -227,7 +227,7 @@ TEST(SampledExecuted, EveryRoundOfALongProgramIsTheSame) {
     EXPECT_NEAR(errors[round], errors[0], 0.01 * errors[0]) << round;
     EXPECT_NEAR(spans[round], spans[0], 1e-3) << round;
   }
-  const double blends = length_of(sample_executed(*simulate_text(rounds(1)).trajectory), SpanKind::blend);
+  const double blends = length_of(sample_executed(simulate_text(rounds(1)).trajectory), SpanKind::blend);
   EXPECT_NEAR(length_of(path, SpanKind::blend), count * blends, 1e-4 * count * blends);
 }
 
@@ -264,7 +264,7 @@ TEST(SampledExecuted, HoldsTheMotionAtItsTimes) {
   const auto tangential = [](const State& s) { return s.tangential_acceleration; };
   for (const char* model : {"essid", "tapie", "ward"}) {
     const auto run = simulate_text(random_program(5, 20), model);
-    const SampledPath path = sample_executed(*run.trajectory);
+    const SampledPath path = sample_executed(run.trajectory);
     for (std::size_t i = 0; i < path.size(); ++i) {
       constexpr double instant = 1e-9;
       if (i > 0 && i + 1 < path.size() && path.times[i + 1] - path.times[i - 1] < instant) {
@@ -290,7 +290,7 @@ TEST(SampledExecuted, HoldsTheMotionAtItsTimes) {
 
 TEST(SampledExecuted, SpansHaveOneCause) {
   const auto run = simulate_text(random_program(6, 40));
-  const SampledPath path = sample_executed(*run.trajectory);
+  const SampledPath path = sample_executed(run.trajectory);
   const Bounds& all = run.input.toolpath->bounds;
   // A part shorter than half of this by the mean of its blend may end in a span.
   const double unseen = 1e-4 * (all.max - all.min).norm();
@@ -306,7 +306,7 @@ TEST(SampledExecuted, SpansHaveOneCause) {
 
 TEST(SampledExecuted, DeviatesInBlendsByAsMuchAsTheyCutTheCorner) {
   const auto run = simulate_text("G21 G90 G94 F3000\nG1 X40\nY40\nX80\n");
-  const SampledPath path = sample_executed(*run.trajectory);
+  const SampledPath path = sample_executed(run.trajectory);
   double largest = 0;
   for (std::size_t i = 0; i < path.size(); ++i) {
     const double size = path.value(Colouring::contour_error, i);
@@ -323,6 +323,33 @@ TEST(SampledExecuted, DeviatesInBlendsByAsMuchAsTheyCutTheCorner) {
     largest_drawn = std::max(largest_drawn, path.deviation(i).norm());
   }
   EXPECT_NEAR(largest_drawn, blend.epsilon, 0.03 * blend.epsilon) << "along the bisector";
+}
+
+TEST(SampledExecuted, FindsTheDeviationsOfItsPointsWhenAsked) {
+  for (const char* model : {"essid", "msaddek", "ward"}) {
+    for (unsigned seed = 7; seed < 10; ++seed) {
+      const auto run = simulate_text(random_program(seed, 30), model);
+      const SampledPath path = sample_executed(run.trajectory);
+      EXPECT_FALSE(path.deviations->asked());
+      const SampledDeviations& found = path.found_deviations();
+      EXPECT_TRUE(path.deviations->asked());
+      ASSERT_EQ(found.errors.size(), path.size());
+      ASSERT_EQ(found.shifts.size(), path.size());
+      PathDeviation deviation(*run.input.toolpath);
+      for (std::size_t i = 0; i < path.size(); ++i) {
+        const State at = run.trajectory->state(path.times[i]);
+        const auto there = deviation(at.position, run.trajectory->path().segment(at.element));
+        constexpr double nothing = 1e-9;  // [mm]
+        EXPECT_NEAR(double(float(found.errors[i])), there.nearest.norm(),
+                    0.004 * there.nearest.norm() + nothing)
+            << model << ", seed " << seed << ", " << at.time << " s";
+        EXPECT_NEAR((path.deviation(i) - there.along_bisector).norm(), 0,
+                    0.004 * there.along_bisector.norm() + nothing);
+        EXPECT_NEAR(contour_error_at(*run.trajectory, deviation, path.times[i]), there.nearest.norm(),
+                    nothing);
+      }
+    }
+  }
 }
 
 SampledPath points_at(const std::vector<float>& places) {

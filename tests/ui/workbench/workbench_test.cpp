@@ -108,13 +108,13 @@ TEST_F(WorkbenchTest, EveryStageOfARunAdvancesItsProgress) {
   const LoadedProgram input = load_program(std::make_shared<const SourceText>("part.nc", long_program()));
   Progress sampling;
   const feedscope::Run run = simulate_run(input, make_setup({}));
-  sample_executed(*run.trajectory, default_max_points, {}, &sampling);
+  sample_executed(run.trajectory, default_max_points, {}, &sampling);
   EXPECT_NEAR(sampling.fraction(), 1, 1e-9);
   Progress whole;
   simulate_shown(input, make_setup({}), &whole);
   EXPECT_NEAR(whole.fraction(), 1, 1e-9) << "shares of the stages do not add up";
   sampling.cancel();
-  EXPECT_THROW(sample_executed(*run.trajectory, default_max_points, {}, &sampling), Cancelled);
+  EXPECT_THROW(sample_executed(run.trajectory, default_max_points, {}, &sampling), Cancelled);
 }
 
 TEST_F(WorkbenchTest, TheLatestEditWins) {

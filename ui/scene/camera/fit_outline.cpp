@@ -110,7 +110,41 @@ ScreenRectangle box_around(const std::vector<Vec2>& points) {
   return box;
 }
 
+namespace {
+
+/// Without points inside the octagon of those that are farthest in eight directions: none is on the hull, and
+/// few others need to be sorted.
+void keep_outer(std::vector<Vec2>& points) {
+  const std::array<Vec2, 8> directions{Vec2(1, 0),  Vec2(1, 1),   Vec2(0, 1),  Vec2(-1, 1),
+                                       Vec2(-1, 0), Vec2(-1, -1), Vec2(0, -1), Vec2(1, -1)};
+  std::array<Vec2, directions.size()> corners;
+  corners.fill(points.front());
+  for (const Vec2& point : points) {
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      corners[k] = directions[k].dot(point) > directions[k].dot(corners[k]) ? point : corners[k];
+    }
+  }
+  std::erase_if(points, [&](const Vec2& point) {
+    bool inside = false;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const Vec2 side = corners[(k + 1) % corners.size()] - corners[k];
+      if (!side.isZero(0)) {
+        if (cross(side, point - corners[k]) <= 0) {
+          return false;
+        }
+        inside = true;
+      }
+    }
+    return inside;
+  });
+}
+
+}  // namespace
+
 std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
+  if (!points.empty()) {
+    keep_outer(points);
+  }
   const auto before = [](const Vec2& a, const Vec2& b) {
     return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
   };

@@ -21,7 +21,7 @@ DrawnPath::DrawnPath(std::shared_ptr<const SampledPath> samples) : samples_(std:
 
 void DrawnPath::exaggerate(double factor) {
   const bool was_moved = !moved_.empty();
-  if (factor == 1 || samples_->deviations.empty()) {
+  if (factor == 1 || samples_->found_deviations().shifts.empty()) {
     moved_ = {};
     if (!was_moved) {
       return;
@@ -29,8 +29,9 @@ void DrawnPath::exaggerate(double factor) {
   } else {
     moved_ = samples_->positions;
     const auto more = static_cast<float>(factor - 1);
+    const std::vector<StoredVector>& shifts = samples_->found_deviations().shifts;
     for (std::size_t i = 0; i < moved_.size(); ++i) {
-      const StoredVector& deviation = samples_->deviations[i];
+      const StoredVector& deviation = shifts[i];
       moved_[i] += more * Eigen::Vector3f(float(deviation[0]), float(deviation[1]), float(deviation[2]));
     }
   }

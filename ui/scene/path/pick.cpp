@@ -264,7 +264,7 @@ std::optional<double> lost_at(const PickablePath& path, double time) {
 }
 
 Vec3 deviation_at(const PickablePath& path, double time) {
-  if (path.samples == nullptr || path.samples->deviations.empty()) {
+  if (path.samples == nullptr || path.samples->found_deviations().shifts.empty()) {
     return Vec3::Zero();
   }
   const PathInstant at = instant(path.samples->times, time);

@@ -23,6 +23,8 @@ class ActualSampling {
 
   bool done() const { return walk_.done(); }
   double time() const { return walk_.span().time; }
+  /// Of all points up to now.
+  std::vector<StoredVector> take_shifts() { return std::move(shifts_); }
   /// Goes through one span. Its end is a point only where nothing or a gap is behind it.
   void add_span() {
     const SetSpan& span = walk_.span();
@@ -54,10 +56,11 @@ class ActualSampling {
     }
     path_.times.push_back(time);
     const Eigen::Vector3f shift = deviation.along_bisector.cast<float>();
-    path_.deviations.push_back({Stored(shift.x()), Stored(shift.y()), Stored(shift.z())});
+    shifts_.push_back({Stored(shift.x()), Stored(shift.y()), Stored(shift.z())});
   }
 
   SampledPath& path_;
+  std::vector<StoredVector> shifts_;  ///< SampledDeviations::shifts
   const Trajectory& trajectory_;
   Sampler sampler_;
   Sampler end_sampler_;
@@ -90,6 +93,7 @@ SampledPath sample_actual(const ActualPath& actual, std::size_t max_points, Prog
     }
     sampling.add_span();
   }
+  path.deviations = known_shifts(sampling.take_shifts());
   path.levels = levels_of(path);
   path.boxes = boxes_of(path.positions);
   return path;

@@ -34,7 +34,7 @@ SampledPath with_differences(SampledPath path, const Trajectory& trajectory, con
 
 }  // namespace
 
-SampledPath sample_compared(const Trajectory& trajectory, const Trajectory& reference,
+SampledPath sample_compared(const std::shared_ptr<const Trajectory>& trajectory, const Trajectory& reference,
                             std::span<const double> reference_times, Progress* progress,
                             const RunSources& sources) {
   Progress unwatched;
@@ -43,19 +43,19 @@ SampledPath sample_compared(const Trajectory& trajectory, const Trajectory& refe
   Progress comparing(whole, 0.5);
   const std::vector<double> places = are_close(reference_times)
                                          ? std::vector<double>()
-                                         : times_at_places(reference, trajectory, reference_times);
+                                         : times_at_places(reference, *trajectory, reference_times);
   return with_differences(sample_executed(trajectory, default_max_points, places, &sampling, sources),
-                          trajectory, reference, comparing);
+                          *trajectory, reference, comparing);
 }
 
-SampledPath compare_sampled(const SampledPath& sampled, const Trajectory& trajectory,
+SampledPath compare_sampled(const SampledPath& sampled, const std::shared_ptr<const Trajectory>& trajectory,
                             const Trajectory& reference, std::span<const double> reference_times,
                             Progress* progress, const RunSources& sources) {
   if (!are_close(reference_times)) {
     return sample_compared(trajectory, reference, reference_times, progress, sources);
   }
   Progress unwatched;
-  return with_differences(sampled, trajectory, reference, progress != nullptr ? *progress : unwatched);
+  return with_differences(sampled, *trajectory, reference, progress != nullptr ? *progress : unwatched);
 }
 
 }  // namespace feedscope::ui

@@ -10,6 +10,7 @@
 #include "core/base/parallel.h"
 #include "core/base/units.h"
 #include "core/trajectory/part_walk.h"
+#include "core/trajectory/state_walk.h"
 #include "ui/scene/path/sample_tool_axes.h"
 #include "ui/scene/path/sampler.h"
 
@@ -34,12 +35,20 @@ void reserve(SampledPath& path, std::size_t points, Has has) {
   path.kinds.reserve(points);
   path.times.reserve(points);
   path.causes.reserve(points);
-  path.deviations.reserve(points);
   for (std::size_t quantity = 0; quantity < own_sampled_count; ++quantity) {
     if (has(quantity)) {
       path.values[quantity].reserve(points);
     }
   }
+}
+
+const Toolpath& programmed_of(const Trajectory& trajectory) {
+  static const Toolpath nothing;
+  return trajectory.path().programmed() ? *trajectory.path().programmed() : nothing;
+}
+
+bool compacted(const Trajectory& trajectory) {
+  return &trajectory.path().base() != trajectory.path().programmed().get();
 }
 
 double extent_of(const Bounds& bounds) {
@@ -64,8 +73,7 @@ class ExecutedSampling {
         origin_(local_origin(programmed_of(trajectory))),
         extent_(extent_of(programmed_of(trajectory).bounds)),
         also_at_(also_at),
-        sources_(sources),
-        deviation_(programmed_of(trajectory)) {
+        sources_(sources) {
     for (PartWalk walk(trajectory); !walk.done(); walk.next()) {
       const Part& part = walk.part();
       cause_times_[static_cast<std::size_t>(part.cause.kind)] += part.duration;
@@ -165,11 +173,6 @@ class ExecutedSampling {
     }
   }
 
-  static const Toolpath& programmed_of(const Trajectory& trajectory) {
-    static const Toolpath nothing;
-    return trajectory.path().programmed() ? *trajectory.path().programmed() : nothing;
-  }
-
   /// At the latest where the part ends, q has gone this far, [mm] or blend parameter.
   static double course_of(const Part& part) {
     return advance({0, std::abs(part.v), std::abs(part.a), std::abs(part.j)}, part.duration).q;
@@ -230,7 +233,7 @@ class ExecutedSampling {
     if (kind == ElementKind::curve) {
       wanted = std::max(wanted, spans_of_curve * course / path.length(part.element));
     }
-    if (kind == ElementKind::line && compacted()) {
+    if (kind == ElementKind::line && compacted(trajectory_)) {
       wanted = std::max(wanted, course / path.length(part.element) * blocks_of(part.element));
     }
     return spans(wanted, advance_of(part), spacing);
@@ -245,8 +248,6 @@ class ExecutedSampling {
     const double half = std::ceil(std::min(by_chord, turn / turn_of_corner_span) / 2);
     return 2 * std::clamp(half, 1.0, most_spans_of_corner / 2);
   }
-
-  bool compacted() const { return &trajectory_.path().base() != trajectory_.path().programmed().get(); }
 
   /// Programmed blocks that one line of a compacted path stands for.
   double blocks_of(std::uint32_t element) const {
@@ -305,16 +306,7 @@ class ExecutedSampling {
       path.times.push_back(path.times.empty() ? time : std::max(path.times.back(), time));
       path.causes.push_back(part.cause.kind);
       add_values(path, at);
-      const auto deviation =
-          follows_exactly(part) ? PathDeviation::Result() : deviation_(at.position, segment_of(part));
-      store(path.values[sample_index(Colouring::contour_error)], deviation.nearest.norm());
-      const Eigen::Vector3f shift = deviation.along_bisector.cast<float>();
-      path.deviations.push_back({Stored(shift.x()), Stored(shift.y()), Stored(shift.z())});
     }
-  }
-
-  static void store(std::vector<Stored>& values, double value) {
-    values.push_back(Stored(static_cast<float>(value)));
   }
 
   void add_values(SampledPath& path, const State& state) {
@@ -323,21 +315,12 @@ class ExecutedSampling {
     for (const QuantityInfo& quantity : all_quantities()) {
       if (quantity.colours) {
         if (sources_.has(quantity.source)) {
-          store(path.values[next], quantity.of(instant));
+          path.values[next].push_back(Stored(static_cast<float>(quantity.of(instant))));
         }
         ++next;
       }
     }
   }
-
-  /// On what the control takes over as it is programmed.
-  bool follows_exactly(const Part& part) const {
-    const ElementKind kind = trajectory_.path().kind(part.element);
-    return !compacted() &&
-           (kind == ElementKind::line || kind == ElementKind::arc || kind == ElementKind::dwell);
-  }
-
-  std::uint32_t segment_of(const Part& part) const { return trajectory_.path().segment(part.element); }
 
   const Trajectory& trajectory_;
   Vec3 origin_;                      ///< [mm]
@@ -348,8 +331,7 @@ class ExecutedSampling {
   std::array<double, cause_kind_count> cause_times_{};  ///< [s]
   double top_speed_ = 0;                                ///< [mm/s]
   double top_jerk_ = 0;                                 ///< along the path [mm/s3]
-  PathDeviation deviation_;
-  bool gap_ = false;  ///< the next point is behind a gap
+  bool gap_ = false;                                    ///< the next point is behind a gap
 };
 
 /// Appends what `part` holds and gives its memory back.
@@ -372,7 +354,6 @@ SampledPath joined(std::vector<SampledPath> parts) {
     move_behind(path.kinds, part.kinds);
     move_behind(path.times, part.times);
     move_behind(path.causes, part.causes);
-    move_behind(path.deviations, part.deviations);
     for (std::size_t quantity = 0; quantity < own_sampled_count; ++quantity) {
       move_behind(path.values[quantity], part.values[quantity]);
     }
@@ -383,7 +364,47 @@ SampledPath joined(std::vector<SampledPath> parts) {
   return path;
 }
 
+/// On what the control takes over as it is programmed.
+bool follows_exactly(const Trajectory& trajectory, std::uint32_t element) {
+  const ElementKind kind = trajectory.path().kind(element);
+  return !compacted(trajectory) &&
+         (kind == ElementKind::line || kind == ElementKind::arc || kind == ElementKind::dwell);
+}
+
+/// SampledDeviations of a run at some times.
+SampledDeviations deviations_of(const Trajectory& trajectory, std::span<const double> times) {
+  constexpr std::size_t points_a_task = 4096;
+  const Stored zero(0.0F);
+  SampledDeviations found{std::vector<Stored>(times.size(), zero),
+                          std::vector<StoredVector>(times.size(), {zero, zero, zero})};
+  const PathDeviation whole(programmed_of(trajectory));
+  in_order((times.size() + points_a_task - 1) / points_a_task, [&](std::size_t task) {
+    PathDeviation deviation = whole;
+    const std::size_t first = task * points_a_task;
+    StateWalk walk(trajectory, times[first]);
+    for (std::size_t i = first; i < std::min(times.size(), first + points_a_task); ++i) {
+      const State at = walk.at_without_length(times[i]);
+      if (!follows_exactly(trajectory, at.element)) {
+        const auto there = deviation(at.position, trajectory.path().segment(at.element));
+        const Eigen::Vector3f shift = there.along_bisector.cast<float>();
+        found.errors[i] = Stored(static_cast<float>(there.nearest.norm()));
+        found.shifts[i] = {Stored(shift.x()), Stored(shift.y()), Stored(shift.z())};
+      }
+    }
+    return [] {};
+  });
+  return found;
+}
+
 }  // namespace
+
+double contour_error_at(const Trajectory& trajectory, const PathDeviation& deviation, double time) {
+  const State at = trajectory.state(time);
+  const std::uint32_t segment = trajectory.path().segment(at.element);
+  return follows_exactly(trajectory, at.element)
+             ? 0
+             : std::sqrt(deviation.nearest(at.position, segment, segment).squared);
+}
 
 SampledPath sample_motion(const Trajectory& trajectory, std::size_t max_points,
                           std::span<const double> also_at, Progress& progress, double share,
@@ -406,16 +427,18 @@ SampledPath sample_motion(const Trajectory& trajectory, std::size_t max_points,
   return path;
 }
 
-SampledPath sample_executed(const Trajectory& trajectory, std::size_t max_points,
+SampledPath sample_executed(const std::shared_ptr<const Trajectory>& trajectory, std::size_t max_points,
                             std::span<const double> also_at, Progress* progress, const RunSources& sources) {
-  if (trajectory.pieces().empty()) {
+  if (trajectory->pieces().empty()) {
     return {};
   }
   Progress unwatched;
   Progress& watched = progress != nullptr ? *progress : unwatched;
   const bool on_machine = sources.rotary && sources.rotary->knows_linear();
   const double rest_share = (sources.actual ? share_of_actual : 0) + (on_machine ? share_on_machine : 0);
-  SampledPath path = sample_motion(trajectory, max_points, also_at, watched, 1 - rest_share, sources);
+  SampledPath path = sample_motion(*trajectory, max_points, also_at, watched, 1 - rest_share, sources);
+  path.deviations = std::make_shared<const AskedDeviations>(
+      [trajectory](std::span<const double> times) { return deviations_of(*trajectory, times); });
   path.levels = levels_of(path);
   path.boxes = boxes_of(path.positions);
   if (sources.rotary) {
@@ -424,7 +447,11 @@ SampledPath sample_executed(const Trajectory& trajectory, std::size_t max_points
   }
   if (on_machine) {
     Progress rest(watched, share_on_machine);
-    path.on_machine = std::make_shared<const SampledPath>(sample_on_machine(sources, &rest));
+    SampledPath machine = sample_on_machine(sources, &rest);
+    machine.deviations = std::make_shared<const AskedDeviations>([trajectory](std::span<const double> times) {
+      return SampledDeviations{deviations_of(*trajectory, times).errors, {}};
+    });
+    path.on_machine = std::make_shared<const SampledPath>(std::move(machine));
   }
   if (sources.actual) {
     Progress rest(watched, share_of_actual);

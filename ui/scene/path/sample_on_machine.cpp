@@ -76,7 +76,6 @@ SampledPath sample_on_machine(const RunSources& sources, Progress* progress) {
   std::ranges::transform(places, path.positions.begin(), [&](const Vec3& place) -> Eigen::Vector3f {
     return (place - path.origin).cast<float>();
   });
-  path.deviations.clear();
   path.rotary = sources.rotary;
   path.levels = levels_of(path);
   path.boxes = boxes_of(path.positions);

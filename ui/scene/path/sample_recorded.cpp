@@ -30,6 +30,7 @@ SampledPath sample_recorded(const TraceOnProgram& trace, const ProgrammedCourse&
                             const Toolpath& toolpath, std::size_t max_points, Progress* progress) {
   const MatchedRecord& matched = trace.matched;
   SampledPath path;
+  std::vector<StoredVector> shifts;
   if (matched.empty()) {
     return path;
   }
@@ -70,10 +71,11 @@ SampledPath sample_recorded(const TraceOnProgram& trace, const ProgrammedCourse&
     if (sampler.add(place, kind, moved)) {
       path.times.push_back(trace.record.time[i]);
       const Eigen::Vector3f shift = deviation.along_bisector.cast<float>();
-      path.deviations.push_back({Stored(shift.x()), Stored(shift.y()), Stored(shift.z())});
+      shifts.push_back({Stored(shift.x()), Stored(shift.y()), Stored(shift.z())});
     }
   }
   path.kinds.back() = SpanKind::gap;
+  path.deviations = known_shifts(std::move(shifts));
   path.levels = levels_of(path);
   path.boxes = boxes_of(path.positions);
   return path;

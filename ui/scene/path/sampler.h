@@ -27,6 +27,9 @@ SampledPath sample_motion(const Trajectory& trajectory, std::size_t max_points,
                           std::span<const double> also_at, Progress& progress, double share,
                           const RunSources& sources);
 
+/// SampledPath::deviations of which no colour shows the size. `shifts`: SampledDeviations::shifts.
+std::shared_ptr<const AskedDeviations> known_shifts(std::vector<StoredVector> shifts);
+
 /// The middle of the ends of feed motions, of all ends where nothing is cut [mm]: SampledPath::origin.
 Vec3 local_origin(const Toolpath& toolpath);
 
