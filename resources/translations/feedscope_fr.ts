@@ -2403,10 +2403,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>%1°</translation>
     </message>
     <message>
-        <source>%1%2 s</source>
-        <translation>%1%2&#xa0;s</translation>
-    </message>
-    <message>
         <source>%1 %</source>
         <translation>%1&#xa0;%</translation>
     </message>
@@ -2963,6 +2959,10 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>The tool must stop: an exact stop or a contour tolerance of 0 is in force.</source>
         <translation>L’outil doit s’arrêter&#xa0;: un arrêt exact ou une tolérance de contour de 0 est en vigueur.</translation>
+    </message>
+    <message>
+        <source>The block is %1 long and takes the control at least %2 to prepare: longer blocks, with fewer points, are faster.</source>
+        <translation>Le bloc fait %1 et la commande met au moins %2 à le préparer : des blocs plus longs, avec moins de points, sont plus rapides.</translation>
     </message>
 </context>
 <context>
@@ -9815,6 +9815,38 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <source>The traces run at this share of the programmed feed. It is taken as the feed override, and is not written into the machine file. If the recorded times have a wrong rate instead, the other values are wrong.</source>
         <translation>Les traces vont à cette part de l’avance programmée. Elle est prise comme correction d’avance et n’est pas écrite dans le fichier machine. Si la cadence des instants enregistrés est plutôt fausse, les autres valeurs sont fausses.</translation>
     </message>
+    <message>
+        <source>The exact stop window has no effect: the machine gives no drive (kv_1_s), so that its axes are where they should be at once.</source>
+        <translation>La fenêtre d’arrêt précis est sans effet : la machine ne donne aucun entraînement (kv_1_s), ses axes sont donc aussitôt à leur place.</translation>
+    </message>
+    <message>
+        <source>block time</source>
+        <translation>temps de bloc</translation>
+    </message>
+    <message>
+        <source>Block time</source>
+        <translation>Temps de bloc</translation>
+    </message>
+    <message>
+        <source>Least time that the control takes to prepare a block: the feed on a block is at most its length by this time. Without it, or 0, blocks are prepared at once.</source>
+        <translation>Temps minimal que la commande met à préparer un bloc : l’avance sur un bloc est au plus sa longueur divisée par ce temps. Sans valeur, ou 0, les blocs sont prêts aussitôt.</translation>
+    </message>
+    <message>
+        <source>Exact stop window</source>
+        <translation>Fenêtre d’arrêt précis</translation>
+    </message>
+    <message>
+        <source>At exact stops (G9, G60 with G601 or G602, G61), before pauses and at the end the control waits until every axis is within this distance of its set position, by the gain of its drive. Without it, or 0, it does not wait.</source>
+        <translation>Aux arrêts précis (G9, G60 avec G601 ou G602, G61), avant les pauses et à la fin, la commande attend que chaque axe soit à moins de cette distance de sa consigne, selon le gain de son entraînement. Sans valeur, ou 0, elle n’attend pas.</translation>
+    </message>
+    <message>
+        <source>Blocks in which rotary axes turn alone are run from stop to stop; under G64 the control overlaps them with their neighbours, which saves up to 0.4 s each.</source>
+        <translation>Les blocs où des axes rotatifs tournent seuls vont d’un arrêt à l’autre ; sous G64, la commande les recouvre avec leurs voisins, ce qui gagne jusqu’à 0,4 s chacun.</translation>
+    </message>
+    <message>
+        <source>At M7, M8 and M9 the control waits for its coolant, often 0.1 s each time: not in the cycle time.</source>
+        <translation>À M7, M8 et M9, la commande attend son arrosage, souvent 0,1 s chaque fois : hors du temps de cycle.</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ActionTable</name>
@@ -13563,10 +13595,6 @@ Ensemble&#xa0;: %4</translation>
 </context>
 <context>
     <name>feedscope::ui::RemedyTable</name>
-    <message>
-        <source>%1%2 s</source>
-        <translation>%1%2&#xa0;s</translation>
-    </message>
     <message>
         <source>%1: being simulated</source>
         <translation>%1&#xa0;: simulation en cours</translation>
