@@ -31,6 +31,9 @@ class SpanFigures {
       } else {
         last[2] = look(walk, looks.at(i));
       }
+      if (last[1].cuts != last[2].cuts) {
+        look_at_border(walk, last[1], last[2]);
+      }
       if (i == 0) {
         narrow_at_end(walk, last[1], last[2], first_share);
         continue;
@@ -49,6 +52,8 @@ class SpanFigures {
  private:
   static constexpr std::size_t error = 3;  ///< place of the contour error, after the three following errors
   static constexpr double first_share = 1e-3;
+  static constexpr double width = 1e-9;  ///< of an instant that is narrowed down [s]
+  static constexpr int steps = 60;       ///< for that
   struct Look {
     double time = 0;             ///< [s]
     std::array<double, 4> of{};  ///< [mm]
@@ -93,8 +98,6 @@ class SpanFigures {
   }
 
   void narrow(ActualWalk& walk, const Look& before, const Look& at, const Look& after) {
-    constexpr double width = 1e-9;  // [s]
-    constexpr int steps = 60;
     for (std::size_t i = 0; i < at.of.size(); ++i) {
       if (at.of[i] >= std::max(before.of[i], after.of[i]) &&
           may_rise(i, at.of[i], std::min(before.of[i], after.of[i]))) {
@@ -105,6 +108,18 @@ class SpanFigures {
         walk.go_back(after.slides);
       }
     }
+  }
+
+  /// Between two looks of which one counts: the error may be largest where it begins or ceases to count.
+  void look_at_border(ActualWalk& walk, const Look& before, const Look& after) {
+    double from = before.time;
+    double to = after.time;
+    for (int i = 0; i < steps && to - from > width; ++i) {
+      const double middle = (from + to) / 2;
+      walk.go_back(before.slides);
+      (look(walk, middle).cuts == before.cuts ? from : to) = middle;
+    }
+    walk.go_back(after.slides);
   }
 
   /// Between two looks of which one is at an end of the span: whether a figure first rises from there.
