@@ -11,7 +11,8 @@ fail() {
 }
 
 # missing_packages [program|tests|packages|checks]: the packages of debian-packages.txt that are not installed, for the
-# program alone, for its tests (if nothing is said), for packaging/package or for packaging/check too.
+# program alone, for its tests (if nothing is said), for packaging/package or for packaging/check too. One that another
+# package provides is there, as npm in the nodejs of other archives.
 missing_packages() {
   local wanted end
   case ${1:-tests} in
@@ -25,7 +26,8 @@ missing_packages() {
   mapfile -t wanted < <(sed -e "$end" "$project_dir/packaging/debian-packages.txt" | sed 's/#.*//' |
     awk -v here="[$VERSION_ID]" 'NF && (!$2 || $2 == here) { print $1 }')
   comm -23 <(printf '%s\n' "${wanted[@]}" | sort -u) \
-    <(dpkg-query -W -f '${db:Status-Status} ${Package}\n' | awk '$1 == "installed" { print $2 }' | sort -u)
+    <(dpkg-query -W -f '${db:Status-Status} ${Package} ${Provides}\n' |
+      awk '$1 == "installed" { gsub(/,/, ""); for (i = 2; i <= NF; ++i) print $i }' | sort -u)
 }
 
 check_system() {

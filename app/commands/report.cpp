@@ -21,6 +21,7 @@
 #include "app/trace_files.h"
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
+#include "ui/page/page.h"
 #include "ui/report/report.h"
 #include "ui/report/template_pictures.h"
 #include "ui/theme/offscreen_application.h"
@@ -220,11 +221,11 @@ int report(const ReportOptions& options) {
         (i == 0 ? *out : files.add(file_of_page(options.out, i))) << pages[i];
       }
     } else {
-      *out << ui::make_report(input, page,
-                              format == "pdf"           ? ui::ReportFormat::pdf
-                              : format == report_format ? ui::ReportFormat::pages
-                                                        : ui::ReportFormat::html,
-                              drawing);
+      *out << (format == "html"
+                   ? ui::make_page(input, page, drawing)
+                   : ui::make_report(input, page,
+                                     format == "pdf" ? ui::ReportFormat::pdf : ui::ReportFormat::pages,
+                                     drawing));
     }
   }
   files.commit();

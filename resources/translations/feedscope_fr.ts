@@ -727,6 +727,169 @@
     </message>
 </context>
 <context>
+    <name>PageWords</name>
+    <message>
+        <source>%1 lost here</source>
+        <translation>%1 perdus ici</translation>
+    </message>
+    <message>
+        <source>%1 places</source>
+        <translation>%1 endroits</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 (%4).</source>
+        <translation>%1&#xa0;: %2 sur %3 (%4).</translation>
+    </message>
+    <message>
+        <source>%1: the axes stand.</source>
+        <translation>%1&#xa0;: les axes sont à l&apos;arrêt.</translation>
+    </message>
+    <message>
+        <source>About this page</source>
+        <translation>À propos de cette page</translation>
+    </message>
+    <message>
+        <source>Against</source>
+        <translation>Par rapport à</translation>
+    </message>
+    <message>
+        <source>All data is in this file; it asks no other one and no network.</source>
+        <translation>Toutes les données sont dans ce fichier&#xa0;; il n&apos;en demande pas d&apos;autre et n&apos;utilise pas le réseau.</translation>
+    </message>
+    <message>
+        <source>Charts over</source>
+        <translation>Graphiques selon</translation>
+    </message>
+    <message>
+        <source>Drag: turn. Right button or two fingers: move. Wheel or pinch: zoom. Double click: fit. In charts drag to move, wheel or pinch to zoom. Space plays, N and P go to the next and previous worst place, F fits, arrows move the cursor.</source>
+        <translation>Glisser&#xa0;: tourner. Bouton droit ou deux doigts&#xa0;: déplacer. Molette ou pincement&#xa0;: agrandir. Double clic&#xa0;: ajuster. Dans les graphiques, glisser déplace, molette ou pincement agrandit. Espace lit, N et P vont au pire endroit suivant et précédent, F ajuste, les flèches déplacent le curseur.</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajuster</translation>
+    </message>
+    <message>
+        <source>Fit the path into the picture (F)</source>
+        <translation>Ajuster la trajectoire à l&apos;image (F)</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Face</translation>
+    </message>
+    <message>
+        <source>Go to the report below</source>
+        <translation>Aller au rapport plus bas</translation>
+    </message>
+    <message>
+        <source>Iso</source>
+        <translation>Iso</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>Loupe</translation>
+    </message>
+    <message>
+        <source>Long program, drawn coarser: path within %1, feed within %2 of the largest</source>
+        <translation>Programme long, tracé plus grossier&#xa0;: trajectoire à %1 près, avance à %2 de la plus grande</translation>
+    </message>
+    <message>
+        <source>Look from here</source>
+        <translation>Regarder d&apos;ici</translation>
+    </message>
+    <message>
+        <source>Made with Feedscope %1. Simulated, not measured.</source>
+        <translation>Fait avec Feedscope %1. Simulé, non mesuré.</translation>
+    </message>
+    <message>
+        <source>Max. error</source>
+        <translation>Erreur max.</translation>
+    </message>
+    <message>
+        <source>Next worst place</source>
+        <translation>Pire endroit suivant</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Trajectoire</translation>
+    </message>
+    <message>
+        <source>Path within %1, feed within %2 of the largest</source>
+        <translation>Trajectoire à %1 près, avance à %2 de la plus grande</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Lire</translation>
+    </message>
+    <message>
+        <source>Previous worst place</source>
+        <translation>Pire endroit précédent</translation>
+    </message>
+    <message>
+        <source>Programmed</source>
+        <translation>Programmé</translation>
+    </message>
+    <message>
+        <source>Rapids</source>
+        <translation>Rapides</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Droite</translation>
+    </message>
+    <message>
+        <source>Show rapids</source>
+        <translation>Montrer les rapides</translation>
+    </message>
+    <message>
+        <source>Show the lens (L)</source>
+        <translation>Montrer la loupe (L)</translation>
+    </message>
+    <message>
+        <source>Show the programmed path</source>
+        <translation>Montrer la trajectoire programmée</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>This browser draws no 3D (WebGL 2): a picture of the report.</source>
+        <translation>Ce navigateur ne trace pas de 3D (WebGL 2)&#xa0;: une image du rapport.</translation>
+    </message>
+    <message>
+        <source>Time lost</source>
+        <translation>Temps perdu</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Dessus</translation>
+    </message>
+    <message>
+        <source>against %1</source>
+        <translation>par rapport à %1</translation>
+    </message>
+    <message>
+        <source>no bound</source>
+        <translation>sans borne</translation>
+    </message>
+    <message>
+        <source>over path</source>
+        <translation>selon la trajectoire</translation>
+    </message>
+    <message>
+        <source>over time</source>
+        <translation>selon le temps</translation>
+    </message>
+    <message>
+        <source>place %1 of %2</source>
+        <translation>endroit %1 sur %2</translation>
+    </message>
+</context>
+<context>
     <name>PictureCaption</name>
     <message>
         <source>run</source>
@@ -11407,6 +11570,30 @@ max. : %1 %</translation>
     <message>
         <source>Pi&amp;ctures</source>
         <translation>&amp;Images</translation>
+    </message>
+    <message>
+        <source>Share as pa&amp;ge …</source>
+        <translation>Partager en pa&amp;ge …</translation>
+    </message>
+    <message>
+        <source>One file that opens in any browser: path in 3D, charts, decision and report, without network</source>
+        <translation>Un fichier qui s&apos;ouvre dans tout navigateur : trajectoire en 3D, graphiques, décision et rapport, sans réseau</translation>
+    </message>
+    <message>
+        <source>web browser html send colleague customer tablet</source>
+        <translation>web navigateur html envoyer collègue client tablette</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>Enregistré sous %1.</translation>
+    </message>
+    <message>
+        <source>Share as page</source>
+        <translation>Partager en page</translation>
+    </message>
+    <message>
+        <source>Web page (*.html)</source>
+        <translation>Page web (*.html)</translation>
     </message>
 </context>
 <context>

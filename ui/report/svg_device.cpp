@@ -35,6 +35,48 @@ bool is_rectangle(const QPainterPath& path) {
          at(3).x() == at(0).x();
 }
 
+/// Points of a path as steps from the end of the one before, which is half as long as positions; whole
+/// thousandths, so that rounding does not add up.
+class RelativeSteps {
+ public:
+  QByteArray of(const QPainterPath& path) {
+    for (int i = 0; i < path.elementCount(); ++i) {
+      const QPainterPath::Element& element = path.elementAt(i);
+      data_ += element.isMoveTo() ? "m" : element.isLineTo() ? "l" : element.isCurveTo() ? "c" : "";
+      const bool ends =
+          !element.isCurveTo() &&
+          (i + 1 == path.elementCount() || path.elementAt(i + 1).type != QPainterPath::CurveToDataElement);
+      add(element, ends);
+    }
+    return data_;
+  }
+
+ private:
+  void add(const QPainterPath::Element& element, bool ends) {
+    const auto x = std::llround(element.x * thousand);
+    const auto y = std::llround(element.y * thousand);
+    add(x - x_);
+    add(y - y_);
+    if (ends) {
+      x_ = x;
+      y_ = y;
+    }
+  }
+  void add(long long step) {
+    QByteArray text = QByteArray::number(static_cast<double>(step) / thousand, 'g', 12);
+    if (text.startsWith("0.") || text.startsWith("-0.")) {
+      text.remove(text.indexOf('0'), 1);
+    }
+    const char last = data_.isEmpty() ? 'm' : data_.back();
+    data_ += (last >= '0' && last <= '9' && text.front() != '-' ? " " : "") + text;
+  }
+
+  static constexpr double thousand = 1000;
+  QByteArray data_;
+  long long x_ = 0;
+  long long y_ = 0;
+};
+
 QByteArray path_data(const QPainterPath& path) {
   if (is_rectangle(path)) {
     const QPointF corner = path.elementAt(0);
@@ -42,13 +84,7 @@ QByteArray path_data(const QPainterPath& path) {
     return 'M' + number(corner.x()) + ' ' + number(corner.y()) + 'H' + number(opposite.x()) + 'V' +
            number(opposite.y()) + 'H' + number(corner.x()) + 'z';
   }
-  QByteArray data;
-  for (int i = 0; i < path.elementCount(); ++i) {
-    const QPainterPath::Element& element = path.elementAt(i);
-    data += element.isMoveTo() ? "M" : element.isLineTo() ? "L" : element.isCurveTo() ? "C" : " ";
-    data += number(element.x) + ' ' + number(element.y);
-  }
-  return data;
+  return RelativeSteps().of(path);
 }
 
 QByteArray colour_of(const char* name, const QColor& colour) {
@@ -151,7 +187,9 @@ class SvgDevice::Engine : public QPaintEngine {
       return;
     }
     const Clipped shown = clipped(path, painter()->pen());
-    add(" fill=\"none\"" + stroke_of(painter()->pen()), path_element(painter()->pen(), path), shown.clip);
+    if (!shown.path.isEmpty()) {
+      add(" fill=\"none\"" + stroke_of(painter()->pen()), path_element(painter()->pen(), path), shown.clip);
+    }
   }
   void drawPixmap(const QRectF& target, const QPixmap& pixmap, const QRectF& source) override {
     drawImage(target, pixmap.toImage(), source, Qt::AutoColor);
@@ -209,7 +247,11 @@ class SvgDevice::Engine : public QPaintEngine {
     const bool stroked = pen.style() != Qt::NoPen;
     const double reach = stroked ? std::max(1.0, pen.widthF()) : 0;
     const QRectF room = clip.boundingRect();
-    if (is_rectangle(clip) && room.contains(path.controlPointRect().adjusted(-reach, -reach, reach, reach))) {
+    const QRectF drawn = path.controlPointRect().adjusted(-reach, -reach, reach, reach);
+    if (!room.intersects(drawn)) {
+      return {};
+    }
+    if (is_rectangle(clip) && room.contains(drawn)) {
       return {path, false};
     }
     if (!is_rectangle(clip) || stroked) {

@@ -1,6 +1,7 @@
 #include "ui/window/file_menu.h"
 
 #include <QCoreApplication>
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QInputDialog>
@@ -8,8 +9,12 @@
 #include <filesystem>
 
 #include "core/base/data_folder.h"
+#include "core/base/error.h"
 #include "ui/charts/charts_panel.h"
+#include "ui/language/failure_text.h"
+#include "ui/language/language.h"
 #include "ui/program_text/reading_dialog.h"
+#include "ui/session/session_file.h"
 #include "ui/shared/panel_action.h"
 #include "ui/shared/paths.h"
 #include "ui/window/film_dialog.h"
@@ -17,13 +22,18 @@
 #include "ui/window/picture_commands.h"
 #include "ui/window/picture_dialog.h"
 #include "ui/window/print_dialog.h"
+#include "ui/window/proposed_file.h"
 #include "ui/window/report_dialog.h"
 #include "ui/workbench/recent_files.h"
 
 namespace feedscope::ui {
 
 FileMenu::FileMenu(Workbench& workbench, WindowSession& session, MainWindow& window)
-    : QMenu(tr("&File"), &window), workbench_(workbench), session_(session), window_(window) {
+    : QMenu(tr("&File"), &window),
+      workbench_(workbench),
+      session_(session),
+      window_(window),
+      sharing_(QCoreApplication::applicationFilePath(), {QStringLiteral("report")}) {
   add_programs();
   addSeparator();
   add_sessions();
@@ -95,7 +105,18 @@ void FileMenu::add_paper() {
                 tr("Report as PDF or HTML, to print or to send, with a preview of its pages"));
   set_everyday_words(report_, tr("print printer export paper document send"));
   connect(report_, &QAction::triggered, this, &FileMenu::ask_for_report);
-  const auto follow = [this] { report_->setEnabled(workbench_.program() != nullptr); };
+  QAction* page =
+      add(tr("Share as pa&ge …"), {},
+          tr("One file that opens in any browser: path in 3D, charts, decision and report, without network"));
+  set_everyday_words(page, tr("web browser html send colleague customer tablet"));
+  connect(page, &QAction::triggered, this, &FileMenu::ask_and_share);
+  connect(&sharing_, &CommandProcess::done, this,
+          [this] { emit done(tr("Saved as %1.").arg(shared_file_)); });
+  connect(&sharing_, &CommandProcess::failed, this, &FileMenu::failed);
+  const auto follow = [this, page] {
+    report_->setEnabled(workbench_.program() != nullptr);
+    page->setEnabled(workbench_.program() != nullptr);
+  };
   connect(&workbench_, &Workbench::program_changed, report_, follow);
   follow();
   auto* pictures = new PictureCommands(window_);
@@ -175,6 +196,35 @@ void FileMenu::ask_for_report() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &ReportDialog::saved, this, &FileMenu::done);
   dialog->open();
+}
+
+void FileMenu::ask_and_share() {
+  QString file = QFileDialog::getSaveFileName(
+      &window_, tr("Share as page"),
+      proposed_file(workbench_.file(), QStringLiteral("page"), QStringLiteral("html")),
+      tr("Web page (*.html)"));
+  if (!file.isEmpty()) {
+    if (QFileInfo(file).suffix().isEmpty()) {
+      file += QStringLiteral(".html");
+    }
+    share(file);
+  }
+}
+
+void FileMenu::share(const QString& file) {
+  const QString session = QDir(share_folder_.path()).filePath(QStringLiteral("page.feedscope"));
+  const Session captured = session_.capture();
+  ReportWish wish;
+  wish.language = spoken_language();
+  wish.without.append(QStringLiteral("commands"));
+  try {
+    write_session(captured, to_path(session));
+  } catch (const InputError& error) {
+    emit failed(failure_text(error));
+    return;
+  }
+  shared_file_ = file;
+  sharing_.start(report_arguments(wish, session) + QStringList{QStringLiteral("--out"), file}, {});
 }
 
 void FileMenu::ask_and_print() {

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <QMenu>
+#include <QTemporaryDir>
+
+#include "ui/report/command_process.h"
 
 namespace feedscope::ui {
 
@@ -28,6 +31,9 @@ class FileMenu : public QMenu {
   /// Of the program that is open, as it is shown now.
   void ask_for_report();
   void ask_for_picture();
+  void ask_and_share();
+  /// The program that is open with its runs and annotations, as one page for a browser.
+  void share(const QString& file);
   /// What the window shows.
   void ask_and_print();
   void ask_for_film();
@@ -57,6 +63,9 @@ class FileMenu : public QMenu {
   QAction* open_ = nullptr;
   QAction* picture_ = nullptr;
   QAction* report_ = nullptr;
+  QTemporaryDir share_folder_;
+  QString shared_file_;
+  CommandProcess sharing_;
 };
 
 }  // namespace feedscope::ui

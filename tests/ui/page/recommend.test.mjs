@@ -1,0 +1,41 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { clockText, numberText, shareText, useNumbers } from '../../../ui/page/web/numbers.js';
+import { recommend } from '../../../ui/page/web/recommend.js';
+
+const run = (time, error, more = {}) => ({ time, error, lines_not_run: 0, competes: true, ...more });
+
+test('the smallest error within one percent of the fastest', () => {
+  const runs = [run(100.9, 0.01), run(100, 0.05), run(120, 0.001)];
+  const taken = recommend(runs, null);
+  assert.equal(taken.run, 0);
+  assert.equal(taken.against, 2);
+  assert.equal(taken.reason, 'smallest-error-within-1-percent');
+  assert.ok(Math.abs(taken.gainShare - 19.1 / 120) < 1e-12);
+});
+
+test('runs beyond the bound do not count, exactly on it they do', () => {
+  const runs = [run(120, 0.01), run(100, 0.05)];
+  assert.equal(recommend(runs, 0.05).run, 1);
+  assert.equal(recommend(runs, 0.0499).run, 0);
+  assert.equal(recommend(runs, 0.0499).reason, 'only');
+  assert.equal(recommend(runs, 0.001), null);
+});
+
+test('differences below one percent are none', () => {
+  assert.equal(recommend([run(100, 0.02), run(100.5, 0.01)], null).reason, 'no-difference');
+});
+
+test('a run of which fewer lines are refused goes first', () => {
+  const runs = [run(50, 0.01, { lines_not_run: 3 }), run(100, 0.01), run(10, 0.01, { competes: false })];
+  assert.equal(recommend(runs, null).run, 1);
+});
+
+test('numbers are written as the program writes them', () => {
+  useNumbers('.', { error: { text: 'µm', factor: 1000, decimals: 1 } });
+  assert.deepEqual([0, 0.0123, 12.34, 59.94, 108.5, 3725].map(clockText), ['0 s', '12.3 ms', '12.3 s', '59.9 s', '1:48.5', '1:02:05']);
+  assert.deepEqual([0.08, 0.003, 1].map(shareText), ['8 %', '0.3 %', '100 %']);
+  assert.equal(numberText(-0.00001, 'error'), '0.0');
+  useNumbers(',', { error: { text: 'µm', factor: 1000, decimals: 1 } });
+  assert.equal(numberText(-0.0113, 'error'), '−11,3');
+});

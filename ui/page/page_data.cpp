@@ -1,0 +1,397 @@
+#include "ui/page/page_data.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QLocale>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "core/analysis/path_deviation.h"
+#include "core/analysis/recommendation.h"
+#include "core/analysis/ruled_instant.h"
+#include "core/export/export.h"
+#include "ui/annotations/annotation_text.h"
+#include "ui/language/language.h"
+#include "ui/page/page_columns.h"
+#include "ui/page/page_texts.h"
+#include "ui/page/run_nodes.h"
+#include "ui/scene/cause_colour.h"
+#include "ui/scene/colour_map.h"
+#include "ui/why/why_text.h"
+
+namespace feedscope::ui {
+namespace {
+
+constexpr double position_quantum = 2e-4;  // [mm]
+constexpr double length_quantum = 1e-4;    // [mm]
+constexpr double time_quantum = 1e-6;      // [s]
+constexpr double speed_parts = 8192;       // of the largest speed
+constexpr double peak_parts = 250;         // of the largest acceleration and jerk
+constexpr double feed_quantum = 1e-3;      // [mm/s]
+constexpr std::size_t most_places = 60;    // of a run
+
+using Position = std::array<std::int64_t, 3>;
+
+Position position_steps(const Vec3& position) {
+  return {steps(position.x(), position_quantum), steps(position.y(), position_quantum),
+          steps(position.z(), position_quantum)};
+}
+
+/// The programmed path as the page has it, to say where a run deviates from it.
+class ProgrammedSteps {
+ public:
+  explicit ProgrammedSteps(const std::vector<ProgrammedPoint>& points) {
+    for (const ProgrammedPoint& point : points) {
+      places_.push_back(steps(point.place, length_quantum));
+      positions_.push_back(position_steps(point.position));
+    }
+  }
+
+  /// Places that do not fall.
+  Position at(std::int64_t place) {
+    while (next_ + 1 < places_.size() && places_[next_] < place) {
+      ++next_;
+    }
+    const std::size_t before = next_ > 0 ? next_ - 1 : 0;
+    const auto length = static_cast<double>(places_[next_] - places_[before]);
+    const double share = length > 0 ? static_cast<double>(place - places_[before]) / length : 0;
+    Position at{};
+    for (std::size_t axis = 0; axis < at.size(); ++axis) {
+      const auto from = static_cast<double>(positions_[before][axis]);
+      const auto to = static_cast<double>(positions_[next_][axis]);
+      at[axis] = static_cast<std::int64_t>(std::floor(from + (to - from) * share + 0.5));
+    }
+    return at;
+  }
+
+ private:
+  std::vector<std::int64_t> places_;
+  std::vector<Position> positions_;
+  std::size_t next_ = 0;
+};
+
+/// What differs from the number before.
+class Deltas {
+ public:
+  void add(std::int64_t number) {
+    column_.add(number - last_);
+    last_ = number;
+  }
+  const PageColumn& column() const { return column_; }
+
+ private:
+  PageColumn column_;
+  std::int64_t last_ = 0;
+};
+
+QJsonObject programmed_json(const std::vector<ProgrammedPoint>& points, PageData& data) {
+  Deltas place, x, y, z, line, kind;
+  for (const ProgrammedPoint& point : points) {
+    const Position at = position_steps(point.position);
+    place.add(steps(point.place, length_quantum));
+    x.add(at[0]);
+    y.add(at[1]);
+    z.add(at[2]);
+    line.add(point.line);
+    kind.add(static_cast<std::int64_t>(point.kind));
+  }
+  QJsonObject columns;
+  for (const auto& [name, values] : std::initializer_list<std::pair<const char*, const Deltas*>>{
+           {"place", &place}, {"x", &x}, {"y", &y}, {"z", &z}, {"line", &line}, {"kind", &kind}}) {
+    columns[QLatin1String(name)] = data.add(values->column());
+  }
+  return {{"count", static_cast<qint64>(points.size())}, {"columns", columns}};
+}
+
+/// The steps in which the columns of a run count.
+struct RunQuanta {
+  double speed = 1;         ///< [mm/s]
+  double acceleration = 1;  ///< [mm/s2]
+  double jerk = 1;          ///< [mm/s3]
+};
+
+RunQuanta quanta_of(const std::vector<RunNode>& nodes) {
+  RunQuanta top{0, 0, 0};
+  for (const RunNode& node : nodes) {
+    top.speed = std::max({top.speed, node.speed, node.middle_speed});
+    top.acceleration = std::max({top.acceleration, node.acceleration, node.acceleration_after});
+    top.jerk = std::max(top.jerk, node.jerk);
+  }
+  const auto part = [](double largest, double parts) { return largest > 0 ? largest / parts : 1; };
+  return {part(top.speed, speed_parts), part(top.acceleration, peak_parts), part(top.jerk, peak_parts)};
+}
+
+/// A middle speed is kept as what it differs from the mean of both ends, a path length from Simpson's rule.
+QJsonObject nodes_json(const std::vector<RunNode>& nodes, ProgrammedSteps programmed, PageData& data) {
+  const RunQuanta quanta = quanta_of(nodes);
+  Deltas time, ahead, speed, acceleration, jerk, error, feed, line, cause, kind;
+  PageColumn length, x, y, z, middle, after;
+  const double simpson = quanta.speed * time_quantum / (6 * length_quantum);
+  std::int64_t expected = 0;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const RunNode& node = nodes[i];
+    const RunNode& next = nodes[std::min(i + 1, nodes.size() - 1)];
+    const std::int64_t at_time = steps(node.time, time_quantum);
+    const std::int64_t travelled = steps(node.path_length, length_quantum);
+    const std::int64_t place = steps(node.place, length_quantum);
+    const std::int64_t start = steps(node.speed, quanta.speed);
+    const std::int64_t end = steps(next.speed, quanta.speed);
+    const std::int64_t halfway = steps(node.middle_speed, quanta.speed);
+    time.add(at_time);
+    length.add(travelled - expected);
+    expected =
+        travelled +
+        steps(static_cast<double>((start + 4 * halfway + end) * (steps(next.time, time_quantum) - at_time)) *
+                  simpson,
+              1);
+    ahead.add(place - travelled);
+    const Position at = position_steps(node.position);
+    const Position on = programmed.at(place);
+    x.add(at[0] - on[0]);
+    y.add(at[1] - on[1]);
+    z.add(at[2] - on[2]);
+    speed.add(start);
+    middle.add(halfway - (start + end) / 2);
+    acceleration.add(steps(node.acceleration, quanta.acceleration));
+    after.add(steps(node.acceleration_after, quanta.acceleration) -
+              steps(next.acceleration, quanta.acceleration));
+    jerk.add(steps(node.jerk, quanta.jerk));
+    error.add(steps(node.error, length_quantum));
+    feed.add(steps(node.feed, feed_quantum));
+    line.add(node.line);
+    cause.add(static_cast<std::int64_t>(cause_index(node.cause)));
+    kind.add(static_cast<std::int64_t>(node.kind));
+  }
+  QJsonObject columns;
+  for (const auto& [name, values] :
+       std::initializer_list<std::pair<const char*, const Deltas*>>{{"time", &time},
+                                                                    {"ahead", &ahead},
+                                                                    {"speed", &speed},
+                                                                    {"acceleration", &acceleration},
+                                                                    {"jerk", &jerk},
+                                                                    {"error", &error},
+                                                                    {"feed", &feed},
+                                                                    {"line", &line},
+                                                                    {"cause", &cause},
+                                                                    {"kind", &kind}}) {
+    columns[QLatin1String(name)] = data.add(values->column());
+  }
+  for (const auto& [name, values] : std::initializer_list<std::pair<const char*, const PageColumn*>>{
+           {"length", &length}, {"x", &x}, {"y", &y}, {"z", &z}, {"middle", &middle}, {"after", &after}}) {
+    columns[QLatin1String(name)] = data.add(*values);
+  }
+  return {{"count", static_cast<qint64>(nodes.size())},
+          {"columns", columns},
+          {"speed_step", quanta.speed},
+          {"acceleration_step", quanta.acceleration},
+          {"jerk_step", quanta.jerk}};
+}
+
+QString hex(const Rgb& colour) {
+  return QColor::fromRgbF(static_cast<float>(colour[0]), static_cast<float>(colour[1]),
+                          static_cast<float>(colour[2]))
+      .name();
+}
+
+QJsonArray scale_json(const std::function<Rgb(double)>& colour, double low) {
+  constexpr int parts = 64;
+  QJsonArray colours;
+  for (int i = 0; i <= parts; ++i) {
+    colours.append(hex(colour(low + (1 - low) * i / parts)));
+  }
+  return colours;
+}
+
+QJsonObject colours_json(Background background) {
+  QJsonArray causes;
+  for (const Cause& cause : all_causes()) {
+    causes.append(hex(cause_colour(cause.kind, background)));
+  }
+  return {{"feed", scale_json([&](double value) { return map_colour(value, background); }, 0)},
+          {"lost", scale_json([&](double value) { return diverging_colour(value, background); }, -1)},
+          {"causes", causes}};
+}
+
+QJsonArray causes_json() {
+  QJsonArray titles;
+  for (const Cause& cause : all_causes()) {
+    titles.append(WhyText::cause(cause));
+  }
+  return titles;
+}
+
+/// The places that lose most, in order of time, each with a sentence why.
+QJsonArray places_json(const ShownRun& shown) {
+  const Trajectory& trajectory = *shown.run.trajectory;
+  const SlowPlaces found = shown.slow_places ? *shown.slow_places : find_slow_places(trajectory);
+  std::vector<SlowPlace> places = found.places;
+  std::ranges::stable_sort(places, std::ranges::greater(), &SlowPlace::loss);
+  places.resize(std::min(places.size(), most_places));
+  std::ranges::sort(places, {}, &SlowPlace::from);
+  QJsonArray list;
+  for (const SlowPlace& place : places) {
+    const double at = ruled_instant(trajectory, place);
+    const Explanation why = explain(shown.run, trajectory.state(at));
+    list.append(QJsonObject{{"from", place.from},
+                            {"to", place.to},
+                            {"at", at},
+                            {"loss", place.loss},
+                            {"line", static_cast<qint64>(place.line)},
+                            {"cause", static_cast<qint64>(cause_index(place.cause))},
+                            {"why", WhyText::sentence(place.cause, why)}});
+  }
+  return list;
+}
+
+/// What `simulate --json` writes, but for what is not the same each time or is not shown.
+QJsonObject figures_json(const ReportRun& run, const ComparedRun& figures) {
+  const std::string text = simulation_json(run.shown->run.input, figures);
+  QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(text)).object();
+  for (const char* name : {"elapsed", "diagnostics", "settings"}) {
+    json.remove(QLatin1String(name));
+  }
+  return json;
+}
+
+/// The annotations of a session at the places where the current run is there.
+QJsonArray annotations_json(const ReportInput& input) {
+  const Trajectory& trajectory = *input.run().shown->run.trajectory;
+  QJsonArray list;
+  if (trajectory.pieces().empty()) {
+    return list;
+  }
+  PathDeviation deviation(*trajectory.path().programmed());
+  for (const Annotation& annotation : input.annotations) {
+    AnnotationValues values{.at = trajectory.state(time_of(trajectory, annotation.place)),
+                            .run = input.run().name};
+    values.contour_error =
+        deviation(values.at.position, trajectory.path().segment(values.at.element)).nearest.norm();
+    QJsonObject json{{"time", values.at.time},
+                     {"kind", annotation_key(annotation.kind)},
+                     {"colour", annotation.colour.name()},
+                     {"right", annotation.offset.x()},
+                     {"down", annotation.offset.y()}};
+    if (has_two_places(annotation.kind)) {
+      const State end = trajectory.state(time_of(trajectory, annotation.until));
+      values.distance = (end.position - values.at.position).norm();
+      values.duration = end.time - values.at.time;
+      json["until"] = end.time;
+    }
+    json["text"] = with_values(annotation.text, values);
+    list.append(json);
+  }
+  return list;
+}
+
+class PageWriter {
+ public:
+  PageWriter(const ReportInput& input, std::size_t most_nodes)
+      : input_(input), most_(most_nodes / input.runs.size()) {}
+
+  QByteArray write(Progress* progress) {
+    const std::vector<ComparedRun> figures = run_figures(input_);
+    const std::vector<bool> can = can_be_chosen(figures);
+    QJsonArray runs;
+    for (std::size_t i = 0; i < input_.runs.size(); ++i) {
+      QJsonObject run = run_json(i, progress);
+      run["figures"] = figures_json(input_.runs[i], figures[i]);
+      run["choice"] = QJsonObject{{"time", figures[i].summary.cycle_time},
+                                  {"error", deciding_error(figures[i].summary)},
+                                  {"actual", figures[i].summary.actual.has_value()},
+                                  {"lines_not_run", static_cast<qint64>(figures[i].lines_not_run)},
+                                  {"competes", bool(can[i])}};
+      runs.append(run);
+    }
+    const QLocale locale;
+    const QJsonObject description{
+        {"language", spoken_language()},
+        {"decimal", QString(locale.decimalPoint())},
+        {"version", QStringLiteral(FEEDSCOPE_VERSION)},
+        {"texts", page_texts()},
+        {"units", page_units()},
+        {"colours",
+         QJsonObject{{"light", colours_json(Background::light)}, {"dark", colours_json(Background::dark)}}},
+        {"causes", causes_json()},
+        {"steps", QJsonObject{{"position", position_quantum},
+                              {"length", length_quantum},
+                              {"time", time_quantum},
+                              {"feed", feed_quantum}}},
+        {"program", QJsonObject{{"name", program_file_name(*input_.program().program)}, {"text", text()}}},
+        {"title", input_.heading()},
+        {"common", common_name(input_)},
+        {"programmed", programmed_},
+        {"runs", runs},
+        {"annotations", annotations_json(input_)},
+        {"current", static_cast<qint64>(input_.current)},
+        {"within", input_.within ? QJsonValue(*input_.within) : QJsonValue()}};
+    return data_.packed(description);
+  }
+
+ private:
+  QString text() const {
+    const SourceText& source = *input_.program().program->source;
+    QString text;
+    for (std::uint32_t line = 1; line <= source.line_count(); ++line) {
+      text += QString::fromStdString(source.utf8_line(line)) + QLatin1Char('\n');
+    }
+    return text;
+  }
+
+  /// Runs on one programmed path share it.
+  std::size_t programmed_of(const Trajectory& trajectory) {
+    const auto known = std::ranges::find(paths_, trajectory.path().programmed());
+    if (known != paths_.end()) {
+      return static_cast<std::size_t>(known - paths_.begin());
+    }
+    paths_.push_back(trajectory.path().programmed());
+    const std::vector<ProgrammedPoint> points = programmed_points(*paths_.back(), position_quantum);
+    programmed_.append(programmed_json(points, data_));
+    steps_.emplace_back(points);
+    return paths_.size() - 1;
+  }
+
+  QJsonObject run_json(std::size_t i, Progress* progress) {
+    const ReportRun& run = input_.runs[i];
+    const Trajectory& trajectory = *run.shown->run.trajectory;
+    QJsonArray dashes;
+    for (const qreal dash : run_dashes(i)) {
+      dashes.append(dash);
+    }
+    QJsonObject json{{"letter", run_letter(i)},
+                     {"name", short_names(input_)[static_cast<qsizetype>(i)]},
+                     {"full_name", run.name},
+                     {"colour", run.colour.name()},
+                     {"dashes", dashes}};
+    const auto tolerance = contour_tolerance(run.shown->run.setup);
+    json["tolerance"] = tolerance ? QJsonValue(*tolerance) : QJsonValue();
+    if (trajectory.pieces().empty()) {
+      return json;
+    }
+    const std::size_t programmed = programmed_of(trajectory);
+    const double top_feed = run.shown->samples->peak_feed;
+    const RunNodes nodes = run_nodes(trajectory, top_feed, most_, progress);
+    json["programmed"] = static_cast<qint64>(programmed);
+    json["nodes"] = nodes_json(nodes.nodes, steps_[programmed], data_);
+    json["top_feed"] = top_feed;
+    json["precision"] =
+        QJsonObject{{"position", 2 * nodes.precision.position}, {"speed", 2 * nodes.precision.speed}};
+    json["places"] = places_json(*run.shown);
+    return json;
+  }
+
+  const ReportInput& input_;
+  std::size_t most_;
+  PageData data_;
+  QJsonArray programmed_;
+  std::vector<std::shared_ptr<const Toolpath>> paths_;
+  std::vector<ProgrammedSteps> steps_;
+};
+
+}  // namespace
+
+QByteArray page_data(const ReportInput& input, Progress* progress, std::size_t most_nodes) {
+  return PageWriter(input, most_nodes).write(progress);
+}
+
+}  // namespace feedscope::ui

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/trajectory/trajectory.h"
+
+namespace feedscope::ui {
+
+/// What a path does from a node to the next.
+enum class NodeKind : std::uint8_t {
+  cut,
+  rapid,
+  pause,  ///< X, Y and Z stand
+  gap,    ///< it goes on elsewhere, and how the tool gets there is not known
+  arc,    ///< of a programmed path: a cut to a point within an arc
+};
+
+/// An instant of a run, and what holds from there to the next node.
+struct RunNode {
+  double time = 0;                ///< [s]
+  double path_length = 0;         ///< executed [mm]
+  double place = 0;               ///< of the nearest point of the program: its path length there [mm]
+  Vec3 position = Vec3::Zero();   ///< [mm]
+  double speed = 0;               ///< [mm/s]
+  double error = 0;               ///< distance from the programmed path [mm]
+  double acceleration = 0;        ///< length of the vector, right after the node [mm/s2]
+  double middle_speed = 0;        ///< halfway to the next node in time [mm/s]
+  double acceleration_after = 0;  ///< right before the next node [mm/s2]
+  double jerk = 0;                ///< length of the vector, halfway [mm/s3]
+  double feed = 0;                ///< programmed; of a rapid the axes' speed [mm/s]
+  std::uint32_t line = 0;         ///< source line
+  Cause cause;                    ///< limiting cause
+  NodeKind kind = NodeKind::cut;
+};
+
+/// How far a run that is drawn from its nodes may be from the run: between two of them the position changes
+/// in a straight line with the path length, the speed as a parabola with time.
+struct NodePrecision {
+  double position = 0;  ///< [mm]
+  double speed = 0;     ///< [mm/s]
+};
+
+/// What a page states: below 1 um and 0.1 % of the largest feed, rounding of the columns included.
+NodePrecision fine_precision(double top_feed);
+
+struct RunNodes {
+  std::vector<RunNode> nodes;  ///< in order of time; empty for an empty trajectory
+  NodePrecision precision;     ///< that they have
+};
+
+/// `most`: of more nodes so many are left out, where path and speed are straightest, that no more remain: the
+/// precision of the speed is doubled up to 1 % of the largest feed, then that of the path. `top_feed`: the
+/// largest of feed motions [mm/s]. Linear in the pieces. Throws Cancelled.
+RunNodes run_nodes(const Trajectory& trajectory, double top_feed, std::size_t most,
+                   Progress* progress = nullptr);
+
+/// Points of the programmed path close enough to draw it within `precision` [mm].
+struct ProgrammedPoint {
+  double place = 0;               ///< programmed path length [mm]
+  Vec3 position = Vec3::Zero();   ///< [mm]
+  std::uint32_t line = 0;         ///< of the block that ends here or is under way
+  NodeKind kind = NodeKind::cut;  ///< how the path gets here
+};
+std::vector<ProgrammedPoint> programmed_points(const Toolpath& path, double precision);
+
+}  // namespace feedscope::ui

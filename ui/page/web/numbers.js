@@ -1,0 +1,69 @@
+// Numbers as the program shows them: the rules of core/base/short_text and ui/language/shown_numbers.
+
+let decimalPoint = '.';
+let units = {};
+
+export function useNumbers(decimal, unitTable) {
+  decimalPoint = decimal;
+  units = unitTable;
+}
+
+const localised = (text) => text.replace('-', '\u2212').replace('.', decimalPoint);
+
+export const unitOf = (dimension) => units[dimension].text;
+export const inShownUnit = (value, dimension) => value * units[dimension].factor;
+
+/** Three significant figures without a power of ten and without zeros at the end. */
+function threeFigures(value) {
+  if (value === 0) return '0';
+  const decimals = Math.max(0, 2 - Math.floor(Math.log10(Math.abs(value))));
+  const text = value.toFixed(Math.min(decimals, 12));
+  return text.includes('.') ? text.replace(/\.?0+$/, '') : text;
+}
+
+const padded = (number) => String(number).padStart(2, '0');
+
+/** "12.3 ms", "48.5 s", from a minute on "1:48.5", from an hour on "1:02:05". */
+export function clockText(seconds) {
+  const tenths = Math.round(10 * seconds) / 10;
+  if (seconds < 0.1) return seconds > 0 ? localised(`${threeFigures(1000 * seconds)} ms`) : '0 s';
+  if (tenths < 60) return localised(`${threeFigures(seconds)} s`);
+  if (tenths >= 3600) {
+    const whole = Math.round(seconds);
+    return `${Math.floor(whole / 3600)}:${padded(Math.floor(whole / 60) % 60)}:${padded(whole % 60)}`;
+  }
+  const minutes = Math.floor(tenths / 60);
+  return localised(`${minutes}:${(tenths - 60 * minutes).toFixed(1).padStart(4, '0')}`);
+}
+
+/** The same of what may be won or lost, with its sign. */
+export function changeText(seconds) {
+  const text = clockText(Math.abs(seconds));
+  return (seconds < 0 ? '\u2212' : '+') + text;
+}
+
+/** "8 %", below one percent to a figure that is not 0. */
+export function shareText(share) {
+  const percent = 100 * share;
+  if (Math.abs(percent) >= 1 || Math.abs(percent) < 1e-3) return localised(`${percent.toFixed(0)} %`);
+  return localised(`${Number(percent.toPrecision(1))} %`);
+}
+
+export function numberText(value, dimension, decimals = units[dimension].decimals) {
+  const text = inShownUnit(value, dimension).toFixed(decimals);
+  return localised(Number(text) === 0 ? text.replace('-', '') : text);
+}
+
+export const amountText = (value, dimension, decimals) =>
+  `${numberText(value, dimension, decimals)}\u00a0${unitOf(dimension)}`.trim();
+
+/** A number that already is in the unit shown, as ticks and scales have it. */
+export const tickText = (number) => localised(String(Number(number.toPrecision(6))));
+
+/** Round ends for a scale up to `top`: 1, 2, 2.5, 3, 4, 5, 6 or 8 times a power of ten. */
+export function roundUp(top) {
+  if (!(top > 0)) return 1;
+  const power = 10 ** Math.floor(Math.log10(top));
+  const step = [1, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10].find((one) => one * power >= top * (1 - 1e-9));
+  return step * power;
+}

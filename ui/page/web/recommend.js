@@ -1,0 +1,59 @@
+// The run to take: the rule of core/analysis/recommendation, on the same figures.
+
+const worthwhileShare = 0.01;
+const rounding = 1e-9;
+
+const smallest = (runs, of) => runs.reduce((best, run) => (of(run) < of(best) ? run : best));
+const largest = (runs, of) => runs.reduce((best, run) => (of(run) > of(best) ? run : best));
+
+function runsToChooseFrom(choices, within) {
+  const competing = choices.filter((run) => run.competes);
+  const notRun = Math.min(...competing.map((run) => run.lines_not_run));
+  return competing.filter(
+    (run) => run.lines_not_run === notRun && (within === null || run.error <= within + rounding),
+  );
+}
+
+/**
+ * `choices`: {time, error, lines_not_run, competes} of each run [s, mm]; `within`: largest error or null.
+ * Returns null where no run keeps the bound.
+ */
+export function recommend(choices, within) {
+  const runs = runsToChooseFrom(
+    choices.map((choice, run) => ({ ...choice, run })),
+    within,
+  );
+  if (runs.length === 0) return null;
+  const fastest = smallest(runs, (run) => run.time);
+  const slowest = largest(runs, (run) => run.time);
+  const longest = fastest.time * (1 + worthwhileShare);
+  const best = runs.reduce(
+    (taken, run) =>
+      run.time <= longest &&
+      (run.error < taken.error || (run.error === taken.error && run.time < taken.time))
+        ? run
+        : taken,
+    fastest,
+  );
+  const gain = slowest.time - best.time;
+  return {
+    run: best.run,
+    against: slowest.run,
+    gain,
+    gainShare: slowest.time > 0 ? gain / slowest.time : 0,
+    reason:
+      runs.length === 1
+        ? 'only'
+        : slowest.time <= longest
+          ? 'no-difference'
+          : best.time === fastest.time
+            ? 'fastest'
+            : 'smallest-error-within-1-percent',
+  };
+}
+
+/** The run with the smallest error of those that compete; null where none does. */
+export function mostExact(choices) {
+  const runs = choices.map((choice, run) => ({ ...choice, run })).filter((run) => run.competes);
+  return runs.length ? smallest(runs, (run) => run.error).run : null;
+}
