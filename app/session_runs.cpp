@@ -58,18 +58,10 @@ std::optional<ui::Session> asked_session(const ProgramOptions& options, std::vec
 }
 
 ui::ReportInput simulate_session(const ui::Session& session, Watch& watch) {
-  std::vector<AskedRun> runs;
-  for (const ui::RunItem& run : session.runs) {
-    Setup setup = run.setup.setup();
-    setup.load = session.load;
-    runs.push_back({std::move(setup), {}});
-  }
   const auto source = std::make_shared<const SourceText>(SourceText::from_file(session.program));
-  std::vector<std::shared_ptr<const ui::ShownRun>> shown;
-  for (const ui::ReportRun& run : simulate_runs(session.reading, runs, source, watch).runs) {
-    shown.push_back(run.shown);
-  }
-  ui::ReportInput input = ui::report_input(session, shown);
+  SimulatedRuns made = simulate_all(session.reading, session.runs, session.load, source, watch);
+  ui::ReportInput input = ui::report_input(session, made.shown);
+  input.unmade = std::move(made.unmade);
   add_traces(input, session.traces, watch);
   return input;
 }

@@ -12,6 +12,7 @@
 #include "app/run_remarks.h"
 #include "core/analysis/compare.h"
 #include "core/analysis/control_dialect.h"
+#include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "ui/workbench/simulate_shown.h"
 
@@ -117,7 +118,10 @@ int tell_of_shown_runs(const ui::ReportInput& input, const std::vector<std::stri
   }
   note_runs(input.program(), setups);
   print_diagnostics(program);
-  int code = exit_code::done;
+  for (const ui::UnmadeRun& run : input.unmade) {
+    fmt::print(stderr, "feedscope: {} could not be simulated: {}\n", run.name.toStdString(), run.why);
+  }
+  int code = input.unmade.empty() ? exit_code::done : exit_code::program_errors;
   std::set<std::string> machines;
   for (const ui::ReportRun& shown : input.runs) {
     const Run& run = shown.shown->run;
@@ -129,20 +133,50 @@ int tell_of_shown_runs(const ui::ReportInput& input, const std::vector<std::stri
   return code;
 }
 
+SimulatedRuns simulate_all(const ReadOptions& reading, const std::vector<ui::RunItem>& asked,
+                           const LoadSetup& load, std::shared_ptr<const SourceText> source, Watch& watch,
+                           const ui::ShownParts& parts) {
+  const LoadedProgram program = load_program(std::move(source), watch.stage("reading"),
+                                             reading_on(reading, asked.front().setup.file().machine));
+  note_unused_reading(*program.program, reading);
+  Progress& whole = *watch.stage("simulating");
+  SimulatedRuns made;
+  made.shown.resize(asked.size());
+  std::vector<std::string> faults(asked.size());
+  in_parallel(asked.size(), [&](std::size_t i) {
+    Progress part(whole, 1 / static_cast<double>(asked.size()));
+    try {
+      Setup setup = asked[i].setup.setup();
+      setup.load = load;
+      made.shown[i] = ui::simulate_shown(program, std::move(setup), &part, nullptr, parts);
+    } catch (const InputError& error) {
+      faults[i] = error.what();
+    }
+  });
+  if (std::ranges::none_of(made.shown, [](const auto& shown) { return shown != nullptr; })) {
+    throw InputError(faults.front());
+  }
+  const QStringList names = ui::run_titles(asked, program.feed_controls);
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    if (made.shown[i] == nullptr) {
+      made.unmade.push_back({names[static_cast<qsizetype>(i)], faults[i]});
+    }
+  }
+  return made;
+}
+
 ui::ReportInput simulate_runs(const ReadOptions& reading, const std::vector<AskedRun>& runs,
                               std::shared_ptr<const SourceText> source, Watch& watch,
                               const ui::ShownParts& parts) {
-  const LoadedProgram program = load_program(std::move(source), watch.stage("reading"),
-                                             reading_on(reading, runs.front().setup.machine));
-  note_unused_reading(*program.program, reading);
-  Progress& whole = *watch.stage("simulating");
-  std::vector<std::shared_ptr<const ui::ShownRun>> shown(runs.size());
-  in_parallel(runs.size(), [&](std::size_t i) {
-    Progress part(whole, 1 / static_cast<double>(runs.size()));
-    shown[i] = ui::simulate_shown(program, runs[i].setup, &part, nullptr, parts);
-  });
+  std::vector<ui::RunItem> items;
+  for (const AskedRun& run : runs) {
+    items.push_back({0, {}, {}, true, ui::SetupState(run.setup)});
+  }
+  SimulatedRuns made = simulate_all(reading, items, runs.front().setup.load, std::move(source), watch, parts);
+  std::erase(made.shown, nullptr);
   ui::ReportInput input;
-  input.runs = ui::report_runs(shown);
+  input.runs = ui::report_runs(made.shown);
+  input.unmade = std::move(made.unmade);
   return input;
 }
 

@@ -75,6 +75,7 @@ Result picture(const CompareOptions& options, const StudyRequest& request, const
     size = parse_picture_size(options.size);
   }
   if (!request.sweeps.empty()) {
+    ui::check_study_size(request.sweeps, setups.size(), size);
     return {options.png, [&options, size](const LoadedProgram& program, const Study& study) {
               return ui::to_png(ui::draw_study(program, study, options.set, size,
                                                QString::fromStdString(options.language)));
@@ -369,10 +370,11 @@ Command add_compare_command(CLI::App& app) {
   command->add_option("--json", options->json, "Write numbers and messages; - for standard output")
       ->type_name("FILE");
 #ifdef FEEDSCOPE_WITH_UI
-  CLI::Option* png = command
-                         ->add_option("--png", options->png,
-                                      "Draw the runs as bars, a sweep as curves; - for standard output")
-                         ->type_name("FILE");
+  CLI::Option* png =
+      command
+          ->add_option("--png", options->png,
+                       "Draw the runs as bars, a sweep as curves, two as a map; - for standard output")
+          ->type_name("FILE");
   command
       ->add_option("--size", options->size,
                    "Width and height of the picture [1280 x the height that the runs need]")

@@ -40,8 +40,9 @@ struct RenderOptions {
   SeveralRunsOptions runs;
   TraceFiles traces;
   std::string view = "3d";
-  std::string lens;  ///< a line, or a time such as 1.25s, as typed
-  std::string size;  ///< as typed
+  std::string lens;          ///< a line, or a time such as 1.25s, as typed
+  std::optional<int> place;  ///< number of a card of the report, from 1
+  std::string size;          ///< as typed
   std::optional<double> dpi;
   double scale = 1;
   std::string camera;            ///< "": iso, or the session's
@@ -121,6 +122,7 @@ ui::PictureRequest request_of(const RenderOptions& options) {
                            : sheet                 ? "A4"
                            : options.film.asked()  ? "1280x720"
                            : !options.lens.empty() ? "640x640"
+                           : options.place         ? "832x580"
                                                    : "1280x960";
   const double dpi = options.dpi.value_or(default_dpi);
   const PageSize page = parse_page_size(size, dpi);
@@ -165,11 +167,13 @@ void check_view(const RenderOptions& options) {
   }
 }
 
-void check_lens_use(const RenderOptions& options) {
-  if (options.lens.empty()) {
+void check_close_up_use(const RenderOptions& options) {
+  if (options.lens.empty() && !options.place) {
     return;
   }
-  const std::vector<GivenOption> others{{"--view", views.at(options.view) != View::scene},
+  const char* const asked = options.place ? "--place" : "--lens";
+  const std::vector<GivenOption> others{{"--lens", options.place && !options.lens.empty()},
+                                        {"--view", views.at(options.view) != View::scene},
                                         {"--camera", !options.camera.empty()},
                                         {"--colour", !options.colour.empty()},
                                         {"--rapids", !options.rapids.empty()},
@@ -178,7 +182,7 @@ void check_lens_use(const RenderOptions& options) {
                                         {"--film", options.film.asked()}};
   for (const auto& [name, given] : others) {
     if (given) {
-      throw InputError(fmt::format("{} has no effect with --lens; omit one of them", name));
+      throw InputError(fmt::format("{} has no effect with {}; omit one of them", name, asked));
     }
   }
 }
@@ -244,6 +248,9 @@ std::string picture_file(ui::ReportInput& input, const RenderOptions& options,
   }
   const ui::OffscreenApplication application(request.theme);
   speak_in(options.language, input, session);
+  if (options.place) {
+    return ui::place_file(input, static_cast<std::size_t>(*options.place), request);
+  }
   if (!options.lens.empty()) {
     return ui::lens_file(input, lens_instant(options.lens, input.run().shown->run), request);
   }
@@ -309,6 +316,7 @@ QString command_of(const RenderOptions& options) {
   };
   text += command_text(options.traces);
   add("--lens", options.lens);
+  add("--place", options.place ? std::to_string(*options.place) : "");
   add("--size", options.size);
   add("--title", options.title);
   add("--camera", options.camera == "iso" ? "" : options.camera);
@@ -328,7 +336,7 @@ QString command_of(const RenderOptions& options) {
 
 int render(const RenderOptions& options) {
   check_film_use(options);
-  check_lens_use(options);
+  check_close_up_use(options);
   std::optional<ui::Session> session = asked_session(options.runs);
   if (session) {
     session->load = asked_load(options.runs.load, std::move(session->load));
@@ -392,8 +400,7 @@ void add_size_options(CLI::App& command, RenderOptions& options) {
           "--size", options.size,
           "Width and height in pixels, or a sheet of paper: A4 (landscape), A4-portrait, A2 to A6, Letter; a "
           "--view sheet smaller than A4 needs a --scale below 1 [1280x960; 1280x720 for a film; 640x640 for "
-          "--lens; A4 for a "
-          "sheet]")
+          "--lens; 832x580 for --place; A4 for a sheet]")
       ->type_name("WxH|PAPER");
   add_number_option(
       command, "--dpi", numbers(36, 1200), [&options](double dpi) { options.dpi = dpi; },
@@ -425,6 +432,11 @@ Command add_render_command(CLI::App& app) {
           "Draw all runs over each other at a corner, stretched across the path: at the sharpest corner of a "
           "line, or where the first run is at a time, such as 1.25s")
       ->type_name("LINE|TIME");
+  add_number_option(
+      *command, "--place", whole_numbers(1, 1'000'000),
+      [options](double number) { options->place = static_cast<int>(number); },
+      "Draw the report's picture of the place with this number among those that lose most")
+      ->type_name("N");
   add_size_options(*command, *options);
   command
       ->add_option("--camera", options->camera,

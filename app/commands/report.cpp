@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -46,12 +47,14 @@ struct ReportOptions {
   bool brief = false;
   std::string within;  ///< as typed, mm
   std::string language;
+  std::string paper = "A4";
   double dpi = 0;  ///< 0: not given
   bool progress = false;
 };
 
 constexpr double usual_dpi = 96;
 constexpr double largest_dpi = 600;
+const std::map<std::string, ui::Paper> papers{{"A4", ui::Paper()}, {"Letter", ui::letter_paper}};
 const std::string pages_format = "png";
 const std::string report_format = "feedpages";
 const std::vector<std::string> report_formats{"pdf", "html", pages_format};
@@ -147,6 +150,7 @@ QStringList commands_of(const ReportOptions& options, const std::vector<AskedRun
   add("--without", fmt::format("{}", fmt::join(options.without, ",")));
   add("--with", fmt::format("{}", fmt::join(options.with, ",")));
   add("--within", options.within);
+  add("--paper", options.paper == "A4" ? "" : options.paper);
   add("--display-units", asked_display_units());
   add("--language", options.language == usual_language() ? "" : options.language);
   add("--format", options.format);
@@ -210,6 +214,7 @@ int report(const ReportOptions& options) {
     input.without = without;
     input.with = with;
     input.within = within;
+    input.paper = papers.at(options.paper);
     input.tolerances_asked = options.runs.tolerances.size();
     const ui::OffscreenApplication application;
     speak_in(options.language, input, session);
@@ -276,6 +281,10 @@ Command add_report_command(CLI::App& app) {
   command
       ->add_option("--within", options->within, "Maximum contour error in mm of the run that is recommended")
       ->type_name("MM");
+  command->add_option("--paper", options->paper, "Sheet of the pages: A4, Letter")
+      ->check(CLI::IsMember(papers))
+      ->type_name("PAPER")
+      ->capture_default_str();
   add_language_option(*command, options->language);
   add_number_option(
       *command, "--dpi", numbers(36, largest_dpi), [options](double dpi) { options->dpi = dpi; },

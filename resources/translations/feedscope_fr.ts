@@ -2232,6 +2232,34 @@
         <source>Executed path.</source>
         <translation>Trajectoire exécutée.</translation>
     </message>
+    <message>
+        <source>&lt;b&gt;%1 could not be simulated.&lt;/b&gt; %2</source>
+        <translation>&lt;b&gt;%1 n’a pas pu être simulée.&lt;/b&gt; %2</translation>
+    </message>
+    <message>
+        <source>Figure %1</source>
+        <translation>Figure %1</translation>
+    </message>
+    <message>
+        <source>thin grey the programmed path</source>
+        <translation>en gris fin la trajectoire programmée</translation>
+    </message>
+    <message>
+        <source>dark edges corner blends</source>
+        <translation>à bords sombres les raccords d’angle</translation>
+    </message>
+    <message>
+        <source>pink the place and a circle its slowest point</source>
+        <translation>en rose l’endroit, un cercle à son point le plus lent</translation>
+    </message>
+    <message>
+        <source>In pictures along the path: %1.</source>
+        <translation>Dans les images de la trajectoire&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>actual contour error, %1</source>
+        <translation>erreur de contour réelle, %1</translation>
+    </message>
 </context>
 <context>
     <name>ResidualPlot</name>
@@ -16477,6 +16505,57 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>Line %1 asks for a feed of %2; all axes of this machine together reach %3: what is lost against the programmed feed tells little there.</source>
         <translation>La ligne %1 demande une avance de %2&#xa0;; tous les axes de cette machine ensemble atteignent %3&#xa0;: ce qui est perdu par rapport à l’avance programmée n’y dit pas grand-chose.</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::StudyMapPicture</name>
+    <message>
+        <source>no run is possible</source>
+        <translation>aucune simulation possible</translation>
+    </message>
+    <message>
+        <source>the two settings make no difference</source>
+        <translation>les deux réglages ne changent rien</translation>
+    </message>
+    <message>
+        <source>no run within %1</source>
+        <translation>aucune simulation dans la limite de %1</translation>
+    </message>
+    <message>
+        <source>%1 at %2 and %3, contour error %4</source>
+        <translation>%1 à %2 et %3, erreur de contour %4</translation>
+    </message>
+    <message>
+        <source>fastest: %1</source>
+        <translation>la plus rapide&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>fastest within %1: %2</source>
+        <translation>la plus rapide dans la limite de %1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Cycle time</source>
+        <translation>Temps de cycle</translation>
+    </message>
+    <message>
+        <source>contour error</source>
+        <translation>erreur de contour</translation>
+    </message>
+    <message>
+        <source>bound</source>
+        <translation>limite</translation>
+    </message>
+    <message>
+        <source>fastest</source>
+        <translation>la plus rapide</translation>
+    </message>
+    <message>
+        <source>not possible</source>
+        <translation>impossible</translation>
+    </message>
+    <message>
+        <source>without refused lines</source>
+        <translation>sans les lignes refusées</translation>
     </message>
 </context>
 </TS>

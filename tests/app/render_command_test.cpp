@@ -120,6 +120,22 @@ TEST_F(RenderCommand, DrawsRapidsAsItIsAsked) {
   expect_wrong_use("few.nc --lens 2 --rapids hide --out a.png", "has no effect with --lens");
 }
 
+TEST_F(RenderCommand, DrawsThePlacesOfTheReport) {
+  const auto picture = [&](const std::string& options) {
+    const Result result = run("corner.nc --size 416x290 --out place.png" + options);
+    EXPECT_EQ(result.code, 0) << options << result.err;
+    return read_png((folder_ / "place.png").string()).rgb;
+  };
+  EXPECT_EQ(picture(" --place 1"), picture(" --place 1"));
+  EXPECT_NE(picture(" --place 1"), picture(""));
+  const std::string tolerances = " --tolerance 0.01 --tolerance 0.05 --model essid";
+  EXPECT_NE(picture(tolerances + " --place 1"), picture(" --place 1")) << "runs are seen through the lens";
+  expect_wrong_use("corner.nc --place 99 --out a.png", "--place 99: the report of this run shows ");
+  expect_wrong_use("corner.nc --place 0 --out a.png", "--place");
+  expect_wrong_use("corner.nc --place 1 --lens 2 --out a.png", "--lens has no effect with --place");
+  expect_wrong_use("corner.nc --place 1 --view charts --out a.png", "--view has no effect with --place");
+}
+
 TEST_F(RenderCommand, PaperHasItsPixels) {
   ASSERT_EQ(run("corner.nc --size A4 --dpi 100 --out lying.png").code, 0);
   ASSERT_EQ(run("corner.nc --size A4-portrait --dpi 100 --out upright.png").code, 0);

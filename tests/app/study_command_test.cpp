@@ -112,6 +112,16 @@ TEST_F(StudyCommand, WritesJsonWithAllKeysOfCompare) {
   EXPECT_GE(fastest, 2u);
 }
 
+TEST_F(StudyCommand, DrawsTwoSettingsAsAMap) {
+  const std::string two = "corner.nc --model essid --sweep 'tolerance=0.02;0.04' --sweep 'X.jerk=20;50' ";
+  EXPECT_EQ(run("compare " + two + "--png map.png").code, 0);
+  EXPECT_EQ(run("compare " + two + "--png again.png").code, 0);
+  EXPECT_EQ(contents(folder_ / "map.png"), contents(folder_ / "again.png"));
+  expect_wrong_use(two + "--png small.png --size 200x100", {"200 x 100 pixels is too small"});
+  expect_wrong_use(two + "--sweep Y.jerk=1:100:lin99 --png many.png", {"too many for one picture"});
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "many.png"));
+}
+
 TEST_F(StudyCommand, WritesCsvRowsOfRunsAndOperations) {
   write("two.nc", "(rough)\nG1 X20 F3000\nY20\n(\"fine\", 2)\nX0\nY0\n");
   const Result result =

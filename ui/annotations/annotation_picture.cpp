@@ -359,8 +359,9 @@ void draw_label(QPainter& painter, const PlacedAnnotation& placed, const Tones& 
   }
 }
 
-void draw(QPainter& painter, const PlacedAnnotation& placed, const Tones& tones, bool selected,
-          double scale) {
+/// Everything but the label.
+void draw_marks(QPainter& painter, const PlacedAnnotation& placed, const Tones& tones, bool selected,
+                double scale) {
   painter.setPen(QPen(placed.colour, line_width * scale));
   painter.setBrush(Qt::NoBrush);
   const QPointF end = border_towards(placed.label, placed.middle);
@@ -392,7 +393,6 @@ void draw(QPainter& painter, const PlacedAnnotation& placed, const Tones& tones,
       painter.drawEllipse(placed.other, 4 * scale, 4 * scale);
     }
   }
-  draw_label(painter, placed, tones, selected, scale);
 }
 
 }  // namespace
@@ -454,8 +454,14 @@ void draw_annotations(QPainter& painter, std::span<const PlacedAnnotation> annot
   }
   painter.setClipPath(room, Qt::IntersectClip);
   const Tones tones = tones_of(view.background);
+  const auto is_selected = [&](const PlacedAnnotation& placed) {
+    return selected != 0 && placed.id == selected;
+  };
   for (const PlacedAnnotation& placed : annotations) {
-    draw(painter, placed, tones, selected != 0 && placed.id == selected, view.scale);
+    draw_marks(painter, placed, tones, is_selected(placed), view.scale);
+  }
+  for (const PlacedAnnotation& placed : annotations) {
+    draw_label(painter, placed, tones, is_selected(placed), view.scale);
   }
   painter.restore();
 }

@@ -10,6 +10,7 @@
 #include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"
 #include "ui/shared/plot_grid.h"
+#include "ui/shared/plot_text.h"
 #include "ui/theme/theme.h"
 #include "ui/theme/type_size.h"
 
@@ -21,15 +22,6 @@ constexpr double dot_radius = 4.5;
 constexpr double near_dot = 9;
 constexpr double near_bound = 5;
 constexpr int usual_height = 136;
-
-/// Ticks of the times without their unit, which the title above them has.
-QString time_tick(double seconds, double step) {
-  constexpr double minute = 60;
-  if (seconds < minute || step < 0.1) {
-    return QLocale().toString(seconds, 'f', step_decimals(step));
-  }
-  return clock_text(seconds);
-}
 
 }  // namespace
 
@@ -95,7 +87,8 @@ std::optional<double> DecisionChart::bound_x() const {
 /// For each name the place next to its dot that covers the fewest other dots and names.
 std::vector<QRectF> DecisionChart::labels() const {
   const QFontMetricsF metrics(font());
-  const QRectF room = QRectF(rect()).adjusted(type_pixels(52), 0, 0, -(metrics.height() + 4));
+  const QRectF plot = scale().plot;
+  const QRectF room(QPointF(plot.left(), 0), QPointF(width(), plot.bottom()));
   std::vector<QRectF> labels;
   for (const DecisionDot& dot : dots_) {
     const QPointF at = place_of(dot);
@@ -154,9 +147,9 @@ void DecisionChart::draw_axes(QPainter& painter, const Scale& scale) const {
   constexpr double tick_room = 26;  // [px]
   const int rows = std::max(2, static_cast<int>(scale.plot.height() / type_pixels(tick_room)));
   const Ticks times = round_ticks(scale.least_time, scale.most_time, rows);
-  for (const double time : times.values) {
-    const double share = (time - scale.least_time) / (scale.most_time - scale.least_time);
-    grid.level(scale.plot.bottom() - share * scale.plot.height(), time_tick(time, times.step));
+  for (std::size_t i = 0; i < times.values.size(); ++i) {
+    const double share = (times.values[i] - scale.least_time) / (scale.most_time - scale.least_time);
+    grid.level(scale.plot.bottom() - share * scale.plot.height(), time_tick_text(times, i));
   }
   const Ticks errors = round_ticks(0, in_shown_unit(scale.most_error, Dimension::error), 5);
   for (std::size_t i = 0; i < errors.values.size(); ++i) {

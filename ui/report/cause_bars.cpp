@@ -6,12 +6,11 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/charts/cause_strip.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"
 #include "ui/report/report_numbers.h"
 #include "ui/report/report_words.h"
-#include "ui/scene/cause_colour.h"
+#include "ui/runs/cause_bar.h"
 #include "ui/shared/plot_grid.h"
 #include "ui/theme/fonts.h"
 #include "ui/workbench/run_list.h"
@@ -28,51 +27,27 @@ constexpr double time_room = 62;  // "12:34:56" after the longest bar
 constexpr double legend_row = 15;
 constexpr double legend_square = 9;
 const QColor bar_ink(0x22, 0x26, 0x2a);
-const QColor rest_ground(0xd5, 0xd9, 0xde);
 
-using KindTimes = std::vector<std::pair<std::optional<CauseKind>, double>>;
-
-/// Axes of one kind together.
-KindTimes kinds_of(const ComparisonBar& bar) {
-  KindTimes kinds;
+/// With the axes of a kind of causes together.
+ComparisonBar by_kind(ComparisonBar bar) {
+  std::vector<BarPart> kinds;
   for (const BarPart& part : bar.parts) {
-    const auto kind = part.cause ? std::optional(part.cause->kind) : std::nullopt;
-    if (kinds.empty() || kinds.back().first != kind) {
-      kinds.emplace_back(kind, 0);
+    const bool same = !kinds.empty() && kinds.back().cause.has_value() == part.cause.has_value() &&
+                      (!part.cause || kinds.back().cause->kind == part.cause->kind);
+    if (same) {
+      kinds.back().time += part.time;
+    } else {
+      kinds.push_back(part);
     }
-    kinds.back().second += part.time;
   }
-  return kinds;
-}
-
-QColor ground_of(const std::optional<CauseKind>& kind) {
-  if (!kind) {
-    return rest_ground;
-  }
-  const Rgb rgb = cause_colour(*kind);
-  return QColor::fromRgbF(static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2]));
-}
-
-QColor ink_on(const QColor& ground) {
-  constexpr int light = 120;
-  return qGray(ground.rgb()) > light ? bar_ink : QColor(Qt::white);
-}
-
-QStringList legend_texts(const ComparisonBars& bars) {
-  QStringList texts;
-  for (const CauseKind kind : bars.kinds) {
-    texts.append(cause_kind_name(kind));
-  }
-  if (bars.rest) {
-    texts.append(ReportWords::tr("other causes"));
-  }
-  return texts;
+  bar.parts = std::move(kinds);
+  return bar;
 }
 
 std::vector<QRectF> legend_places(const ComparisonBars& bars, double width, double top) {
   const QFontMetricsF metrics(paper_font(bar_type));
   std::vector<double> widths;
-  for (const QString& text : legend_texts(bars)) {
+  for (const QString& text : cause_legend(bars)) {
     widths.push_back(legend_square + 9 + metrics.horizontalAdvance(text));
   }
   constexpr double gap = 12;
@@ -108,37 +83,34 @@ void CauseBars::paint(QPainter& painter) const {
 
 void CauseBars::paint_bar(QPainter& painter, const ComparisonBar& bar, const QRectF& room) const {
   const QFontMetricsF metrics(painter.font());
-  const double scale = bars_.longest > 0 ? room.width() / bars_.longest : 0;
-  double left = room.left();
-  for (const auto& [kind, time] : kinds_of(bar)) {
-    const QRectF part(left, room.top() + (bar_row - bar_height) / 2, time * scale, bar_height);
-    painter.fillRect(part, ground_of(kind));
-    const QString seconds = fixed(time, time < 10 ? 1 : 0);
-    if (metrics.horizontalAdvance(seconds) + 6 <= part.width()) {
-      painter.setPen(ink_on(ground_of(kind)));
-      painter.drawText(part, Qt::AlignCenter, seconds);
-    }
-    left = part.right();
-  }
+  const auto seconds = [&](const BarPart& part, double width) {
+    const QString text = fixed(part.time, part.time < 10 ? 1 : 0);
+    return metrics.horizontalAdvance(text) + 6 <= width ? text : QString();
+  };
+  const double top = room.top() + (bar_row - bar_height) / 2;
+  const double end = paint_cause_bar(painter, by_kind(bar),
+                                     {QRectF(room.left(), top, room.width(), bar_height),
+                                      bars_.longest > 0 ? room.width() / bars_.longest : 0,
+                                      {},
+                                      seconds});
   painter.setPen(bar_ink);
   const QString after = bar.refused        ? ReportWords::tr("refused")
                         : bar.out_of_reach ? ReportWords::tr("out of reach")
                                            : clock_text(bar.cycle_time);
-  painter.drawText(QRectF(left + 5, room.top(), size_.width() - left - 5, bar_row),
+  painter.drawText(QRectF(end + 5, room.top(), size_.width() - end - 5, bar_row),
                    Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, after);
 }
 
 void CauseBars::paint_legend(QPainter& painter) const {
   const std::vector<QRectF> places = legend_places(bars_, size_.width(), legend_top_);
-  const QStringList texts = legend_texts(bars_);
+  const std::vector<QString> texts = cause_legend(bars_);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const QRectF square(places[i].left(), places[i].center().y() - legend_square / 2, legend_square,
                         legend_square);
-    painter.fillRect(square,
-                     ground_of(i < bars_.kinds.size() ? std::optional(bars_.kinds[i]) : std::nullopt));
+    fill_cause(painter, square, i < bars_.kinds.size() ? std::optional(bars_.kinds[i]) : std::nullopt);
     painter.setPen(bar_ink);
     painter.drawText(places[i].adjusted(legend_square + 5, 0, 2, 0),
-                     Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, texts[static_cast<qsizetype>(i)]);
+                     Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, texts[i]);
   }
 }
 

@@ -62,7 +62,8 @@ QString lowered(QString html, double excess, ReportPictures& pictures) {
 
 }  // namespace
 
-QString with_filled_pages(const QString& html, ReportPictures& pictures) {
+QString with_filled_pages(const QString& html, ReportPictures& pictures, const Paper& paper) {
+  const double page = paper.contents_height();
   QStringList parts = html.split(page_mark);
   const QString head =
       parts.front().section(QStringLiteral("</head>"), 0, 0) + QStringLiteral("</head><body>");
@@ -72,20 +73,19 @@ QString with_filled_pages(const QString& html, ReportPictures& pictures) {
     if (part.simplified().isEmpty()) {
       continue;
     }
-    if (filled >= filled_share * page_contents_height) {
+    if (filled >= filled_share * page) {
       part = with_break(part);
       filled = 0;
     }
     const double height = paper_height(i == 0 ? part : head + part) + fit_reserve;
-    const double room = page_contents_height - filled;
+    const double room = page - filled;
     if (height <= room) {
       filled += height;
       continue;
     }
     part = lowered(part, height - room, pictures);
-    filled =
-        std::fmod(filled + std::max(room, paper_height(i == 0 ? part : head + part)), page_contents_height);
-    filled = filled == 0 ? page_contents_height : filled;
+    filled = std::fmod(filled + std::max(room, paper_height(i == 0 ? part : head + part)), page);
+    filled = filled == 0 ? page : filled;
   }
   return parts.join(QString());
 }

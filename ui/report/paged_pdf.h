@@ -17,9 +17,10 @@ struct PageTexts {
   QDateTime date;  ///< invalid: none is written
   QString number = QStringLiteral("page %1 of %2");
   QString note = {};  ///< below every page, after the version
+  Paper paper = {};
 };
 
-/// `html` laid out on pages of A4 with title, page numbers and bookmarks from its headings. Headings stay
+/// `html` laid out on pages with title, page numbers and bookmarks from its headings. Headings stay
 /// with what follows them, and rows of tables on one page where they fit on one.
 std::string paged_pdf(const QString& html, const ReportPictures& pictures, const PageTexts& texts);
 

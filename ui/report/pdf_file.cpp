@@ -16,21 +16,81 @@ QPDFObjectHandle text_object(const QString& text) {
   return QPDFObjectHandle::newUnicodeString(text.toStdString());
 }
 
-/// One entry of the outline, not yet linked to its neighbours.
-QPDFObjectHandle outline_item(QPDF& pdf, const PdfBookmark& bookmark,
-                              const std::vector<QPDFPageObjectHelper>& pages) {
-  QPDFObjectHandle item = pdf.makeIndirectObject(QPDFObjectHandle::newDictionary());
-  item.replaceKey("/Title", text_object(bookmark.title));
-  QPDFPageObjectHelper page = pages.at(static_cast<std::size_t>(bookmark.page));
-  const double height = page.getMediaBox().getArrayAsRectangle().ury;
+using Pages = std::vector<QPDFPageObjectHelper>;
+
+double height_of(const Pages& pages, int page) {
+  QPDFPageObjectHelper helper = pages.at(static_cast<std::size_t>(page));
+  return helper.getMediaBox().getArrayAsRectangle().ury;
+}
+
+/// `top` below the upper edge of a page, at the scale of before.
+QPDFObjectHandle destination(const Pages& pages, int page, double top) {
   QPDFObjectHandle place = QPDFObjectHandle::newArray();
-  place.appendItem(page.getObjectHandle());
+  place.appendItem(pages.at(static_cast<std::size_t>(page)).getObjectHandle());
   place.appendItem(QPDFObjectHandle::newName("/XYZ"));
   place.appendItem(QPDFObjectHandle::newNull());
-  place.appendItem(QPDFObjectHandle::newReal(height - bookmark.top, 2));
+  place.appendItem(QPDFObjectHandle::newReal(height_of(pages, page) - top, 2));
   place.appendItem(QPDFObjectHandle::newNull());
-  item.replaceKey("/Dest", place);
+  return place;
+}
+
+/// One entry of the outline, not yet linked to its neighbours.
+QPDFObjectHandle outline_item(QPDF& pdf, const PdfBookmark& bookmark, const Pages& pages) {
+  QPDFObjectHandle item = pdf.makeIndirectObject(QPDFObjectHandle::newDictionary());
+  item.replaceKey("/Title", text_object(bookmark.title));
+  item.replaceKey("/Dest", destination(pages, bookmark.page, bookmark.top));
   return item;
+}
+
+QPDFObjectHandle link_object(QPDF& pdf, const PdfLink& link, const Pages& pages) {
+  const double height = height_of(pages, link.page);
+  QPDFObjectHandle object = pdf.makeIndirectObject(QPDFObjectHandle::newDictionary());
+  object.replaceKey("/Type", QPDFObjectHandle::newName("/Annot"));
+  object.replaceKey("/Subtype", QPDFObjectHandle::newName("/Link"));
+  object.replaceKey("/Rect",
+                    QPDFObjectHandle::newFromRectangle({link.area.left(), height - link.area.bottom(),
+                                                        link.area.right(), height - link.area.top()}));
+  QPDFObjectHandle no_border = QPDFObjectHandle::newArray();
+  for (int i = 0; i < 3; ++i) {
+    no_border.appendItem(QPDFObjectHandle::newInteger(0));
+  }
+  object.replaceKey("/Border", no_border);
+  object.replaceKey("/Contents", text_object(link.title));
+  object.replaceKey("/Dest", destination(pages, link.to_page, link.to_top));
+  return object;
+}
+
+/// The annotations of a page without those that QPdfWriter makes of references within the document: it has
+/// them lead to a file on the net.
+QPDFObjectHandle other_annotations(const QPDFPageObjectHelper& page) {
+  QPDFObjectHandle all = QPDFPageObjectHelper(page).getObjectHandle().getKey("/Annots");
+  QPDFObjectHandle kept = QPDFObjectHandle::newArray();
+  for (int i = 0; all.isArray() && i < all.getArrayNItems(); ++i) {
+    QPDFObjectHandle action = all.getArrayItem(i).getKey("/A");
+    QPDFObjectHandle address = action.isDictionary() ? action.getKey("/URI") : QPDFObjectHandle::newNull();
+    if (!address.isString() || !address.getStringValue().starts_with('#')) {
+      kept.appendItem(all.getArrayItem(i));
+    }
+  }
+  return kept;
+}
+
+void add_links(QPDF& pdf, const std::vector<PdfLink>& links) {
+  const Pages pages = QPDFPageDocumentHelper(pdf).getAllPages();
+  for (const QPDFPageObjectHelper& page : pages) {
+    if (QPDFObjectHandle object = QPDFPageObjectHelper(page).getObjectHandle(); object.hasKey("/Annots")) {
+      object.replaceKey("/Annots", other_annotations(page));
+    }
+  }
+  for (const PdfLink& link : links) {
+    QPDFObjectHandle page = pages.at(static_cast<std::size_t>(link.page)).getObjectHandle();
+    QPDFObjectHandle annotations = page.getKey("/Annots");
+    if (!annotations.isArray()) {
+      annotations = QPDFObjectHandle::newArray();
+    }
+    annotations.appendItem(link_object(pdf, link, pages));
+    page.replaceKey("/Annots", annotations);
+  }
 }
 
 /// Links items into the tree that their levels say; a level that is omitted counts as the next one.
@@ -86,7 +146,7 @@ void add_outline(QPDF& pdf, const std::vector<PdfBookmark>& bookmarks) {
   if (bookmarks.empty()) {
     return;
   }
-  const std::vector<QPDFPageObjectHelper> pages = QPDFPageDocumentHelper(pdf).getAllPages();
+  const Pages pages = QPDFPageDocumentHelper(pdf).getAllPages();
   QPDFObjectHandle root = pdf.makeIndirectObject(QPDFObjectHandle::newDictionary());
   root.replaceKey("/Type", QPDFObjectHandle::newName("/Outlines"));
   OutlineBuilder builder(root);
@@ -135,6 +195,8 @@ std::string finished_pdf(const std::string& bytes, const PdfProperties& properti
   pdf.processMemoryFile("picture", bytes.data(), bytes.size());
   set_properties(pdf, properties);
   add_outline(pdf, properties.outline);
+  add_links(pdf, properties.links);
+  add_tags(pdf, properties.tags);
   QPDFWriter writer(pdf);
   writer.setOutputMemory();
   writer.setDeterministicID(true);

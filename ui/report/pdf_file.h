@@ -1,8 +1,11 @@
 #pragma once
 
+#include <QRectF>
 #include <QString>
 #include <string>
 #include <vector>
+
+#include "ui/report/pdf_tags.h"
 
 namespace feedscope::ui {
 
@@ -14,12 +17,23 @@ struct PdfBookmark {
   double top = 0;  ///< of the place, from the page's upper edge [points]
 };
 
+/// A rectangle of a page that leads to a place.
+struct PdfLink {
+  int page = 0;  ///< from 0
+  QRectF area;   ///< from the page's upper left corner [points]
+  QString title;
+  int to_page = 0;
+  double to_top = 0;  ///< as PdfBookmark::top
+};
+
 struct PdfProperties {
   QString title;
   QString author;
   QString date;  ///< of creation, as PDF files write it: "D:20250131120000Z"; empty: none
   std::vector<PdfBookmark> outline;
   QString language = {};  ///< code of the texts; empty: not said
+  std::vector<PdfLink> links = {};
+  std::vector<PdfTag> tags = {};  ///< that mark_tag() has named on the pages
 };
 
 /// While it lives, hash tables that are made have one order: QPdfWriter numbers its fonts by one.
@@ -31,8 +45,9 @@ class StableOrder {
   StableOrder& operator=(const StableOrder&) = delete;
 };
 
-/// The file that QPdfWriter made, with title, author and bookmarks; without the time it was made unless that
-/// is asked for, and with an identifier that follows from the contents: the same pages give the same bytes.
+/// The file that QPdfWriter made, with title, author, bookmarks, links and tags; without the time it was made
+/// unless that is asked for, and with an identifier that follows from the contents: the same pages give the
+/// same bytes.
 std::string finished_pdf(const std::string& pdf, const PdfProperties& properties);
 
 }  // namespace feedscope::ui

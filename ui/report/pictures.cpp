@@ -6,11 +6,14 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "core/base/error.h"
 #include "core/toolpath/machine_toolpath.h"
 #include "ui/language/texts.h"
 #include "ui/report/charts_page.h"
+#include "ui/report/report_cards.h"
+#include "ui/report/report_time.h"
 #include "ui/report/scene_picture.h"
 #include "ui/report/sheet.h"
 #include "ui/scene/draw/captions.h"
@@ -96,17 +99,26 @@ PictureSpec spec_of(const PictureRequest& request, const QString& title) {
           title};
 }
 
-}  // namespace
-
-std::string scene_file(const ReportInput& input, const PictureRequest& request) {
+/// The current run in 3D; `prepare` may move the camera of the picture, whose size and scale it is given.
+std::string path_file(const ReportInput& input, const PictureRequest& request,
+                      const std::function<void(ScenePicture&, const QSizeF&, const SceneScale&)>& prepare) {
   ScenePicture picture(input, input.current, request.theme, request.transparent);
-  const double text_scale = text_scale_of(request);
+  const SceneScale scale{request.pixel_ratio, text_scale_of(request)};
   PictureSpec spec = spec_of(request, input.heading());
   spec.background = ink_of(picture_colours(request).background);
   return make_picture(spec, [&](QPainter& painter) {
     const QRectF above = paint_caption(painter, input, colour_meaning(input), request);
-    picture.paint(painter, above, {request.pixel_ratio, text_scale});
+    if (prepare) {
+      prepare(picture, above.size(), scale);
+    }
+    picture.paint(painter, above, scale);
   });
+}
+
+}  // namespace
+
+std::string scene_file(const ReportInput& input, const PictureRequest& request) {
+  return path_file(input, request, {});
 }
 
 std::string charts_file(const ReportInput& input, const PictureRequest& request) {
@@ -163,13 +175,32 @@ ReportPicture lens_picture(std::shared_ptr<const LensShot> shot, const QSizeF& s
           }};
 }
 
-std::string lens_file(const ReportInput& input, double time, const PictureRequest& request) {
-  const LensShot shot = lens_shot(input, time);
+namespace {
+
+std::string lens_file(const ReportInput& input, const LensShot& shot, const PictureRequest& request) {
   return make_picture(spec_of(request, input.heading()), [&](QPainter& painter) {
     const QRectF above = paint_caption(painter, input, PictureCaption::tr("run"), request);
     painter.setFont(QApplication::font());
     LensPicture(shot.lens, shot.looks, text_scale_of(request)).paint(painter, above, QApplication::palette());
   });
+}
+
+}  // namespace
+
+std::string lens_file(const ReportInput& input, double time, const PictureRequest& request) {
+  return lens_file(input, lens_shot(input, time), request);
+}
+
+std::string place_file(const ReportInput& asked, std::size_t number, const PictureRequest& request) {
+  const ReportInput input = with_time_report(with_recommended_run(asked), false);
+  const PlaceShot shot = place_shot(input, number);
+  if (shot.lens) {
+    return lens_file(input, *shot.lens, request);
+  }
+  return path_file(at_place(without_other_runs(input), shot.place), request,
+                   [&](ScenePicture& picture, const QSizeF& size, const SceneScale& scale) {
+                     show_place(picture, shot.place, size, scale);
+                   });
 }
 
 std::string sheet_file(const ReportInput& input, const PictureRequest& request) {

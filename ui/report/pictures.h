@@ -39,6 +39,9 @@ LensShot lens_shot(const ReportInput& input, double time);
 ReportPicture lens_picture(std::shared_ptr<const LensShot> shot, const QSizeF& size);
 /// All runs through the lens, where the current one is at `time` [s] (LensPicture).
 std::string lens_file(const ReportInput& input, double time, const PictureRequest& request);
+/// The picture of a card of the report, counted from 1: of the run that it recommends. Throws InputError for
+/// a number that it does not have.
+std::string place_file(const ReportInput& input, std::size_t number, const PictureRequest& request);
 /// paint_sheet().
 std::string sheet_file(const ReportInput& input, const PictureRequest& request);
 /// A picture that is there already: of the window.

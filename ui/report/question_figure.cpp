@@ -112,8 +112,11 @@ QString chart_figure(const Lesson& lesson, const Question& question, ReportInput
 }
 
 /// The stretch of a time interval in 3D, or all of the path.
-QString view_figure(const Lesson& lesson, const Question& question, const ReportInput& seen,
+QString view_figure(const Lesson& lesson, const Question& question, ReportInput seen,
                     const std::optional<Interval>& times, const QString& name, ReportPictures& pictures) {
+  if (times) {
+    seen.texts = without_line_names(std::move(seen.texts));  // the first figure names them
+  }
   const QSizeF size(report_width, question_view_height);
   const auto paint = [seen, size, times](QPainter& painter, double pixel_ratio) {
     constexpr double text = 0.8;

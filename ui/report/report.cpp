@@ -145,8 +145,12 @@ const std::vector<Block>& blocks() {
 }
 
 PageTexts page_texts(const ReportInput& input) {
-  return {input.heading(), input.author, input.date, ReportWords::tr("page %1 of %2"),
-          ReportWords::tr("simulated, not measured")};
+  return {input.heading(),
+          input.author,
+          input.date,
+          ReportWords::tr("page %1 of %2"),
+          ReportWords::tr("simulated, not measured"),
+          input.paper};
 }
 
 }  // namespace
@@ -171,6 +175,11 @@ ReportPage report_page(const ReportInput& asked, const ReportTemplate& page, Rep
     return names.contains(QLatin1String(name)) && !asked.without.contains(QLatin1String(name));
   };
   ReportInput input = with_recommended_run(asked);
+  if (wanted("notes")) {
+    for (std::size_t i = 0; i < input.annotations.size(); ++i) {
+      input.annotations[i].text.prepend(note_number(i));
+    }
+  }
   if (wanted("contour_histogram") || wanted("contour_places") || wanted("contour_place_views")) {
     input = with_contour_reports(std::move(input), progress);
   }
@@ -197,7 +206,7 @@ ReportPage report_page(const ReportInput& asked, const ReportTemplate& page, Rep
         return QString();
       },
       asked.with);
-  result.html = with_filled_pages(with_figure_numbers(result.html), result.pictures);
+  result.html = with_filled_pages(with_figure_numbers(result.html), result.pictures, input.paper);
   return result;
 }
 

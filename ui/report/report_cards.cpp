@@ -1,5 +1,7 @@
 #include "ui/report/report_cards.h"
 
+#include <fmt/format.h>
+
 #include <QLocale>
 #include <algorithm>
 #include <optional>
@@ -7,6 +9,7 @@
 #include "core/analysis/explanation/explanation.h"
 #include "core/analysis/refused_lines.h"
 #include "core/analysis/ruled_instant.h"
+#include "core/base/error.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/time_texts.h"
 #include "ui/report/html_table.h"
@@ -88,20 +91,60 @@ QString card_text(const ReportInput& input, const CardPlace& card, std::size_t n
 }
 
 /// Corners of several runs through the lens, other places as they are.
-ElasticPicture card_picture(const ReportInput& input, const CardPlace& card, double largest) {
-  constexpr double least = 130;
-  const SlowPlace place = card.place();
+PlaceShot shot_of(const ReportInput& input, const CardPlace& card) {
   if (card.group->shape == PlaceShape::corner && input.runs.size() > 1) {
-    auto shot = std::make_shared<const LensShot>(lens_shot(input, place.slowest));
+    auto shot = std::make_shared<const LensShot>(lens_shot(input, card.place().slowest));
     if (shot->lens.deviates) {
-      return {[shot](const QSizeF& size) { return lens_picture(shot, size); }, least, largest};
+      return {card.place(), shot};
     }
   }
-  return {[input, place](const QSizeF& size) { return close_up(without_other_runs(input), place, size); },
+  return {card.place(), nullptr};
+}
+
+ElasticPicture card_picture(const ReportInput& input, const CardPlace& card, double largest) {
+  constexpr double least = 130;
+  return {[input, shot = shot_of(input, card)](const QSizeF& size) {
+            return shot.lens ? lens_picture(shot.lens, size)
+                             : close_up(without_other_runs(input), shot.place, size);
+          },
           least, largest};
 }
 
+/// What the lines of close-ups are.
+QString lines_key(const ReportInput& input) {
+  QStringList parts{ReportWords::tr("thin grey the programmed path")};
+  if (input.run().shown->run.trajectory->blend_count() > 0) {
+    parts.append(ReportWords::tr("dark edges corner blends"));
+  }
+  parts.append(ReportWords::tr("pink the place and a circle its slowest point"));
+  return ReportWords::tr("In pictures along the path: %1.").arg(parts.join(QStringLiteral(", ")));
+}
+
+QString card_name(std::size_t number) {
+  return QStringLiteral("card%1").arg(number);
+}
+
 }  // namespace
+
+QString card_picture_of(const TimeReport& report, const SlowGroup& group) {
+  const std::vector<CardPlace> cards = card_places(report);
+  const auto found =
+      std::ranges::find_if(cards, [&](const CardPlace& card) { return card.leads && card.group == &group; });
+  return found == cards.end() ? QString() : card_name(static_cast<std::size_t>(found - cards.begin()) + 1);
+}
+
+PlaceShot place_shot(const ReportInput& input, std::size_t number) {
+  const std::vector<CardPlace> cards =
+      is_refused(input.run().shown->run) ? std::vector<CardPlace>() : card_places(*input.time);
+  if (cards.empty()) {
+    throw InputError("--place: the run loses no time that a report would show");
+  }
+  if (number < 1 || number > cards.size()) {
+    throw InputError(fmt::format("--place {}: the report of this run shows {} places; give 1 to {}", number,
+                                 cards.size(), cards.size()));
+  }
+  return shot_of(input, cards[number - 1]);
+}
 
 QString cards_block(const ReportInput& input, ReportPictures& pictures) {
   if (is_refused(input.run().shown->run)) {
@@ -109,11 +152,12 @@ QString cards_block(const ReportInput& input, ReportPictures& pictures) {
   }
   const std::vector<CardPlace> cards = card_places(*input.time);
   const double largest = cards.size() < 3 ? 390 : 290;  // a page is filled
-  QString html;
+  QString html =
+      cards.empty() ? QString() : QStringLiteral("<p class=\"small\">%1</p>\n").arg(lines_key(input));
   for (std::size_t i = 0; i < cards.size(); ++i) {
     const QString picture =
-        pictures.add_elastic(QStringLiteral("card%1").arg(i + 1), card_picture_width,
-                             card_picture(input, cards[i], largest), ReportWords::tr("Place %1").arg(i + 1));
+        pictures.add_elastic(card_name(i + 1), card_picture_width, card_picture(input, cards[i], largest),
+                             ReportWords::tr("Place %1").arg(i + 1));
     html +=
         two_columns(card_text(input, cards[i], i + 1),
                     figure(picture, ReportWords::tr("Line %1.").arg(cards[i].place().line)), narrow_share);

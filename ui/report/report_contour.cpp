@@ -95,6 +95,7 @@ ReportPicture close_up(const ReportInput& input, const ContourPlace& place) {
                                     trajectory.state_at_path(place.path_length + around).time};
   ReportInput seen = input;
   seen.view = view_of(trajectory, times);
+  seen.texts = without_line_names(std::move(seen.texts));
   seen.scene.stretch = {};
   seen.annotations = annotations_between(input, times[0], times[1]);
   seen.scene.colouring = Colouring::contour_error;

@@ -14,12 +14,14 @@
 #include "ui/decide/decision_chart.h"
 #include "ui/language/composed_text.h"
 #include "ui/language/core_texts.h"
+#include "ui/language/failure_text.h"
 #include "ui/language/remedy_text.h"
 #include "ui/language/texts.h"
 #include "ui/language/time_texts.h"
 #include "ui/report/cause_bars.h"
 #include "ui/report/html_table.h"
 #include "ui/report/pictures.h"
+#include "ui/report/report_cards.h"
 #include "ui/report/report_numbers.h"
 #include "ui/report/report_tables.h"
 #include "ui/report/report_words.h"
@@ -114,6 +116,15 @@ QString run_faults(const ReportInput& input) {
   QString html;
   for (const QString& text : texts) {
     html += fault(text);
+  }
+  return html;
+}
+
+QString unmade_runs(const ReportInput& input) {
+  QString html;
+  for (const UnmadeRun& run : input.unmade) {
+    html += fault(ReportWords::tr("<b>%1 could not be simulated.</b> %2")
+                      .arg(html_text(run.name), html_text(failure_text(run.why))));
   }
   return html;
 }
@@ -249,8 +260,8 @@ QString loss_table(const ReportInput& input) {
   std::size_t rows = 0;
   for (const SlowGroup& group : input.time->slow.groups) {
     if (rows < most && group.loss >= worth_a_row * input.time->use.cycle_time) {
-      table.add(
-          {html_text(group_place(group)), html_text(core_text(lost_to(group))), TimeTexts::gain(group.loss)});
+      table.add({html_text(group_place(group)) + figure_reference(card_picture_of(*input.time, group)),
+                 html_text(core_text(lost_to(group))), TimeTexts::gain(group.loss)});
       ++rows;
     }
   }
@@ -335,7 +346,7 @@ QString verdict_block(const ReportInput& input) {
                            ? DecisionTexts::decision(run_figures(input), names, input.within).rule
                            : QString();
   const QString why = rule.isEmpty() ? QString() : QStringLiteral("<p class=\"rule\">%1</p>\n").arg(rule);
-  return why + reading_fault(input) + run_faults(input) + unused_tolerances(input);
+  return why + unmade_runs(input) + reading_fault(input) + run_faults(input) + unused_tolerances(input);
 }
 
 QString decision_charts_block(const ReportInput& input, ReportPictures& pictures) {

@@ -22,6 +22,18 @@
 
 namespace feedscope::ui {
 
+/// A sheet that a report is laid out on [1/96 inch].
+struct Paper {
+  double width = 210 / 25.4 * 96;  ///< A4 at first
+  double height = 297 / 25.4 * 96;
+
+  static constexpr double margin_top = 62;
+  static constexpr double margin_bottom = 60;
+  /// Of what is between the margins.
+  double contents_height() const { return height - margin_top - margin_bottom; }
+};
+inline constexpr Paper letter_paper{8.5 * 96, 11.0 * 96};
+
 /// One of the runs that sheet and report show.
 struct ReportRun {
   std::shared_ptr<const ShownRun> shown;
@@ -33,6 +45,12 @@ struct ReportRun {
 inline const Summary& summary_of(const ReportRun& run) {
   return run.shown->run.summary;
 }
+
+/// A run that was asked for and cannot be simulated.
+struct UnmadeRun {
+  QString name;
+  std::string why;  ///< as the library says it
+};
 
 /// What a control recorded of the program.
 struct ReportTrace {
@@ -46,6 +64,7 @@ struct ReportTrace {
 struct ReportInput {
   std::vector<ReportRun> runs;  ///< of one program, at least one
   std::size_t current = 0;      ///< the one that 3D view, charts and worst places show
+  std::vector<UnmadeRun> unmade;
   std::vector<ReportTrace> traces;
   IdentificationResult identification;  ///< of a machine from recordings of the program; may be none
   SceneState scene;                     ///< how the 3D view looks
@@ -71,6 +90,7 @@ struct ReportInput {
   /// Largest contour error of a run that may be recommended [mm].
   std::optional<double> within;
   std::size_t tolerances_asked = 0;  ///< 0: not known
+  Paper paper = {};
   /// Of the current run; until with_circles().
   std::shared_ptr<const ProgramCircles> circles = nullptr;
   /// Of the current run; until with_time_report().

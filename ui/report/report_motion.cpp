@@ -285,7 +285,7 @@ std::array<std::vector<MotionCurve>, 3> window_curves(const ReportInput& input, 
 void paint_motion_windows(QPainter& painter, const QSizeF& size, const ReportInput& input,
                           const std::vector<MotionWindow>& windows) {
   constexpr double left = 52;
-  constexpr double gap = 14;
+  constexpr double gap = 30;  // labels of neighbouring axes do not touch
   constexpr double head = 18;
   constexpr double title = 19;
   constexpr double below = 34;

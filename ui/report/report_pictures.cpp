@@ -2,8 +2,11 @@
 
 #include <QImage>
 #include <QPainter>
+#include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <memory>
 
 #include "core/analysis/ruled_instant.h"
@@ -28,8 +31,11 @@ constexpr std::size_t max_places = 8;  // in the table
 constexpr std::size_t max_close_ups = 6;
 constexpr std::size_t max_charts = 6;
 constexpr int close_ups_a_row = 2;
-const QString figure_mark(QChar(0xe000));  // where with_figure_numbers() puts a number
-constexpr double view_height = 400;        // [1/96 inch]
+// Where with_figure_numbers() puts numbers: of a figure before its caption, in its anchor, of another figure.
+const QString figure_mark(QChar(0xe000));
+const QString anchor_mark(QChar(0xe001));
+const QString reference_mark(QChar(0xe002));
+constexpr double view_height = 400;  // [1/96 inch]
 
 /// The current run in 3D. `seen`: the input, with what is to be seen of it.
 ReportPicture scene_picture(const ReportInput& seen, const QSizeF& size) {
@@ -115,23 +121,39 @@ StandardView view_of(const Run& run, const SlowPlace& place) {
 }  // namespace
 
 ReportPicture close_up(const ReportInput& input, const SlowPlace& place, const QSizeF& size) {
-  ReportInput seen = input;
-  seen.view = view_of(input.run().shown->run, place);
-  seen.scene.stretch = {};
-  seen.annotations = annotations_between(input, place.from, place.to);
-  seen.scene.colouring = Colouring::feed;
-  seen.scene.exaggeration = 1;
-  return {size, true, [seen, size, place](QPainter& painter, double pixel_ratio) {
-            ScenePicture picture(seen, seen.current, ThemeKind::light);
+  return {size, true, [seen = at_place(input, place), size, place](QPainter& painter, double pixel_ratio) {
             const SceneScale scale{pixel_ratio, 0.68};
-            picture.prepare(size, scale);
+            ScenePicture picture(seen, seen.current, ThemeKind::light);
+            show_place(picture, place, size, scale);
             picture.scene().set_warning({});  // the first page says what is wrong with the program
-            picture.scene().fit_times(place.from, place.to);
-            picture.scene().zoom(0.7, {size.width() * pixel_ratio / 2, size.height() * pixel_ratio / 2});
-            picture.scene().set_highlight(std::array{place.from, place.to});
-            picture.scene().set_hover(picture.scene().drawn_at(place.slowest));
             paint_lightly(picture, painter, seen, size, scale);
           }};
+}
+
+SceneTexts without_line_names(SceneTexts texts) {
+  for (std::string* name :
+       {&texts.programmed, &texts.rapid, &texts.executed, &texts.curve, &texts.blend, &texts.tool_axis}) {
+    name->clear();
+  }
+  return texts;
+}
+
+ReportInput at_place(ReportInput input, const SlowPlace& place) {
+  input.view = view_of(input.run().shown->run, place);
+  input.texts = without_line_names(std::move(input.texts));
+  input.scene.stretch = {};
+  input.annotations = annotations_between(input, place.from, place.to);
+  input.scene.colouring = Colouring::feed;
+  input.scene.exaggeration = 1;
+  return input;
+}
+
+void show_place(ScenePicture& picture, const SlowPlace& place, const QSizeF& size, const SceneScale& scale) {
+  picture.prepare(size, scale);
+  picture.scene().fit_times(place.from, place.to);
+  picture.scene().zoom(0.7, {size.width() * scale.pixel_ratio / 2, size.height() * scale.pixel_ratio / 2});
+  picture.scene().set_highlight(std::array{place.from, place.to});
+  picture.scene().set_hover(picture.scene().drawn_at(place.slowest));
 }
 
 std::vector<Annotation> annotations_between(const ReportInput& input, double from, double to) {
@@ -147,20 +169,68 @@ std::vector<Annotation> annotations_between(const ReportInput& input, double fro
   return found;
 }
 
-QString with_figure_numbers(const QString& html) {
-  const QStringList parts = html.split(figure_mark);
-  QString numbered = parts.front();
+namespace {
+
+/// Numbers by the names of the pictures that figures show.
+std::map<QString, int> figure_numbers(const QString& html) {
+  static const QRegularExpression shown(QStringLiteral("^\">\\s*<img src=\"picture:([^\"]*)\""));
+  const QStringList parts = html.split(anchor_mark);
+  std::map<QString, int> numbers;
   for (qsizetype i = 1; i < parts.size(); ++i) {
-    numbered += ReportWords::tr("Figure %1. ").arg(i) + parts[i];
+    if (const auto found = shown.match(parts[i]); found.hasMatch()) {
+      numbers.try_emplace(found.captured(1), static_cast<int>(i));
+    }
   }
-  return numbered;
+  return numbers;
+}
+
+/// A mark becomes one text after the other.
+QString with_marks_as(const QString& html, const QString& mark, const std::function<QString(int)>& text) {
+  const QStringList parts = html.split(mark);
+  QString made = parts.front();
+  for (qsizetype i = 1; i < parts.size(); ++i) {
+    made += text(static_cast<int>(i)) + parts[i];
+  }
+  return made;
+}
+
+/// A picture that can be referred to, and its caption.
+QString captioned(const QString& picture, const QString& caption) {
+  return QStringLiteral("<a name=\"%1\">%2</a><p class=\"caption\">%3%4</p>")
+      .arg(anchor_mark, picture, figure_mark, caption);
+}
+
+}  // namespace
+
+QString with_figure_numbers(const QString& html) {
+  const std::map<QString, int> numbers = figure_numbers(html);
+  const auto anchor = [](int number) { return QStringLiteral("figure%1").arg(number); };
+  QString made =
+      with_marks_as(html, figure_mark, [](int number) { return ReportWords::tr("Figure %1. ").arg(number); });
+  made = with_marks_as(made, anchor_mark, anchor);
+  const QStringList parts = made.split(reference_mark);
+  for (qsizetype i = 1; i < parts.size(); i += 2) {
+    const auto found = numbers.find(parts[i]);
+    made.replace(reference_mark + parts[i] + reference_mark,
+                 found == numbers.end()
+                     ? QString()
+                     : QStringLiteral(" (<a href=\"#%1\">%2</a>)")
+                           .arg(anchor(found->second), ReportWords::tr("Figure %1")
+                                                           .arg(found->second)
+                                                           .replace(' ', QStringLiteral("&nbsp;"))));
+  }
+  return made;
+}
+
+QString figure_reference(const QString& picture) {
+  return picture.isEmpty() ? QString() : reference_mark + picture + reference_mark;
 }
 
 QString figure(const QString& picture, const QString& caption) {
   return QStringLiteral(
              "<table class=\"figure\" width=\"100%\" cellspacing=\"0\" cellpadding=\"0\"><tr><td>%1"
-             "<p class=\"caption\">%2%3</p></td></tr></table>\n")
-      .arg(picture, figure_mark, caption);
+             "</td></tr></table>\n")
+      .arg(captioned(picture, caption));
 }
 
 QString two_columns(const QString& left, const QString& right, int share) {
@@ -172,6 +242,10 @@ QString two_columns(const QString& left, const QString& right, int share) {
       .arg(share)
       .arg(gap)
       .arg(100 - gap - share);
+}
+
+QString note_number(std::size_t note) {
+  return QStringLiteral("%1 · ").arg(note + 1);
 }
 
 ReportInput without_other_runs(ReportInput input) {
@@ -194,8 +268,7 @@ QString close_up_table(const std::vector<std::pair<QString, QString>>& pictures)
     const std::size_t column = i % close_ups_a_row;
     const auto& [picture, caption] = pictures[i];
     rows += column == 0 ? QStringLiteral("<tr>") : QString();
-    rows += QStringLiteral("<td width=\"50%\">%1<p class=\"caption\">%2%3</p></td>")
-                .arg(picture, figure_mark, caption);
+    rows += QStringLiteral("<td width=\"50%\">%1</td>").arg(captioned(picture, caption));
     const bool last = column + 1 == close_ups_a_row || i + 1 == pictures.size();
     rows += last ? QStringLiteral("</tr>\n") : QString();
   }
@@ -209,6 +282,7 @@ QString close_up_table(const std::vector<std::pair<QString, QString>>& pictures)
 QString ReportPictures::add(const QString& name, ReportPicture picture, const QString& description) {
   const QSizeF size = picture.size;
   pictures_.insert_or_assign(name, std::move(picture));
+  descriptions_.insert_or_assign(name, description);
   return QStringLiteral("<img src=\"picture:%1\" width=\"%2\" height=\"%3\" alt=\"%4\"/>")
       .arg(name)
       .arg(size.width())
@@ -222,6 +296,11 @@ QString ReportPictures::add_elastic(const QString& name, double width, ElasticPi
   const QString html = add(name, picture.make(size), description);
   elastic_.insert_or_assign(name, std::move(picture));
   return html;
+}
+
+QString ReportPictures::description(const QString& name) const {
+  const auto found = descriptions_.find(name);
+  return found == descriptions_.end() ? QString() : found->second;
 }
 
 void ReportPictures::resize(const QString& name, double height) {
@@ -446,8 +525,10 @@ QString notes_block(const ReportInput& input) {
     }
     lines.removeDuplicates();
     const QString line_break = QStringLiteral("<br/>");
+    const QString number = note_number(static_cast<std::size_t>(i));
+    const QString text = texts[i].startsWith(number) ? texts[i].mid(number.size()) : texts[i];
     table.add({QString::number(i + 1), lines.join(QStringLiteral(" – ")), instants.join(line_break),
-               places.join(line_break), html_text(texts[i]).replace('\n', line_break)});
+               places.join(line_break), html_text(text).replace('\n', line_break)});
   }
   return table.html();
 }

@@ -13,6 +13,9 @@ class QPainter;
 
 namespace feedscope::ui {
 
+class ScenePicture;
+struct SceneScale;
+
 /// A picture of a report: painted into a rectangle from 0, 0, rasters with `pixel_ratio` pixels to a unit.
 struct ReportPicture {
   QSizeF size;  ///< units of 1/96 inch
@@ -41,6 +44,8 @@ class ReportPictures {
   const std::map<QString, ElasticPicture>& elastic() const { return elastic_; }
   /// Makes an elastic one again.
   void resize(const QString& name, double height);
+  /// What a picture shows, for those who cannot see it.
+  QString description(const QString& name) const;
   const std::map<QString, ReportPicture>& all() const { return pictures_; }
   /// Paints one of them; throws Cancelled. A name that is none paints nothing.
   void paint(const QString& name, QPainter& painter, double pixel_ratio) const;
@@ -50,13 +55,16 @@ class ReportPictures {
   mutable std::size_t painted_ = 0;
   std::map<QString, ReportPicture> pictures_;
   std::map<QString, ElasticPicture> elastic_;
+  std::map<QString, QString> descriptions_;
 };
 
 /// Width of what stands between the margins of a report [1/96 inch].
 inline constexpr double report_width = 672;
 
-/// `html` with the figures in it numbered in the order in which they stand.
+/// `html` with the figures in it numbered in their order, and references to them as links.
 QString with_figure_numbers(const QString& html);
+/// " (Figure 3)" of the figure that shows the picture with this name; nothing where the report has none.
+QString figure_reference(const QString& picture);
 /// A picture over the whole width with its caption, both HTML.
 QString figure(const QString& picture, const QString& caption);
 /// Pictures with their captions beside each other, two a row; empty for none.
@@ -70,6 +78,14 @@ QSizeF close_up_size();
 
 /// The current run at a slow place from above or obliquely, the place marked.
 ReportPicture close_up(const ReportInput& input, const SlowPlace& place, const QSizeF& size);
+/// What a ScenePicture of a close-up is made of, and its camera and marks.
+ReportInput at_place(ReportInput input, const SlowPlace& place);
+void show_place(ScenePicture& picture, const SlowPlace& place, const QSizeF& size, const SceneScale& scale);
+/// Without a legend of lines, which would lie over them in a close-up.
+SceneTexts without_line_names(SceneTexts texts);
+
+/// What the label of a note, counted from 0, begins with where the notes have a table: "1 · ".
+QString note_number(std::size_t note);
 
 /// The input with its current run alone, unless colours compare it with another one.
 ReportInput without_other_runs(ReportInput input);

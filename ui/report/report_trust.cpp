@@ -3,6 +3,8 @@
 #include <QLocale>
 #include <algorithm>
 #include <set>
+#include <span>
+#include <vector>
 
 #include "core/analysis/program_facts.h"
 #include "core/analysis/setup_options.h"
@@ -57,25 +59,38 @@ QString limit_text(const Machine& machine, char axis, const SettingSpec& spec) {
                                                                       : text;
 }
 
-/// Velocity, acceleration and jerk of the axes.
-QString limits_table(const Machine& machine) {
+/// Velocity, acceleration and jerk of some axes, with the specs of these limits for such axes.
+QString limits_table(const Machine& machine, const QString& title, std::span<const SettingSpec> specs,
+                     const std::vector<char>& axes) {
   constexpr std::size_t limits = 3;
-  const auto specs = axis_specs();
   HtmlTable table("lrrr", {16, 28, 28, 28});
-  QStringList head{ReportWords::tr("Axis")};
-  for (std::size_t i = 0; i < std::min(limits, specs.size()); ++i) {
-    head.append(QStringLiteral("%1<br/>[%2]")
-                    .arg(html_text(core_text(specs[i].title)), key_unit(specs[i].unit).text));
+  QStringList head{title};
+  for (const SettingSpec& spec : specs.first(limits)) {
+    head.append(
+        QStringLiteral("%1<br/>[%2]").arg(html_text(core_text(spec.title)), key_unit(spec.unit).text));
   }
   table.add_head(head);
-  for (const AxisInfo& axis : machine.axes.axes()) {
-    QStringList cells{QString(QChar(axis.name))};
-    for (std::size_t i = 0; i < std::min(limits, specs.size()); ++i) {
-      cells.append(limit_text(machine, axis.name, specs[i]));
+  for (const char axis : axes) {
+    QStringList cells{QString(QChar(axis))};
+    for (const SettingSpec& spec : specs.first(limits)) {
+      cells.append(limit_text(machine, axis, spec));
     }
     table.add(cells);
   }
-  return table.html();
+  return axes.empty() ? QString() : table.html();
+}
+
+QString limits_tables(const Machine& machine) {
+  std::vector<char> linear;
+  for (const AxisInfo& axis : machine.axes.axes()) {
+    linear.push_back(axis.name);
+  }
+  std::vector<char> rotary;
+  for (const RotaryAxis& axis : machine.kinematics.rotary) {
+    rotary.push_back(axis.name);
+  }
+  return limits_table(machine, ReportWords::tr("Axis"), axis_limit_specs(), linear) +
+         limits_table(machine, ReportWords::tr("Rotary axis"), rotary_axis_specs(), rotary);
 }
 
 QString machine_part(const Machine& machine) {
@@ -83,7 +98,7 @@ QString machine_part(const Machine& machine) {
       machine.control.empty() ? QString() : QStringLiteral(", %1").arg(html_text(machine.control));
   return trust_heading(ReportWords::tr("Machine")) +
          trust_line(QStringLiteral("<b>%1</b>%2").arg(html_text(machine.name), control)) +
-         limits_table(machine) +
+         limits_tables(machine) +
          trust_line(ReportWords::tr("Values in italics are assumed. Source: %1")
                         .arg(source_span(machine.reference)));
 }

@@ -11,6 +11,7 @@
 #include "core/analysis/control_dialect.h"
 #include "core/analysis/not_counted.h"
 #include "core/analysis/program_facts.h"
+#include "core/analysis/recommendation.h"
 #include "core/analysis/refused_lines.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
@@ -148,8 +149,9 @@ class SheetPainter {
          shown(fixed(summary.mean_feed, Dimension::feed))},
         {ReportWords::tr("peak feed, %1").arg(unit_of(Dimension::feed)),
          shown(fixed(summary.peak_feed, Dimension::feed))},
-        {ReportWords::tr("contour error, %1").arg(unit_of(Dimension::error)),
-         shown(significant(summary.cutting_contour_error, Dimension::error, 3))}};
+        {summary.actual ? ReportWords::tr("actual contour error, %1").arg(unit_of(Dimension::error))
+                        : ReportWords::tr("contour error, %1").arg(unit_of(Dimension::error)),
+         shown(significant(deciding_error(summary), Dimension::error, 3))}};
     const double width = (room.width() - 4 * 8) / 5;
     double left = room.left();
     for (const auto& [name, value] : figures) {
@@ -211,12 +213,18 @@ class SheetPainter {
     painter_.drawRect(room);
   }
 
+  /// Of the axes where drives move them in any run.
+  QString error_title() const {
+    const bool actual = std::ranges::any_of(
+        input_.runs, [](const ReportRun& run) { return summary_of(run).actual.has_value(); });
+    return actual ? ReportWords::tr("Actual contour error") : ReportWords::tr("Contour error");
+  }
+
   QString table_html() const {
     HtmlTable table("lrrrr", {40, 17, 13, 15, 15});
-    table.add_head({ReportWords::tr("Run"), ReportWords::tr("Cycle time [s]"),
-                    ReportWords::tr("To first [%]"),
+    table.add_head({ReportWords::tr("Run"), ReportWords::tr("Cycle time"), ReportWords::tr("To first [%]"),
                     with_unit_of(ReportWords::tr("Mean feed"), Dimension::feed),
-                    with_unit_of(ReportWords::tr("Contour error"), Dimension::error)});
+                    with_unit_of(error_title(), Dimension::error)});
     const Run& first_run = input_.runs.front().shown->run;
     const double first = is_refused(first_run) ? 0 : first_run.summary.cycle_time;
     for (std::size_t i = 0; i < std::min(input_.runs.size(), max_runs); ++i) {
@@ -227,10 +235,10 @@ class SheetPainter {
       }
       const Summary& summary = input_.runs[i].shown->run.summary;
       table.add(
-          {run_label(input_.runs[i]), fixed(summary.cycle_time, 3),
+          {run_label(input_.runs[i]), clock_text(summary.cycle_time),
            i == 0 || !(first > 0) ? QStringLiteral("–") : signed_percent(summary.cycle_time / first - 1),
            fixed(summary.mean_feed, Dimension::feed),
-           significant(summary.cutting_contour_error, Dimension::error, 3)});
+           significant(deciding_error(summary), Dimension::error, 3)});
     }
     if (input_.runs.size() > max_runs) {
       table.add({ReportWords::tr("and %1 more").arg(input_.runs.size() - max_runs)});
@@ -270,13 +278,14 @@ class SheetPainter {
       return {};
     }
     constexpr qsizetype most = 5;
+    constexpr double worth_a_row = 5e-4;  // of the cycle time: less is shown as 0.0 %
     const Summary& summary = input_.run().shown->run.summary;
     HtmlTable table("lrr", {64, 18, 18});
     table.add_head({ReportWords::tr("%1 is limited by").arg(html_text(input_.run().name)),
                     QStringLiteral("s"), QStringLiteral("%")});
     qsizetype rows = 0;
     for (const auto& [kind, time] : time_by_kind(summary)) {
-      if (rows++ < most) {
+      if (time >= worth_a_row * summary.cycle_time && rows++ < most) {
         table.add(
             {html_text(cause_kind_name(kind)), fixed(time, 2), fixed(100 * time / summary.cycle_time, 1)});
       }

@@ -28,7 +28,6 @@ class ComparisonChart : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  void draw_title(QPainter& painter, const ComparisonLayout& layout) const;
   void draw_legend(QPainter& painter, const ComparisonLayout& layout) const;
   void draw_columns(QPainter& painter, const ComparisonLayout& layout) const;
   void draw_axis(QPainter& painter, const ComparisonLayout& layout) const;

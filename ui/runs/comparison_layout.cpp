@@ -7,9 +7,8 @@
 #include <cmath>
 
 #include "core/base/clock_text.h"
-#include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
-#include "ui/scene/cause_colour.h"
+#include "ui/runs/cause_bar.h"
 #include "ui/shared/plot_grid.h"
 
 namespace feedscope::ui {
@@ -74,13 +73,7 @@ double fixed_height(double legend_rows) {
 }
 
 std::vector<QString> legend_texts(const ComparisonBars& bars) {
-  std::vector<QString> texts;
-  for (const CauseKind kind : bars.kinds) {
-    texts.push_back(core_text(cause_title({kind, -1})));
-  }
-  if (bars.rest) {
-    texts.push_back(Comparison::tr("other causes"));
-  }
+  std::vector<QString> texts = cause_legend(bars);
   if (bars.lines_refused) {
     texts.push_back(Comparison::tr("without refused lines"));
   }

@@ -53,7 +53,7 @@ void PlotGrid::draw_label(const QRectF& place, Qt::Alignment side, const QString
 
 QString tick_text(const Ticks& ticks, std::size_t i) {
   const auto decimals = QString::fromStdString(ticks.labels[i]).section('.', 1).size();
-  return QLocale().toString(ticks.values[i], 'f', static_cast<int>(decimals));
+  return QLocale().toString(ticks.values[i], 'f', static_cast<int>(decimals)).replace('-', QChar(0x2212));
 }
 
 std::vector<QRectF> entries_in_rows(std::span<const double> widths, const QRectF& area, double line,

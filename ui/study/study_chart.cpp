@@ -14,6 +14,7 @@
 #include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"
 #include "ui/shared/plot_grid.h"
+#include "ui/shared/plot_text.h"
 #include "ui/study/study_marks.h"
 #include "ui/theme/theme.h"
 #include "ui/theme/type_size.h"
@@ -212,15 +213,9 @@ void StudyChart::paintEvent(QPaintEvent*) {
 }
 
 void StudyChart::draw_head(QPainter& painter, const Layout& layout) const {
-  const QFont bold = sized(font(), title_size, true);
-  painter.setFont(bold);
-  painter.setPen(theme_colours(palette()).text);
-  painter.drawText(layout.head, Qt::AlignLeft | Qt::AlignVCenter, title_);
-  const double left = layout.head.left() + QFontMetricsF(bold).horizontalAdvance(title_) + 12;
   painter.setFont(font());
-  const QRectF rest(left, layout.head.top(), layout.head.right() - left, layout.head.height());
-  painter.drawText(rest, Qt::AlignLeft | Qt::AlignVCenter,
-                   QFontMetricsF(font()).elidedText(details_, Qt::ElideRight, rest.width()));
+  painter.setPen(theme_colours(palette()).text);
+  paint_title(painter, layout.head, title_, details_);
   for (std::size_t i = 0; i < layout.legend.size(); ++i) {
     const QRectF& entry = layout.legend[i];
     const QColor color = study_hue(i, palette());

@@ -1,12 +1,33 @@
 #include "ui/study/study_curves.h"
 
 #include <QLocale>
+#include <algorithm>
 
 #include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"
 #include "ui/study/study_chart.h"
 
 namespace feedscope::ui {
+
+QString family_name(const Study& study, const StudyRun& run) {
+  QString name = QString::fromStdString(run.setup.model->info().id + ", " + run.setup.machine.id);
+  const bool swept = std::ranges::find(study.sweeps, "tolerance", &Sweep::key) != study.sweeps.end();
+  const std::optional<double> tolerance = contour_tolerance(run.setup);
+  const bool differs = std::ranges::any_of(study.runs, [&](const StudyRun& other) {
+    const std::optional<double> its = contour_tolerance(other.setup);
+    return its && its != tolerance;
+  });
+  if (tolerance && differs && !swept) {
+    name += QStringLiteral(", ") + significant_text(*tolerance, Dimension::length, 4);
+  }
+  for (std::size_t i = 2; i < study.sweeps.size(); ++i) {
+    const KeyUnit unit = key_unit(sweep_unit(study.sweeps[i].key));
+    name += QStringLiteral(", %1 %2 %3")
+                .arg(setting_title(study.sweeps[i].key),
+                     QLocale().toString(run.swept[i] * unit.factor, 'g', 4), unit.text);
+  }
+  return name.trimmed();
+}
 
 StudyCurves study_curves(const Study& study) {
   StudyCurves shown;
@@ -21,12 +42,7 @@ StudyCurves study_curves(const Study& study) {
   shown.logarithmic = first.logarithmic;
   for (const auto& runs : study.curves()) {
     StudyCurve curve;
-    const Setup& setup = runs.front().setup;
-    curve.name = QString::fromStdString(setup.model->info().id + ", " + setup.machine.id);
-    for (std::size_t i = 1; i < study.sweeps.size(); ++i) {
-      curve.name += QStringLiteral(", %1 %2").arg(setting_title(study.sweeps[i].key),
-                                                  QLocale().toString(runs.front().swept[i], 'g', 4));
-    }
+    curve.name = family_name(study, runs.front());
     if (const std::size_t lines = runs.front().lines_not_run; lines > 0) {
       curve.name += StudyChart::tr(", refused lines: %1").arg(lines);
     }

@@ -40,6 +40,11 @@ struct StudyCurves {
   std::vector<RecordedTime> recorded = {};
 };
 
+/// What the runs have in common that one picture of a study shows as a curve or a map: model, machine, the
+/// tolerance where it is not the same in all of the study, the values of all sweeps after the second.
+QString family_name(const Study& study, const StudyRun& run);
+
+/// `study` has one sweep; of two, study_maps().
 StudyCurves study_curves(const Study& study);
 
 }  // namespace feedscope::ui

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QImage>
 #include <QLocale>
+#include <QPainter>
 #include <QStringList>
 #include <algorithm>
 #include <utility>
@@ -17,6 +18,7 @@
 #include "ui/report/picture_file.h"
 #include "ui/runs/comparison_chart.h"
 #include "ui/study/study_chart.h"
+#include "ui/study/study_map.h"
 #include "ui/theme/offscreen_application.h"
 #include "ui/window/main_window.h"
 #include "ui/workbench/reading_faults.h"
@@ -34,6 +36,16 @@ void check_size(PictureSize size, const QSize& least) {
     throw InputError(
         message.arg(size.width).arg(size.height).arg(least.width()).arg(least.height()).toStdString());
   }
+}
+
+[[noreturn]] void refuse_height(std::size_t runs, int height) {
+  throw InputError(
+      QStringLiteral(
+          "%1 runs are too many for one picture; they need a height of %2 pixels, and it may have %3")
+          .arg(runs)
+          .arg(height)
+          .arg(largest_picture_side)
+          .toStdString());
 }
 
 /// Where everything stands that can be seen.
@@ -168,12 +180,7 @@ void check_comparison_size(std::span<const Setup> setups, std::optional<PictureS
   if (wanted) {
     check_size(*wanted, least);
   } else if (least.height() > largest_picture_side) {
-    throw InputError(QStringLiteral("%1 runs are too many for one picture; they need a height of %2 pixels, "
-                                    "and it may have %3")
-                         .arg(setups.size())
-                         .arg(least.height())
-                         .arg(largest_picture_side)
-                         .toStdString());
+    refuse_height(setups.size(), least.height());
   }
 }
 
@@ -193,11 +200,43 @@ Picture draw_comparison(const LoadedProgram& program, std::span<const ComparedRu
   return grab(chart, size);
 }
 
+namespace {
+
+Picture draw_maps(const LoadedProgram& program, const Study& study,
+                  const std::vector<std::string>& assignments, std::optional<PictureSize> wanted) {
+  StudyMaps maps = study_maps(study);
+  const QSize natural = StudyMapPicture::natural_size(maps.maps.size());
+  const QSize size = wanted ? QSize(wanted->width, wanted->height) : natural;
+  QImage image(size, QImage::Format_RGB888);
+  QPainter painter(&image);
+  StudyMapPicture(program_file_name(*program.program), comparison_details(program, study.runs, assignments),
+                  std::move(maps), QApplication::font())
+      .paint(painter, size);
+  return picture_of(image);
+}
+
+}  // namespace
+
+void check_study_size(std::span<const Sweep> sweeps, std::size_t runs, std::optional<PictureSize> wanted) {
+  if (sweeps.size() < 2) {
+    return;
+  }
+  const std::size_t maps = runs / (sweeps[0].values.size() * sweeps[1].values.size());
+  if (wanted) {
+    check_size(*wanted, StudyMapPicture::least_size(maps));
+  } else if (const int height = StudyMapPicture::natural_size(maps).height(); height > largest_picture_side) {
+    refuse_height(runs, height);
+  }
+}
+
 Picture draw_study(const LoadedProgram& program, const Study& study,
                    const std::vector<std::string>& assignments, std::optional<PictureSize> wanted,
                    const QString& language) {
   const OffscreenApplication application;
   speak_other(language);
+  if (study.sweeps.size() > 1) {
+    return draw_maps(program, study, assignments, wanted);
+  }
   StudyChart chart;
   chart.set_study(program_file_name(*program.program), comparison_details(program, study.runs, assignments),
                   study_curves(study));

@@ -46,7 +46,10 @@ void check_comparison_size(std::span<const Setup> setups, std::optional<PictureS
 Picture draw_comparison(const LoadedProgram& program, std::span<const ComparedRun> runs,
                         const std::vector<std::string>& assignments, std::optional<PictureSize> wanted,
                         const QString& language = languages().front());
-/// A study with a sweep as curves (StudyChart); 960 x 640 pixels unless a size is `wanted`.
+/// Throws InputError if draw_study() could not make a picture of this many runs.
+void check_study_size(std::span<const Sweep> sweeps, std::size_t runs, std::optional<PictureSize> wanted);
+/// A study with one sweep as curves (StudyChart), with more as maps (StudyMapPicture); as large as they need
+/// unless a size is `wanted`.
 Picture draw_study(const LoadedProgram& program, const Study& study,
                    const std::vector<std::string>& assignments, std::optional<PictureSize> wanted,
                    const QString& language = languages().front());

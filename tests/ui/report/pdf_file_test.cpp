@@ -45,6 +45,18 @@ TEST(PdfFile, BookmarksAreReadBackAsATree) {
   EXPECT_EQ(reading.page_count(), 3U);
 }
 
+TEST(PdfFile, LinksLeadToTheirPlaces) {
+  PdfProperties properties{"t", {}, {}, {}};
+  properties.links = {{0, QRectF(10, 20, 30, 8), "Figure 2", 2, 100}};
+  const std::string pdf = finished_pdf(three_pages(), properties);
+  test::PdfReading reading(pdf);
+  const auto links = reading.links();
+  ASSERT_EQ(links.size(), 1U);
+  EXPECT_EQ(links[0].page, 0);
+  EXPECT_EQ(links[0].title, "Figure 2");
+  EXPECT_EQ(links[0].to_page, 2);
+}
+
 TEST(PdfFile, HoldsNoTimeUnlessAskedFor) {
   const std::string pdf = finished_pdf(three_pages(), {"t", {}, {}, {}});
   EXPECT_EQ(test::PdfReading(pdf).info("/CreationDate"), "");

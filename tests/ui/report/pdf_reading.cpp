@@ -11,17 +11,20 @@ namespace {
 
 using Bookmark = PdfReading::Bookmark;
 
+int number_of(std::vector<QPDFPageObjectHelper>& pages, QPDFObjectHandle page) {
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    if (pages[i].getObjectHandle().getObjGen() == page.getObjGen()) {
+      return static_cast<int>(i);
+    }
+  }
+  return -1;
+}
+
 void collect(QPDF& pdf, const std::vector<QPDFOutlineObjectHelper>& items, int level,
              std::vector<Bookmark>& found) {
   std::vector<QPDFPageObjectHelper> pages = QPDFPageDocumentHelper(pdf).getAllPages();
   for (QPDFOutlineObjectHelper item : items) {
-    Bookmark bookmark{level, item.getTitle(), -1};
-    for (std::size_t i = 0; i < pages.size(); ++i) {
-      if (pages[i].getObjectHandle().getObjGen() == item.getDestPage().getObjGen()) {
-        bookmark.page = static_cast<int>(i);
-      }
-    }
-    found.push_back(bookmark);
+    found.push_back({level, item.getTitle(), number_of(pages, item.getDestPage())});
     collect(pdf, item.getKids(), level + 1, found);
   }
 }
@@ -56,6 +59,73 @@ std::vector<Bookmark> PdfReading::bookmarks() {
   std::vector<Bookmark> found;
   collect(*pdf_, QPDFOutlineDocumentHelper(*pdf_).getTopLevelOutlines(), 1, found);
   return found;
+}
+
+std::vector<PdfReading::Link> PdfReading::links() {
+  std::vector<QPDFPageObjectHelper> pages = QPDFPageDocumentHelper(*pdf_).getAllPages();
+  std::vector<Link> found;
+  for (std::size_t page = 0; page < pages.size(); ++page) {
+    QPDFObjectHandle helper = pages[page].getObjectHandle();
+    QPDFObjectHandle annotations = helper.getKey("/Annots");
+    for (int i = 0; annotations.isArray() && i < annotations.getArrayNItems(); ++i) {
+      QPDFObjectHandle link = annotations.getArrayItem(i);
+      found.push_back({static_cast<int>(page), link.getKey("/Contents").getUTF8Value(),
+                       number_of(pages, link.getKey("/Dest").getArrayItem(0))});
+    }
+  }
+  return found;
+}
+
+namespace {
+
+void collect_tags(QPDFObjectHandle element, std::vector<PdfReading::Tag>& found) {
+  PdfReading::Tag tag;
+  if (element.hasKey("/S")) {
+    tag.type = element.getKey("/S").getName().substr(1);
+    tag.alternative = element.hasKey("/Alt") ? element.getKey("/Alt").getUTF8Value() : "";
+  }
+  const std::size_t place = found.size();
+  found.push_back(tag);
+  QPDFObjectHandle kids = element.getKey("/K");
+  for (int i = 0; i < kids.getArrayNItems(); ++i) {
+    if (kids.getArrayItem(i).hasKey("/MCID")) {
+      ++found[place].pieces;
+    } else {
+      collect_tags(kids.getArrayItem(i), found);
+    }
+  }
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+    ++count;
+  }
+  return count;
+}
+
+}  // namespace
+
+std::vector<PdfReading::Tag> PdfReading::tags() {
+  std::vector<Tag> found;
+  if (pdf_->getRoot().hasKey("/StructTreeRoot")) {
+    collect_tags(pdf_->getRoot().getKey("/StructTreeRoot"), found);
+  }
+  return found;
+}
+
+std::size_t PdfReading::marked_contents() {
+  std::size_t count = 0;
+  for (QPDFPageObjectHelper& page : QPDFPageDocumentHelper(*pdf_).getAllPages()) {
+    QPDFObjectHandle object = page.getObjectHandle();
+    const auto bytes = object.getKey("/Contents").getStreamData();
+    const std::string text(reinterpret_cast<const char*>(bytes->getBuffer()), bytes->getSize());
+    count += count_of(text, " BDC\n");
+    if (count_of(text, " BDC\n") + count_of(text, " BMC\n") != count_of(text, "EMC\n")) {
+      return 0;
+    }
+  }
+  return count;
 }
 
 bool PdfReading::fonts_embedded() {

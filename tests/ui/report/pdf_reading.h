@@ -31,6 +31,23 @@ class PdfReading {
   };
   std::vector<Bookmark> bookmarks();
 
+  struct Link {
+    int page = -1;  ///< from 0
+    std::string title;
+    int to_page = -1;  ///< from 0; -1: to none
+  };
+  std::vector<Link> links();
+
+  /// A part of the structure of a tagged file, in reading order.
+  struct Tag {
+    std::string type;
+    std::string alternative;
+    std::size_t pieces = 0;  ///< of the pages' contents
+  };
+  std::vector<Tag> tags();
+  /// Marked contents of all pages, artifacts not counted; every beginning has its end.
+  std::size_t marked_contents();
+
   /// Whether every font of the pages is inside the file.
   bool fonts_embedded();
   /// What copying text gives that nobody has typed: ligatures as characters of their own, U+FB00 to U+FB06,

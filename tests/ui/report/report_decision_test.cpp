@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <QPainter>
+#include <map>
 
 #include "core/analysis/recommendation.h"
 #include "core/base/data_folder.h"
@@ -70,6 +71,64 @@ TEST(ReportDecision, ABoundTakesAnotherRun) {
   ReportInput input = decision_runs(many_corners, {0.01, 0.1});
   input.within = deciding_error(summary_of(input.runs[0]));
   EXPECT_THAT(decision_page(input, "{{headline}}"), HasSubstr("A (0.01 mm): "));
+}
+
+TEST(ReportDecision, ARunThatCannotBeSimulatedIsNamed) {
+  ReportInput input = test::two_runs();
+  input.unmade = {{"optimal, path ward", "setting path: the path of ward needs more than 5 curves"}};
+  EXPECT_THAT(decision_page(input, "{{verdict}}"),
+              HasSubstr("<b>optimal, path ward could not be simulated.</b> setting path: the path of ward"));
+}
+
+TEST(ReportDecision, PlacesLeadToTheirFigures) {
+  const ReportInput input = decision_runs(many_corners, {0.01, 0.1});
+  const ReportTemplate page(QStringLiteral("{{losses}}{{cards}}"), "page.html", report_placeholders());
+  test::PdfReading reading(make_report(input, page, ReportFormat::pdf));
+  const auto links = reading.links();
+  ASSERT_FALSE(links.empty());
+  EXPECT_THAT(links[0].title, ::testing::StartsWith("Figure"));
+  EXPECT_GE(links[0].to_page, 0);
+  EXPECT_EQ(make_report(input, page, ReportFormat::html).find("\xEE\x80"), std::string::npos)
+      << "no mark is left";
+  const std::string without = decision_page(input, "{{losses}}");
+  EXPECT_EQ(without.find("href"), std::string::npos) << "no card, no reference";
+}
+
+TEST(ReportDecision, PartsOfThePagesAreTaggedAndFiguresDescribed) {
+  const ReportInput input = decision_runs(many_corners, {0.01, 0.1});
+  test::PdfReading reading(make_report(input, load_report_template(), ReportFormat::pdf));
+  std::size_t pieces = 0;
+  std::map<std::string, int> types;
+  for (const auto& tag : reading.tags()) {
+    ++types[tag.type];
+    pieces += tag.pieces;
+    EXPECT_EQ(tag.type == "Figure", !tag.alternative.empty()) << tag.type;
+  }
+  EXPECT_EQ(types["H1"], 1) << "the headline";
+  EXPECT_GE(types["H2"], 3) << "one for each page after it";
+  EXPECT_GE(types["Figure"], 8);
+  EXPECT_GE(types["Table"], 3);
+  EXPECT_GT(types["TH"], types["Table"]);
+  EXPECT_GT(types["TD"], types["TH"]);
+  EXPECT_GT(types["P"], 10);
+  EXPECT_EQ(pieces, reading.marked_contents());
+}
+
+TEST(ReportDecision, RotaryAxesHaveTheirLimits) {
+  const LoadedProgram program = load_program(std::make_shared<const SourceText>("part.nc", many_corners));
+  ReportInput input;
+  input.runs = report_runs(
+      {make_shown(simulate_run(program, make_setup({"five-axis-table-ac", "essid", std::nullopt, {}})))});
+  const std::string trust = decision_page(input, "{{trust}}");
+  EXPECT_THAT(trust,
+              AllOf(HasSubstr("Rotary axis"), HasSubstr("[rev/min]"), HasSubstr(">A<"), HasSubstr(">C<")));
+}
+
+TEST(ReportDecision, PagesOfLetterPaperAreAsLargeAsIt) {
+  ReportInput input = test::two_runs();
+  input.paper = letter_paper;
+  test::PdfReading reading(make_report(input, load_report_template(), ReportFormat::pdf));
+  EXPECT_EQ(reading.page_size(0), std::pair(612.0, 792.0));
 }
 
 TEST(ReportDecision, ASingleRunSaysWhatIsLost) {

@@ -18,7 +18,7 @@ namespace {
 
 void check(const ReportPage& page) {
   const PagedDocument document(page.html, page.pictures);
-  test::check_pages(document.text(), document.pages(), page_contents_height);
+  test::check_pages(document.text(), document.pages(), Paper().contents_height());
 }
 
 struct SampleReport {

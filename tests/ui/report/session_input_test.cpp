@@ -40,6 +40,18 @@ TEST(SessionInput, ShowsWhatTheSessionHolds) {
   EXPECT_EQ(picture.scene().colouring(), Colouring::cause);
 }
 
+TEST(SessionInput, WithoutAViewOfItsOwnItIsSeenAsUsual) {
+  const ReportInput two = test::two_runs();
+  EXPECT_EQ(report_input(session_of(two), {two.runs[0].shown, two.runs[1].shown}).view, StandardView::iso);
+}
+
+TEST(SessionInput, ARunThatCouldNotBeMadeIsLeftOut) {
+  const ReportInput two = test::two_runs();
+  const ReportInput input = report_input(session_of(two), {nullptr, two.runs[1].shown});
+  ASSERT_EQ(input.runs.size(), 1U);
+  EXPECT_EQ(input.run().name, "roughing");
+}
+
 TEST(SessionInput, TheSameSessionGivesTheSameSheet) {
   const ReportInput two = test::two_runs();
   PictureRequest request;

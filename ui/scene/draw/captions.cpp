@@ -128,6 +128,7 @@ std::vector<CaptionEntry> legend_entries(const Captions& captions) {
   } else if (captions.exaggeration != 1) {
     list.push_back({with_factor(captions), nullptr});
   }
+  std::erase_if(list, [](const CaptionEntry& entry) { return entry.text.empty(); });
   return list;
 }
 

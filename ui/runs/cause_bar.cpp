@@ -1,0 +1,90 @@
+#include "ui/runs/cause_bar.h"
+
+#include <QCoreApplication>
+#include <QPainter>
+
+#include "ui/language/core_texts.h"
+#include "ui/scene/cause_colour.h"
+#include "ui/shared/plot_text.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+struct BarTexts {
+  Q_DECLARE_TR_FUNCTIONS(feedscope::ui::ComparisonChart)
+};
+
+constexpr double separated = 3;  // a part wider than this is set apart from the one before by a white line
+const QColor rest_color(0xb4, 0xba, 0xc2);
+const QColor refused_color(0xff, 0xff, 0xff, 0xa0);
+
+QColor color_of(CauseKind kind) {
+  const Rgb rgb = cause_colour(kind);
+  return QColor::fromRgbF(static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2]));
+}
+
+/// What of a piece a text may fill so that the line at `x` does not cross it: the wider side.
+QRectF clear_side(const QRectF& piece, double x) {
+  if (x <= piece.left() || x >= piece.right()) {
+    return piece;
+  }
+  QRectF side = piece;
+  if (x - piece.left() > piece.right() - x) {
+    side.setRight(x);
+  } else {
+    side.setLeft(x);
+  }
+  return side;
+}
+
+}  // namespace
+
+void fill_cause(QPainter& painter, const QRectF& area, const std::optional<CauseKind>& kind) {
+  if (kind) {
+    painter.fillRect(area, color_of(*kind));
+  } else {
+    painter.fillRect(area, Qt::white);
+    painter.fillRect(area, QBrush(rest_color, Qt::BDiagPattern));
+    painter.setPen(QPen(rest_color, 1));
+    painter.drawRect(area.adjusted(0.5, 0.5, -0.5, -0.5));
+  }
+}
+
+void hatch_refused(QPainter& painter, const QRectF& area) {
+  painter.fillRect(area, QBrush(refused_color, Qt::FDiagPattern));
+}
+
+std::vector<QString> cause_legend(const ComparisonBars& bars) {
+  std::vector<QString> texts;
+  for (const CauseKind kind : bars.kinds) {
+    texts.push_back(core_text(cause_title({kind, -1})));
+  }
+  if (bars.rest) {
+    texts.push_back(BarTexts::tr("other causes"));
+  }
+  return texts;
+}
+
+double paint_cause_bar(QPainter& painter, const ComparisonBar& bar, const CauseBar& how) {
+  double left = how.place.left();
+  for (const BarPart& part : bar.parts) {
+    const QRectF piece(left, how.place.top(), part.time * how.pixels_per_second, how.place.height());
+    const auto kind = part.cause ? std::optional(part.cause->kind) : std::nullopt;
+    fill_cause(painter, piece, kind);
+    if (bar.lines_not_run > 0) {
+      hatch_refused(painter, piece);
+    }
+    if (left > how.place.left() && piece.width() > separated) {
+      painter.setPen(QPen(Qt::white, 1));
+      painter.drawLine(piece.topLeft(), piece.bottomLeft());
+    }
+    const QRectF room = how.line ? clear_side(piece, *how.line) : piece;
+    painter.setPen(text_on(kind ? color_of(*kind) : QColor(Qt::white)));
+    painter.drawText(room, Qt::AlignCenter, how.text(part, room.width()));
+    left = piece.right();
+  }
+  return left;
+}
+
+}  // namespace feedscope::ui

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <QColor>
+#include <QRectF>
+#include <QString>
+
+#include "core/base/ticks.h"
+
+class QPainter;
+
+namespace feedscope::ui {
+
+/// A value of `ticks` in seconds, without the unit: from a minute on as clock_text() unless the step is too
+/// fine for that, else as tick_text().
+QString time_tick_text(const Ticks& ticks, std::size_t i);
+
+/// Black or white, whichever shows better on the colour.
+QColor text_on(const QColor& ground);
+
+/// A title in bold at the upper left of `area` and details after it, both shortened to its width. In the
+/// painter's pen and font, which the details have; the title is a quarter larger.
+void paint_title(QPainter& painter, const QRectF& area, const QString& title, const QString& details);
+
+}  // namespace feedscope::ui
