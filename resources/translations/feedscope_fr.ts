@@ -2009,10 +2009,6 @@
         <translation>à peu près</translation>
     </message>
     <message>
-        <source>other causes</source>
-        <translation>autres causes</translation>
-    </message>
-    <message>
         <source>out of reach</source>
         <translation>hors de portée</translation>
     </message>
@@ -11605,7 +11601,7 @@ max. : %1 %</translation>
     </message>
     <message>
         <source>One file that opens in any browser: path in 3D, charts, decision and report, without network</source>
-        <translation>Un fichier qui s&apos;ouvre dans tout navigateur : trajectoire en 3D, graphiques, décision et rapport, sans réseau</translation>
+        <translation>Un fichier qui s&apos;ouvre dans tout navigateur&#xa0;: trajectoire en 3D, graphiques, décision et rapport, sans réseau</translation>
     </message>
     <message>
         <source>web browser html send colleague customer tablet</source>
@@ -15318,6 +15314,57 @@ Ensemble&#xa0;: %4</translation>
     </message>
 </context>
 <context>
+    <name>feedscope::ui::StudyMapPicture</name>
+    <message>
+        <source>no run is possible</source>
+        <translation>aucune simulation possible</translation>
+    </message>
+    <message>
+        <source>the two settings make no difference</source>
+        <translation>les deux réglages ne changent rien</translation>
+    </message>
+    <message>
+        <source>no run within %1</source>
+        <translation>aucune simulation dans la limite de %1</translation>
+    </message>
+    <message>
+        <source>%1 at %2 and %3, contour error %4</source>
+        <translation>%1 à %2 et %3, erreur de contour %4</translation>
+    </message>
+    <message>
+        <source>fastest: %1</source>
+        <translation>la plus rapide&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>fastest within %1: %2</source>
+        <translation>la plus rapide dans la limite de %1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Cycle time</source>
+        <translation>Temps de cycle</translation>
+    </message>
+    <message>
+        <source>contour error</source>
+        <translation>erreur de contour</translation>
+    </message>
+    <message>
+        <source>bound</source>
+        <translation>limite</translation>
+    </message>
+    <message>
+        <source>fastest</source>
+        <translation>la plus rapide</translation>
+    </message>
+    <message>
+        <source>not possible</source>
+        <translation>impossible</translation>
+    </message>
+    <message>
+        <source>without refused lines</source>
+        <translation>sans les lignes refusées</translation>
+    </message>
+</context>
+<context>
     <name>feedscope::ui::StudyTable</name>
     <message>
         <source>%1 % %2</source>
@@ -16505,57 +16552,6 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>Line %1 asks for a feed of %2; all axes of this machine together reach %3: what is lost against the programmed feed tells little there.</source>
         <translation>La ligne %1 demande une avance de %2&#xa0;; tous les axes de cette machine ensemble atteignent %3&#xa0;: ce qui est perdu par rapport à l’avance programmée n’y dit pas grand-chose.</translation>
-    </message>
-</context>
-<context>
-    <name>feedscope::ui::StudyMapPicture</name>
-    <message>
-        <source>no run is possible</source>
-        <translation>aucune simulation possible</translation>
-    </message>
-    <message>
-        <source>the two settings make no difference</source>
-        <translation>les deux réglages ne changent rien</translation>
-    </message>
-    <message>
-        <source>no run within %1</source>
-        <translation>aucune simulation dans la limite de %1</translation>
-    </message>
-    <message>
-        <source>%1 at %2 and %3, contour error %4</source>
-        <translation>%1 à %2 et %3, erreur de contour %4</translation>
-    </message>
-    <message>
-        <source>fastest: %1</source>
-        <translation>la plus rapide&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>fastest within %1: %2</source>
-        <translation>la plus rapide dans la limite de %1&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>Cycle time</source>
-        <translation>Temps de cycle</translation>
-    </message>
-    <message>
-        <source>contour error</source>
-        <translation>erreur de contour</translation>
-    </message>
-    <message>
-        <source>bound</source>
-        <translation>limite</translation>
-    </message>
-    <message>
-        <source>fastest</source>
-        <translation>la plus rapide</translation>
-    </message>
-    <message>
-        <source>not possible</source>
-        <translation>impossible</translation>
-    </message>
-    <message>
-        <source>without refused lines</source>
-        <translation>sans les lignes refusées</translation>
     </message>
 </context>
 </TS>

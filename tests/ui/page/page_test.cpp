@@ -15,7 +15,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-Run page_run(const std::string& text, const char* model, double tolerance) {
+struct Run page_run(const std::string& text, const char* model, double tolerance) {
   const LoadedProgram program = load_program(std::make_shared<const SourceText>("page.nc", text));
   return simulate_run(program, make_setup({"spinner-mvc850", model, tolerance}));
 }
@@ -40,7 +40,7 @@ std::string random_page_program(std::mt19937& random) {
   return text;
 }
 
-double top_feed_of(const Run& run) {
+double top_feed_of(const struct Run& run) {
   return run.summary.peak_feed;
 }
 
@@ -70,7 +70,7 @@ TEST(PageColumn, WritesSmallNumbersInOneByte) {
 
 /// On a line a part of constant jerk is a cubic in time: one node is enough, whatever its length.
 TEST(RunNodes, TakeOneNodeForEachPartOfALine) {
-  const Run run = page_run("G1 X100 F3000\n", "essid", 0.01);
+  const feedscope::Run run = page_run("G1 X100 F3000\n", "essid", 0.01);
   const RunNodes nodes = run_nodes(*run.trajectory, top_feed_of(run), 1000);
   EXPECT_LE(nodes.nodes.size(), 9);
   EXPECT_DOUBLE_EQ(nodes.nodes.back().time, run.trajectory->duration());
@@ -82,7 +82,7 @@ TEST(RunNodes, StayWithinTheirPrecisionOnRandomPrograms) {
     std::mt19937 random(seed);
     const std::string text = random_page_program(random);
     for (const char* model : {"essid", "msaddek", "ward"}) {
-      const Run run = page_run(text, model, 0.05);
+      const feedscope::Run run = page_run(text, model, 0.05);
       const RunNodes nodes = run_nodes(*run.trajectory, top_feed_of(run), 1'000'000);
       double place = 0;
       for (std::size_t i = 0; i + 1 < nodes.nodes.size(); ++i) {
@@ -99,7 +99,7 @@ TEST(RunNodes, StayWithinTheirPrecisionOnRandomPrograms) {
 
 TEST(RunNodes, AreAsManyAsAskedForAndSayHowCoarseTheyAre) {
   std::mt19937 random(7);
-  const Run run = page_run(random_page_program(random), "essid", 0.05);
+  const feedscope::Run run = page_run(random_page_program(random), "essid", 0.05);
   const double top_feed = top_feed_of(run);
   const RunNodes all = run_nodes(*run.trajectory, top_feed, 1'000'000);
   const RunNodes few = run_nodes(*run.trajectory, top_feed, all.nodes.size() / 8);
@@ -114,7 +114,7 @@ TEST(RunNodes, AreAsManyAsAskedForAndSayHowCoarseTheyAre) {
 
 /// The sagitta of a chord c of an arc with radius r is c^2 / (8 r).
 TEST(ProgrammedPoints, AreChordsOfArcs) {
-  const Run run = page_run("G17 G2 X20 Y0 I10 J0 F1000\n", "essid", 0.01);
+  const feedscope::Run run = page_run("G17 G2 X20 Y0 I10 J0 F1000\n", "essid", 0.01);
   constexpr double precision = 1e-3;
   const auto points = programmed_points(*run.trajectory->path().programmed(), precision);
   const Vec3 centre(10, 0, 0);
