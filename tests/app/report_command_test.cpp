@@ -79,10 +79,11 @@ TEST_F(ReportCommand, TheSameCallGivesTheSameBytes) {
 TEST_F(ReportCommand, TheDesktopsLanguageChangesNoByte) {
   for (const std::string of : {"report corner.nc --brief --tolerance 0.1 --tolerance 0.02 --out ",
                                "render corner.nc --view sheet --out "}) {
-    const std::string ending = of.starts_with("report") ? ".html" : ".svg";
-    EXPECT_EQ(run(of + "plain" + ending, no_display).code, 0);
-    EXPECT_EQ(run(of + "german" + ending, std::string(no_display) + " LC_ALL=de_DE.UTF-8").code, 0);
-    EXPECT_EQ(contents(folder_ / ("plain" + ending)), contents(folder_ / ("german" + ending))) << of;
+    const std::string out = of.starts_with("report") ? "of.html" : "of.svg";
+    EXPECT_EQ(run(of + out, no_display).code, 0);
+    const std::string plain = contents(folder_ / out);
+    EXPECT_EQ(run(of + out, std::string(no_display) + " LC_ALL=de_DE.UTF-8").code, 0);
+    EXPECT_TRUE(plain == contents(folder_ / out)) << of;
   }
 }
 
@@ -175,7 +176,7 @@ TEST_F(ReportCommand, NamesItsLanguages) {
 TEST_F(ReportCommand, FillsATemplateOfOnesOwn) {
   write("own.html", "<h1>{{title}}</h1>{{comparison_table}}");
   ASSERT_EQ(report("corner.nc --template own.html --out r.html").code, 0);
-  EXPECT_THAT(contents(folder_ / "r.html"), StartsWith("<h1>corner.nc</h1><table"));
+  EXPECT_THAT(contents(folder_ / "r.html"), HasSubstr("<h1>corner.nc</h1><table"));
   write("wrong.html", "\n{{charst}}\n");
   expect_wrong_use("report corner.nc --template wrong.html --out s.html",
                    "wrong.html:2: unknown placeholder '{{charst}}'; did you mean '{{charts}}'?");

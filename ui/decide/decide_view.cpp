@@ -353,15 +353,14 @@ void DecideView::show_decision() {
 }
 
 void DecideView::show_chart() {
-  const QStringList names = short_run_titles(runs_.items(), runs_.feed_controls());
   const auto taken = recommended(runs_);
   std::vector<DecisionDot> dots;
   for (std::size_t row = 0; row < runs_.items().size(); ++row) {
     const auto result = runs_.result(row);
     if (result != nullptr && !is_refused(result->run)) {
       dots.push_back({row, result->run.summary.cycle_time, deciding_error(result->run.summary),
-                      runs_.lettered(row, names[static_cast<qsizetype>(row)]), runs_.items()[row].colour,
-                      taken && taken->run == row, row == runs_.current()});
+                      run_letter(row), runs_.items()[row].colour, taken && taken->run == row,
+                      row == runs_.current()});
     }
   }
   const bool several = dots.size() > 1;

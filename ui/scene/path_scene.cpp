@@ -193,11 +193,6 @@ void PathScene::set_cube(bool shown) {
   impl_->changed();
 }
 
-Pixel PathScene::corner_for(const Pixel& size) const {
-  const ScreenRectangle place = impl_->corner_for({size[0], size[1]});
-  return {place.low.x(), impl_->stage.height() - place.high.y()};
-}
-
 void PathScene::set_covered(const std::optional<std::array<Pixel, 2>>& corners) {
   if (std::exchange(impl_->widget, corners) != corners) {
     impl_->changed();

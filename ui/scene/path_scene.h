@@ -95,9 +95,6 @@ class PathScene {
   void set_legend(bool shown);
   /// A cube whose faces are standard views, see cube_view().
   void set_cube(bool shown);
-  /// Upper left corner of a rectangle of this size in that corner of the window which leaves the path
-  /// largest.
-  Pixel corner_for(const Pixel& size) const;
   /// A part of the window that something else covers, by two corners: a fit leaves it free.
   void set_covered(const std::optional<std::array<Pixel, 2>>& corners);
   void set_background(Background background);

@@ -9,7 +9,6 @@
 #include <optional>
 #include <vector>
 
-#include "ui/scene/camera/fit_outline.h"
 #include "ui/scene/draw/axes_box.h"
 #include "ui/scene/draw/axes_cube.h"
 #include "ui/scene/draw/captions.h"
@@ -61,15 +60,6 @@ class PathScene::Impl : public ScenePaths {
                      stage.display({(*widget)[1][0], (*widget)[0][1]})});
     }
     return all;
-  }
-  ScreenRectangle corner_for(const Vec2& size) const {
-    std::vector<Vec2> outline;
-    const Projection view = projection();
-    const bool rapids = layers.shows_rapids(view, scale);
-    for (const Vec3& point : outline_points({shown_programmed(), shown_executed()}, near, rapids)) {
-      outline.push_back(view.to_display(frame.to_scene(point)));
-    }
-    return corner_beside(convex_hull(std::move(outline)), room(), layout().covered(), size);
   }
   PickablePath pickable() const {
     const DrawnPath* path = layers.executed();

@@ -40,12 +40,6 @@ LensOverlay::LensOverlay(Workbench& workbench, SceneView& view)
   }
   connect(&workbench_, &Workbench::run_changed, this, &LensOverlay::follow);
   connect(&workbench_.cursor(), &Cursor::changed, this, &LensOverlay::follow);
-  connect(&view_, &SceneView::changed, this, [this] {
-    if (isVisible()) {
-      place();
-      leave_free(true);
-    }
-  });
   view_.canvas().installEventFilter(this);
   follow();
 }
@@ -112,30 +106,10 @@ bool LensOverlay::has_room() const {
 }
 
 void LensOverlay::place() {
-  choose_corner();
-  const QRect room = view_.canvas().geometry().adjusted(margin, margin, -margin, -margin);
+  const QRect canvas = view_.canvas().geometry();
   const QSize size = sizeHint();
-  const QPoint last = room.bottomRight() + QPoint(1, 1) - QPoint(size.width(), size.height());
-  const QPoint wanted = large_ ? last : view_.canvas().geometry().topLeft() + corner_;
-  setGeometry(QRect(QPoint(std::max(room.left(), std::min(wanted.x(), last.x())),
-                           std::max(room.top(), std::min(wanted.y(), last.y()))),
-                    size));
+  setGeometry(QRect(canvas.bottomRight() - QPoint(size.width() + margin, size.height() + margin), size));
   raise();
-}
-
-void LensOverlay::choose_corner() {
-  const PathScene& scene = view_.scene();
-  CornerChoice choice{scene.trajectory(), scene.camera(), view_.canvas().size(), sizeHint()};
-  const bool moved = !choice.camera.fitted;
-  choice.camera.focal = Vec3::Zero();  // where a fit puts it depends on the corner
-  choice.camera.height = 0;
-  if (large_ || choice == chosen_ || (chosen_ && moved && choice.room == chosen_->room)) {
-    return;
-  }
-  const double ratio = view_.canvas().devicePixelRatioF();
-  const Pixel corner = scene.corner_for({choice.size.width() * ratio, choice.size.height() * ratio});
-  corner_ = QPoint(qRound(corner[0] / ratio), qRound(corner[1] / ratio));
-  chosen_ = std::move(choice);
 }
 
 /// A fit leaves the usual lens free; the large one is there for a look.
@@ -174,8 +148,6 @@ void LensOverlay::mousePressEvent(QMouseEvent* event) {
 bool LensOverlay::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Resize || event->type() == QEvent::Move) {
     follow();
-    QMetaObject::invokeMethod(this, &LensOverlay::follow,
-                              Qt::QueuedConnection);  // the scene has its size then
   }
   return QWidget::eventFilter(watched, event);
 }

@@ -12,9 +12,9 @@
 
 namespace feedscope::ui {
 
-/// The lens at the cursor over that corner of a 3D view which leaves the path largest: the current run and
-/// those that are ticked, over each other. It shows itself while there are two or more in a view that is
-/// large enough; the key L says otherwise. A click enlarges it to half of the view and back.
+/// The lens at the cursor over the bottom right corner of a 3D view: the current run and those that are
+/// ticked, over each other. It shows itself while there are two or more in a view that is large enough; the
+/// key L says otherwise. A click enlarges it to half of the view and back.
 class LensOverlay : public QWidget {
   Q_OBJECT
 
@@ -40,17 +40,7 @@ class LensOverlay : public QWidget {
   /// The runs, the current one first.
   void list_runs();
   bool has_room() const;
-  struct CornerChoice {
-    std::shared_ptr<const Trajectory> path;
-    CameraState camera;
-    QSize room, size;
-    bool operator==(const CornerChoice&) const = default;
-  };
-
-  /// Into its corner, which is chosen anew for another path, size or direction; not while the user moves the
-  /// view.
   void place();
-  void choose_corner();
   void leave_free(bool shown);
 
   Workbench& workbench_;
@@ -62,8 +52,6 @@ class LensOverlay : public QWidget {
   std::vector<std::shared_ptr<const ShownRun>> runs_;
   std::vector<LensLook> looks_;
   std::optional<Lens> lens_;
-  QPoint corner_;                       ///< in the canvas
-  std::optional<CornerChoice> chosen_;  ///< what the corner depends on
 };
 
 }  // namespace feedscope::ui

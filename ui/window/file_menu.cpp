@@ -61,9 +61,9 @@ void FileMenu::add_programs() {
   QMenu* recent = addMenu(tr("Open &recent"));
   connect(recent, &QMenu::aboutToShow, this, [this, recent] { list_recent_files(recent); });
   list_recent_files(recent);
-  QAction* reload = add(tr("&Reload program"), QKeySequence::Refresh, tr("Reload the program"));
-  connect(reload, &QAction::triggered, &workbench_, &Workbench::reload);
   QMenu* reading = addMenu(tr("Rea&ding"));
+  QAction* reload = add(tr("&Reload program"), QKeySequence::Refresh, tr("Reload the program"), reading);
+  connect(reload, &QAction::triggered, &workbench_, &Workbench::reload);
   QAction* follow = add(tr("Reload when the file &changes"), {},
                         tr("Reload the program whenever its file is written"), reading);
   follow->setCheckable(true);

@@ -174,11 +174,6 @@ Trajectory OptimalModel::do_simulate(const std::shared_ptr<const Toolpath>& shar
   const SlowedLaw slowed_law(model_run, axes);
   AccelerationLaw acceleration_law(axes, 1, builder);
   JerkLaw jerk_law(axes, builder);
-  // Where the limits on blends are others, those that both keep may give the faster one of two local optima.
-  AxisVectors lower = axes;
-  lower.jerk = lower.blend_jerk = axes.jerk.cwiseMin(axes.blend_jerk);
-  JerkLaw lower_law(lower, builder);
-  const bool two_limits = axes.jerk != axes.blend_jerk;
   const BlendedPath& path = builder.path();
   const auto count = static_cast<std::uint32_t>(path.size());
   ProgressSteps steps(progress, toolpath.segments.size());
@@ -192,15 +187,6 @@ Trajectory OptimalModel::do_simulate(const std::shared_ptr<const Toolpath>& shar
     } else if (with_jerk) {
       const TrajectoryBuilder::Mark start = builder.mark();
       jerk_law.run(first, last, steps);
-      if (two_limits) {
-        const double time = builder.time();
-        builder.take_back(start);
-        lower_law.run(first, last, steps);
-        if (time < builder.time()) {
-          builder.take_back(start);
-          jerk_law.run(first, last, steps);
-        }
-      }
       if (can_be_run) {
         slowed_law.replace_slower(first, last, start, builder);
       }

@@ -247,25 +247,6 @@ TEST(OptimalWithJerk, IsNotSlowerWithMoreJerk) {
   }
 }
 
-TEST(OptimalWithJerk, IsNotSlowerWithMoreJerkOnLinesAlone) {
-  constexpr double searched = 1e-3;  // of a time
-  std::mt19937 random(10);
-  for (int i = 0; i < 6; ++i) {
-    const Toolpath path = testing::random_path(random, 10 + 4 * i);
-    Machine machine = testing::mikron();
-    const Settings settings = settings_on("msaddek", machine);
-    for (AxisLimits& axis : machine.axes) {
-      axis.blend_jerk = axis.jerk;
-    }
-    const double equal = find_model("optimal").simulate(path, machine, settings).duration();
-    for (AxisLimits& axis : machine.axes) {
-      axis.jerk *= 1.3;
-    }
-    EXPECT_LE(find_model("optimal").simulate(path, machine, settings).duration(), equal * (1 + searched))
-        << i;
-  }
-}
-
 TEST(OptimalWithJerk, RunsEmptyAndOneBlockProgramsAndBlocksOfAllSizes) {
   const Machine machine = spinner_as_published();
   EXPECT_EQ(jerk_run(Toolpath(), "essid", machine).duration(), 0);

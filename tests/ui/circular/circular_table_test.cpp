@@ -47,8 +47,8 @@ TEST_F(CircularTableTest, HasARowForEachDirection) {
   EXPECT_EQ(cell(1, CircularTable::d), "42.10");
   EXPECT_EQ(cell(2, CircularTable::d), "–");
   EXPECT_EQ(cell(2, CircularTable::both), "–");
-  EXPECT_EQ(cell(2, CircularTable::largest), "-10.00");
-  EXPECT_EQ(cell(2, CircularTable::center), "1.000 / 2.000 / -3.000");
+  EXPECT_EQ(cell(2, CircularTable::largest), "−10.00");
+  EXPECT_EQ(cell(2, CircularTable::center), "1.000 / 2.000 / −3.000");
   EXPECT_EQ(cell(2, CircularTable::radius), "10.000 ZX");
   EXPECT_EQ(&table.test_of(1), &table.tests()[0]);
   EXPECT_EQ(&table.test_of(2), &table.tests()[1]);

@@ -152,7 +152,7 @@ TEST_F(FrenchLessonDesk, ListsOpensAndMeasuresInFrench) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return french.value() == "2,115\u00a0s"; }, patience))
       << french.value().toStdString();
   EXPECT_EQ(french.watched(), "temps de cycle, ligne 4");
-  EXPECT_THAT(french.filled(french.lesson()->text).toStdString(), HasSubstr("met 2,1150\u00a0s"));
+  EXPECT_THAT(french.filled(french.lesson()->text).toStdString(), HasSubstr("met 2,1155\u00a0s"));
 }
 
 TEST_F(LessonDeskTest, SaysWhatIsWrongWithAFile) {

@@ -39,7 +39,7 @@ TEST(ReportTraces, TellsTimesDistanceAndThePlacesThatDifferMost) {
   EXPECT_THAT(html, HasSubstr(clock_text(agreement.measured_time).toStdString()));
   EXPECT_THAT(html, HasSubstr(clock_text(agreement.simulated_time).toStdString()));
   EXPECT_THAT(html, HasSubstr(QString::number(1000 * agreement.worst.front().lost, 'f', 2).toStdString()));
-  EXPECT_THAT(html, HasSubstr("The trace was moved by X -12.5"));
+  EXPECT_THAT(html, HasSubstr("The trace was moved by X −12.5"));
 }
 
 TEST(ReportTraces, SectionIsThereWhereATraceIs) {

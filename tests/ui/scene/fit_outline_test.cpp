@@ -61,21 +61,6 @@ TEST(FitOutline, ATriangleKeepsItsSizeBesideWhatIsInItsMissingCorner) {
   EXPECT_NEAR(fit_outline(triangle, whole, corner, HUGE_VAL).factor, 300, 0.5);
 }
 
-/// Of the corners of a room, that which a triangle leaves; the lower right one for what fills the room.
-TEST(CornerBeside, IsWhereTheOutlineIsNot) {
-  const Vec2 size(100, 100);
-  const auto corner = [&](const std::vector<Vec2>& hull, const std::vector<ScreenRectangle>& covered) {
-    return corner_beside(hull, whole, covered, size).low;
-  };
-  EXPECT_EQ(corner({{0, 0}, {4, 0}, {0, 3}}, {}), Vec2(300, 200));
-  EXPECT_EQ(corner({{0, 0}, {4, 0}, {4, 3}}, {}), Vec2(0, 200));
-  EXPECT_EQ(corner({{4, 0}, {4, 3}, {0, 3}}, {}), Vec2(0, 0));
-  EXPECT_EQ(corner({{0, 0}, {4, 3}, {0, 3}}, {}), Vec2(300, 0));
-  EXPECT_EQ(corner({{0, 0}, {4, 0}, {4, 3}, {0, 3}}, {}), Vec2(300, 0));
-  EXPECT_EQ(corner({{0, 0}, {4, 0}, {0, 3}}, {{{380, 280}, {400, 300}}}), Vec2(300, 180))
-      << "below what is there";
-}
-
 TEST(FitOutline, WithoutExtentIsAsLargeAsAllowed) {
   EXPECT_EQ(fit_outline({{3, 4}}, whole, {}, 7).factor, 7);
   EXPECT_EQ(fit_outline({}, whole, {}, 7).factor, 1);

@@ -180,7 +180,7 @@ class WhoseDataTest : public testing::TestWithParam<unsigned> {
     for (const ContourCurve& curve : window.part<ContourView>().chart().curves().runs) {
       bool found = false;
       for (std::size_t row = 0; row < runs().items().size(); ++row) {
-        found = found || (runs().title(runs().items()[row]) == curve.name &&
+        found = found || (runs().lettered_title(row) == curve.name &&
                           contour_report(expected(row), 1).largest == curve.largest);
       }
       EXPECT_TRUE(found) << "histogram of " << curve.name.toStdString();
@@ -197,7 +197,7 @@ class WhoseDataTest : public testing::TestWithParam<unsigned> {
   }
   bool named(const QString& name, const std::shared_ptr<const Trajectory>& trajectory) {
     for (std::size_t row = 0; row < runs().items().size(); ++row) {
-      if (runs().title(runs().items()[row]) == name && is_of(row, trajectory)) {
+      if (runs().lettered_title(row) == name && is_of(row, trajectory)) {
         return true;
       }
     }

@@ -123,7 +123,7 @@ TEST_F(WindowSaysTest, AnEmptyStartSaysWhatToDoFirst) {
   QApplication::processEvents();  // lays the lessons out
   // By Tab through all of them, samples with their pictures, lessons too, and never out of the page.
   const std::size_t count = page.buttons().size();
-  EXPECT_GE(count, 3 + start_samples().size() + 16);
+  EXPECT_GE(count, 3 + start_samples().size() + 12);
   std::set<QWidget*> reached;
   std::size_t pictures = 0;
   for (std::size_t i = 0; i < count; ++i) {

@@ -82,23 +82,6 @@ class OutlineFitter {
   const std::vector<ScreenRectangle>& covered_;
 };
 
-/// Of the room, moved up or down until it is beside what is covered.
-ScreenRectangle in_corner(const ScreenRectangle& room, bool right, bool upper,
-                          const std::vector<ScreenRectangle>& covered, const Vec2& size) {
-  const Vec2 low(right ? room.high.x() - size.x() : room.low.x(),
-                 upper ? room.high.y() - size.y() : room.low.y());
-  ScreenRectangle place{low, low + size};
-  for (std::size_t moves = 0; moves < covered.size(); ++moves) {
-    const auto met = std::ranges::find_if(covered, [&](const auto& other) { return other.meets(place); });
-    if (met == covered.end()) {
-      break;
-    }
-    place.low.y() = upper ? met->low.y() - size.y() : met->high.y();
-    place.high.y() = place.low.y() + size.y();
-  }
-  return place;
-}
-
 }  // namespace
 
 ScreenRectangle box_around(const std::vector<Vec2>& points) {
@@ -189,28 +172,6 @@ FittedOutline fit_outline(const std::vector<Vec2>& hull, const ScreenRectangle& 
       low = factor;
     } else {
       high = factor;
-    }
-  }
-  return best;
-}
-
-ScreenRectangle corner_beside(const std::vector<Vec2>& hull, const ScreenRectangle& room,
-                              const std::vector<ScreenRectangle>& covered, const Vec2& size) {
-  constexpr double worth = 1.05;  // of the outline's size, to leave the corner where people look for it
-  ScreenRectangle best = in_corner(room, true, false, covered, size);
-  const auto factor_beside = [&](const ScreenRectangle& place) {
-    std::vector<ScreenRectangle> all = covered;
-    all.push_back(place);
-    return fit_outline(hull, room, all, HUGE_VAL).factor;
-  };
-  double largest = factor_beside(best);
-  for (const auto& [right, upper] :
-       {std::pair(true, true), std::pair(false, false), std::pair(false, true)}) {
-    const ScreenRectangle place = in_corner(room, right, upper, covered, size);
-    const double factor = room.contains(place) ? factor_beside(place) : 0;
-    if (factor > worth * largest) {
-      largest = factor;
-      best = place;
     }
   }
   return best;

@@ -25,9 +25,4 @@ struct FittedOutline {
 FittedOutline fit_outline(const std::vector<Vec2>& hull, const ScreenRectangle& room,
                           const std::vector<ScreenRectangle>& covered, double largest);
 
-/// A rectangle of `size` in a corner of the room, above or below what is covered there: of the four the one
-/// beside which the outline can be largest, the lower right one where the others gain less than a twentieth.
-ScreenRectangle corner_beside(const std::vector<Vec2>& hull, const ScreenRectangle& room,
-                              const std::vector<ScreenRectangle>& covered, const Vec2& size);
-
 }  // namespace feedscope::ui
