@@ -132,6 +132,7 @@ const std::map<std::string, std::string>& french_words() {
       {"tangential jerk of axis %1 on a blend", "jerk tangentiel de l’axe %1 sur un raccord"},
       {"jerk of axis %1 at a change of curvature", "jerk de l’axe %1 à un changement de courbure"},
       {"interpolation period", "période d’interpolation"},
+      {"block time", "temps de bloc"},
       {"contour tolerance", "tolérance de contour"},
       {"look-ahead horizon", "horizon d’anticipation"},
       {"velocity filters", "filtres de vitesse"},
