@@ -148,8 +148,9 @@ class Page {
     }
   }
 
-  /** Until what has changed is drawn. */
-  settle() {
+  /** Until what has changed is drawn; a page behind another draws nothing. */
+  async settle() {
+    await this.send('Page.bringToFront');
     return this.ask(
       () => new Promise((resolve) => {
         let frames = 4;
