@@ -39,8 +39,8 @@ const char* tip_note(const Toolpath& path);
 const char* rotary_limits_note(const Toolpath& path, const Setup& setup);
 /// Of a program that turns rotary axes, on a machine that has none; else null; translatable.
 const char* missing_axes_note(const Toolpath& path, const Machine& machine);
-/// Those of these notes that there are, in a fixed order, and ControlModel::left_out(); `path`: as the
-/// machine runs it.
+/// The notes above that apply, in a fixed order, then ControlModel::left_out(); `path`: as the machine runs
+/// it.
 std::vector<const char*> figure_notes(const Toolpath& path, const Setup& setup);
 
 /// The largest feed of `program`, with the override of the setup, where the machine reaches it in no

@@ -88,7 +88,7 @@ class ActualWalk {
   /// How long the motors take until each has been within `window` [mm] of its set position, if these stay as
   /// they are at the start of the span, or at the end of the last one [s].
   double settling_time(double window) const;
-  /// So long the set positions stay there [s]; not behind the last span.
+  /// Holds the set positions there for `time` [s]; does nothing after the last span.
   void rest(double time);
 
   bool done() const { return set_.done(); }

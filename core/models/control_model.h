@@ -41,7 +41,7 @@ class ControlModel {
   virtual const ModelInfo& info() const = 0;
   /// What holds of every motion that simulate() makes with `settings`, as complete_settings gives them.
   virtual Guarantees guarantees(const Settings& settings) const = 0;
-  /// What the control does on `path`, as the machine runs it, that the model leaves out: a sentence each,
+  /// What this control does on `path`, as the machine runs it, and the model does not: one sentence each,
   /// translatable.
   virtual std::vector<const char*> left_out(const Toolpath& /*path*/, const Settings& /*settings*/) const {
     return {};

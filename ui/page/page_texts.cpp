@@ -31,6 +31,7 @@ constexpr PageText texts_of_page[] = {
     {"feedscope::ui::FilmDialog", QT_TRANSLATE_NOOP("feedscope::ui::FilmDialog", "Close")},
     {"feedscope::ui::SceneActions", QT_TRANSLATE_NOOP("feedscope::ui::SceneActions", "Colour")},
     {"ContourPlot", QT_TRANSLATE_NOOP("ContourPlot", "Contour error")},
+    {"ReportWords", QT_TRANSLATE_NOOP("ReportWords", "Cycle time")},
     {"PageWords",
      QT_TRANSLATE_NOOP("PageWords",
                        "Drag: turn. Right button or two fingers: move. Wheel or pinch: zoom. Double click: "

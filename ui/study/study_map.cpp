@@ -419,6 +419,9 @@ void StudyMapPicture::paint_times(QPainter& painter, const StudyMap& map, const 
     }
     const QRectF around(place.middle(i) - QPointF(size.width() / 2, size.height() / 2), size);
     if (fits && cell.possible) {
+      if (cell.lines_not_run == 0) {
+        painter.fillRect(around, colour_of(cell.time));  // lines of the error do not cross the time
+      }
       painter.setPen(text_on(colour_of(cell.time)));
       painter.drawText(around, Qt::AlignCenter, text);
     }

@@ -52,7 +52,7 @@ StudyMaps study_maps(const Study& study);
 /// are not possible.
 std::vector<QLineF> contour_pieces(const StudyMap& map, std::size_t columns, double level);
 
-/// Maps beside each other on one scale: a cell a run, coloured by its cycle time, lines of equal contour
+/// Maps side by side on one scale: a cell for each run, coloured by its cycle time, lines of equal contour
 /// error across them, the fastest run within the bound ringed.
 class StudyMapPicture {
  public:

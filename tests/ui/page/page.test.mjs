@@ -262,6 +262,28 @@ test('the path turns, moves, and zooms to the pointer', async () => {
   await page.click(...(await middleOf('#look-iso')));
 });
 
+test('the whole path stays in view when the window changes, until it is moved', async () => {
+  await page.click(...(await middleOf('#fit')));
+  const beyond = () =>
+    page.ask(() => {
+      const { view } = window.feedscope;
+      const m = view.camera.projectionMatrix.clone().multiply(view.camera.matrixWorldInverse).elements;
+      let most = 0;
+      for (let i = 0; i < view.run.count; ++i) {
+        if (view.run.kind[i] !== 0) continue; // no cut
+        const [x, y, z] = view.run.positions.map((axis, k) => axis[i] - view.origin[k]);
+        most = Math.max(most, Math.abs(m[0] * x + m[4] * y + m[8] * z + m[12]), Math.abs(m[1] * x + m[5] * y + m[9] * z + m[13]));
+      }
+      return most;
+    });
+  for (const size of [{ width: 900, height: 900 }, { width: 1280, height: 800 }]) {
+    await page.resize(size);
+    await page.settle();
+    const most = await beyond();
+    assert.ok(most > 0.3 && most <= 1, `${size.width}: ${most}`);
+  }
+});
+
 test('the bound is dragged and moved by keys', async () => {
   const handle = await middleOf('.bound .grip');
   const chart = await boxOf('.decision');

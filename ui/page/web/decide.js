@@ -6,8 +6,8 @@ import { mostExact, recommend } from './recommend.js';
 import { tr } from './texts.js';
 
 const width = 276;
-const height = 150;
-const plot = { left: 40, right: width - 14, top: 12, bottom: height - 34 };
+const height = 162;
+const plot = { left: 48, right: width - 14, top: 24, bottom: height - 34 };
 
 const errorText = (choice) =>
   choice.actual
@@ -139,6 +139,7 @@ export class Decide {
     }
     const title = this.runs.some((run) => run.choice.actual) ? tr('Actual contour error') : tr('Contour error');
     parts.push(text((plot.left + plot.right) / 2, height - 4, `${title} (${unitOf('error')})`, 'middle'));
+    parts.push(text(0, 9, tr('Cycle time'), 'start'));
     return parts;
   }
 

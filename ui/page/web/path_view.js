@@ -24,7 +24,7 @@ import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js
 import { Annotations } from './annotations.js';
 import { colouredPath, causeColour, scaleTicks } from './colouring.js';
 import { el, themeColour } from './elements.js';
-import { amountText, inShownUnit, roundUp, shareText, tickText, unitOf } from './numbers.js';
+import { clockText, inShownUnit, roundUp, shareText, tickText, unitOf } from './numbers.js';
 import { kinds } from './page_data.js';
 import { tr } from './texts.js';
 
@@ -103,7 +103,10 @@ export class PathView {
       this.draw();
       store.set({ camera: this.cameraText() });
     });
-    this.controls.addEventListener('start', () => this.turn(true));
+    this.controls.addEventListener('start', () => {
+      this.fitted = false;
+      this.turn(true);
+    });
     this.controls.addEventListener('end', () => this.turn(false));
     new ResizeObserver(() => this.resize()).observe(this.host);
     store.on(['run', 'colour', 'reference', 'rapids', 'theme'], () => this.build());
@@ -292,6 +295,7 @@ export class PathView {
     this.camera.left = (-half * width) / height;
     this.camera.right = -this.camera.left;
     this.camera.updateProjectionMatrix();
+    if (this.fitted) this.fit();
     if (!this.sized) {
       this.sized = true;
       this.fit();
@@ -354,6 +358,7 @@ export class PathView {
     this.controls.target.add(move);
     this.camera.updateProjectionMatrix();
     this.controls.update();
+    this.fitted = true; // until the user moves it, in a window of any size
     this.screen = null;
     this.draw();
   }
@@ -371,6 +376,7 @@ export class PathView {
   useCamera(text) {
     const numbers = text.split(',').map(Number);
     if (numbers.length !== 8 || !numbers.every(Number.isFinite) || !(numbers[6] > 0)) return;
+    this.fitted = false;
     this.camera.position.fromArray(numbers, 0);
     this.controls.target.fromArray(numbers, 3);
     this.camera.zoom = numbers[6];
@@ -382,6 +388,7 @@ export class PathView {
 
   /** Moves the camera so that the cursor is in the middle; `width`: of what is seen then [mm]. */
   show(time, width) {
+    this.fitted = false;
     const at = this.run.at(time).position.map((value, k) => value - this.origin[k]);
     const move = new Vector3(...at).sub(this.controls.target);
     this.camera.position.add(move);
@@ -499,4 +506,4 @@ export class PathView {
 
 /** What the picture shows, in one line below it. */
 export const pathCaption = (page, run) =>
-  [page.program.name, run.figures.machine.name, run.full_name, amountText(run.duration, 'time', 1)].join(' · ');
+  [page.program.name, run.figures.machine.name, run.full_name, clockText(run.duration)].join(' · ');
