@@ -132,9 +132,11 @@ std::string without(std::string text, const std::string& begin, const std::strin
 }
 
 /// What a reader sees of an HTML report, without the papers that models come from.
-std::string words_of(const std::string& html) {
-  return without(without(without(html, "<style>", "</style>"), "<span class=\"source\">", "</span>"), "<",
-                 ">");
+std::string words_of(std::string html) {
+  html = without(std::move(html), "<script", "</script>");
+  html = without(std::move(html), "<style>", "</style>");
+  html = without(std::move(html), "<span class=\"source\">", "</span>");
+  return without(std::move(html), "<", ">");
 }
 
 TEST_F(ReportCommand, SpeaksFrenchThroughout) {
