@@ -12052,8 +12052,8 @@ max. : %1 %</translation>
         <translation>À propos de Feedscope</translation>
     </message>
     <message>
-        <source>&lt;h3&gt;Feedscope %1&lt;/h3&gt;&lt;p&gt;Shows what a CNC control does with an NC program: path, feed, acceleration and jerk, and what limits the feed.&lt;/p&gt;&lt;p&gt;Models of published controls on published machines. How far to trust a number: &lt;i&gt;Help › Handbook&lt;/i&gt;, &lt;i&gt;Models and accuracy&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;BSD 3-clause licence. With Qt %2, VTK and the DejaVu fonts.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Feedscope %1&lt;/h3&gt;&lt;p&gt;Montre ce qu’une commande CNC fait d’un programme : trajectoire, avance, accélération et jerk, et ce qui limite l’avance.&lt;/p&gt;&lt;p&gt;Modèles de commandes publiées sur des machines publiées. Jusqu’où croire un nombre : &lt;i&gt;Aide › Manuel&lt;/i&gt;, &lt;i&gt;Modèles et précision&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;Licence BSD à 3 clauses. Avec Qt %2, VTK et les polices DejaVu.&lt;/p&gt;</translation>
+        <source>&lt;h3&gt;Feedscope %1&lt;/h3&gt;&lt;p&gt;Shows what a CNC control does with an NC program: path, feed, acceleration and jerk, and what limits the feed.&lt;/p&gt;&lt;p&gt;Models of published controls on published machines. How far to trust a number: &lt;i&gt;Help › Handbook&lt;/i&gt;, &lt;i&gt;Models and accuracy&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;The source is BSD 3-clause. This program links Qt Charts and is distributed under the GPL 3. With Qt %2, VTK and the DejaVu fonts.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Feedscope %1&lt;/h3&gt;&lt;p&gt;Montre ce qu’une commande CNC fait d’un programme : trajectoire, avance, accélération et jerk, et ce qui limite l’avance.&lt;/p&gt;&lt;p&gt;Modèles de commandes publiées sur des machines publiées. Jusqu’où croire un nombre : &lt;i&gt;Aide › Manuel&lt;/i&gt;, &lt;i&gt;Modèles et précision&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;Les sources sont sous licence BSD à 3 clauses. Ce programme est lié à Qt Charts et distribué sous GPL 3. Avec Qt %2, VTK et les polices DejaVu.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>&amp;Start page</source>
