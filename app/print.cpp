@@ -201,8 +201,10 @@ double pauses_of(const Summary& summary) {
 std::string cause_table(const Summary& summary) {
   TextTable table;
   const auto add = [&](const std::string& title, double time) {
-    table.add(
-        {title, fmt::format("{:.3f} s", time), fmt::format("{:.1f} %", 100 * time / summary.cycle_time)});
+    const double percent = 100 * time / summary.cycle_time;
+    if (time >= 0.5e-3 || percent >= 0.05) {  // else both would be printed as zero
+      table.add({title, fmt::format("{:.3f} s", time), fmt::format("{:.1f} %", percent)});
+    }
   };
   for (const std::size_t i : longest_first(summary.time_by_cause)) {
     add(cause_title(all_causes()[i]), summary.time_by_cause[i]);

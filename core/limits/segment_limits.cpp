@@ -72,13 +72,17 @@ AxisBound axis_speed(const Toolpath& toolpath, std::size_t i, const Vec3& veloci
   return axis_share(velocity, arc ? ArcExtremes(arc_of(toolpath, i)).tangent : direction_of(toolpath, i));
 }
 
+Cause feed_cause(const Segment& segment) {
+  return {segment.feed_axis < 0 ? CauseKind::programmed_feed : CauseKind::axis_velocity, segment.feed_axis};
+}
+
 SpeedBound programmed_speed(const Toolpath& toolpath, std::size_t i, const Vec3& velocity) {
   const Segment& segment = toolpath.segments[i];
   if (segment.kind == SegmentKind::dwell) {
     return {0, {CauseKind::dwell}};
   }
   if (segment.feed > 0 && !segment.rapid) {
-    return {segment.feed, {CauseKind::programmed_feed}};
+    return {segment.feed, feed_cause(segment)};
   }
   const AxisBound bound = axis_speed(toolpath, i, velocity);
   return {bound.value, {segment.rapid ? CauseKind::rapid : CauseKind::axis_velocity, bound.axis}};

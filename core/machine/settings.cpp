@@ -190,8 +190,7 @@ std::vector<SettingSpec> make_machine_settings() {
   specs.push_back(std::move(override));
   for (const char axis : {'X', 'Y', 'Z'}) {
     SettingSpec spec = optional_spec(
-        fmt::format("cutting_feed_{}_m_min", static_cast<char>(axis - 'X' + 'x')),
-        with_axis(QT_TRANSLATE_NOOP("core", "Cutting feed %1"), axis), "m/min",
+        cutting_feed_key(axis - 'X'), with_axis(QT_TRANSLATE_NOOP("core", "Cutting feed %1"), axis), "m/min",
         QT_TRANSLATE_NOOP("core",
                           "Largest velocity of this axis in feed moves, where the control has one below that "
                           "of its rapids; without it, or 0, the velocity of the axis."));
@@ -305,6 +304,10 @@ void Settings::set(std::string key, SettingValue value) {
 SettingValue Settings::value(std::string_view key) const {
   const auto found = values_.find(key);
   return found == values_.end() ? SettingValue(std::string()) : found->second;
+}
+
+std::string cutting_feed_key(int axis) {
+  return fmt::format("cutting_feed_{}_m_min", static_cast<char>('x' + axis));
 }
 
 double number_in_force(const Settings& settings, const SettingSpec& spec) {

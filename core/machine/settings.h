@@ -45,6 +45,9 @@ const std::vector<SettingSpec>& machine_settings();
 /// Time that a control takes for a block at least [ms]; without it, or 0, none.
 inline constexpr const char* block_time_key = "block_time_ms";
 
+/// Largest velocity in feed moves [m/min] of X, Y or Z, `axis` 0 to 2: "cutting_feed_x_m_min".
+std::string cutting_feed_key(int axis);
+
 /// Distance from the set position within which the motors must be before an exact stop ends [um]; without it,
 /// or 0, the control waits for none.
 inline constexpr const char* exact_stop_window_key = "exact_stop_window_um";

@@ -181,17 +181,21 @@ std::shared_ptr<const Toolpath> with_feed_override(std::shared_ptr<const Toolpat
 Vec3 cutting_feeds(const Settings& settings) {
   Vec3 feeds = Vec3::Constant(std::numeric_limits<double>::infinity());
   for (int axis = 0; axis < 3; ++axis) {
-    if (const auto feed = given(settings, fmt::format("cutting_feed_{}_m_min", "xyz"[axis]));
-        feed && *feed > 0) {
+    if (const auto feed = given(settings, cutting_feed_key(axis)); feed && *feed > 0) {
       feeds[axis] = units::from_m_min(*feed);
     }
   }
   return feeds;
 }
 
-/// The feed along a segment at which no axis is above its cutting feed [mm/s]: of an arc for every direction
-/// in its plane, as if it were a full circle.
-double most_cutting_feed(const Toolpath& path, std::size_t i, const Vec3& feeds) {
+struct CuttingFeed {
+  double most = std::numeric_limits<double>::infinity();  ///< along the segment [mm/s]
+  std::int8_t axis = -1;                                  ///< that sets it
+};
+
+/// The feed along a segment at which no axis is above its cutting feed: of an arc for every direction in its
+/// plane, as if it were a full circle.
+CuttingFeed most_cutting_feed(const Toolpath& path, std::size_t i, const Vec3& feeds) {
   const Segment& segment = path.segments[i];
   Vec3 share = Vec3::Zero();  // largest of each axis of the feed
   if (segment.kind == SegmentKind::line && segment.length > 0) {
@@ -201,11 +205,13 @@ double most_cutting_feed(const Toolpath& path, std::size_t i, const Vec3& feeds)
     const Vec3 in_plane = (arc.x.cwiseAbs2() + arc.y.cwiseAbs2()).cwiseSqrt();
     share = (arc.radius * in_plane + arc.rise.cwiseAbs()) / arc.length_per_radian();
   }
-  double most = std::numeric_limits<double>::infinity();
-  for (int axis = 0; axis < 3; ++axis) {
-    most = share[axis] > 0 ? std::min(most, feeds[axis] / share[axis]) : most;
+  CuttingFeed least;
+  for (std::int8_t axis = 0; axis < 3; ++axis) {
+    if (share[axis] * least.most > feeds[axis]) {
+      least = {feeds[axis] / share[axis], axis};
+    }
   }
-  return most;
+  return least;
 }
 
 /// With feeds that keep every axis within its cutting feed.
@@ -219,10 +225,10 @@ std::shared_ptr<const Toolpath> with_cutting_feeds(std::shared_ptr<const Toolpat
   changed->programmed = path->programmed ? path->programmed : path;
   for (std::size_t i = 0; i < changed->segments.size(); ++i) {
     Segment& segment = changed->segments[i];
-    const double most =
-        segment.rapid ? std::numeric_limits<double>::infinity() : most_cutting_feed(*path, i, feeds);
-    if (std::isfinite(most)) {
-      segment.feed = segment.feed > 0 ? std::min(segment.feed, most) : most;
+    const CuttingFeed cutting = segment.rapid ? CuttingFeed() : most_cutting_feed(*path, i, feeds);
+    if (cutting.axis >= 0 && (segment.feed == 0 || cutting.most < segment.feed)) {
+      segment.feed = cutting.most;
+      segment.feed_axis = cutting.axis;
     }
   }
   return changed;

@@ -61,6 +61,8 @@ struct Segment {
   SegmentKind kind = SegmentKind::line;
   bool rapid = false;
   bool on_curve = false;  ///< stands for a part of a curve of the program, within curve_tolerance
+  /// X, Y or Z (0 to 2) whose cutting feed on the machine makes `feed` less than the program's; -1: none.
+  std::int8_t feed_axis = -1;
 };
 static_assert(sizeof(Segment) == 56);
 

@@ -5671,6 +5671,10 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>la trajectoire affichée entame ici le contour&#xa0;; prenez un outil plus petit</translation>
     </message>
     <message>
+        <source>the control does not check this before an arc: it runs a line backwards, an arc nearly a whole turn, and cuts into the contour; use a smaller tool</source>
+        <translation>la commande ne vérifie pas cela devant un arc&#xa0;: elle parcourt une ligne à rebours, un arc presque d’un tour entier, et entame le contour&#xa0;; prenez un outil plus petit</translation>
+    </message>
+    <message>
         <source>axis %1 turns in feed motions of the tool&apos;s tip</source>
         <translation>l’axe %1 tourne pendant des déplacements en avance de la pointe de l’outil</translation>
     </message>

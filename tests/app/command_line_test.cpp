@@ -67,6 +67,23 @@ TEST_F(CommandLine, SimulateSumsUpForPeople) {
   }
 }
 
+TEST_F(CommandLine, TheProgrammedTimeOfACycleIsTheSameInTextAndJson) {
+  write("back.nc", "G21 G90 G17\nG0 Z9\nG98 G87 X10 Y0 Z-5 R-20 Q1 F100\nG80\nM30\n");
+  const std::string simulate = "simulate back.nc --dialect fanuc";
+  const json report = json::parse(run(simulate + " --json -").out);
+  ASSERT_TRUE(report["programmed_time_s"].is_number());
+  EXPECT_THAT(run(simulate).out, HasSubstr(fmt::format("programmed time   {:.3f} s",
+                                                       report["programmed_time_s"].get<double>())));
+}
+
+TEST_F(CommandLine, SimulateHasNoRowForACauseWithoutATime) {
+  const std::string slot = FEEDSCOPE_SOURCE_DIR "/resources/programs/trochoidal_slot.nc";
+  const std::string out = run("simulate '" + slot + "' --model tapie").out;
+  const std::string causes = out.substr(out.find("Time by limiting cause"));
+  EXPECT_THAT(causes, HasSubstr("programmed feed"));
+  EXPECT_THAT(causes, Not(HasSubstr("0.000 s")));
+}
+
 TEST_F(CommandLine, SimulateWritesJsonToStandardOutputAndNothingElse) {
   const Result result = run("simulate corner.nc --json -");
   EXPECT_EQ(result.code, 0);

@@ -139,6 +139,9 @@ constexpr std::array general_patterns{
         "a straight line to its end is used instead, which cuts into the contour; use a smaller tool"),
     QT_TRANSLATE_NOOP("core", "a tool of radius %1 mm does not fit between this block and its neighbours"),
     QT_TRANSLATE_NOOP("core", "the path shown cuts into the contour here; use a smaller tool"),
+    QT_TRANSLATE_NOOP("core",
+                      "the control does not check this before an arc: it runs a line backwards, an arc "
+                      "nearly a whole turn, and cuts into the contour; use a smaller tool"),
     QT_TRANSLATE_NOOP("core", "axis %1 turns in feed motions of the tool's tip"),
     QT_TRANSLATE_NOOP("core", "its limits hold along each block and where blocks meet"),
     QT_TRANSLATE_NOOP("core",

@@ -6,6 +6,7 @@
 #include "core/analysis/explanation/joint_limits.h"
 #include "core/base/units.h"
 #include "core/blend/path_rules.h"
+#include "core/machine/settings.h"
 #include "core/models/tapie/set_point.h"
 
 namespace feedscope {
@@ -294,6 +295,21 @@ Formula ElementLimits::connecting_arc_speed(Cause cause, double radius) const {
   }
 }
 
+/// Where the cutting feed of the axis sets the feed of the block (Segment::feed_axis); none elsewhere.
+std::optional<Formula> ElementLimits::cutting_feed(Cause cause, std::uint32_t element) const {
+  const std::size_t first = path_.segment(element);
+  for (std::size_t i = first; i <= first + (path_.in_corner(element) ? 1 : 0); ++i) {
+    const Segment& segment = path_.programmed()->segments[i];
+    if (cause.kind == CauseKind::axis_velocity && cause.axis >= 0 && cause.axis == segment.feed_axis) {
+      const double most = units::from_m_min(setting(cutting_feed_key(cause.axis)));
+      return Formula{FormulaId::axis_velocity,
+                     {{Symbol::axis_velocity, cause.axis, most},
+                      {Symbol::tangent_part, cause.axis, most / segment.feed}}};
+    }
+  }
+  return std::nullopt;
+}
+
 Formula ElementLimits::speed(Cause cause, std::uint32_t element) const {
   const ElementKind kind = path_.kind(element);
   const Toolpath& programmed = *path_.programmed();
@@ -315,6 +331,9 @@ Formula ElementLimits::speed(Cause cause, std::uint32_t element) const {
     return {FormulaId::block_time,
             {{Symbol::block_length, -1, shortest_block(element)},
              {Symbol::block_time, -1, programmed.block_time}}};
+  }
+  if (const std::optional<Formula> cutting = cutting_feed(cause, element)) {
+    return *cutting;
   }
   if (kind == ElementKind::curve) {
     return curve_speed(cause, element);

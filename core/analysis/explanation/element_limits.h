@@ -53,6 +53,7 @@ class ElementLimits {
   Formula stop_within(std::uint32_t element) const;
   Formula acceleration_along(std::uint32_t element) const;
   Formula velocity_along(std::uint32_t element) const;
+  std::optional<Formula> cutting_feed(Cause cause, std::uint32_t element) const;
   /// Klipper's limits in force at an element.
   const KlipperSettings& limits_along(std::uint32_t element) const;
   /// The arc of an element that runs on one; null for a line.

@@ -296,6 +296,10 @@ void add_for(Candidates& candidates, Cause cause, const Setup& setup) {
   }
   switch (cause.kind) {
     case CauseKind::axis_velocity:
+      if (!is_rotary(cause) && setup.settings.has(cutting_feed_key(cause.axis))) {
+        candidates.setting(cutting_feed_key(cause.axis), more);
+      }
+      [[fallthrough]];
     case CauseKind::rapid:
       candidates.axis(cause.axis, "velocity");
       break;

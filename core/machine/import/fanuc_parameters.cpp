@@ -10,6 +10,7 @@
 #include "core/base/typed_number.h"
 #include "core/base/units.h"
 #include "core/machine/import/numbered_parameters.h"
+#include "core/machine/settings.h"
 
 namespace feedscope {
 namespace {
@@ -231,8 +232,8 @@ class FanucReader {
                               plain->given.what, ahead->given.what));
     }
     if (used != nullptr && used->value > 0) {
-      draft_.give(fmt::format("cutting_feed_{}_m_min", static_cast<char>(axis - 'X' + 'x')),
-                  units::to_m(used->value), {used->given.place, fmt::format("{} mm/min", used->given.what)});
+      draft_.give(cutting_feed_key(axis - 'X'), units::to_m(used->value),
+                  {used->given.place, fmt::format("{} mm/min", used->given.what)});
     }
   }
 

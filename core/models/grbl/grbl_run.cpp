@@ -5,6 +5,7 @@
 #include <span>
 
 #include "core/limits/axis_share.h"
+#include "core/limits/segment_limits.h"
 
 namespace feedscope {
 namespace {
@@ -194,10 +195,10 @@ void GrblRun::pause(const Segment& segment) {
 }
 
 Cause GrblRun::level_cause(const GrblBlock& block) const {
-  if (block.speed_axis < 0) {
-    return {CauseKind::programmed_feed};
-  }
   const Segment& segment = executed_->path.segments[block.id];
+  if (block.speed_axis < 0) {
+    return feed_cause(segment);
+  }
   return {segment.rapid || segment.feed == 0 ? CauseKind::rapid : CauseKind::axis_velocity, block.speed_axis};
 }
 

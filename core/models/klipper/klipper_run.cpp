@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/limits/axis_share.h"
+#include "core/limits/segment_limits.h"
 
 namespace feedscope {
 namespace {
@@ -97,7 +98,7 @@ void KlipperRun::queue_line(std::size_t block, const Vec3& start, const Vec3& en
     elements_.push_back(builder_.add_segment(number));
   }
   const bool rapid = segment.rapid || segment.feed == 0;
-  const Cause cause{rapid ? CauseKind::rapid : CauseKind::programmed_feed};
+  const Cause cause = rapid ? Cause{CauseKind::rapid} : feed_cause(segment);
   // Rounded as Klipper does: where the path turns back on itself, that decides whether it stands still.
   const Vec3 direction = way * (1 / length);
   const KlipperSettings& limits = limits_.at(segment.line);

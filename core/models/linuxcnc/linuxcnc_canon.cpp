@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/limits/axis_share.h"
+#include "core/limits/segment_limits.h"
 
 namespace feedscope {
 namespace {
@@ -203,7 +204,7 @@ void LinuxCncCanon::send_line(const Vec3& from, const Vec3& to, double feed, boo
   move.acceleration_axis = acceleration.axis;
   const bool of_axis = rapid || feed == 0 || feed > move.largest;
   move.requested = of_axis ? move.largest : feed;
-  move.speed_cause = !of_axis ? Cause{CauseKind::programmed_feed}
+  move.speed_cause = !of_axis ? feed_cause(toolpath_.segments[block])
                               : Cause{rapid ? CauseKind::rapid : CauseKind::axis_velocity, velocity.axis};
   move.tolerance = mode_.tolerance;
   move.end = mode_.end;
@@ -296,7 +297,7 @@ void LinuxCncCanon::arc(std::size_t i) {
   move.requested = std::min(segment.feed > 0 ? segment.feed : move.largest, move.largest);
   const bool turns_fast = in_plane < speed && turn / in_plane >= time(settings_.velocity);
   const bool by_rotary = largest.axis >= 0;
-  move.speed_cause = segment.feed > 0 && segment.feed <= move.largest ? Cause{CauseKind::programmed_feed}
+  move.speed_cause = segment.feed > 0 && segment.feed <= move.largest ? feed_cause(segment)
                      : turns_fast && !by_rotary                       ? Cause{CauseKind::radial_acceleration}
                                                 : Cause{CauseKind::axis_velocity, largest.axis};
   move.tolerance = mode_.tolerance;

@@ -293,6 +293,7 @@ void CutterCompensation::go_around(const PlaneElement& next, const PathMotion& m
     release(*meeting);
     return;
   }
+  held_->runs_unchecked = next.is_arc() && !compensation_.rule.looks_ahead;
   release(path_beside(held_->contour).end);
   linking.block.motion = Motion::arc;
   linking.arc = {in_space(next.start, tool_), (left_ > 0 ? -1 : 1) * compensation_.plane.normal, 0};
@@ -376,10 +377,12 @@ void CutterCompensation::release_square() {
 void CutterCompensation::write_arc(const PlaneElement& path, const Vec2& end) {
   PathMotion motion = held_->motion;
   const Vec3 target = in_space(end, motion.block.target);
-  const double sweep = is_point(path) ? 0 : sweep_between(path, in_plane(tool_), end);
-  if (sweep * path.radius < -allowed_cut) {
+  double sweep = is_point(path) ? 0 : sweep_between(path, in_plane(tool_), end);
+  const bool turns_on = held_->runs_unchecked && sweep * path.radius < -same_point;
+  if (turns_on || sweep * path.radius < -allowed_cut) {
     report_swallowed();
   }
+  sweep += turns_on ? 2 * std::numbers::pi : 0;
   if (sweep * path.radius <= same_point) {
     write(as_line(motion), target);
     return;
@@ -431,11 +434,14 @@ void CutterCompensation::report_radius(const PathMotion& motion, double radius) 
 
 void CutterCompensation::report_swallowed() {
   gouges_ = true;
-  log_.add(Severity::error, "compensation-gouge", 1, held_->motion.place, [&] {
+  const bool runs = held_->runs_unchecked;
+  log_.add(runs ? Severity::warning : Severity::error, "compensation-gouge", 1, held_->motion.place, [&] {
     return DiagnosticLog::Text{
         fmt::format("a tool of radius {:.4f} mm does not fit between this block and its neighbours",
                     std::abs(left_)),
-        "the path shown cuts into the contour here; use a smaller tool"};
+        runs ? "the control does not check this before an arc: it runs a line backwards, an arc nearly a "
+               "whole turn, and cuts into the contour; use a smaller tool"
+             : "the path shown cuts into the contour here; use a smaller tool"};
   });
 }
 

@@ -42,6 +42,9 @@ struct CompensationRule {
   /// the later one begins there [rad].
   double smallest_corner = 0;
   /// Cuts into what of the contour comes later are errors; else the control runs them, and they are warnings.
+  /// It then does not check either whether a block has room before an outside corner that leads to an arc:
+  /// the end of its path stays, and where it begins behind that, a line runs back and an arc nearly a whole
+  /// turn.
   bool looks_ahead = true;
 
   bool operator==(const CompensationRule&) const = default;
@@ -96,6 +99,7 @@ class CutterCompensation {
     PathMotion motion;
     PlaneElement contour;
     bool is_entry = false;
+    bool runs_unchecked = false;  ///< by CompensationRule::looks_ahead, whether or not it has room
   };
 
   Vec2 in_plane(const Vec3& point) const { return compensation_.plane.in_plane(point); }

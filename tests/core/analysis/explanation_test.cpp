@@ -108,6 +108,30 @@ TEST(Explanation, BlockTimeSaysTheLengthOfTheBlock) {
   }
 }
 
+/// Its limit is one of the machine, not the feed of the program: V_X / t_X of the cutting feed of X.
+TEST(Explanation, ACuttingFeedOfAnAxisIsAVelocityOfThatAxis) {
+  const LoadedProgram program = text("G21 G17 G90 G94\nG1 X80 Y60 F5000\nM30\n");
+  for (const auto& [model, machine] : std::map<std::string, std::string>{{"cam", "spinner-mvc850"},
+                                                                         {"essid", "spinner-mvc850"},
+                                                                         {"gassara", "spinner-mvc850"},
+                                                                         {"tapie", "spinner-mvc850"},
+                                                                         {"msaddek", "spinner-mvc850"},
+                                                                         {"ward", "spinner-mvc850"},
+                                                                         {"optimal", "spinner-mvc850"},
+                                                                         {"linuxcnc", "linuxcnc-mill"},
+                                                                         {"grbl", "grbl-router"},
+                                                                         {"klipper", "klipper-corexy"}}) {
+    SCOPED_TRACE(model);
+    const SimulatedRun run = run_of(program, model, machine, {"cutting_feed_x_m_min=2"});
+    const Reason reason = first_with(run, CauseKind::axis_velocity).reason;
+    EXPECT_EQ(cause_key(reason.cause), "axis_velocity_x");
+    EXPECT_NEAR(units::to_m_min(reason.formula.value()), 2 / 0.8, 1e-9);
+    EXPECT_NEAR(units::to_m_min(number(reason, Symbol::axis_velocity)), 2, 1e-12);
+    EXPECT_TRUE(model == "ward" || reason.sets_it());
+    EXPECT_EQ(run.summary.time_by_cause[cause_index({CauseKind::programmed_feed})], 0);
+  }
+}
+
 TEST(Explanation, BlendOfEssidIsEnteredAtItsLimit) {
   const SimulatedRun run = run_of(sample("essid_table1.nc"), "essid", "spinner-mvc850",
                                   {"contour_tolerance_mm=0.1", "program_tolerance=off"});

@@ -43,6 +43,10 @@ TEST(Remedies, BeginWithWhatTheCauseNames) {
   EXPECT_EQ(by_jerk.front(), (Remedy{{{"Y.jerk", 1.5 * jerk}}}));
   EXPECT_EQ(remedies(setup, caused_by({CauseKind::programmed_feed})).front(),
             (Remedy{{{"feed_override_percent", 120.0}}}));
+  SetupRequest cutting;
+  cutting.assignments = {"cutting_feed_x_m_min=12"};
+  EXPECT_EQ(remedies(make_setup(cutting), caused_by({CauseKind::axis_velocity, 0})).front(),
+            (Remedy{{{"cutting_feed_x_m_min", 18.0}}}));
 }
 
 TEST(Remedies, SetOnlyWhatTheModelReadsWithinItsBounds) {

@@ -136,10 +136,13 @@ TEST(MachineToolpath, CuttingFeedsOfAxesHoldForFeedsAndNotForRapids) {
   machine.set("cutting_feed_y_m_min", 8.0);
   const auto run = on_machine(path, Machine(), machine);
   std::vector<double> feeds;
+  std::vector<int> axes;
   for (const Segment& segment : run->segments) {
     feeds.push_back(std::round(60 * segment.feed * 1e6) / 1e6);
+    axes.push_back(segment.feed_axis);
   }
   EXPECT_EQ(feeds, (std::vector<double>{0, 12000, 8000, 10000, 6000, 8000, 12000}));
+  EXPECT_EQ(axes, (std::vector<int>{-1, 0, 1, 1, -1, 1, 0})) << "-1: the feed of the program";
   EXPECT_EQ(run->programmed, path);
   EXPECT_EQ(on_machine(run, Machine(), Settings()), path);
 }

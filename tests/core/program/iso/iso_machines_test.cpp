@@ -90,8 +90,10 @@ TEST(LinuxCnc, TakesTheFeedInTheUnitBeforeItsBlock) {
   EXPECT_DOUBLE_EQ(program.motions[1].target.x(), 50.8);
   ASSERT_EQ(program.diagnostics.size(), 1U);
   EXPECT_EQ(program.diagnostics[0].code, "feed-value");
-  const Program fanuc = read_as(Dialect::fanuc, "G20 F60\nG1 X1\n");
-  EXPECT_DOUBLE_EQ(fanuc.motions[0].feed, 25.4);
+  for (const Dialect dialect : {Dialect::fanuc, Dialect::grbl}) {
+    const Program other = read_clean_as(dialect, "G20 F60\nG1 X1\n");
+    EXPECT_DOUBLE_EQ(other.motions[0].feed, 25.4);
+  }
 }
 
 TEST(Printers, CommandsWithNamesMoveNothingAndAreSaid) {

@@ -246,6 +246,45 @@ TEST(CutterCompensation, ACutThatLinuxCncDoesNotLookAheadToIsAWarning) {
   EXPECT_EQ(program.diagnostics[0].severity, Severity::warning) << "an error elsewhere";
 }
 
+/// As rs274 runs it: the line ends where it would without the arc before it, 0.29 mm back.
+TEST(CutterCompensation, OnLinuxCncALineWithoutRoomBeforeAnArcRunsBack) {
+  LineWriter writer(linuxcnc_compensation);
+  writer.on(ToolSide::right, 1.57).line({-1.357762, 6.131467, 0});
+  writer.arc({-4.506447, 8.454165, 0}, {-5.257889, 4.139947, 0}, Vec3::UnitZ());
+  writer.line({-4.313839, 9.512348, 0});
+  writer.arc({-0.723518, 5.101203, 0}, {-2.525854, 7.300935, 0}, Vec3::UnitZ());
+  const Program program = writer.off().line({4.134167, 9.081316, 0}).finish();
+  EXPECT_EQ(as_of_rs274(program),
+            (Lines{"STRAIGHT_FEED(0.1751, 6.4709)", "ARC_FEED(0.0405, 6.8455)", "ARC_FEED(-2.7168, 9.5191)",
+                   "STRAIGHT_FEED(-2.7692, 9.2312)", "ARC_FEED(-5.3009, 10.7332)", "ARC_FEED(0.2715, 3.8868)",
+                   "STRAIGHT_FEED(4.1342, 9.0813)"}));
+  ASSERT_EQ(program.diagnostics.size(), 1U);
+  EXPECT_EQ(program.diagnostics[0].code, "compensation-gouge");
+  EXPECT_EQ(program.diagnostics[0].severity, Severity::warning);
+}
+
+/// The same of an arc: it goes on to its end, nearly a whole turn. Before a line the control stops.
+TEST(CutterCompensation, OnLinuxCncAnArcWithoutRoomBeforeAnArcIsAWholeTurn) {
+  const auto contour = [](bool is_arc) {
+    LineWriter writer(linuxcnc_compensation);
+    writer.on(ToolSide::right, 1).line({3.390594, 2.122232, 0}).line({6.446826, 4.035181, 0});
+    writer.arc({6.669794, 4.000515, 0}, {7.410637, 9.499979, 0}, Vec3::UnitZ());
+    is_arc ? writer.arc({6.460619, 8.872591, 0}, {3.383733, 6.299961, 0}, Vec3::UnitZ())
+           : writer.line({8, 8, 0});
+    return writer.off().line({3.894847, 11.941274, 0}).finish();
+  };
+  const Program program = contour(true);
+  EXPECT_EQ(as_of_rs274(program), (Lines{"STRAIGHT_FEED(3.9212, 1.2746)", "STRAIGHT_FEED(6.6669, 2.9932)",
+                                         "ARC_FEED(6.5363, 3.0095)", "ARC_FEED(7.4891, 3.4272)",
+                                         "ARC_FEED(7.2278, 9.5140)", "STRAIGHT_FEED(3.8948, 11.9413)"}));
+  EXPECT_NEAR(program.bounds.max.y(), 9.5 + 6.549, 1e-3) << "over the top of the circle";
+  ASSERT_EQ(program.diagnostics.size(), 1U);
+  EXPECT_EQ(program.diagnostics[0].severity, Severity::warning);
+  const Program stopped = contour(false);
+  ASSERT_EQ(stopped.diagnostics.size(), 1U);
+  EXPECT_EQ(stopped.diagnostics[0].severity, Severity::error);
+}
+
 TEST(CutterCompensation, WorksInEveryPlane) {
   LineWriter zx;
   zx.on(ToolSide::left, 1, Plane::zx).line({0, 0, 10}).line({0, 0, 20}).line({9, 0, 20});
