@@ -44,7 +44,6 @@
 #include "ui/why/why_view.h"
 #include "ui/window/camera_trail.h"
 #include "ui/window/dock_sizes.h"
-#include "ui/window/elided_label.h"
 #include "ui/window/file_menu.h"
 #include "ui/window/handout_command.h"
 #include "ui/window/help_menu.h"
@@ -280,7 +279,7 @@ void MainWindow::make_menus() {
 void MainWindow::make_status() {
   auto* status = new StatusPanel(workbench_, scenes_->comparison(), this);
   statusBar()->addPermanentWidget(status);
-  auto* not_counted = new ElidedLabel(this);
+  auto* not_counted = new QLabel(this);
   not_counted->setContentsMargins(6, 0, 0, 0);
   statusBar()->addWidget(not_counted);
   connect(&workbench_, &Workbench::run_changed, this, [this, not_counted] {
