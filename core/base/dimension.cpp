@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "core/base/translatable.h"
 #include "core/base/units.h"
 
 namespace feedscope {
@@ -31,9 +32,9 @@ constexpr std::array<ShownUnit, dimension_count> metric{{
     {"N", 1, 0},
     {"N m", units::to_n_m(1), 2},
     {"kW", units::to_kw(1), 3},
-    {"rev/min", units::to_turns_min(1), 2},
-    {"rev/s²", units::to_turns(1), 2},
-    {"rev/s³", units::to_turns(1), 1},
+    {QT_TRANSLATE_NOOP("core", "rev/min"), units::to_turns_min(1), 2},
+    {QT_TRANSLATE_NOOP("core", "rev/s²"), units::to_turns(1), 2},
+    {QT_TRANSLATE_NOOP("core", "rev/s³"), units::to_turns(1), 1},
     {"°/mm", units::to_deg(1), 3},
     {"°/mm²", units::to_deg(1), 4},
     {"°/mm³", units::to_deg(1), 5},
@@ -57,9 +58,9 @@ constexpr std::array<ShownUnit, dimension_count> in_inches{{
     {"lbf", 1 / pound_force, 1},
     {"lbf ft", 1 / (pound_force * units::from_inch(12)), 2},
     {"hp", 1 / horsepower, 3},
-    {"rev/min", units::to_turns_min(1), 2},
-    {"rev/s²", units::to_turns(1), 2},
-    {"rev/s³", units::to_turns(1), 1},
+    {QT_TRANSLATE_NOOP("core", "rev/min"), units::to_turns_min(1), 2},
+    {QT_TRANSLATE_NOOP("core", "rev/s²"), units::to_turns(1), 2},
+    {QT_TRANSLATE_NOOP("core", "rev/s³"), units::to_turns(1), 1},
     {"°/in", units::to_deg(1) / inch, 1},
     {"°/in²", units::to_deg(1) / (inch * inch), 0},
     {"°/in³", units::to_deg(1) / (inch * inch * inch), 0},

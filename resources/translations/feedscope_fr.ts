@@ -573,7 +573,7 @@
     </message>
     <message>
         <source>line %1</source>
-        <translation>ligne %1</translation>
+        <translation>l. %1</translation>
     </message>
     <message>
         <source>Lens: line %1</source>
@@ -2045,6 +2045,10 @@
         <translation>Ligne %1&#xa0;: %2</translation>
     </message>
     <message>
+        <source>The model %1 uses no contour tolerance.</source>
+        <translation>Le modèle %1 n’utilise pas de tolérance de contour.</translation>
+    </message>
+    <message>
         <source>The model %1 uses no contour tolerance: it has one run for the %2 that were asked for.</source>
         <translation>Le modèle %1 n’utilise pas de tolérance de contour&#xa0;: une seule simulation pour les %2 demandées.</translation>
     </message>
@@ -2074,7 +2078,7 @@
     </message>
     <message>
         <source>%1, line %2 and %3 more</source>
-        <translation>%1, ligne %2 et %3 autres</translation>
+        <translation>%1, ligne %2 et %3 de plus</translation>
     </message>
     <message>
         <source>%1, line %2</source>
@@ -2165,8 +2169,8 @@
         <translation>Avance, accélération et jerk autour des pires endroits</translation>
     </message>
     <message>
-        <source>Feed, acceleration and jerk of the tool about the places of %1 that lose most; other runs where they are at the same place of the program.</source>
-        <translation>Avance, accélération et jerk de l’outil autour des endroits de %1 qui perdent le plus&#xa0;; les autres simulations au même endroit du programme.</translation>
+        <source>Feed, acceleration and jerk of the tool about the places of %1 that lose most; other runs where they are at the same place of the program. Rapids are left out.</source>
+        <translation>Avance, accélération et jerk de l’outil autour des endroits de %1 qui perdent le plus&#xa0;; les autres simulations au même endroit du programme. Sans rapides.</translation>
     </message>
     <message>
         <source>Where %1 loses most</source>
@@ -3154,6 +3158,18 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
 </context>
 <context>
     <name>core</name>
+    <message>
+        <source>rev/min</source>
+        <translation>tr/min</translation>
+    </message>
+    <message>
+        <source>rev/s²</source>
+        <translation>tr/s²</translation>
+    </message>
+    <message>
+        <source>rev/s³</source>
+        <translation>tr/s³</translation>
+    </message>
     <message>
         <source>chip below its least thickness (rubbing)</source>
         <translation>copeau plus mince que le minimum (frottement)</translation>
@@ -8648,7 +8664,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>not used: %1 and %2 more</source>
-        <translation>non utilisé&#xa0;: %1 et %2 autres</translation>
+        <translation>non utilisé&#xa0;: %1 et %2 de plus</translation>
     </message>
     <message>
         <source>indices 0, 1 and 2 are taken as X, Y and Z</source>
@@ -10798,8 +10814,8 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>Temps [s]</translation>
     </message>
     <message>
-        <source>programmed time %1 s</source>
-        <translation>temps programmé %1&#xa0;s</translation>
+        <source>programmed time %1</source>
+        <translation>temps programmé %1</translation>
     </message>
     <message>
         <source>%1, with %2</source>
@@ -11128,6 +11144,10 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
 </context>
 <context>
     <name>feedscope::ui::DecideView</name>
+    <message>
+        <source>This control has no contour tolerance; choose another one to compare tolerances</source>
+        <translation>Cette commande n’a pas de tolérance de contour&#xa0;; en choisir une autre pour comparer des tolérances</translation>
+    </message>
     <message>
         <source>Decide</source>
         <translation>Décider</translation>
@@ -13969,6 +13989,10 @@ Ensemble&#xa0;: %4</translation>
         <source>La&amp;nguage</source>
         <translation>La&amp;ngue</translation>
     </message>
+    <message>
+        <source>&amp;Paper</source>
+        <translation>&amp;Papier</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ResidualChart</name>
@@ -15191,8 +15215,8 @@ Ensemble&#xa0;: %4</translation>
         <translation>Par où commencer</translation>
     </message>
     <message>
-        <source>&lt;ol style=&quot;margin-left: -24px&quot;&gt;&lt;li&gt;Open a program. Its language chooses a machine; your own: &lt;i&gt;File › Machine › Open machine file&lt;/i&gt;.&lt;/li&gt;&lt;li&gt;&lt;i&gt;Time&lt;/i&gt; says where the time goes and which changes would help, each simulated.&lt;/li&gt;&lt;li&gt;Try a change: &lt;i&gt;New run with this change&lt;/i&gt;, or another tolerance at the top.&lt;/li&gt;&lt;li&gt;On paper: &lt;i&gt;File › Report&lt;/i&gt;.&lt;/li&gt;&lt;/ol&gt;</source>
-        <translation>&lt;ol style=&quot;margin-left: -24px&quot;&gt;&lt;li&gt;Ouvrir un programme. Son langage choisit une machine ; la vôtre : &lt;i&gt;Fichier › Machine › Ouvrir un fichier machine&lt;/i&gt;.&lt;/li&gt;&lt;li&gt;&lt;i&gt;Temps&lt;/i&gt; dit où passe le temps et quels changements aideraient, chacun simulé.&lt;/li&gt;&lt;li&gt;Essayer un changement : &lt;i&gt;Nouvelle simulation avec ce changement&lt;/i&gt;, ou une autre tolérance en haut.&lt;/li&gt;&lt;li&gt;Sur papier : &lt;i&gt;Fichier › Rapport&lt;/i&gt;.&lt;/li&gt;&lt;/ol&gt;</translation>
+        <source>&lt;ol style=&quot;margin-left: -24px&quot;&gt;&lt;li&gt;Open a program. Its language chooses a machine; your own: &lt;i&gt;File › Machine › Open machine file&lt;/i&gt;.&lt;/li&gt;&lt;li&gt;&lt;i&gt;Decide&lt;/i&gt; says how much time is lost, to what, and which changes would help.&lt;/li&gt;&lt;li&gt;&lt;i&gt;Compare tolerances …&lt;/i&gt; says which one to set and what it gains.&lt;/li&gt;&lt;li&gt;On paper: &lt;i&gt;File › Report&lt;/i&gt;.&lt;/li&gt;&lt;/ol&gt;</source>
+        <translation>&lt;ol style=&quot;margin-left: -24px&quot;&gt;&lt;li&gt;Ouvrir un programme. Son langage choisit une machine ; la vôtre : &lt;i&gt;Fichier › Machine › Ouvrir un fichier machine&lt;/i&gt;.&lt;/li&gt;&lt;li&gt;&lt;i&gt;Décider&lt;/i&gt; dit combien de temps est perdu, à quoi, et quels changements aideraient.&lt;/li&gt;&lt;li&gt;&lt;i&gt;Comparer des tolérances …&lt;/i&gt; dit laquelle régler et ce qu’elle gagne.&lt;/li&gt;&lt;li&gt;Sur papier : &lt;i&gt;Fichier › Rapport&lt;/i&gt;.&lt;/li&gt;&lt;/ol&gt;</translation>
     </message>
     <message>
         <source>First steps in the handbook</source>

@@ -108,11 +108,11 @@ void ChartRows::choose_values(const std::array<std::optional<Interval>, chart_co
 }
 
 QSize ChartRows::least_size(const QWidget& content) const {
-  constexpr int low = 600;  // [px]: a window in which the 3D view needs what four charts would take
+  constexpr int low = 600;  // [px]: a window in which the 3D view needs what three charts would take
   const double scale = TypeSize::of_application().scale();
   const auto* window = qobject_cast<const QMainWindow*>(content.window());
   const bool is_low = window != nullptr && window->height() < low;
-  const int most = std::max(2, static_cast<int>(std::lround((is_low ? 2 : 4) / scale)));
+  const int most = std::max(2, static_cast<int>(std::lround((is_low ? 2 : 3) / scale)));
   QSize size = content.minimumSizeHint();
   size.rwidth() -= content.layout()->contentsMargins().right();  // give_shares_room() takes it back
   int shown = 0;

@@ -48,7 +48,7 @@ struct ChartRows {
   void choose_values(const std::array<std::optional<Interval>, chart_count>& values) const;
   /// What is hidden and chosen, to keep.
   void add_to(ChartsState& state) const;
-  /// Room for what is shown in `content`, for four charts where there are more.
+  /// Room for what is shown in `content`, for three charts where there are more.
   QSize least_size(const QWidget& content) const;
   /// Headers and charts, as they stand in `content`.
   void draw(QPainter& painter, const QWidget& content) const;

@@ -7,7 +7,7 @@
 namespace feedscope::ui {
 
 /// Holds the charts: as high as it is, or higher where they need more, and then to be scrolled. It asks for
-/// room for four charts at most.
+/// room for three charts at most.
 class ChartScroll : public QScrollArea {
  public:
   /// `rows` outlives this.

@@ -53,7 +53,7 @@ QLabel* make_text(QWidget* parent, int pixels, bool bold = false) {
 
 /// A piece of the line that stands for a run.
 QIcon line_icon(const RunItem& item, std::size_t row, const QWidget& widget) {
-  constexpr QSize size(20, 12);
+  constexpr QSize size(18, 12);
   const double ratio = widget.devicePixelRatioF();
   QPixmap picture(size * ratio);
   picture.setDevicePixelRatio(ratio);
@@ -85,6 +85,7 @@ DecideView::DecideView(Workbench& workbench, QWidget* parent)
       compare_(make_action(this, tr("Compare &tolerances …"),
                            tr("Simulate the program with several contour tolerances and decide between them"),
                            QKeySequence(tr("Ctrl+T")), &DecideView::ask)),
+      compare_tip_(compare_->toolTip()),
       headline_(make_text(this, 15, true)),
       rule_(make_text(this, 12)),
       offer_(new QPushButton(compare_->text(), this)),
@@ -102,7 +103,7 @@ DecideView::DecideView(Workbench& workbench, QWidget* parent)
   table_->setIndentation(0);
   table_->setFrameShape(QFrame::NoFrame);
   table_->setAccessibleName(tr("Runs and their results"));
-  table_->setIconSize({20, 12});
+  table_->setIconSize({18, 12});
   table_->setAllColumnsShowFocus(true);
   table_->header()->setStretchLastSection(false);
   table_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -271,6 +272,10 @@ void DecideView::show_all() {
   choose_best();
   const bool takes_tolerance = runs_.current_item().setup.file().settings.has(contour_tolerance_key);
   compare_->setEnabled(takes_tolerance);
+  compare_->setToolTip(
+      takes_tolerance
+          ? compare_tip_
+          : tr("This control has no contour tolerance; choose another one to compare tolerances"));
   offer_->setVisible(runs_.items().size() < 2 && takes_tolerance && workbench_.program() != nullptr);
   show_decision();
   show_chart();
@@ -375,15 +380,15 @@ void DecideView::show_table() {
   const bool several = runs_.items().size() > 1;
   table_->setVisible(several);
   table_->clear();
-  table_->setHeaderLabels({tr("Run"), tr("Time"), tr("Gain"), tr("Error %1").arg(unit_of(Dimension::error))});
+  table_->setHeaderLabels(
+      {tr("Run"), tr("Time"), tr("Gain"), tr("Error %1").arg(unit_of(Dimension::error)).replace(' ', '\n')});
   for (int column = 1; column < column_count; ++column) {
     table_->headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
   }
   if (several) {
-    const QStringList names = short_run_titles(runs_.items(), runs_.feed_controls());
     const auto taken = recommended(runs_);
     for (std::size_t row = 0; row < runs_.items().size(); ++row) {
-      add_row(row, runs_.lettered(row, names[static_cast<qsizetype>(row)]), taken);
+      add_row(row, runs_.lettered_title(row), taken);
     }
     table_->setCurrentItem(table_->topLevelItem(static_cast<int>(runs_.current())));
     const auto rows = static_cast<int>(std::min(most_rows, runs_.items().size()));

@@ -75,6 +75,7 @@ class DecideView : public Panel {
   Workbench& workbench_;
   RunList& runs_;
   QAction* compare_;
+  QString compare_tip_;  ///< while there is something to compare
   QLabel* headline_;
   QLabel* rule_;
   QPushButton* offer_;

@@ -15,7 +15,7 @@ namespace {
 
 const QString settings_key = QStringLiteral("units");
 
-/// Units of keys that lengths are part of, with what they measure.
+/// Units of keys that a unit system or a language changes, with what they measure.
 constexpr auto key_dimensions = std::to_array<std::pair<std::string_view, Dimension>>({
     {"mm", Dimension::length},
     {"um", Dimension::error},
@@ -24,6 +24,10 @@ constexpr auto key_dimensions = std::to_array<std::pair<std::string_view, Dimens
     {"m/min", Dimension::velocity},
     {"m/s2", Dimension::acceleration},
     {"m/s3", Dimension::jerk},
+    {"deg", Dimension::angle},
+    {"rev/min", Dimension::turning},
+    {"rev/s2", Dimension::turning_acceleration},
+    {"rev/s3", Dimension::turning_jerk},
 });
 
 }  // namespace
@@ -46,8 +50,8 @@ void choose_unit_system(UnitSystem system) {
 }
 
 QString unit_of(Dimension dimension) {
-  return QString::fromUtf8(shown(dimension).text.data(),
-                           static_cast<qsizetype>(shown(dimension).text.size()));
+  const std::string text(shown(dimension).text);
+  return text.empty() ? QString() : core_text(text);
 }
 
 QString with_unit_of(const QString& title, Dimension dimension) {

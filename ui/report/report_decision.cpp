@@ -139,8 +139,10 @@ QString unused_tolerances(const ReportInput& input) {
   }
   QString html;
   for (const QString& model : models) {
-    html +=
-        fault(ReportWords::tr("The model %1 uses no contour tolerance: it has one run for the %2 that were "
+    html += fault(
+        input.tolerances_asked == 1
+            ? ReportWords::tr("The model %1 uses no contour tolerance.").arg(html_text(model))
+            : ReportWords::tr("The model %1 uses no contour tolerance: it has one run for the %2 that were "
                               "asked for.")
                   .arg(html_text(model))
                   .arg(input.tolerances_asked));
@@ -168,14 +170,12 @@ QString line_sample(const ReportInput& input, std::size_t row, ReportPictures& p
 
 QString decision_chart(const ReportInput& input, ReportPictures& pictures) {
   const auto taken = recommendation(input);
-  const QStringList names = short_names(input);
   std::vector<DecisionDot> dots;
   for (std::size_t row = 0; row < input.runs.size(); ++row) {
     if (moves(input.runs[row])) {
       const Summary& summary = summary_of(input.runs[row]);
-      dots.push_back({row, summary.cycle_time, deciding_error(summary),
-                      run_letter(row) + ' ' + names[static_cast<qsizetype>(row)], input.runs[row].colour,
-                      taken && taken->run == row, taken && taken->run == row});
+      dots.push_back({row, summary.cycle_time, deciding_error(summary), run_letter(row),
+                      input.runs[row].colour, taken && taken->run == row, taken && taken->run == row});
     }
   }
   if (dots.size() < 2) {
@@ -370,13 +370,17 @@ QString runs_table_block(const ReportInput& input, ReportPictures& pictures) {
   const std::size_t against = taken ? taken->against : 0;
   const QStringList names = short_names(input);
   HtmlTable table("llrrrrr", {12, 26, 13, 13, 13, 10, 13});
-  table.add_head({several ? ReportWords::tr("Run") : QString(), QString(), ReportWords::tr("Cycle time"),
-                  several ? ReportWords::tr("Against %1").arg(run_letter(against)) : QString(),
-                  with_unit_of(has_drives(input) ? ReportWords::tr("Actual contour error")
-                                                 : ReportWords::tr("Contour error"),
-                               Dimension::error),
-                  ReportWords::tr("Corner blends"),
-                  with_unit_of(ReportWords::tr("Mean feed"), Dimension::feed)});
+  QStringList head{several ? ReportWords::tr("Run") : QString(),
+                   QString(),
+                   ReportWords::tr("Cycle time"),
+                   several ? ReportWords::tr("Against %1").arg(run_letter(against)) : QString(),
+                   with_unit_of(has_drives(input) ? ReportWords::tr("Actual contour error")
+                                                  : ReportWords::tr("Contour error"),
+                                Dimension::error),
+                   ReportWords::tr("Corner blends"),
+                   with_unit_of(ReportWords::tr("Mean feed"), Dimension::feed)};
+  head.replaceInStrings(QStringLiteral(" ["), QStringLiteral("<br/>["));  // "mm/min" would be parted
+  table.add_head(head);
   for (std::size_t row = 0; row < input.runs.size(); ++row) {
     const ReportRun& run = input.runs[row];
     const Summary& summary = summary_of(run);

@@ -212,6 +212,7 @@ struct MotionWindow {
   double half = 0;    ///< [s]
 };
 
+/// Of feed motions alone, as the curves above them: a rapid would set the scale.
 std::vector<MotionWindow> motion_windows(const ReportInput& input) {
   constexpr std::size_t most = 3;
   constexpr double least_half = 0.15;  // [s]
@@ -220,7 +221,7 @@ std::vector<MotionWindow> motion_windows(const ReportInput& input) {
   const std::vector<SlowGroup>& groups = input.time->slow.groups;
   for (std::size_t rank = 0; rank < SlowGroups::worst_places && places.size() < most; ++rank) {
     for (const SlowGroup& group : groups) {
-      if (places.size() < most && rank < group.worst.size()) {
+      if (places.size() < most && rank < group.worst.size() && group.shape != PlaceShape::rapid) {
         places.push_back(group.worst[rank]);
       }
     }
@@ -255,7 +256,8 @@ QString motion_title(MotionRow row) {
              : with_unit_of(ReportWords::tr("Jerk"), Dimension::jerk);
 }
 
-/// The curves of the runs in a window, those of others where they are at the same place of the program.
+/// The curves of the runs in a window, those of others where they are at the same place of the program; a
+/// rapid parts a curve in two.
 std::array<std::vector<MotionCurve>, 3> window_curves(const ReportInput& input, const MotionWindow& window) {
   constexpr int samples = 300;
   std::array<std::vector<MotionCurve>, 3> curves;
@@ -263,20 +265,24 @@ std::array<std::vector<MotionCurve>, 3> window_curves(const ReportInput& input, 
   for (const std::size_t run : drawn_runs(input)) {
     const Trajectory& trajectory = *input.runs[run].shown->run.trajectory;
     const double centre = run == input.current ? window.centre : time_of(trajectory, place);
-    std::array<MotionCurve, 3> lines;
+    bool parted = true;
     for (int i = 0; i <= samples; ++i) {
       const double offset = window.half * (2.0 * i / samples - 1);
       if (centre + offset < 0 || centre + offset > trajectory.duration()) {
         continue;
       }
       const State state = trajectory.state(centre + offset);
-      for (std::size_t row = 0; row < lines.size(); ++row) {
-        lines[row].points.emplace_back(offset, motion_value(state, motion_rows[row]));
+      if (trajectory.is_rapid(state.element)) {
+        parted = true;
+        continue;
       }
-    }
-    for (std::size_t row = 0; row < lines.size(); ++row) {
-      lines[row].pen = run_pen(input, run);
-      curves[row].push_back(std::move(lines[row]));
+      for (std::size_t row = 0; row < curves.size(); ++row) {
+        if (parted) {
+          curves[row].emplace_back().pen = run_pen(input, run);
+        }
+        curves[row].back().points.emplace_back(offset, motion_value(state, motion_rows[row]));
+      }
+      parted = false;
     }
   }
   return curves;
@@ -371,7 +377,7 @@ QString motion_windows_block(const ReportInput& input, ReportPictures& pictures)
       pictures.add_elastic(QStringLiteral("windows"), report_width, {make, 330, 460},
                            ReportWords::tr("Feed, acceleration and jerk about the worst places")),
       ReportWords::tr("Feed, acceleration and jerk of the tool about the places of %1 that lose most; "
-                      "other runs where they are at the same place of the program.")
+                      "other runs where they are at the same place of the program. Rapids are left out.")
           .arg(lettered_name(input, input.current)));
 }
 

@@ -52,7 +52,7 @@ QString percent(double share, int decimals) {
 }
 
 QString error_number(double millimetres) {
-  return significant(millimetres, Dimension::error, millimetres < 0.1 ? 3 : 4);
+  return number_text(millimetres, Dimension::error);
 }
 
 QString signed_percent(double share) {

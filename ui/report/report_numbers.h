@@ -16,7 +16,7 @@ QString fixed(double value, Dimension dimension, int metric_decimals = -1);
 QString significant(double value, Dimension dimension, int digits);
 /// A share in percent without its sign; "–" for one that is not a number.
 QString percent(double share, int decimals);
-/// A contour error [mm], with three significant digits or four.
+/// A contour error [mm] as the window shows it, without its unit.
 QString error_number(double millimetres);
 /// A change in percent with one decimal and its sign, "−1.2" or "+3.4"; what rounds to nothing is "0.0".
 QString signed_percent(double share);

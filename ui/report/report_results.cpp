@@ -175,13 +175,13 @@ QString causes_table(const ReportInput& input, const std::vector<std::size_t>& c
 
 QString not_counted_sentences(const ReportInput& input) {
   std::vector<std::pair<std::string, QStringList>> sets;
-  for (const ReportRun& run : input.runs) {
-    const std::string events = describe(summary_of(run).not_counted);
+  for (std::size_t i = 0; i < input.runs.size(); ++i) {
+    const std::string events = describe(summary_of(input.runs[i]).not_counted);
     auto known = std::ranges::find(sets, events, [](const auto& set) { return set.first; });
     if (known == sets.end()) {
       known = sets.insert(sets.end(), {events, {}});
     }
-    known->second.append(html_text(run.name));
+    known->second.append(run_letter(i));
   }
   QString html;
   for (const auto& [events, runs] : sets) {
@@ -189,16 +189,18 @@ QString not_counted_sentences(const ReportInput& input) {
       continue;
     }
     const QString shown = html_text(composed_text(events));
-    html += paragraph(sets.size() == 1 ? ReportWords::tr("Not in the cycle time: %1.").arg(shown)
-                                       : ReportWords::tr("Not in the cycle time of %1: %2.")
-                                             .arg(runs.join(QStringLiteral(", ")), shown));
+    html += QStringLiteral("<p class=\"small\">%1</p>\n")
+                .arg(sets.size() == 1 ? ReportWords::tr("Not in the cycle time: %1.").arg(shown)
+                                      : ReportWords::tr("Not in the cycle time of %1: %2.")
+                                            .arg(runs.join(QStringLiteral(", ")), shown));
   }
   return html;
 }
 
 QString run_notes_text(const ReportInput& input) {
   std::vector<std::pair<std::string, QStringList>> notes;
-  for (const ReportRun& run : input.runs) {
+  for (std::size_t i = 0; i < input.runs.size(); ++i) {
+    const ReportRun& run = input.runs[i];
     std::vector<std::string> all = run_notes(run.shown->run.input, run.shown->run.setup);
     for (const UndeterminedLimit& limit : undetermined_limits(run.shown->run)) {
       all.push_back(describe(limit));
@@ -208,7 +210,7 @@ QString run_notes_text(const ReportInput& input) {
       if (same == notes.end()) {
         same = notes.insert(notes.end(), {note, {}});
       }
-      same->second.append(run.name);
+      same->second.append(run_letter(i));
     }
   }
   QString html;
@@ -217,7 +219,7 @@ QString run_notes_text(const ReportInput& input) {
     html += QStringLiteral("<p class=\"small\">%1</p>\n")
                 .arg(runs.size() == static_cast<qsizetype>(input.runs.size())
                          ? said
-                         : ReportWords::tr("%1: %2").arg(html_text(runs.join(QStringLiteral("; "))), said));
+                         : ReportWords::tr("%1: %2").arg(runs.join(QStringLiteral(", ")), said));
   }
   return html;
 }

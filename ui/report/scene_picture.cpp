@@ -27,10 +27,12 @@ Rgb rgb_of(const QColor& colour) {
 
 std::vector<OverlayRun> overlays_of(const ReportInput& input, std::size_t row) {
   std::vector<OverlayRun> overlays;
+  const QStringList names = short_names(input);
   for (std::size_t i = 0; i < input.runs.size(); ++i) {
     if (i != row) {
       const ReportRun& run = input.runs[i];
-      overlays.push_back({run.shown->samples, rgb_of(run.colour), run.name.toStdString()});
+      const QString name = run_letter(i) + ' ' + names[static_cast<qsizetype>(i)];
+      overlays.push_back({run.shown->samples, rgb_of(run.colour), name.toStdString()});
     }
   }
   for (const ReportTrace& trace : input.traces) {

@@ -151,7 +151,7 @@ class SheetPainter {
          shown(fixed(summary.peak_feed, Dimension::feed))},
         {summary.actual ? ReportWords::tr("actual contour error, %1").arg(unit_of(Dimension::error))
                         : ReportWords::tr("contour error, %1").arg(unit_of(Dimension::error)),
-         shown(significant(deciding_error(summary), Dimension::error, 3))}};
+         shown(error_number(deciding_error(summary)))}};
     const double width = (room.width() - 4 * 8) / 5;
     double left = room.left();
     for (const auto& [name, value] : figures) {
@@ -237,8 +237,7 @@ class SheetPainter {
       table.add(
           {run_label(input_.runs[i]), clock_text(summary.cycle_time),
            i == 0 || !(first > 0) ? QStringLiteral("–") : signed_percent(summary.cycle_time / first - 1),
-           fixed(summary.mean_feed, Dimension::feed),
-           significant(deciding_error(summary), Dimension::error, 3)});
+           fixed(summary.mean_feed, Dimension::feed), error_number(deciding_error(summary))});
     }
     if (input_.runs.size() > max_runs) {
       table.add({ReportWords::tr("and %1 more").arg(input_.runs.size() - max_runs)});

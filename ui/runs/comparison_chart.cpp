@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/language/texts.h"
 #include "ui/runs/cause_bar.h"
 #include "ui/runs/chart_colours.h"
 #include "ui/shared/plot_grid.h"
@@ -166,7 +167,7 @@ void ComparisonChart::draw_machines(QPainter& painter, const ComparisonLayout& l
     painter.fillRect(head.adjusted(-label_gap, 1, label_gap, -1), band_color);
     painter.setPen(text_color);
     painter.setFont(font());
-    const QString time = tr("programmed time %1 s").arg(seconds_text(machine.programmed_time, bars_));
+    const QString time = tr("programmed time %1").arg(clock_text(machine.programmed_time));
     const double room = head.width() - QFontMetricsF(font()).horizontalAdvance(time) - 4 * label_gap;
     const QString name =
         bold_metrics.elidedText(QString::fromStdString(machine.machine), Qt::ElideRight, room);

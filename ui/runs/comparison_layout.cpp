@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/clock_text.h"
 #include "ui/language/shown_numbers.h"
+#include "ui/language/texts.h"
 #include "ui/runs/cause_bar.h"
 #include "ui/shared/plot_grid.h"
 
@@ -144,23 +144,18 @@ TextColumn figure_column(const ComparisonBars& bars, const QString& heading, con
 std::vector<TextColumn> figure_columns(const ComparisonBars& bars) {
   const QLocale locale;
   std::vector<TextColumn> columns{
-      column_of(bars, Comparison::tr("cycle time"), QStringLiteral("[s]"), [&](const ComparisonBar& bar) {
+      column_of(bars, QString(), Comparison::tr("cycle time"), [&](const ComparisonBar& bar) {
         return bar.refused        ? Comparison::tr("refused")
                : bar.out_of_reach ? Comparison::tr("out of reach")
-                                  : seconds_text(bar.cycle_time, bars);
+                                  : clock_text(bar.cycle_time);
       })};
-  if (bars.longest >= 60) {
-    columns.push_back(figure_column(bars, QString(), QStringLiteral("h:mm:ss"), [](const ComparisonBar& bar) {
-      return QString::fromStdString(clock_text(bar.cycle_time));
-    }));
-  }
   columns.push_back(figure_column(
       bars, Comparison::tr("relative to"), QStringLiteral("cam"), [&](const ComparisonBar& bar) {
         return QStringLiteral("× %1").arg(locale.toString(bar.against_cam, 'f', 3));
       }));
   columns.push_back(figure_column(
-      bars, Comparison::tr("contour error"), with_unit_of({}, Dimension::length).trimmed(),
-      [&](const ComparisonBar& bar) { return number_text(bar.contour_error, Dimension::length, 4); }));
+      bars, Comparison::tr("contour error"), with_unit_of({}, Dimension::error).trimmed(),
+      [&](const ComparisonBar& bar) { return number_text(bar.contour_error, Dimension::error); }));
   if (bars.lines_refused) {
     columns.push_back(
         column_of(bars, Comparison::tr("refused lines"), QString(), [&](const ComparisonBar& bar) {
@@ -226,10 +221,6 @@ int height_with_rows(double row, const ComparisonBars& bars, int width, const QF
 }
 
 }  // namespace
-
-QString seconds_text(double seconds, const ComparisonBars& bars) {
-  return QLocale().toString(seconds, 'f', bars.longest < 1000 ? 3 : 1);
-}
 
 ComparisonLayout lay_out(const ComparisonBars& bars, const QSize& size, const QFont& font) {
   const QFontMetricsF metrics(font);

@@ -44,9 +44,6 @@ struct ComparisonLayout {
 /// Room for the swatch in front of a legend's text [px].
 inline constexpr double legend_swatch = 20;
 
-/// A time of a comparison with as many decimals as its longest leaves sense for.
-QString seconds_text(double seconds, const ComparisonBars& bars);
-
 /// `size` at least min_comparison_size(). Rows grow with the height up to a largest size.
 ComparisonLayout lay_out(const ComparisonBars& bars, const QSize& size, const QFont& font);
 

@@ -306,7 +306,7 @@ void PathScene::fit_times(double from, double to) {
   Bounds box;
   box.add(impl_->frame.to_scene(part.min));
   box.add(impl_->frame.to_scene(part.max));
-  impl_->camera.fit_part(impl_->stage.width(), impl_->stage.height(), box, impl_->room());
+  impl_->camera.fit_part(impl_->stage.width(), impl_->stage.height(), box, impl_->room(), impl_->covered());
   impl_->changed();
 }
 

@@ -11,8 +11,8 @@
 namespace feedscope::ui {
 namespace {
 
-constexpr int side = 212;  // [pixels] at the usual size of type
-constexpr int margin = 10;
+constexpr int side = 180;  // [pixels] at least, at the usual size of type
+constexpr int margin = 8;
 
 }  // namespace
 
@@ -46,7 +46,8 @@ LensOverlay::LensOverlay(Workbench& workbench, SceneView& view)
 
 QSize LensOverlay::sizeHint() const {
   const QSize room = view_.canvas().size();
-  const int usual = type_pixels(side);
+  constexpr double usual_share = 0.38;  // of the view's height
+  const int usual = std::max(type_pixels(side), static_cast<int>(usual_share * room.height()));
   const int largest = std::min(room.width(), room.height()) - 2 * margin;
   const int wanted = large_ ? std::max(room.width(), room.height()) / 2 : usual;
   return QSize(1, 1) * std::max(1, std::min(wanted, largest));
@@ -99,8 +100,8 @@ void LensOverlay::follow() {
 
 /// So that most of the view is left to the path.
 bool LensOverlay::has_room() const {
-  constexpr double times_wide = 3;
-  constexpr double times_high = 1.4;
+  constexpr double times_wide = 3.6;
+  constexpr double times_high = 1.7;
   const int usual = type_pixels(side);
   return view_.canvas().width() >= times_wide * usual && view_.canvas().height() >= times_high * usual;
 }

@@ -107,7 +107,7 @@ void LensPicture::draw_title(QPainter& painter, const View& view) const {
       lens_.deviates ? tr("across × %1").arg(factor_text(lens_.stretch())) : tr("no deviation");
   painter.drawText(inner, Qt::AlignRight | Qt::AlignVCenter, stretch);
   const QFontMetricsF metrics(painter.font());
-  const double room = inner.width() - metrics.horizontalAdvance(stretch) - margin * scale_;
+  const double room = inner.width() - metrics.horizontalAdvance(stretch) - margin / 2 * scale_;
   const QString whole = tr("Lens: line %1").arg(lens_.line);
   const QString title = metrics.horizontalAdvance(whole) <= room ? whole : tr("line %1").arg(lens_.line);
   painter.drawText(inner, Qt::AlignLeft | Qt::AlignVCenter, metrics.elidedText(title, Qt::ElideRight, room));
@@ -182,7 +182,10 @@ void LensPicture::draw_scales(QPainter& painter, const View& view) const {
   painter.drawLine(QPointF(left, y), QPointF(right, y));
   painter.drawLine(QPointF(left, y - tick), QPointF(left, y + tick));
   painter.drawLine(QPointF(right, y - tick), QPointF(right, y + tick));
-  painter.drawText(QPointF(left, y - 2 * tick), name(along, tr("%1 along")));
+  const QString along_text = name(along, tr("%1 along"));
+  const QRectF along_room(left, y - 2 * tick - metrics.ascent(), metrics.horizontalAdvance(along_text),
+                          metrics.height());
+  painter.drawText(QPointF(left, y - 2 * tick), along_text);
   const double across = round_down_125(bar_share * lens_.height);
   const double x = view.plot.right() - edge;
   const double high = y - across * view.across;
@@ -192,6 +195,9 @@ void LensPicture::draw_scales(QPainter& painter, const View& view) const {
   const QString across_text = name(across, tr("%1 across"));
   QRectF room = metrics.boundingRect(across_text);
   room.moveCenter({x - 2 * tick - room.width() / 2, (y + high) / 2});
+  if (room.intersects(along_room.adjusted(0, 0, 2 * tick, 0))) {
+    room.moveBottom(along_room.top());
+  }
   view.make_pale(painter, room);
   painter.drawText(room, Qt::AlignCenter, across_text);
 }

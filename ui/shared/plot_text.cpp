@@ -2,6 +2,7 @@
 
 #include <QFont>
 #include <QFontMetricsF>
+#include <QLocale>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,11 @@ namespace feedscope::ui {
 QString time_tick_text(const Ticks& ticks, std::size_t i) {
   constexpr double minute = 60;
   constexpr double clock_step = 0.1;  // clock_text() has one decimal
-  return ticks.values[i] < minute || ticks.step < clock_step ? tick_text(ticks, i)
-                                                             : clock_text(ticks.values[i]);
+  if (ticks.values[i] < minute || ticks.step < clock_step) {
+    return tick_text(ticks, i);
+  }
+  const QString text = clock_text(ticks.values[i]);
+  return ticks.step == std::floor(ticks.step) ? text.section(QLocale().decimalPoint(), 0, 0) : text;
 }
 
 QColor text_on(const QColor& ground) {

@@ -4,6 +4,7 @@
 #include <QFontMetricsF>
 #include <QLocale>
 #include <QPainter>
+#include <QSet>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +12,7 @@
 #include <numeric>
 
 #include "ui/language/shown_numbers.h"
+#include "ui/language/significant.h"
 #include "ui/language/texts.h"
 #include "ui/scene/colour_map.h"
 #include "ui/shared/plot_grid.h"
@@ -38,6 +40,22 @@ const QColor impossible_ink(0xb4, 0xba, 0xc2);
 
 QString value_text(double value) {
   return QLocale().toString(value, 'g', 4);
+}
+
+/// With as few digits, of two at least, as tell them apart.
+QStringList axis_texts(const std::vector<double>& values) {
+  constexpr int most_digits = 15;
+  QStringList texts;
+  for (int digits = 2; digits <= most_digits; ++digits) {
+    texts.clear();
+    for (const double value : values) {
+      texts.append(significant_number(value, digits));
+    }
+    if (QSet<QString>(texts.begin(), texts.end()).size() == texts.size()) {
+      break;
+    }
+  }
+  return texts;
 }
 
 QString with_unit(const QString& text, const QString& unit) {
@@ -335,11 +353,13 @@ void StudyMapPicture::paint_map(QPainter& painter, const StudyMap& map, const QR
   const Place place{area.adjusted(beside_map, above + line + 12, -6, -(2 * line + 20)),
                     study_.x.values.size(), study_.y.values.size()};
   PlotGrid grid(painter, place.plot, {map_grid, map_grid, map_ink});
+  const QStringList across = axis_texts(study_.x.values);
   for (std::size_t i = 0; i < place.columns; ++i) {
-    grid.upright(place.middle(i).x(), value_text(study_.x.values[i]));
+    grid.upright(place.middle(i).x(), across[static_cast<qsizetype>(i)]);
   }
+  const QStringList up = axis_texts(study_.y.values);
   for (std::size_t i = 0; i < place.rows; ++i) {
-    grid.level(place.middle(i * place.columns).y(), value_text(study_.y.values[i]));
+    grid.level(place.middle(i * place.columns).y(), up[static_cast<qsizetype>(i)]);
   }
   painter.drawText(QRectF(place.plot.left(), place.plot.bottom() + 8 + line, place.plot.width(), line),
                    Qt::AlignCenter, with_unit(study_.x.title, study_.x.unit));

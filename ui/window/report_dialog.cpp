@@ -1,6 +1,7 @@
 #include "ui/window/report_dialog.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QFileDialog>
@@ -76,6 +77,7 @@ ReportDialog::ReportDialog(Subject subject, const QString& executable, QWidget* 
       logo_(new QLineEdit(this)),
       page_(new QLineEdit(this)),
       language_(new LanguageBox(this)),
+      paper_(new QComboBox(this)),
       remarks_(new QPlainTextEdit(this)),
       runs_(new QListWidget(this)),
       parts_(new QListWidget(this)),
@@ -116,6 +118,7 @@ ReportDialog::ReportDialog(Subject subject, const QString& executable, QWidget* 
   connect(remarks_, &QPlainTextEdit::textChanged, this, change);
   connect(dated_, &QCheckBox::toggled, this, change);
   connect(language_, &QComboBox::currentIndexChanged, this, change);
+  connect(paper_, &QComboBox::currentIndexChanged, this, change);
   connect(runs_, &QListWidget::itemChanged, this, change);
   connect(parts_, &QListWidget::itemChanged, this, change);
   connect(&changed_, &QTimer::timeout, this, &ReportDialog::make_preview);
@@ -147,6 +150,10 @@ QWidget* ReportDialog::make_form() {
   author_->setText(settings.value("report/author").toString());
   logo_->setText(settings.value("report/logo").toString());
   page_->setText(settings.value("report/template").toString());
+  paper_->setObjectName(QStringLiteral("paper"));
+  paper_->addItem(QStringLiteral("A4"), QString());
+  paper_->addItem(QStringLiteral("Letter"), QStringLiteral("Letter"));
+  paper_->setCurrentText(settings.value("report/paper").toString());
   title_->setPlaceholderText(to_qstring(subject_.session.program.filename()));
   page_->setPlaceholderText(tr("as supplied"));
   remarks_->setPlaceholderText(tr("What is to be said first, in your words"));
@@ -163,6 +170,7 @@ QWidget* ReportDialog::make_form() {
   fields->addRow(tr("&Author"), author_);
   fields->addRow(QString(), dated_);
   fields->addRow(tr("La&nguage"), language_);
+  fields->addRow(tr("&Paper"), paper_);
   fields->addRow(tr("&Own words"), remarks_);
   fields->addRow(tr("&Logo"), file_row(logo_, tr("Picture above the title: PNG, JPEG or SVG"), this,
                                        [this] { ask_for_logo(); }));
@@ -207,6 +215,7 @@ ReportWish ReportDialog::wish() const {
   wish.logo = logo_->text().trimmed();
   wish.page = page_->text().trimmed();
   wish.language = language_->language();
+  wish.paper = paper_->currentData().toString();
   const std::vector<ReportPart> parts = report_parts();
   wish.with.clear();
   for (int i = 0; i < parts_->count(); ++i) {
@@ -335,6 +344,7 @@ void ReportDialog::save(const QString& file) {
 void ReportDialog::remember() const {
   QSettings settings;
   settings.setValue("report/author", author_->text().trimmed());
+  settings.setValue("report/paper", paper_->currentText());
   settings.setValue("report/logo", logo_->text().trimmed());
   settings.setValue("report/template", page_->text().trimmed());
   QStringList changed;

@@ -9,6 +9,7 @@
 #include "ui/window/report_wish.h"
 
 class QCheckBox;
+class QComboBox;
 class QLineEdit;
 class QListWidget;
 class QPlainTextEdit;
@@ -21,7 +22,7 @@ class LanguageBox;
 class PagePreview;
 
 /// Asks what a report is to hold, shows its pages as it is asked, and writes it as PDF or HTML, all of that
-/// in a process of its own. Author and logo are remembered.
+/// in a process of its own. Author, logo, paper and template are remembered.
 class ReportDialog : public QDialog {
   Q_OBJECT
 
@@ -71,6 +72,7 @@ class ReportDialog : public QDialog {
   QLineEdit* logo_;
   QLineEdit* page_;
   LanguageBox* language_;
+  QComboBox* paper_;
   QPlainTextEdit* remarks_;
   QListWidget* runs_;
   QListWidget* parts_;

@@ -59,6 +59,7 @@ QStringList report_arguments(const ReportWish& wish, const QString& session) {
   add("logo", wish.logo);
   add("template", wish.page);
   add("language", wish.language);
+  add("paper", wish.paper);
   add("without", wish.without.join(','));
   const QStringList usual = ReportInput().with;
   QStringList more = wish.with;

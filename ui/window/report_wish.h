@@ -31,6 +31,7 @@ struct ReportWish {
   QString logo;                           ///< picture file; may be empty
   QString page;                           ///< template file; empty: the shipped one
   QString language;                       ///< code; empty: English
+  QString paper;                          ///< as of --paper; empty: A4
   QStringList without;                    ///< placeholders
   QStringList with = ReportInput().with;  ///< sections
   std::vector<bool> runs;                 ///< which runs of the session; at least one

@@ -173,8 +173,8 @@ QWidget* StartPage::make_first_steps() {
   auto* steps = new QLabel(
       tr("<ol style=\"margin-left: -24px\"><li>Open a program. Its language chooses a machine; your own: "
          "<i>File › Machine › Open machine file</i>.</li>"
-         "<li><i>Time</i> says where the time goes and which changes would help, each simulated.</li>"
-         "<li>Try a change: <i>New run with this change</i>, or another tolerance at the top.</li>"
+         "<li><i>Decide</i> says how much time is lost, to what, and which changes would help.</li>"
+         "<li><i>Compare tolerances …</i> says which one to set and what it gains.</li>"
          "<li>On paper: <i>File › Report</i>.</li></ol>"),
       part);
   steps->setWordWrap(true);

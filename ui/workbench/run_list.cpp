@@ -379,6 +379,11 @@ QString RunList::title(const RunItem& item) const {
   return titles_.value(static_cast<qsizetype>(row_of(item.id)));
 }
 
+QString RunList::lettered_title(std::size_t row) const {
+  const QString name = short_run_titles(items_, feed_controls_)[static_cast<qsizetype>(row)];
+  return items_.size() > 1 ? run_letter(row) + ' ' + name : name;
+}
+
 std::optional<ToleranceInForce> RunList::tolerance(const RunItem& item) const {
   return tolerance_in_force(feed_controls_, item.setup.setup());
 }

@@ -103,11 +103,9 @@ class RunList : public QObject {
   void set_feed_controls(std::vector<PathControl> controls);
   /// As run_titles().
   QString title(const RunItem& item) const;
-  /// With the run's letter before it, as pictures and tables name it: "B 0.02 mm"; alone with one run.
-  QString lettered_title(std::size_t row) const { return lettered(row, title(items_[row])); }
-  QString lettered(std::size_t row, const QString& name) const {
-    return items_.size() > 1 ? run_letter(row) + ' ' + name : name;
-  }
+  /// As short_run_titles(), with the run's letter before it, as pictures and tables name it: "B 0.02 mm";
+  /// alone with one run.
+  QString lettered_title(std::size_t row) const;
   const std::vector<PathControl>& feed_controls() const { return feed_controls_; }
   /// None where the model follows none.
   std::optional<ToleranceInForce> tolerance(const RunItem& item) const;

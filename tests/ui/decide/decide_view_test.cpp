@@ -59,6 +59,17 @@ TEST_F(DecideViewTest, OfOneRunItSaysWhatIsLostAndOffersToCompare) {
   EXPECT_TRUE(view.compare()->isEnabled());
 }
 
+TEST_F(DecideViewTest, SaysWhyThereIsNothingToCompare) {
+  const std::string usual = view.compare()->toolTip().toStdString();
+  model.choose_model("grbl");
+  wait();
+  EXPECT_FALSE(view.compare()->isEnabled());
+  EXPECT_THAT(view.compare()->toolTip().toStdString(), HasSubstr("no contour tolerance"));
+  model.choose_model("essid");
+  wait();
+  EXPECT_EQ(view.compare()->toolTip().toStdString(), usual);
+}
+
 TEST_F(DecideViewTest, OfSeveralItNamesTheRunToTakeAndMakesItTheCurrentOne) {
   compare("0.01 0.02 0.05");
   const auto taken = recommended(model.runs());

@@ -4,6 +4,8 @@
 
 #include <QLocale>
 
+#include "ui/language/language.h"
+
 namespace feedscope::ui {
 namespace {
 
@@ -19,6 +21,18 @@ TEST_F(ShownNumbers, AreMetricAtFirst) {
   EXPECT_EQ(amount_text(0.0123, Dimension::error), "12.3 µm");
   EXPECT_EQ(with_unit_of("Error", Dimension::error), "Error [µm]");
   EXPECT_EQ(with_unit_of("Run", Dimension::number), "Run");
+}
+
+/// Their unit is a word in each language.
+TEST_F(ShownNumbers, TurnsAreShownInTheLanguage) {
+  EXPECT_EQ(key_unit("rev/s3").text.toStdString(), "rev/s³");
+  EXPECT_EQ(key_unit("rev/s3").factor, 1);
+  EXPECT_EQ(key_unit("deg").text.toStdString(), "°");
+  install_language("fr");
+  EXPECT_EQ(unit_of(Dimension::turning).toStdString(), "tr/min");
+  EXPECT_EQ(key_unit("rev/s3").text.toStdString(), "tr/s³");
+  install_language("en");
+  QLocale::setDefault(QLocale::c());
 }
 
 TEST_F(ShownNumbers, AreInchesWhereTheyAreChosen) {

@@ -211,6 +211,25 @@ TEST_F(PathSceneTest, FitsTheRangeOfTheCharts) {
   EXPECT_LT((*seen)[1] - (*seen)[0], 2 * (to - from));
 }
 
+/// Wherever it is: a place of any shape, seen from any side.
+TEST_F(PathSceneTest, APlaceThatIsLookedAtIsBesideTheLegend) {
+  const auto run = simulate_text("G21 G90 G94 F3000\nG1 X100\nY50\nX0 Y0\nZ40\n", "cam");
+  for (const StandardView view : {StandardView::top, StandardView::iso, StandardView::front}) {
+    show(run, view);
+    const double end = run.trajectory->duration();
+    for (const auto& [from, to] : {std::pair(0.0, 1.0), std::pair(0.1, 0.3), std::pair(0.6, 0.62)}) {
+      scene_.fit_times(from * end, to * end);
+      for (int i = 0; i <= 20; ++i) {
+        const Pixel at = scene_.pixel_of(scene_.drawn_at((from + (to - from) * i / 20) * end));
+        for (const auto& [upper, lower] : scene_.covered()) {
+          EXPECT_FALSE(at[0] > upper[0] && at[0] < lower[0] && at[1] > upper[1] && at[1] < lower[1])
+              << from << " to " << to << ": " << at[0] << ", " << at[1];
+        }
+      }
+    }
+  }
+}
+
 TEST_F(PathSceneTest, FacesOfTheCubeAreViews) {
   scene_.set_cube(true);
   show(simulate_text(test::small_program), StandardView::iso);

@@ -7,10 +7,21 @@
 #include <QPainter>
 #include <vector>
 
+#include "ui/shared/plot_text.h"
+
 namespace feedscope::ui {
 namespace {
 
 using testing::ElementsAre;
+
+TEST(TimeTicks, HaveNoDecimalsThatAreAllNought) {
+  const Ticks whole = round_ticks(60, 160, 5);
+  EXPECT_EQ(time_tick_text(whole, whole.values.size() - 1), "2:30");
+  const Ticks halves = round_ticks(119, 121, 5);
+  EXPECT_EQ(time_tick_text(halves, halves.values.size() - 1), "2:01.0");
+  const Ticks hours = round_ticks(3600, 7200, 3);
+  EXPECT_EQ(time_tick_text(hours, 0), "1:06:40");
+}
 
 const QRectF plot(60, 10, 100, 50);
 

@@ -3,9 +3,11 @@
 #include <gmock/gmock.h>
 
 #include <QApplication>
+#include <QPainter>
 #include <cmath>
 #include <random>
 
+#include "tests/ui/report/recorded_text.h"
 #include "ui/study/study_curves.h"
 
 namespace feedscope::ui {
@@ -109,6 +111,20 @@ TEST(StudyMapTest, ValuesRiseAndTheFastestWithinTheBoundIsMarked) {
   }
   EXPECT_THAT(times, ::testing::ElementsAre(12, 8, 11, 7));
   EXPECT_THAT(fastest, ::testing::ElementsAre(false, false, true, false));
+}
+
+TEST(StudyMapTest, ValuesAtItsSidesHaveTheDigitsThatTellThemApart) {
+  Study study = two_by_two();
+  const auto texts = [&](std::vector<double> jerks) {
+    study.sweeps[1].values = std::move(jerks);
+    feedscope::test::RecordedText paper;
+    QPainter painter(&paper);
+    StudyMapPicture({}, {}, study_maps(study), QApplication::font()).paint(painter, {900, 600});
+    return paper.texts();
+  };
+  EXPECT_TRUE(texts({23.333, 50}).contains("23"));
+  EXPECT_TRUE(texts({23.333, 23.4}).contains("23.3"));
+  EXPECT_TRUE(texts({120, 1500}).contains("1500"));
 }
 
 TEST(StudyMapTest, FurtherSettingsAreMapsOfTheirOwnWithUnits) {

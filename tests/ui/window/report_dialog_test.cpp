@@ -118,6 +118,20 @@ TEST_F(ReportDialogTest, WritesInTheLanguageThatIsChosen) {
   EXPECT_THAT(html, HasSubstr("0,01 mm"));
 }
 
+TEST_F(ReportDialogTest, ThePaperThatIsChosenIsOfferedTheNextTime) {
+  {
+    ReportDialog dialog(subject_, FEEDSCOPE_EXECUTABLE);
+    EXPECT_EQ(dialog.wish().paper, "") << "A4";
+    auto* const paper = dialog.findChild<QComboBox*>("paper");
+    ASSERT_NE(paper, nullptr);
+    paper->setCurrentText("Letter");
+    EXPECT_TRUE(dialog.busy()) << "the preview follows";
+    EXPECT_THAT(report_arguments(dialog.wish(), "s.feedscope").join(' ').toStdString(),
+                HasSubstr("--paper=Letter"));
+  }
+  EXPECT_EQ(ReportDialog(subject_, FEEDSCOPE_EXECUTABLE).wish().paper, "Letter");
+}
+
 /// It travels with the session that the report is made of.
 TEST_F(ReportDialogTest, WhatWasIdentifiedGoesInUnlessItIsNotTicked) {
   subject_.session.identification.result.outcome = test::some_outcome();

@@ -141,20 +141,22 @@ void SceneCamera::fit(int width, int height, const ScreenRectangle& room,
   fitted_ = true;
 }
 
-void SceneCamera::fit_part(int width, int height, const Bounds& box, const ScreenRectangle& room) {
+void SceneCamera::fit_part(int width, int height, const Bounds& box, const ScreenRectangle& room,
+                           const std::vector<ScreenRectangle>& covered) {
   constexpr double air = 1.15;
   focal_ = (box.min + box.max) / 2;
   const Projection start = projection(width, height);
   const Vec3 size = box.max - box.min;
-  const Vec2 content(size.dot(start.right.cwiseAbs()), size.dot(start.up.cwiseAbs()));
-  const Vec2 space = (room.high - room.low).cwiseMax(16);
-  const double units_a_pixel = air * content.cwiseQuotient(space).maxCoeff();
-  if (units_a_pixel > 0) {
-    half_height_ = std::clamp(units_a_pixel * height / 2, min_half_height, largest_half_height);
-  }
+  const Vec2 half =
+      air / 2 * start.scale * Vec2(size.dot(start.right.cwiseAbs()), size.dot(start.up.cwiseAbs()));
+  const std::vector<Vec2> corners =
+      convex_hull({start.middle - half, start.middle + half, start.middle + Vec2(half.x(), -half.y()),
+                   start.middle + Vec2(-half.x(), half.y())});
+  const FittedOutline fitted = fit_outline(corners, room, covered, half.isZero(0) ? 1 : HUGE_VAL);
+  half_height_ = std::clamp(half_height_ / fitted.factor, min_half_height, largest_half_height);
   fitted_ = false;
   apply();
-  pan((room.low + room.high) / 2 - Vec2(width / 2.0, height / 2.0), width, height);
+  pan(fitted.place + fitted.factor * start.middle - start.middle, width, height);
 }
 
 void SceneCamera::orbit(double azimuth, double elevation, const Vec3& pivot) {

@@ -45,8 +45,10 @@ class SceneCamera {
   /// under a projection [pixels]; a part of it, such as labels, may keep its size.
   void fit(int width, int height, const ScreenRectangle& room, const std::vector<ScreenRectangle>& covered,
            const std::function<std::vector<Vec2>(const Projection&)>& outline);
-  /// Centres and scales so that `box` [scene units] fills `room`; one without extent is centred only.
-  void fit_part(int width, int height, const Bounds& box, const ScreenRectangle& room);
+  /// Scales and moves so that `box` [scene units] fills `room` beside what is `covered`; one without extent
+  /// is moved only.
+  void fit_part(int width, int height, const Bounds& box, const ScreenRectangle& room,
+                const std::vector<ScreenRectangle>& covered);
   /// True until the user turns, moves or zooms after a fit.
   bool fitted() const { return fitted_; }
 
