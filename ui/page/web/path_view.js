@@ -375,7 +375,9 @@ export class PathView {
 
   useCamera(text) {
     const numbers = text.split(',').map(Number);
-    if (numbers.length !== 8 || !numbers.every(Number.isFinite) || !(numbers[6] > 0)) return;
+    if (numbers.length !== 8 || !numbers.every(Number.isFinite) || !(numbers[6] > 0) || !(numbers[7] > 0)) return;
+    const distance = Math.hypot(...[0, 1, 2].map((k) => numbers[k] - numbers[k + 3]));
+    if (!(distance > 0 && distance < 1e3 * this.size)) return;
     this.fitted = false;
     this.camera.position.fromArray(numbers, 0);
     this.controls.target.fromArray(numbers, 3);
