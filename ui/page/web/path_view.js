@@ -229,16 +229,16 @@ export class PathView {
 
   programmedLines() {
     const path = this.run.programmedPath;
-    const points = [];
+    const points = new Float32Array(6 * path.count);
+    let count = 0;
     for (let i = 1; i < path.count; ++i) {
-      if (path.kind[i] === kinds.cut || path.kind[i] === kinds.arc) {
-        for (const end of [i - 1, i]) {
-          points.push(...path.positions.map((axis, k) => axis[end] - this.origin[k]));
-        }
+      if (path.kind[i] !== kinds.cut && path.kind[i] !== kinds.arc) continue;
+      for (const end of [i - 1, i]) {
+        for (let k = 0; k < 3; ++k) points[count++] = path.positions[k][end] - this.origin[k];
       }
     }
     const material = new LineBasicMaterial({ color: themeColour(this.host, '--programmed') });
-    return this.thinLines(points, material);
+    return this.thinLines(points.subarray(0, count), material);
   }
 
   rapidLines() {
