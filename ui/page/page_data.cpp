@@ -213,12 +213,21 @@ QJsonObject colours_json(Background background) {
           {"causes", causes}};
 }
 
-QJsonArray causes_json() {
+QJsonArray cause_titles() {
   QJsonArray titles;
   for (const Cause& cause : all_causes()) {
     titles.append(WhyText::cause(cause));
   }
   return titles;
+}
+
+/// As figures name them.
+QJsonArray cause_keys() {
+  QJsonArray keys;
+  for (const Cause& cause : all_causes()) {
+    keys.append(QString::fromStdString(cause_key(cause)));
+  }
+  return keys;
 }
 
 /// The places that lose most, in order of time, each with a sentence why.
@@ -312,7 +321,8 @@ class PageWriter {
         {"units", page_units()},
         {"colours",
          QJsonObject{{"light", colours_json(Background::light)}, {"dark", colours_json(Background::dark)}}},
-        {"causes", causes_json()},
+        {"causes", cause_titles()},
+        {"cause_keys", cause_keys()},
         {"steps", QJsonObject{{"position", position_quantum},
                               {"length", length_quantum},
                               {"time", time_quantum},

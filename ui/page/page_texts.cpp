@@ -90,6 +90,7 @@ constexpr PageText texts_of_page[] = {
     {"TimeRows", QT_TRANSLATE_NOOP("TimeRows", "Time")},
     {"PageWords", QT_TRANSLATE_NOOP("PageWords", "Time lost")},
     {"PageWords", QT_TRANSLATE_NOOP("PageWords", "Top")},
+    {"feedscope::ui::TimeView", QT_TRANSLATE_NOOP("feedscope::ui::TimeView", "Where the time goes")},
     {"feedscope::ui::WhyView", QT_TRANSLATE_NOOP("feedscope::ui::WhyView", "Why here?")},
     {"LensPicture", QT_TRANSLATE_NOOP("LensPicture", "across × %1")},
     {"DecisionTexts", QT_TRANSLATE_NOOP("DecisionTexts", "actual contour error %1")},

@@ -194,20 +194,35 @@ class NodeWalk {
   std::vector<RunNode> nodes_;
 };
 
+/// Speed halfway between two nodes of which the parabola covers the way between them.
+double middle_speed(const RunNode& from, const RunNode& to) {
+  const double mean = (to.path_length - from.path_length) / (to.time - from.time);
+  return std::max(0.0, (6 * mean - from.speed - to.speed) / 4);
+}
+
+/// Whether one span from node to node shows what is between them.
 bool one_span(const std::vector<RunNode>& nodes, std::size_t from, std::size_t to,
               const NodePrecision& precision) {
   const RunNode& a = nodes[from];
   const RunNode& b = nodes[to];
-  for (std::size_t i = from + 1; i < to; ++i) {
+  if (!(b.time > a.time)) {
+    return false;
+  }
+  const double middle = middle_speed(a, b);
+  const auto speed_fits = [&](double time, double speed) {
+    const double drawn = parabola(a.speed, middle, b.speed, (time - a.time) / (b.time - a.time));
+    return std::abs(drawn - speed) <= precision.speed;
+  };
+  for (std::size_t i = from; i < to; ++i) {
     const RunNode& node = nodes[i];
-    const double speed = std::lerp(a.speed, b.speed, (node.time - a.time) / (b.time - a.time));
     const Vec3 straight = on_chord(a.position, b.position, a.path_length, b.path_length, node.path_length);
-    if (node.kind != a.kind || std::abs(speed - node.speed) > precision.speed ||
+    if (node.kind != a.kind || !speed_fits(node.time, node.speed) ||
+        !speed_fits((node.time + nodes[i + 1].time) / 2, node.middle_speed) ||
         (straight - node.position).norm() > precision.position) {
       return false;
     }
   }
-  return b.time > a.time;
+  return true;
 }
 
 /// A node that stands for [from, to): cause, line and feed of the longest, the largest acceleration and jerk.
@@ -222,9 +237,7 @@ RunNode joined(const std::vector<RunNode>& nodes, std::size_t from, std::size_t 
     node.error = std::max(node.error, nodes[i].error);
   }
   if (to > from + 1) {
-    const RunNode& end = nodes[to];
-    const double mean = (end.path_length - node.path_length) / (end.time - node.time);
-    node.middle_speed = std::max(0.0, (6 * mean - node.speed - end.speed) / 4);
+    node.middle_speed = middle_speed(node, nodes[to]);
     node.acceleration_after = node.acceleration;
   }
   node.cause = nodes[longest].cause;

@@ -1,11 +1,14 @@
 #include "ui/report/svg_device.h"
 
 #include <QBuffer>
+#include <QGlyphRun>
 #include <QImage>
 #include <QPaintEngine>
 #include <QPainterPath>
 #include <QPen>
 #include <QPixmap>
+#include <QRawFont>
+#include <QTextLayout>
 #include <cmath>
 
 namespace feedscope::ui {
@@ -35,46 +38,129 @@ bool is_rectangle(const QPainterPath& path) {
          at(3).x() == at(0).x();
 }
 
-/// Points of a path as steps from the end of the one before, which is half as long as positions; whole
-/// thousandths, so that rounding does not add up.
+/// A point in whole thousandths of a unit, so that rounding does not add up.
+struct Place {
+  long long x = 0;
+  long long y = 0;
+};
+
+/// Directions from a point in which a line passes all points so far within a thickness.
+class Sector {
+ public:
+  explicit Sector(Place from) : from_(from) {}
+
+  /// Whether a line to `to` passes all points before, none of which is farther away.
+  bool takes(Place to) {
+    const QPointF way(static_cast<double>(to.x - from_.x), static_cast<double>(to.y - from_.y));
+    const double distance = std::hypot(way.x(), way.y());
+    if (distance < reached_) {
+      return false;
+    }
+    reached_ = distance;
+    if (distance <= thickness) {
+      return true;
+    }
+    if (known_ && (cross(low_, way) < 0 || cross(way, high_) < 0 || QPointF::dotProduct(low_, way) < 0)) {
+      return false;
+    }
+    const double sine = thickness / distance;
+    const double cosine = std::sqrt(1 - sine * sine);
+    const QPointF low(way.x() * cosine + way.y() * sine, way.y() * cosine - way.x() * sine);
+    const QPointF high(way.x() * cosine - way.y() * sine, way.y() * cosine + way.x() * sine);
+    low_ = known_ && cross(low_, low) < 0 ? low_ : low;
+    high_ = known_ && cross(high, high_) < 0 ? high_ : high;
+    known_ = true;
+    return true;
+  }
+
+ private:
+  static constexpr double thickness = 5;  // [thousandths], nothing that an eye or a printer sees
+  static double cross(const QPointF& a, const QPointF& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+  Place from_;
+  double reached_ = 0;
+  bool known_ = false;
+  QPointF low_;
+  QPointF high_;
+};
+
+/// A path as steps from the end of the one before, in the fewest characters: points that a straight line
+/// passes are left out.
 class RelativeSteps {
  public:
   QByteArray of(const QPainterPath& path) {
     for (int i = 0; i < path.elementCount(); ++i) {
-      const QPainterPath::Element& element = path.elementAt(i);
-      data_ += element.isMoveTo() ? "m" : element.isLineTo() ? "l" : element.isCurveTo() ? "c" : "";
-      const bool ends =
-          !element.isCurveTo() &&
-          (i + 1 == path.elementCount() || path.elementAt(i + 1).type != QPainterPath::CurveToDataElement);
-      add(element, ends);
+      if (path.elementAt(i).isCurveTo()) {
+        write('c', {place(path, i), place(path, i + 1), place(path, i + 2)});
+        i += 2;
+      } else if (path.elementAt(i).isMoveTo()) {
+        write('m', {place(path, i)});
+      } else {
+        i = last_of_line(path, i);
+        line_to(place(path, i));
+      }
     }
     return data_;
   }
 
  private:
-  void add(const QPainterPath::Element& element, bool ends) {
-    const auto x = std::llround(element.x * thousand);
-    const auto y = std::llround(element.y * thousand);
-    add(x - x_);
-    add(y - y_);
-    if (ends) {
-      x_ = x;
-      y_ = y;
+  static Place place(const QPainterPath& path, int i) {
+    const QPainterPath::Element& element = path.elementAt(i);
+    return {std::llround(element.x * thousand), std::llround(element.y * thousand)};
+  }
+  int last_of_line(const QPainterPath& path, int i) const {
+    Sector sector(at_);
+    sector.takes(place(path, i));
+    while (i + 1 < path.elementCount() && path.elementAt(i + 1).isLineTo() &&
+           sector.takes(place(path, i + 1))) {
+      ++i;
     }
+    return i;
+  }
+  void line_to(Place to) {
+    if (to.y == at_.y) {
+      command('h');
+      add(to.x - at_.x);
+    } else if (to.x == at_.x) {
+      command('v');
+      add(to.y - at_.y);
+    } else {
+      write('l', {to});
+    }
+    at_ = to;
+  }
+  void write(char name, std::initializer_list<Place> places) {
+    command(name);
+    for (const Place& to : places) {
+      add(to.x - at_.x);
+      add(to.y - at_.y);
+    }
+    at_ = *(places.end() - 1);
+  }
+  /// One that the numbers before imply is not repeated: after a move they are lines.
+  void command(char name) {
+    if (name == 'm' || (name != command_ && !(name == 'l' && command_ == 'm'))) {
+      data_ += name;
+      number_.clear();
+    }
+    command_ = name;
   }
   void add(long long step) {
     QByteArray text = QByteArray::number(static_cast<double>(step) / thousand, 'g', 12);
     if (text.startsWith("0.") || text.startsWith("-0.")) {
       text.remove(text.indexOf('0'), 1);
     }
-    const char last = data_.isEmpty() ? 'm' : data_.back();
-    data_ += (last >= '0' && last <= '9' && text.front() != '-' ? " " : "") + text;
+    const bool ends_itself =
+        number_.isEmpty() || text.front() == '-' || (text.front() == '.' && number_.contains('.'));
+    data_ += (ends_itself ? "" : " ") + text;
+    number_ = text;
   }
 
   static constexpr double thousand = 1000;
   QByteArray data_;
-  long long x_ = 0;
-  long long y_ = 0;
+  QByteArray number_;  ///< the last one, if no command follows it
+  char command_ = 0;
+  Place at_;
 };
 
 QByteArray path_data(const QPainterPath& path) {
@@ -147,8 +233,8 @@ QByteArray path_element(const QPen& pen, const QPainterPath& path) {
 
 }  // namespace
 
-/// Text is left to QPaintEngine, which fills its outlines; invisible text, which is there to be found and
-/// copied, is written as text.
+/// Text is written as the outlines of its letters, each letter once; clipped text is left to QPaintEngine,
+/// which fills its outlines. Invisible text, which is there to be found and copied, is written as text.
 class SvgDevice::Engine : public QPaintEngine {
  public:
   explicit Engine(QByteArray head) : QPaintEngine(features), head_(std::move(head)) {}
@@ -156,6 +242,7 @@ class SvgDevice::Engine : public QPaintEngine {
   bool begin(QPaintDevice*) override {
     body_.clear();
     clips_.clear();
+    letters_.clear();
     group_.clear();
     return true;
   }
@@ -196,7 +283,7 @@ class SvgDevice::Engine : public QPaintEngine {
   }
   void drawTextItem(const QPointF& place, const QTextItem& item) override {
     if (painter()->pen().color().alpha() > 0) {
-      QPaintEngine::drawTextItem(place, item);
+      painter()->hasClipping() ? QPaintEngine::drawTextItem(place, item) : draw_letters(place, item);
       return;
     }
     const QFont font = item.font();
@@ -224,13 +311,49 @@ class SvgDevice::Engine : public QPaintEngine {
     for (qsizetype i = 0; i < clips_.size(); ++i) {
       clips += "<clipPath id=\"c" + QByteArray::number(i) + "\"><path d=\"" + clips_[i] + "\"/></clipPath>\n";
     }
-    return head_ + (clips.isEmpty() ? "" : "<defs>\n" + clips + "</defs>\n") + body_ + "</svg>\n";
+    QByteArray letters;
+    for (qsizetype i = 0; i < letters_.size(); ++i) {
+      letters += "<path id=\"l" + QByteArray::number(i) + "\" d=\"" + letters_[i] + "\"/>\n";
+    }
+    const QByteArray used = clips + letters;
+    return head_ + (used.isEmpty() ? "" : "<defs>\n" + used + "</defs>\n") + body_ + "</svg>\n";
   }
 
  private:
   static constexpr PaintEngineFeatures features{PrimitiveTransform | PixmapTransform | PainterPaths |
                                                 AlphaBlend | ConstantOpacity | Antialiasing |
                                                 PaintOutsidePaintEvent};
+
+  void draw_letters(const QPointF& place, const QTextItem& item) {
+    QTextLayout layout(item.text(), item.font(), paintDevice());
+    layout.beginLayout();
+    const QTextLine line = layout.createLine();
+    layout.endLayout();
+    const QPointF start = place - QPointF(0, line.ascent());
+    const QByteArray style = colour_of("fill", painter()->pen().color());
+    for (const QGlyphRun& run : layout.glyphRuns()) {
+      const QList<QPointF> places = run.positions();
+      for (qsizetype i = 0; i < places.size(); ++i) {
+        const QPainterPath outline = run.rawFont().pathForGlyph(run.glyphIndexes()[i]);
+        if (!outline.isEmpty()) {
+          const QPointF at = start + places[i];
+          add(style,
+              "<use xlink:href=\"#l" + QByteArray::number(index_in(letters_, RelativeSteps().of(outline))) +
+                  "\" x=\"" + number(at.x()) + "\" y=\"" + number(at.y()) + "\"/>",
+              false);
+        }
+      }
+    }
+  }
+
+  /// Of `data`, which is appended where it is new.
+  static qsizetype index_in(QByteArrayList& list, const QByteArray& data) {
+    const qsizetype known = list.indexOf(data);
+    if (known < 0) {
+      list.append(data);
+    }
+    return known < 0 ? list.size() - 1 : known;
+  }
 
   /// A shape, and whether it must be clipped.
   struct Clipped {
@@ -302,19 +425,14 @@ class SvgDevice::Engine : public QPaintEngine {
       return -1;
     }
     const QPainterPath path = painter()->combinedTransform().map(painter()->clipPath());
-    const QByteArray data = path_data(path);
-    qsizetype index = clips_.indexOf(data);
-    if (index < 0) {
-      index = clips_.size();
-      clips_.append(data);
-    }
-    return static_cast<int>(index);
+    return static_cast<int>(index_in(clips_, path_data(path)));
   }
 
   QByteArray head_;
   QByteArray body_;
   QByteArray group_;  ///< that is open
-  QList<QByteArray> clips_;
+  QByteArrayList clips_;
+  QByteArrayList letters_;
 };
 
 SvgDevice::SvgDevice(QSizeF size, const QString& title, const QString& width, const QString& height)

@@ -79,6 +79,8 @@ std::string to_png(const Picture& picture) {
                         picture.size);
   const vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(image);
+  constexpr int smallest = 9;
+  writer->SetCompressionLevel(smallest);
   writer->WriteToMemoryOn();
   writer->Write();
   vtkUnsignedCharArray& bytes = *writer->GetResult();

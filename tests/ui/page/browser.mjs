@@ -208,8 +208,10 @@ class Page {
     await this.settle();
   }
 
-  async picture(file) {
-    const { data } = await this.send('Page.captureScreenshot', { format: 'png' });
+  /** A picture of the window or of a `box` {x, y, width, height} in it. */
+  async picture(file, box) {
+    const clip = box && { ...box, scale: 1 };
+    const { data } = await this.send('Page.captureScreenshot', { format: 'png', clip });
     const bytes = Buffer.from(data, 'base64');
     if (file) writeFileSync(file, bytes);
     return bytes;

@@ -108,7 +108,8 @@ TEST(RunNodes, AreAsManyAsAskedForAndSayHowCoarseTheyAre) {
   EXPECT_DOUBLE_EQ(few.nodes.back().time, all.nodes.back().time);
   for (std::size_t i = 0; i + 1 < few.nodes.size(); ++i) {
     const NodePrecision away = deviation_between(*run.trajectory, few.nodes[i], few.nodes[i + 1]);
-    EXPECT_LE(away.position, 1.5 * few.precision.position);
+    EXPECT_LE(away.position, 1.5 * few.precision.position) << "node " << i;
+    EXPECT_LE(away.speed, 1.5 * few.precision.speed) << "node " << i;
   }
 }
 

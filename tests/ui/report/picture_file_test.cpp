@@ -6,7 +6,14 @@
 #include <QImage>
 #include <QPainter>
 #include <QPainterPath>
+#include <QPolygonF>
+#include <QRegularExpression>
 #include <QSvgRenderer>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <random>
 
 #include "tests/ui/report/pdf_reading.h"
 
@@ -117,6 +124,85 @@ TEST(PictureFile, SvgShowsTheSameWithoutAnyFont) {
   EXPECT_EQ(image.pixelColor(60, 30).alpha(), 0) << "clipped";
   EXPECT_GT(dark_pixels(image, {150, 30, 40, 25}), 30U) << "the text";
   EXPECT_GT(dark_pixels(image, {60, 78, 130, 4}), 60U) << "the line";
+}
+
+/// The points of a path of moves and lines as SVG writes it.
+QPolygonF points_of_path(const QString& data) {
+  static const QRegularExpression part("([mlhv]?) ?(-?[0-9]*\\.?[0-9]+)");
+  QPolygonF points;
+  QPointF at;
+  QChar command;
+  std::optional<double> x;
+  for (auto found = part.globalMatch(data); found.hasNext();) {
+    const QRegularExpressionMatch match = found.next();
+    command = match.captured(1).isEmpty() ? command : match.captured(1).front();
+    const double step = match.captured(2).toDouble();
+    if ((command == 'm' || command == 'l') && !x) {
+      x = step;
+      continue;
+    }
+    at += command == 'h' ? QPointF(step, 0) : QPointF(x.value_or(0), step);
+    x.reset();
+    points << at;
+  }
+  return points;
+}
+
+QString path_of_svg(const QPolygonF& points) {
+  PictureSpec spec = spec_of(PictureFormat::svg);
+  spec.transparent = true;
+  const std::string svg = make_picture(spec, [&](QPainter& painter) { painter.drawPolyline(points); });
+  static const QRegularExpression path(" d=\"(m[^\"]*)\"");
+  return path.match(QString::fromStdString(svg)).captured(1);
+}
+
+double distance_to_line(const QPolygonF& line, const QPointF& point) {
+  double least = std::numeric_limits<double>::infinity();
+  for (qsizetype i = 0; i + 1 < line.size(); ++i) {
+    const QPointF way = line[i + 1] - line[i];
+    const double square = QPointF::dotProduct(way, way);
+    const double share =
+        square > 0 ? std::clamp(QPointF::dotProduct(point - line[i], way) / square, 0.0, 1.0) : 0;
+    const QPointF away = point - line[i] - share * way;
+    least = std::min(least, std::hypot(away.x(), away.y()));
+  }
+  return least;
+}
+
+TEST(PictureFile, SvgLeavesOutPointsThatAStraightLinePasses) {
+  QPolygonF points;
+  for (int i = 0; i <= 100; ++i) {
+    points << QPointF(0.25 * i, 0.5 * i);
+  }
+  points << QPointF(25, 70) << QPointF(25, 60) << QPointF(5, 60);
+  EXPECT_EQ(path_of_svg(points), "m0 0 25 50v20-10h-20");
+}
+
+TEST(PictureFile, SvgKeepsEveryPointOfALineWithinAHundredthOfAUnit) {
+  for (const unsigned seed : {1U, 2U, 3U, 4U, 5U}) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> step(-0.02, 0.03 * seed);
+    QPolygonF points{QPointF(50, 50)};
+    for (int i = 0; i < 400; ++i) {
+      points << points.back() + (i / 50 % 2 == 0 ? QPointF(step(random), 0.01 * std::sin(0.1 * i))
+                                                 : QPointF(step(random), step(random)));
+    }
+    const QPolygonF written = points_of_path(path_of_svg(points));
+    EXPECT_LT(written.size(), points.size());
+    for (const QPointF& point : points) {
+      ASSERT_LE(distance_to_line(written, point), 0.01) << "seed " << seed;
+    }
+  }
+}
+
+TEST(PictureFile, SvgWritesTheOutlineOfALetterOnce) {
+  PictureSpec spec = spec_of(PictureFormat::svg);
+  const std::string svg = make_picture(spec, [](QPainter& painter) {
+    painter.drawText(QPointF(10, 50), QStringLiteral("000"));
+    painter.drawText(QPointF(10, 80), QStringLiteral("0"));
+  });
+  EXPECT_EQ(QString::fromStdString(svg).count("<path id="), 1);
+  EXPECT_EQ(QString::fromStdString(svg).count("<use "), 4);
 }
 
 TEST(PictureFile, SvgOnPaperIsMeasuredInMillimetres) {

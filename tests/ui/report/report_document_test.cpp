@@ -64,12 +64,13 @@ TEST(Report, HtmlHoldsEveryPictureInside) {
   const QString html = QString::fromStdString(made(test::two_runs(), ReportFormat::html));
   EXPECT_FALSE(html.contains("picture:"));
   EXPECT_FALSE(html.contains("{{"));
-  static const QRegularExpression source("src=\"data:image/(png|svg\\+xml);base64,([^\"]*)\"");
+  static const QRegularExpression source("src=\"data:image/(png;base64|svg\\+xml),([^\"]*)\"");
   int pictures = 0;
   for (auto found = source.globalMatch(html); found.hasNext();) {
     const QRegularExpressionMatch match = found.next();
-    const QByteArray bytes = QByteArray::fromBase64(match.captured(2).toLatin1());
-    const bool raster = match.captured(1) == "png";
+    const QByteArray data = match.captured(2).toLatin1();
+    const bool raster = match.captured(1) != "svg+xml";
+    const QByteArray bytes = raster ? QByteArray::fromBase64(data) : QByteArray::fromPercentEncoding(data);
     EXPECT_TRUE(raster ? !QImage::fromData(bytes).isNull() : QSvgRenderer(bytes).isValid());
     ++pictures;
   }

@@ -143,7 +143,8 @@ export class Charts {
     this.line = el('div', { class: 'cursor-line' });
     host.append(boxes[0], this.strip, boxes[1], boxes[2], this.line, this.readout);
     this.make();
-    new ResizeObserver(() => this.resize()).observe(host);
+    const observer = new ResizeObserver(() => this.resize());
+    for (const box of [host, ...boxes]) observer.observe(box);
     store.on(['run', 'axis', 'range', 'theme'], () => this.update());
     store.on(['time', 'run', 'axis', 'range'], () => this.place());
     this.listen();
@@ -192,10 +193,9 @@ export class Charts {
     const muted = () => themeColour(this.host, '--muted');
     const last = this.plots.length - 1;
     this.plots.forEach((plot, k) => {
-      const series = [{}, { stroke: () => this.inkOf(), width: 1.25, points: { show: false } }];
-      if (plot.name === 'feed') {
-        series.push({ stroke: () => themeColour(this.host, '--asked'), width: 1, points: { show: false } });
-      }
+      const line = (stroke, width) => ({ stroke, width, points: { show: false } });
+      const asked = plot.name === 'feed' ? [line(() => themeColour(this.host, '--asked'), 1)] : [];
+      const series = [{}, ...asked, line(() => this.inkOf(), 1.25)];
       const axis = {
         stroke: muted,
         grid: { stroke: grid, width: 1 },
@@ -247,7 +247,7 @@ export class Charts {
       const data = [x, y];
       if (name === 'feed') {
         const asked = drawable(programmedFeed(run, axis, range, width));
-        chart.setData(uPlot.join([data, asked]));
+        chart.setData(uPlot.join([asked, data]));
       } else {
         chart.setData(data);
       }
@@ -306,7 +306,9 @@ export class Charts {
       this.axis === 'time' ? `${numberText(state.time, 'time')} s` : `${numberText(state.place, 'length')} ${unitOf('length')}`;
     this.readout.textContent = `${axisText} · ${tr('%1 of %2', numberText(state.speed, 'feed'), `${numberText(state.feed, 'feed')} ${unitOf('feed')}`)} · ${this.page.causes[state.cause]}`;
     const half = this.readout.offsetWidth;
-    this.readout.style.left = `${Math.min(Math.max(x + 8, gutter), this.host.clientWidth - half - 6)}px`;
+    const label = this.plots[0].label;
+    const free = label.offsetLeft + label.offsetWidth + 4;
+    this.readout.style.left = `${Math.min(Math.max(x + 8, free), this.host.clientWidth - half - 6)}px`;
   }
 
   timeOf(value) {

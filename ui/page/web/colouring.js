@@ -57,7 +57,7 @@ function shareOfScale(colouring, value, scale) {
 
 /**
  * What the path of `run` is coloured by: {colours: bytes of three a node, scale, causes}. `scale`: {low, high,
- * unit, colours} in the unit shown, null for causes; `causes`: [{cause, share}], the longest first.
+ * unit, colours} in the unit shown, null for causes; `causes`: causesOf().
  */
 export function colouredPath(page, run, colouring, reference) {
   const theme = page.colours[isDark() ? 'dark' : 'light'];
@@ -65,7 +65,7 @@ export function colouredPath(page, run, colouring, reference) {
   if (colouring === 'cause') {
     const table = theme.causes.map(rgbOf);
     for (let i = 0; i < run.count; ++i) colours.set(table[run.cause[i]], 3 * i);
-    return { colours, scale: null, causes: causeShares(run) };
+    return { colours, scale: null, causes: causesOf(page, run) };
   }
   const values =
     colouring === 'feed' ? run.speed : colouring === 'error' ? run.error : paceOf(run, reference);
@@ -91,15 +91,13 @@ export function colouredPath(page, run, colouring, reference) {
   };
 }
 
-function causeShares(run) {
-  const times = new Map();
-  for (let i = 0; i + 1 < run.count; ++i) {
-    const cause = run.cause[i];
-    times.set(cause, (times.get(cause) ?? 0) + run.time[i + 1] - run.time[i]);
-  }
-  return [...times]
-    .map(([cause, time]) => ({ cause, share: time / run.duration }))
-    .sort((a, b) => b.share - a.share);
+/** What limits a run, as `simulate --json` says it: [{cause, time, share}] [s], the longest first. */
+export function causesOf(page, run) {
+  return page.cause_keys
+    .map((key, cause) => ({ cause, time: run.figures.time_by_cause_s[key] ?? 0 }))
+    .filter(({ time }) => time > 0)
+    .map((one) => ({ ...one, share: one.time / run.figures.cycle_time_s }))
+    .sort((a, b) => b.time - a.time);
 }
 
 export const scaleTicks = ({ low, high }) =>

@@ -1,5 +1,7 @@
-// Which run to take: sentence, cycle time over contour error with a bound that can be dragged, the runs.
+// Which run to take: sentence, cycle time over contour error with a bound that can be dragged, the runs, and
+// where the time of the one to take goes.
 
+import { causeColour, causesOf } from './colouring.js';
 import { el, lineSample, svg } from './elements.js';
 import { amountText, changeText, clockText, inShownUnit, numberText, shareText, tickText, unitOf } from './numbers.js';
 import { mostExact, recommend } from './recommend.js';
@@ -7,6 +9,7 @@ import { tr } from './texts.js';
 
 const width = 276;
 const height = 162;
+const mostCauses = 4; // that are named
 const plot = { left: 48, right: width - 14, top: 24, bottom: height - 34 };
 
 const errorText = (choice) =>
@@ -75,8 +78,10 @@ export class Decide {
     this.rule = el('p', { class: 'rule' });
     this.chart = svg('svg', { class: 'decision', viewBox: `0 0 ${width} ${height}` });
     this.table = el('table', { class: 'runs' });
+    this.time = el('div', { class: 'time-use' });
     host.append(this.headline, this.rule);
     if (page.runs.length > 1) host.append(this.chart, this.table);
+    host.append(this.time);
     this.findScale();
     store.on(['within', 'run', 'theme'], () => this.show());
     this.show();
@@ -106,6 +111,7 @@ export class Decide {
       const texts = singleTexts(this.page.runs[0]);
       this.headline.textContent = texts.headline;
       this.rule.textContent = texts.rule;
+      this.showTime(this.page.runs[0]);
       return;
     }
     const within = this.store.get('within');
@@ -115,6 +121,25 @@ export class Decide {
     this.rule.textContent = texts.rule;
     this.draw(within);
     this.showTable(within);
+    this.showTime(this.page.runs[this.taken?.run ?? this.store.get('run')]);
+  }
+
+  /** A bar of what limits `run`, the longest named below. */
+  showTime(run) {
+    const causes = run.moves ? causesOf(this.page, run) : [];
+    const colour = ({ cause }) => ({ background: causeColour(this.page, cause) });
+    const text = ({ cause, time }) => [this.page.causes[cause], clockText(time)];
+    this.time.replaceChildren(
+      el('h3', {}, tr('Where the time goes'), this.page.runs.length > 1 ? ` (${run.letter})` : ''),
+      el(
+        'div',
+        { class: 'cause-bar' },
+        ...causes.map((one) => el('i', { title: text(one).join(': '), style: { flexGrow: one.time, ...colour(one) } })),
+      ),
+      ...causes.slice(0, mostCauses).map((one) =>
+        el('div', { class: 'cause' }, el('i', { style: colour(one) }), ...text(one).map((part) => el('span', {}, part)), el('span', {}, shareText(one.share))),
+      ),
+    );
   }
 
   draw(within) {

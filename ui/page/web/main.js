@@ -28,19 +28,21 @@ function firstState(page) {
   const asked = readAddress(page);
   const moving = page.runs.findIndex((run) => run.moves);
   const run = asked.run ?? (page.runs[page.current].moves ? page.current : moving);
-  const worst = [...page.runs[run].places]
-    .filter((place) => page.runs[run].at(place.at).kind === kinds.cut)
-    .sort((a, b) => b.loss - a.loss)[0];
+  const isCut = (place) => page.runs[run].at(place.at).kind === kinds.cut;
+  const [worst] = [...page.runs[run].places].sort((a, b) => isCut(b) - isCut(a) || b.loss - a.loss);
+  const { duration } = page.runs[run];
+  const inRun = (time) => Math.min(Math.max(time, 0), duration);
+  const range = asked.range?.map(inRun);
   const known = colourings().map(([name]) => name);
   const rapids = page.runs[run].kind.reduce((count, kind) => count + (kind === kinds.rapid), 0);
   return new Store({
     run,
-    time: asked.time ?? worst?.at ?? 0,
+    time: inRun(asked.time ?? worst?.at ?? 0),
     colour: known.includes(asked.colour) ? asked.colour : 'feed',
     reference: otherRun(page, run),
     axis: 'time',
-    range: asked.range,
-    within: asked.within ?? page.within,
+    range: range?.[0] < range?.[1] ? range : null,
+    within: asked.within > 0 && asked.within < 1e3 ? asked.within : page.within,
     wantedCamera: asked.camera,
     camera: null,
     rapids: rapids < mostRapids,
@@ -120,13 +122,16 @@ function runChoice(page, store) {
   return made;
 }
 
+/** Of a long program nodes are left out. */
+const isCoarse = ({ precision, top_feed: top }) => precision.position > 1.5e-3 || precision.speed > 1.5e-3 * top;
+
 /** "path within 1 µm, feed within 0.1 %" of the run. */
 function precisionText(run) {
   const text = [
     amountText(run.precision.position, 'error'),
     shareText(run.precision.speed / (run.top_feed || 1)),
   ];
-  return run.precision.position > 1.5e-3
+  return isCoarse(run)
     ? tr('Long program, drawn coarser: path within %1, feed within %2 of the largest', ...text)
     : tr('Path within %1, feed within %2 of the largest', ...text);
 }
@@ -154,7 +159,7 @@ function statusLine(page, store) {
     const run = page.runs[store.get('run')];
     left.textContent = pathCaption(page, run);
     middle.textContent = precisionText(run);
-    middle.classList.toggle('coarse', run.precision.position > 1.5e-3);
+    middle.classList.toggle('coarse', isCoarse(run));
     const state = run.at(store.get('time'));
     const [x, y, z] = state.position.map((value) => numberText(value, 'length'));
     right.textContent = `${numberText(state.time, 'time')} s · ${tr('Line %1', state.line)} · X ${x} Y ${y} Z ${z} ${unitOf('length')}`;

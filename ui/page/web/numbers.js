@@ -36,11 +36,15 @@ export function clockText(seconds) {
   return localised(`${minutes}:${(tenths - 60 * minutes).toFixed(1).padStart(4, '0')}`);
 }
 
-/** The same of what may be won or lost, with its sign. */
-export function changeText(seconds) {
-  const text = clockText(Math.abs(seconds));
-  return (seconds < 0 ? '\u2212' : '+') + text;
+/** What is won or lost [s], as TimeTexts::gain(): "12.3 s", "0.004 s". */
+export function gainText(seconds) {
+  const tenths = Math.abs(seconds) >= 1;
+  return seconds < 60 ? localised(`${seconds.toFixed(tenths ? 1 : 3)} s`) : clockText(seconds);
 }
+
+/** The same with its sign, as TimeTexts::change(). */
+export const changeText = (seconds) =>
+  Math.abs(seconds) < 5e-4 ? '0' : (seconds < 0 ? '\u2212' : '+') + gainText(Math.abs(seconds));
 
 /** "8 %", below one percent to a figure that is not 0. */
 export function shareText(share) {

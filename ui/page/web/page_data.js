@@ -25,6 +25,11 @@ function summed(numbers) {
   return numbers;
 }
 
+function scaled(numbers, step) {
+  for (let i = 0; i < numbers.length; ++i) numbers[i] *= step;
+  return numbers;
+}
+
 export const kinds = { cut: 0, rapid: 1, pause: 2, gap: 3, arc: 4 };
 
 /** Index of the last of the rising `values` that is at most `value`; 0 if there is none. */
@@ -124,13 +129,10 @@ export class Run {
       }
       after[i] += acceleration[next];
     }
-    const places = read('ahead').map((ahead, i) => ahead + length[i]);
+    const places = read('ahead');
+    for (let i = 0; i < count; ++i) places[i] += length[i];
     const rests = ['x', 'y', 'z'].map(raw);
-    this.positions = positionsOf(places, rests, programmed);
-    for (const axis of this.positions) {
-      for (let i = 0; i < count; ++i) axis[i] *= steps.position;
-    }
-    const scaled = (values, step) => values.map((value) => value * step);
+    this.positions = positionsOf(places, rests, programmed).map((axis) => scaled(axis, steps.position));
     this.time = scaled(time, steps.time);
     this.length = scaled(length, steps.length);
     this.place = scaled(places, steps.length);

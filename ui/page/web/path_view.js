@@ -229,16 +229,16 @@ export class PathView {
 
   programmedLines() {
     const path = this.run.programmedPath;
-    const points = [];
+    const points = new Float32Array(6 * path.count);
+    let count = 0;
     for (let i = 1; i < path.count; ++i) {
-      if (path.kind[i] === kinds.cut || path.kind[i] === kinds.arc) {
-        for (const end of [i - 1, i]) {
-          points.push(...path.positions.map((axis, k) => axis[end] - this.origin[k]));
-        }
+      if (path.kind[i] !== kinds.cut && path.kind[i] !== kinds.arc) continue;
+      for (const end of [i - 1, i]) {
+        for (let k = 0; k < 3; ++k) points[count++] = path.positions[k][end] - this.origin[k];
       }
     }
     const material = new LineBasicMaterial({ color: themeColour(this.host, '--programmed') });
-    return this.thinLines(points, material);
+    return this.thinLines(points.subarray(0, count), material);
   }
 
   rapidLines() {
@@ -375,7 +375,9 @@ export class PathView {
 
   useCamera(text) {
     const numbers = text.split(',').map(Number);
-    if (numbers.length !== 8 || !numbers.every(Number.isFinite) || !(numbers[6] > 0)) return;
+    if (numbers.length !== 8 || !numbers.every(Number.isFinite) || !(numbers[6] > 0) || !(numbers[7] > 0)) return;
+    const distance = Math.hypot(...[0, 1, 2].map((k) => numbers[k] - numbers[k + 3]));
+    if (!(distance > 0 && distance < 1e3 * this.size)) return;
     this.fitted = false;
     this.camera.position.fromArray(numbers, 0);
     this.controls.target.fromArray(numbers, 3);

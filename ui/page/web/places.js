@@ -2,7 +2,7 @@
 
 import { el } from './elements.js';
 import { causeColour } from './colouring.js';
-import { amountText, changeText, clockText, numberText, shareText, unitOf } from './numbers.js';
+import { amountText, changeText, gainText, numberText, shareText, unitOf } from './numbers.js';
 import { kinds } from './page_data.js';
 import { tr } from './texts.js';
 
@@ -66,7 +66,7 @@ export class Places {
       tr('Line %1', state.line),
       tr('contour error %1', amountText(state.error, 'error')),
     ];
-    if (place) details.push(tr('%1 lost here', clockText(place.loss)));
+    if (place) details.push(tr('%1 lost here', gainText(place.loss)));
     this.lost.textContent = details.join(' · ');
     const rank = place ? this.worst.indexOf(place) : -1;
     this.rank.textContent =

@@ -1,7 +1,7 @@
 // The program's text around the cursor, with the time that each line loses.
 
 import { el } from './elements.js';
-import { clockText } from './numbers.js';
+import { gainText } from './numbers.js';
 import { tr } from './texts.js';
 
 const rowHeight = 18;
@@ -59,7 +59,7 @@ export class ProgramText {
     const lost = this.lost.get(line) ?? 0;
     const bar =
       lost > 1e-3
-        ? el('i', { class: 'bar', style: { opacity: String(0.15 + 0.85 * Math.sqrt(lost / this.most)) }, title: tr('%1 lost here', clockText(lost)) })
+        ? el('i', { class: 'bar', style: { opacity: String(0.15 + 0.85 * Math.sqrt(lost / this.most)) }, title: tr('%1 lost here', gainText(lost)) })
         : null;
     return el(
       'div',
