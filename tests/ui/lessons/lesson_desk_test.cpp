@@ -76,8 +76,9 @@ TEST_F(LessonDeskTest, TheStartIsWrittenAsEditsOfTheMachineFile) {
   desk.set_up_window();
   wait_for("3000 mm/min");
   const auto& edits = model.setup().state().edits();
-  ASSERT_EQ(edits.size(), 1U);
+  ASSERT_EQ(edits.size(), 2U);
   EXPECT_EQ(std::get<double>(edits.at("compaction_mm")), 0);
+  EXPECT_EQ(std::get<double>(edits.at("block_time_ms")), 1);
 }
 
 TEST_F(LessonDeskTest, MovingTheControlChangesTheRunAndWhatItMeasures) {
@@ -85,8 +86,8 @@ TEST_F(LessonDeskTest, MovingTheControlChangesTheRunAndWhatItMeasures) {
   open("6");
   desk.set_up_window();
   wait_for("3000 mm/min");
-  desk.move_control("0.001");
-  wait_for("6000 mm/min");
+  desk.move_control("4");
+  wait_for("1500 mm/min");
   model.runs().history().undo();
   wait_for("3000 mm/min");
 }

@@ -108,18 +108,18 @@ TEST_F(LessonViewTest, KeepsEachValueTriedWithWhatItChanges) {
   wait_for("3000 mm/min");
   ASSERT_TRUE(QTest::qWaitFor([&] { return view.tries().rowCount() == 1; }, patience))
       << "what the lesson begins with";
-  click(view.values()[0]);
-  wait_for("6000 mm/min");
+  click(view.values()[2]);
+  wait_for("1500 mm/min");
   ASSERT_TRUE(QTest::qWaitFor([&] { return view.tries().rowCount() == 2; }, patience));
-  EXPECT_EQ(view.tries().item(1, 0)->text(), "0.001");
-  EXPECT_EQ(view.tries().item(1, 3)->text(), "6000");
-  EXPECT_EQ(view.tries().item(1, 4)->text(), "+100.0");
+  EXPECT_EQ(view.tries().item(1, 0)->text(), "4");
+  EXPECT_EQ(view.tries().item(1, 3)->text(), "1500");
+  EXPECT_EQ(view.tries().item(1, 4)->text(), "−50.0");
   EXPECT_EQ(view.tries().item(0, 4)->text(), "") << "the first is what the others are compared with";
   const std::string rows = copied_tries(view);
-  EXPECT_THAT(rows, HasSubstr("0.001\t"));
-  EXPECT_THAT(rows, HasSubstr("\t6000\t+100.0\n"));
-  click(view.values()[0]);
-  wait_for("6000 mm/min");
+  EXPECT_THAT(rows, HasSubstr("4\t"));
+  EXPECT_THAT(rows, HasSubstr("\t1500\t−50.0\n"));
+  click(view.values()[2]);
+  wait_for("1500 mm/min");
   EXPECT_EQ(view.tries().rowCount(), 2) << "a value has one row";
 }
 
@@ -128,8 +128,8 @@ TEST_F(LessonViewTest, ChangesStandBelowTheNumbersInANarrowPanel) {
   choose_lesson(6);
   click(&view.set_up_button());
   wait_for("3000 mm/min");
-  click(view.values()[0]);
-  wait_for("6000 mm/min");
+  click(view.values()[2]);
+  wait_for("1500 mm/min");
   ASSERT_TRUE(QTest::qWaitFor([&] { return view.tries().rowCount() == 2; }, patience));
   constexpr QSize wide(700, 700);
   view.resize(wide);
@@ -142,20 +142,20 @@ TEST_F(LessonViewTest, ChangesStandBelowTheNumbersInANarrowPanel) {
   EXPECT_TRUE(view.tries().isColumnHidden(2));
   EXPECT_TRUE(view.tries().isColumnHidden(4));
   EXPECT_GT(view.tries().rowHeight(1), height * 3 / 2);
-  EXPECT_THAT(copied_tries(view), HasSubstr("\t6000\t+100.0\n"));
+  EXPECT_THAT(copied_tries(view), HasSubstr("\t1500\t−50.0\n"));
 }
 
 TEST_F(LessonViewTest, TriesLastUntilTheyAreCleared) {
   choose_lesson(6);
   click(&view.set_up_button());
   wait_for("3000 mm/min");
-  click(view.values()[0]);
-  wait_for("6000 mm/min");
+  click(view.values()[2]);
+  wait_for("1500 mm/min");
   const std::string rows = copied_tries(view);
   view.panel_actions()[2]->trigger();
-  wait_for("6000 mm/min");
+  wait_for("1500 mm/min");
   view.panel_actions()[1]->trigger();
-  wait_for("6000 mm/min");
+  wait_for("1500 mm/min");
   EXPECT_EQ(copied_tries(view), rows) << "of another question and back";
   choose_lesson(4);
   choose_lesson(6);
@@ -165,7 +165,7 @@ TEST_F(LessonViewTest, TriesLastUntilTheyAreCleared) {
   EXPECT_EQ(copied_tries(view), rows) << "undoing a setting";
   view.panel_actions()[7]->trigger();
   EXPECT_THAT(QGuiApplication::clipboard()->text().toStdString(),
-              testing::StartsWith("interpolation_period_s,cycle_time_s,change_percent,"));
+              testing::StartsWith("block_time_ms,cycle_time_s,change_percent,"));
   view.panel_actions()[8]->trigger();
   EXPECT_EQ(view.tries().rowCount(), 0);
   EXPECT_FALSE(view.panel_actions()[8]->isEnabled());
@@ -186,8 +186,8 @@ TEST_F(LessonViewTest, ClearingTheTriesCanBeUndone) {
   EXPECT_EQ(copied_tries(view), rows);
   model.runs().history().redo();
   EXPECT_EQ(view.tries().rowCount(), 0);
-  click(view.values()[0]);
-  wait_for("6000 mm/min");
+  click(view.values()[2]);
+  wait_for("1500 mm/min");
   ASSERT_TRUE(QTest::qWaitFor([&] { return view.tries().rowCount() == 1; }, patience));
   model.runs().history().undo();
   wait_for("3000 mm/min");
@@ -221,12 +221,12 @@ TEST_F(LessonViewTest, AValueOfOnesOwnIsTriedAsTheSuggestedOnes) {
   wait_for("3000 mm/min");
   auto* field = view.own_value().findChild<QLineEdit*>();
   field->selectAll();
-  QTest::keyClicks(field, "0.0015");
+  QTest::keyClicks(field, "2.5");
   QTest::keyClick(field, Qt::Key_Return);
-  wait_for("4000 mm/min");
+  wait_for("2400 mm/min");
   ASSERT_TRUE(QTest::qWaitFor([&] { return view.tries().rowCount() == 2; }, patience));
-  EXPECT_EQ(view.tries().item(1, 0)->text(), "0.0015");
-  EXPECT_EQ(field->text(), "0.0015") << "without zeros behind";
+  EXPECT_EQ(view.tries().item(1, 0)->text(), "2.5");
+  EXPECT_EQ(field->text(), "2.5") << "without zeros behind";
 }
 
 /// A run with other changes than the question's is no try of it.
@@ -261,9 +261,9 @@ TEST_F(LessonViewTest, AnswersAQuestionByMovingTheControl) {
   click(&view.set_up_button());
   wait_for("3000 mm/min");
   ASSERT_EQ(view.values().size(), 3);
-  EXPECT_EQ(view.values()[0]->text(), "0.001");
-  click(view.values()[0]);
-  wait_for("6000 mm/min");
+  EXPECT_EQ(view.values()[0]->text(), "1");
+  click(view.values()[2]);
+  wait_for("1500 mm/min");
 }
 
 TEST_F(LessonViewTest, ShowsHintAndAnswerOnDemand) {
@@ -275,7 +275,7 @@ TEST_F(LessonViewTest, ShowsHintAndAnswerOnDemand) {
   view.panel_actions()[4]->trigger();
   EXPECT_TRUE(view.expected().isVisible());
   EXPECT_THAT(view.expected().toPlainText().toStdString(),
-              HasSubstr("half the tick gives twice the feed, 6000 mm/min"));
+              HasSubstr("with twice that the feed is half as high, 1500 mm/min"));
   EXPECT_GT(view.expected().mapTo(&view, QPoint()).y(), view.own_answer().mapTo(&view, QPoint()).y())
       << "below one's own";
   EXPECT_TRUE(
