@@ -29,6 +29,7 @@ using testing::Not;
 class LessonViewTest : public testing::Test {
  protected:
   LessonViewTest() {
+    desk.unlock(true);
     view.resize(360, 700);
     QSignalSpy listed(&desk, &LessonDesk::listed);
     view.show();
@@ -93,6 +94,53 @@ TEST_F(LessonViewTest, TheListLeadsToTheLessons) {
                     view.list().cursorRect(title).center() - QPoint(8, 0));
   ASSERT_TRUE(opened.wait(patience));
   EXPECT_EQ(desk.lesson()->id, "07_lines_arcs_splines");
+}
+
+TEST_F(LessonViewTest, TheFieldForThePredictionIsInPlaceOfTheQuestions) {
+  desk.unlock(false);
+  choose_lesson(6);
+  EXPECT_TRUE(view.own_prediction().isVisible());
+  EXPECT_FALSE(view.question().isVisible());
+  EXPECT_FALSE(view.set_up_button().isEnabled());
+  EXPECT_FALSE(view.panel_actions()[4]->isEnabled()) << "the answer";
+  EXPECT_FALSE(view.predict_button().isEnabled()) << "nothing is written";
+  QTest::keyClicks(&view.own_prediction(), "3 < 6 m/min");
+  click(&view.predict_button());
+  wait_for("3000 mm/min");
+  EXPECT_FALSE(view.own_prediction().isVisible());
+  EXPECT_TRUE(view.question().isVisible());
+  EXPECT_THAT(view.text().toPlainText().toStdString(), HasSubstr("Your prediction: 3 < 6 m/min"));
+}
+
+TEST_F(LessonViewTest, ATeacherShowsTheRunByOneCommand) {
+  desk.unlock(false);
+  choose_lesson(6);
+  view.unlock_action()->trigger();
+  wait_for("3000 mm/min");
+  EXPECT_TRUE(desk.unlocked());
+  EXPECT_TRUE(view.question().isVisible());
+}
+
+TEST_F(LessonViewTest, StepsGoThroughRunQuestionsAndAnswers) {
+  desk.unlock(false);
+  choose_lesson(6);
+  view.step(false);
+  EXPECT_TRUE(desk.awaits_prediction());
+  view.step(true);
+  EXPECT_FALSE(desk.awaits_prediction());
+  wait_for("3000 mm/min");
+  const std::vector<std::pair<std::size_t, bool>> steps{{0, true}, {1, false}, {1, true}, {1, true}};
+  for (const auto& [question, answer] : steps) {
+    view.step(true);
+    EXPECT_EQ(desk.question(), question);
+    EXPECT_EQ(view.answer_button().isChecked(), answer);
+  }
+  const std::vector<std::pair<std::size_t, bool>> back{{1, false}, {0, true}, {0, false}, {0, false}};
+  for (const auto& [question, answer] : back) {
+    view.step(false);
+    EXPECT_EQ(desk.question(), question);
+    EXPECT_EQ(view.answer_button().isChecked(), answer);
+  }
 }
 
 /// Rows of the values tried, as they are copied: tabs between the cells.
@@ -306,6 +354,7 @@ TEST_F(LessonViewTest, StepsThroughTheQuestions) {
 
 TEST_F(LessonViewTest, SpeaksTheLanguageOfItsDesk) {
   LessonDesk french(model, "fr");
+  french.unlock(true);
   LessonView other(french);
   QSignalSpy listed(&french, &LessonDesk::listed);
   other.show();
