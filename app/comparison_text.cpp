@@ -13,6 +13,7 @@
 #include "core/analysis/not_counted.h"
 #include "core/analysis/slower_tolerance.h"
 #include "core/analysis/source_figures.h"
+#include "core/analysis/tolerance_effect.h"
 #include "core/base/clock_text.h"
 #include "core/base/units.h"
 
@@ -203,6 +204,9 @@ std::string comparison_text(const LoadedProgram& program, std::span<const Compar
   const std::vector<ToleranceRun> all = tolerance_runs(runs);
   for (const SlowerTolerance& slower : slower_with_wider_tolerance(all)) {
     text += fmt::format("\n{}\n", wrapped(to_string(slower, all), 0));
+  }
+  if (tolerances_without_effect(runs)) {
+    text += "\nNo run has a corner blend: the contour tolerances compared change nothing.\n";
   }
   return text;
 }

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/lessons/lesson.h"
+#include "ui/lessons/lesson_view.h"
 #include "ui/trace/trace_view.h"
 
 namespace feedscope {
@@ -69,11 +70,12 @@ ui::SetupState setup_of(const RunOptions& options, bool run_asked) {
 }  // namespace
 
 WindowStart::WindowStart(const RunOptions& options, const std::string& lesson,
-                         std::vector<std::string> traces)
+                         std::vector<std::string> traces, bool unlocked)
     : file_((check(options, lesson), check(options, traces), options.file)),
       lesson_(lesson.empty() ? std::filesystem::path() : find_lesson(lesson)),
       traces_(std::move(traces)),
       reading_(options.reading()),
+      unlocked_(unlocked),
       run_asked_(std::ranges::any_of(given_of_run(options), is_given)),
       setup_(setup_of(options, run_asked_)) {}
 
@@ -90,6 +92,7 @@ void WindowStart::show(ui::MainWindow& window, ui::Workbench& model) const {
     }
     window.session().begin_here();
   } else if (!lesson_.empty()) {
+    window.part<ui::LessonView>().desk().unlock(unlocked_);
     window.open_lesson(lesson_);
   } else if (!run_asked_) {
     window.session().offer_left_behind();

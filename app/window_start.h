@@ -14,8 +14,9 @@ class WindowStart {
  public:
   /// Throws InputError naming what is wrong: an option beside a session or a lesson, one of the program
   /// without a program, an unreadable program, an unusable setup. `lesson`: id or file, "" for none.
-  /// `traces`: files to lay beside the program.
-  WindowStart(const RunOptions& options, const std::string& lesson, std::vector<std::string> traces = {});
+  /// `traces`: files to lay beside the program. `unlocked`: lessons show their run without a prediction.
+  WindowStart(const RunOptions& options, const std::string& lesson, std::vector<std::string> traces = {},
+              bool unlocked = false);
 
   /// What the first run is set up as.
   const ui::SetupState& setup() const { return setup_; }
@@ -28,6 +29,7 @@ class WindowStart {
   std::filesystem::path lesson_;
   std::vector<std::string> traces_;
   ReadOptions reading_;
+  bool unlocked_ = false;
   bool run_asked_ = false;  ///< a machine, model, tolerance or setting
   ui::SetupState setup_;
 };

@@ -22,6 +22,7 @@
 #include "ui/language/language.h"
 #include "ui/report/handout.h"
 #include "ui/scene_view/scene_texts.h"
+#include "ui/session/session_file.h"
 #include "ui/theme/offscreen_application.h"
 #endif
 
@@ -39,6 +40,7 @@ struct LessonsOptions {
   std::string format;
   std::string language = lesson_languages().front();
   std::string reader = handout_readers().front();
+  std::string session;
 };
 
 /// The lessons in their order, and the two ways through them.
@@ -220,9 +222,12 @@ std::string format_of(const LessonsOptions& options) {
 }
 
 /// The hand-out in a format, with pictures where this Feedscope can draw.
-std::string handout([[maybe_unused]] const std::string& format, HandoutReader reader, const Lesson& lesson,
-                    LessonRuns& runs, Progress* progress) {
+std::string handout([[maybe_unused]] const std::string& format, const LessonsOptions& options,
+                    const Lesson& lesson, LessonRuns& runs, Progress* progress) {
+  const HandoutReader reader = handout_reader(options.reader);
 #ifdef FEEDSCOPE_WITH_UI
+  const LearnersWork work =
+      options.session.empty() ? LearnersWork() : ui::work_on(lesson, ui::read_lesson_work(options.session));
   const ui::OffscreenApplication application;
   ui::SceneTexts texts;
   if (lesson.language != lesson_languages().front()) {
@@ -234,7 +239,7 @@ std::string handout([[maybe_unused]] const std::string& format, HandoutReader re
                           format == "pdf"            ? ui::ReportFormat::pdf
                           : format == printed_format ? ui::ReportFormat::pages
                                                      : ui::ReportFormat::html,
-                          texts, progress);
+                          texts, progress, work);
 #else
   return handout_html(lesson, handout_contents(lesson, runs, reader, progress));
 #endif
@@ -243,6 +248,9 @@ std::string handout([[maybe_unused]] const std::string& format, HandoutReader re
 int run_lessons(const LessonsOptions& options) {
   if (options.id.empty() && !options.out.empty()) {
     throw InputError("--out writes one lesson: give its ID ('feedscope lessons' lists them)");
+  }
+  if (!options.session.empty() && handout_reader(options.reader) == HandoutReader::teacher) {
+    throw InputError("--session fills in the learner's sheet, not the teacher's; use --for learners");
   }
   if (options.check) {
     return check_lessons(options.id);
@@ -271,7 +279,7 @@ int run_lessons(const LessonsOptions& options) {
   }
   {
     Watch watch;
-    out->stream() << handout(format, handout_reader(options.reader), lesson, runs, watch.stage("simulating"));
+    out->stream() << handout(format, options, lesson, runs, watch.stage("simulating"));
   }
   out->commit();
   return exit_code::done;
@@ -303,6 +311,13 @@ Command add_lessons_command(CLI::App& app) {
       ->check(CLI::IsMember(handout_readers()))
       ->needs(out)
       ->type_name("READER");
+#ifdef FEEDSCOPE_WITH_UI
+  command
+      ->add_option("--session", options->session,
+                   "Print the prediction, answers and values tried of this session on the learner's sheet")
+      ->needs(out)
+      ->type_name("FILE.feedscope");
+#endif
   command
       ->add_option("--language", options->language,
                    fmt::format("Language of texts and numbers: {} [{}]",

@@ -88,9 +88,9 @@ int show_window(ui::Workbench& model, const WindowStart& start,
   return code;
 }
 
-int show_window(const RunOptions& options, const std::string& lesson,
-                const std::vector<std::string>& traces) {
-  const WindowStart start(options, lesson, traces);
+int show_window(const RunOptions& options, const std::string& lesson, const std::vector<std::string>& traces,
+                bool unlocked) {
+  const WindowStart start(options, lesson, traces, unlocked);
   check_display();
   qInstallMessageHandler(leave_on_fatal);
   int count = 1;
@@ -125,16 +125,21 @@ Command add_window_command(CLI::App& app) {
           ->required(false)
           ->description("Without a command: open the window, with this NC program or session")
           ->type_name("");
-  app.add_option("--lesson", *lesson, "Open the window with a lesson, as 'feedscope lessons' lists them")
-      ->type_name("ID|FILE")
-      ->excludes(program);
+  CLI::Option* of_lesson =
+      app.add_option("--lesson", *lesson, "Open the window with a lesson, as 'feedscope lessons' lists them")
+          ->type_name("ID|FILE")
+          ->excludes(program);
+  const auto unlocked = std::make_shared<bool>(false);
+  app.add_flag("--without-prediction", *unlocked,
+               "For teachers: show the run of the lesson before a prediction is written")
+      ->needs(of_lesson);
   const auto traces = std::make_shared<std::vector<std::string>>();
   app.add_option("--trace", *traces, "Lay what a control recorded beside the program; may be repeated")
       ->type_name("FILE")
       ->allow_extra_args(false);
-  return {&app, [options, lesson, traces] {
+  return {&app, [options, lesson, traces, unlocked] {
             move_tolerance(*options);
-            return show_window(*options, *lesson, *traces);
+            return show_window(*options, *lesson, *traces, *unlocked);
           }};
 }
 

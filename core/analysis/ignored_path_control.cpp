@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 
 #include "core/base/translatable.h"
 
@@ -62,9 +63,15 @@ constexpr const char* curves_as_arcs = QT_TRANSLATE_NOOP(
     "Curves of the program are simulated as tangent arcs: where the curvature jumps, a control that limits "
     "the jerk slows down, and the time shown is up to 2.4 times that on the curve itself.");
 
-bool has_curves_as_arcs(const LoadedProgram& program) {
+/// Accelerations, jerks and filters by a number.
+constexpr const char* machining_modes = QT_TRANSLATE_NOOP(
+    "core",
+    "The machining mode of the program (type of CYCLE832, HSC-MODE, P of G187, R of G5.1) changes nothing: "
+    "what it selects exists only in the control. Compare modes by acceleration and jerk of the machine.");
+
+bool is_said(const LoadedProgram& program, std::string_view code) {
   const std::vector<Diagnostic>& said = program.program->diagnostics;
-  return std::any_of(said.begin(), said.end(), [](const Diagnostic& d) { return d.code == "curve-as-arcs"; });
+  return std::any_of(said.begin(), said.end(), [&](const Diagnostic& d) { return d.code == code; });
 }
 
 }  // namespace
@@ -74,8 +81,11 @@ std::vector<std::string> ignored_path_control(const LoadedProgram& program, cons
   const Guarantees promised = setup.model->guarantees(setup.settings);
   const bool has_ramps = promised.continuity != Continuity::position;
   const bool limits_jerk = has_ramps && !setup.model->info().limits.jumps_in_corners;
-  if (limits_jerk && !promised.lays_curves && has_curves_as_arcs(program)) {
+  if (limits_jerk && !promised.lays_curves && is_said(program, "curve-as-arcs")) {
     sentences.emplace_back(curves_as_arcs);
+  }
+  if (has_ramps && is_said(program, "machining-mode")) {
+    sentences.emplace_back(machining_modes);
   }
   return sentences;
 }
@@ -101,6 +111,7 @@ std::vector<std::string> all_ignored_path_control() {
     sentences.emplace_back(rule.sentence);
   }
   sentences.emplace_back(curves_as_arcs);
+  sentences.emplace_back(machining_modes);
   return sentences;
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/analysis/tolerance_effect.h"
+
 namespace feedscope {
 namespace {
 
@@ -84,10 +86,10 @@ std::string to_string(const SlowerTolerance& slower, std::span<const ToleranceRu
   const ToleranceRun& wide = runs[slower.wide];
   return fmt::format(
       "{} on {}: a contour tolerance of {} mm takes longer than {} mm, {:.3f} s against {:.3f} s. Largest "
-      "increase by cause: {}, {:.3f} s more. {}",
+      "increase by cause: {}, {:.3f} s more.{}{}",
       wide.setup->model->info().id, wide.setup->machine.name, slower.wide_value, slower.narrow_value,
       wide.summary->cycle_time, runs[slower.narrow].summary->cycle_time, cause_title(slower.cause),
-      slower.cause_more, why_slower_with_wider_tolerance);
+      slower.cause_more, is_by_blends(slower) ? " " : "", why_slower(slower));
 }
 
 }  // namespace feedscope

@@ -10,6 +10,7 @@
 #include "core/analysis/refused_lines.h"
 #include "core/analysis/run_notes.h"
 #include "core/analysis/slower_tolerance.h"
+#include "core/analysis/tolerance_effect.h"
 #include "core/base/units.h"
 #include "core/export/contour_words.h"
 #include "core/export/export.h"
@@ -432,7 +433,7 @@ Json slower_json(std::span<const ToleranceRun> runs) {
                     {"more_s", finite(slower.more)},
                     {"cause", cause_key(slower.cause)},
                     {"cause_more_s", finite(slower.cause_more)},
-                    {"why", why_slower_with_wider_tolerance}});
+                    {"why", why_slower(slower)}});
   }
   return list;
 }

@@ -34,6 +34,7 @@ table.lines { border-collapse: collapse; width: 100%; }
 table.lines td { border-bottom: 1px solid #999; height: 27px; font-size: 17px; }
 table.blank { border-collapse: collapse; width: 100%; margin: 8px 0; }
 table.blank td, table.blank th { border: 1px solid #999; padding: 3px 6px; font-size: 12px; text-align: left; height: 22px; }
+.written { font-style: italic; color: #16324f; margin: 6px 0; }
 table.claims { border-collapse: collapse; width: 100%; margin: 6px 0 12px; }
 table.claims td, table.claims th { border-bottom: 1px solid #ccc; padding: 3px 8px 3px 0; font-size: 12px; text-align: left; vertical-align: top; }
 .fails { color: #c62818; }
@@ -106,17 +107,30 @@ std::string empty_lines(int count) {
   return html + "</table>\n";
 }
 
-/// A text to be answered or completed by hand; "" without one.
+/// What a learner has written, line by line; without it empty lines to write on.
+std::string written_or_lines(const std::string& written, int lines) {
+  if (written.empty()) {
+    return empty_lines(lines);
+  }
+  std::string html = escaped(written);
+  for (std::size_t at = 0; (at = html.find('\n', at)) != std::string::npos; at += 4) {
+    html.replace(at, 1, "<br>");
+  }
+  return fmt::format("<p class=\"written\">{}</p>\n", html);
+}
+
+/// A text to be answered or completed by hand; "" without one. `written`: what a learner has answered.
 std::string written_part(const char* heading, const std::string& text, int lines, const Lesson& lesson,
-                         const HandoutContents& contents) {
+                         const HandoutContents& contents, const std::string& written = {}) {
   if (text.empty()) {
     return {};
   }
   const std::string part = fmt::format("<h2>{}</h2>\n{}", lesson_word(heading, lesson.language),
                                        markdown_as_html(filled(text, contents.numbers)));
-  return contents.reader == HandoutReader::teacher ? part
-                                                   : "<table class=\"question\" width=\"100%\"><tr><td>\n" +
-                                                         part + empty_lines(lines) + "</td></tr></table>\n";
+  return contents.reader == HandoutReader::teacher
+             ? part
+             : "<table class=\"question\" width=\"100%\"><tr><td>\n" + part +
+                   written_or_lines(written, lines) + "</td></tr></table>\n";
 }
 
 /// What is asked, and what to do for it.
@@ -146,36 +160,65 @@ std::string task_html(const Question& question, std::size_t number, const Handou
   return html;
 }
 
-/// The values to try and one of the learner's own, with room for what they come to.
-std::string blank_table(const Question& question, const HandoutContents& contents,
-                        const std::string& language) {
+/// A row of the values to try: the value, and what it comes to or room for that.
+std::string try_row(const std::string& value, const LessonTry* one, const Question& question, bool of_time,
+                    const std::string& language) {
+  const auto cell = [&](double number, const MeasureSpec& spec) {
+    return number_in(fmt::format("{:.{}f}", number, spec.decimals), language);
+  };
+  std::string time;
+  std::string watched;
+  if (one != nullptr) {
+    time = cell(one->cycle_time, find_measure("cycle_time_s"));
+    watched = one->measured ? cell(one->measured.value(), *question.watch.spec) : std::string();
+  }
+  return fmt::format("<tr><td>{}</td><td>{}</td>{}</tr>\n", escaped(value), time,
+                     of_time ? std::string() : fmt::format("<td>{}</td>", watched));
+}
+
+/// The values to try, then those of the learner's own or a row for one.
+std::string table_of_tries(const Question& question, const std::vector<LessonTry>& tries,
+                           const HandoutContents& contents, const std::string& language) {
   const auto word = [&](const std::string& english) { return lesson_word(english, language); };
   const bool of_time = question.watch.spec->key == "cycle_time_s" && question.watch.first_line == 0;
   std::string html = "<table class=\"blank\" width=\"100%\" border=\"1\" cellspacing=\"0\"><tr>";
   html += fmt::format(
-      "<th width=\"34%\">{} ({})</th><th width=\"33%\">{} [s]</th>", word("Values tried"),
+      "<th width=\"34%\">{} ({})</th><th width=\"{}%\">{} [s]</th>", word("Values tried"),
       escaped(contents.words.title ? contents.words.title(question.control.key) : question.control.key),
-      word("cycle time"));
+      of_time ? 66 : 33, word("cycle time"));
   html += of_time ? std::string()
                   : fmt::format("<th width=\"33%\">{}</th>", escaped(watched_text(question, language)));
   html += "</tr>\n";
-  std::vector<std::string> rows;
-  for (const std::string& value : question.control.values) {
-    rows.push_back(escaped(written_value(question.control, value, language, contents.words)));
+  const auto row = [&](const std::string& value, const LessonTry* one) {
+    return try_row(value, one, question, of_time, language);
+  };
+  const std::vector<std::string>& suggested = question.control.values;
+  for (const std::string& value : suggested) {
+    const auto tried = std::ranges::find(tries, value, &LessonTry::value);
+    html += row(written_value(question.control, value, language, contents.words),
+                tried == tries.end() ? nullptr : &*tried);
   }
-  rows.push_back(word("my value:"));
-  for (const std::string& row : rows) {
-    html += fmt::format("<tr><td>{}</td><td></td>{}</tr>\n", row, of_time ? "" : "<td></td>");
+  bool own = false;
+  for (const LessonTry& one : tries) {
+    if (std::ranges::find(suggested, one.value) == suggested.end()) {
+      html += row(fmt::format("{} {}", word("my value:"),
+                              written_value(question.control, one.value, language, contents.words)),
+                  &one);
+      own = true;
+    }
   }
-  return html + "</table>\n";
+  return html + (own ? std::string() : row(word("my value:"), nullptr)) + "</table>\n";
 }
 
 std::string learners_question(const Lesson& lesson, std::size_t index, const HandoutContents& contents) {
   const Question& question = lesson.questions[index];
   std::string html = "<table class=\"question\" width=\"100%\"><tr><td>\n";
   constexpr int lines = 2;
+  const std::vector<LearnersWork::Answer>& answers = contents.work.answers;
+  const LearnersWork::Answer answer = index < answers.size() ? answers[index] : LearnersWork::Answer();
   html += task_html(question, index + 1, contents, lesson.language) +
-          blank_table(question, contents, lesson.language) + empty_lines(lines);
+          table_of_tries(question, answer.tries, contents, lesson.language) +
+          written_or_lines(answer.text, lines);
   return html + "</td></tr></table>\n";
 }
 
@@ -280,7 +323,8 @@ std::string handout_html(const Lesson& lesson, const HandoutContents& contents) 
     html += fmt::format("<p><b>{}</b></p>\n", word(of_teacher ? "For the teacher" : "For learners"));
   }
   html += setup_table(lesson, contents.words) + markdown_as_html(filled(lesson.text, contents.numbers)) +
-          contents.figures + written_part("Before you look", lesson.predict, 2, lesson, contents);
+          contents.figures +
+          written_part("Before you look", lesson.predict, 2, lesson, contents, contents.work.prediction);
   for (std::size_t i = 0; i < lesson.questions.size(); ++i) {
     html += of_teacher ? answer_html(lesson, i, contents, true) : learners_question(lesson, i, contents);
   }

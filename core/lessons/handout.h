@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,24 @@ const std::vector<std::string>& handout_readers();
 /// Throws InputError for a name that is none of them.
 HandoutReader handout_reader(const std::string& name);
 
+/// A value that a learner has given the control of a question, and what the run with it measures.
+struct LessonTry {
+  std::string value;               ///< as in Changes
+  double cycle_time = 0;           ///< [s]
+  std::optional<double> measured;  ///< what the question watches, in its unit; none: there is nothing of it
+  bool operator==(const LessonTry&) const = default;
+};
+
+/// What a learner has written and tried in a lesson: printed where the empty lines and cells would be.
+struct LearnersWork {
+  struct Answer {
+    std::string text;              ///< may be empty
+    std::vector<LessonTry> tries;  ///< of the control of the question
+  };
+  std::string prediction;       ///< may be empty
+  std::vector<Answer> answers;  ///< of each question; may be shorter
+};
+
 /// What a lesson on paper holds beside its texts.
 struct HandoutContents {
   HandoutReader reader = HandoutReader::everybody;
@@ -27,6 +46,7 @@ struct HandoutContents {
   std::string figures;                           ///< HTML of pictures of what the lesson begins with
   std::vector<std::string> question_figures;     ///< for the teacher, of each question; may be shorter
   SettingWords words = {};                       ///< titles with their units, in the language of the lesson
+  LearnersWork work = {};                        ///< not for the teacher
 };
 
 /// Numbers, and for the teacher what the claims come to; no pictures. Throws as LessonRuns.

@@ -3,10 +3,86 @@
 #include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
+#include <array>
+#include <cctype>
 #include <cmath>
-#include <string>
 
 namespace feedscope {
+namespace {
+
+/// A way to write a number behind a key of unit `of`, and what one of it is in that.
+struct WrittenUnit {
+  std::string_view of;
+  std::string_view name;
+  double factor;
+  bool in_data_sheets = false;
+};
+
+constexpr double standard_gravity = 9.80665;  // [m/s2], exact
+constexpr double per_minute_in_metres = 1000.0 / 60;
+
+constexpr auto written_units = std::to_array<WrittenUnit>({
+    {"m/s2", "m/s2", 1},
+    {"m/s2", "m/s²", 1},
+    {"m/s2", "mm/s2", 1e-3},
+    {"m/s2", "g", standard_gravity, true},
+    {"m/s3", "m/s3", 1},
+    {"m/s3", "m/s³", 1},
+    {"m/s3", "mm/s3", 1e-3},
+    {"m/s3", "g/s", standard_gravity},
+    {"m/min", "m/min", 1},
+    {"m/min", "mm/min", 1e-3},
+    {"m/min", "m/s", 60},
+    {"m/min", "mm/s", 0.06},
+    {"1/s", "1/s", 1},
+    {"1/s", "(m/min)/mm", per_minute_in_metres, true},
+    {"1/s", "m/min/mm", per_minute_in_metres},
+    {"ms", "ms", 1},
+    {"ms", "s", 1e3},
+    {"um", "um", 1},
+    {"um", "µm", 1},
+    {"um", "mm", 1e3},
+});
+
+std::string_view without_blanks_behind(std::string_view text) {
+  while (!text.empty() && text.back() == ' ') {
+    text.remove_suffix(1);
+  }
+  return text;
+}
+
+/// The number in front of a unit; empty where the text does not end with it.
+std::string_view number_in_front(std::string_view text, std::string_view unit) {
+  if (!text.ends_with(unit)) {
+    return {};
+  }
+  const std::string_view front = text.substr(0, text.size() - unit.size());
+  const bool runs_on = !front.empty() && std::isdigit(static_cast<unsigned char>(unit.front())) != 0 &&
+                       front.back() != ' ';  // "301/s" is not 30 1/s
+  return runs_on ? std::string_view() : without_blanks_behind(front);
+}
+
+}  // namespace
+
+TypedNumber typed_in_unit(std::string_view text, std::string_view unit) {
+  text = without_blanks_behind(text);
+  for (const WrittenUnit& written : written_units) {
+    const std::string_view front = written.of == unit ? number_in_front(text, written.name) : "";
+    if (const auto number = typed_number(front).value; number && !front.empty()) {
+      return {*number * written.factor, {}};
+    }
+  }
+  return typed_number(text);
+}
+
+DataSheetUnit data_sheet_unit(std::string_view unit) {
+  for (const WrittenUnit& written : written_units) {
+    if (written.of == unit && written.in_data_sheets) {
+      return {written.name, written.factor};
+    }
+  }
+  return {};
+}
 
 double shortest_in_unit(double internal, const KeyConversion& conversion) {
   const double plain = conversion.to_unit(internal);

@@ -317,7 +317,7 @@ double number_in_force(const Settings& settings, const SettingSpec& spec) {
 SettingValue parse_setting(const SettingSpec& spec, std::string_view text) {
   SettingValue value = std::string(text);
   if (spec.choices.empty() && !(spec.optional && text.empty())) {
-    const TypedNumber number = typed_number(text);
+    const TypedNumber number = typed_in_unit(text, spec.unit);
     if (!number.value) {
       throw InputError(number.problem.empty() ? fmt::format("{} = '{}' is not a number; it must be {}",
                                                             spec.key, text, bounds_text(spec))

@@ -5,6 +5,8 @@
 
 #include <sstream>
 
+#include "core/machine/key_unit.h"
+
 namespace feedscope {
 
 Provenance read_provenance(const ConfigNode& entry, const std::string& name) {
@@ -31,7 +33,8 @@ SettingValue read_sourced_value(const ConfigNode& table, const SettingSpec& spec
   const ConfigNode& given = entry.need("value", name);
   SettingValue result;
   if (given.is_text()) {
-    result = given.text();
+    const TypedNumber number = spec.choices.empty() ? typed_in_unit(given.text(), spec.unit) : TypedNumber();
+    result = number.value ? SettingValue(*number.value) : SettingValue(given.text());
   } else if (given.is_number()) {
     result = given.number();
   } else {

@@ -7499,10 +7499,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>il est ignoré&#xa0;; vérifiez s’il manque G17, G18 ou G19</translation>
     </message>
     <message>
-        <source>R%1 of G5.1 (machining condition from speed to accuracy) is not supported</source>
-        <translation>R%1 de G5.1 (condition d’usinage, de la vitesse à la précision) n’est pas pris en charge</translation>
-    </message>
-    <message>
         <source>its parameters exist only in the control; set acceleration and jerk of the machine instead</source>
         <translation>ses paramètres n’existent que dans la commande&#xa0;; réglez plutôt l’accélération et le jerk de la machine</translation>
     </message>
@@ -10054,6 +10050,34 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <source>At M7, M8 and M9 the control waits for its coolant, often 0.1 s each time: not in the cycle time.</source>
         <translation>À M7, M8 et M9, la commande attend son arrosage, souvent 0,1 s chaque fois : hors du temps de cycle.</translation>
     </message>
+    <message>
+        <source>The machining mode of the program (type of CYCLE832, HSC-MODE, P of G187, R of G5.1) changes nothing: what it selects exists only in the control. Compare modes by acceleration and jerk of the machine.</source>
+        <translation>Le mode d’usinage du programme (type de CYCLE832, HSC-MODE, P de G187, R de G5.1) ne change rien : ce qu’il choisit n’existe que dans la commande. Comparer les modes par l’accélération et le jerk de la machine.</translation>
+    </message>
+    <message>
+        <source>HSC-MODE %1 changes nothing in the simulation</source>
+        <translation>HSC-MODE %1 ne change rien dans la simulation</translation>
+    </message>
+    <message>
+        <source>R%1 of G5.1 (machining condition from speed to accuracy) changes nothing in the simulation</source>
+        <translation>R%1 de G5.1 (condition d’usinage, de la vitesse à la précision) ne change rien dans la simulation</translation>
+    </message>
+    <message>
+        <source>P%1 of G187 (smoothness) changes nothing in the simulation</source>
+        <translation>P%1 de G187 (douceur) ne change rien dans la simulation</translation>
+    </message>
+    <message>
+        <source>G5.1 Q2 (smooth interpolation) is not supported</source>
+        <translation>G5.1 Q2 (interpolation lisse) n’est pas pris en charge</translation>
+    </message>
+    <message>
+        <source>its blocks are run as lines; with the setting compressor=on a smooth curve within the tolerance is laid through them, which is not that of the control</source>
+        <translation>ses blocs sont parcourus en droites ; avec le réglage compressor=on, une courbe lisse y passe dans la tolérance, qui n’est pas celle de la commande</translation>
+    </message>
+    <message>
+        <source>machining type %1 of CYCLE832 changes nothing in the simulation</source>
+        <translation>le type d’usinage %1 de CYCLE832 ne change rien dans la simulation</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ActionTable</name>
@@ -12576,6 +12600,34 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <source>Forget the values tried at this question; the answer stays. Edit &gt; Undo brings them back</source>
         <translation>Oublier les valeurs essayées à cette question&#xa0;; la réponse reste. Édition &gt; Annuler les rétablit</translation>
     </message>
+    <message>
+        <source>Show the run</source>
+        <translation>Montrer la simulation</translation>
+    </message>
+    <message>
+        <source>Runs without a prediction</source>
+        <translation>Simulations sans prédiction</translation>
+    </message>
+    <message>
+        <source>For teachers: show the run of a lesson before a prediction is written</source>
+        <translation>Pour l’enseignant : montrer la simulation d’une leçon avant qu’une prédiction soit écrite</translation>
+    </message>
+    <message>
+        <source>Your prediction</source>
+        <translation>Votre prédiction</translation>
+    </message>
+    <message>
+        <source>What you expect, kept with the session; it cannot be changed afterwards</source>
+        <translation>Ce que vous attendez, gardé avec la session ; cela ne se change plus ensuite</translation>
+    </message>
+    <message>
+        <source>Write the prediction down and set up the window with the lesson</source>
+        <translation>Noter la prédiction et préparer la fenêtre avec la leçon</translation>
+    </message>
+    <message>
+        <source>Your prediction:</source>
+        <translation>Votre prédiction :</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::LoadFiguresTable</name>
@@ -12863,6 +12915,10 @@ Utiliser la machine qu’elle décrit pour la simulation courante ?</translation
     <message>
         <source>A&amp;nalysis</source>
         <translation>A&amp;nalyse</translation>
+    </message>
+    <message>
+        <source>The run is shown once a prediction is written in the lesson.</source>
+        <translation>La simulation est montrée une fois qu’une prédiction est écrite dans la leçon.</translation>
     </message>
 </context>
 <context>
@@ -13352,14 +13408,6 @@ Utiliser la machine qu’elle décrit pour la simulation courante ?</translation
         <translation>Prése&amp;ntation</translation>
     </message>
     <message>
-        <source>Large type, 3D view and charts first, the lesson beside them: for a class</source>
-        <translation>Grands caractères, vue 3D et courbes d’abord, la leçon à côté : pour une classe</translation>
-    </message>
-    <message>
-        <source>Ctrl+F11</source>
-        <translation>Ctrl+F11</translation>
-    </message>
-    <message>
         <source>class projector beamer large type bigger letters teach</source>
         <translation>classe cours projecteur vidéoprojecteur grand caractères lettres agrandir enseigner</translation>
     </message>
@@ -13370,6 +13418,26 @@ Utiliser la machine qu’elle décrit pour la simulation courante ?</translation
     <message>
         <source>Use the whole screen, without a frame</source>
         <translation>Utiliser tout l’écran, sans cadre</translation>
+    </message>
+    <message>
+        <source>Large type and the open lesson alone, with its 3D view and charts: for a class</source>
+        <translation>Grands caractères et la leçon ouverte seule, avec sa vue 3D et ses courbes : pour une classe</translation>
+    </message>
+    <message>
+        <source>&amp;Next step</source>
+        <translation>Étape suivante</translation>
+    </message>
+    <message>
+        <source>While presenting: next question or answer of the lesson</source>
+        <translation>Pendant la présentation : question ou réponse suivante de la leçon</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious step</source>
+        <translation>Étape précédente</translation>
+    </message>
+    <message>
+        <source>While presenting: previous question or answer of the lesson</source>
+        <translation>Pendant la présentation : question ou réponse précédente de la leçon</translation>
     </message>
 </context>
 <context>
@@ -16569,10 +16637,6 @@ Ensemble&#xa0;: %4</translation>
         <translation>%2 %1</translation>
     </message>
     <message>
-        <source>A tolerance of %1 takes %2 s longer than %3, mostly due to %4 (%5 s more): a corner blend can take longer than a narrower one or an exact stop, because it is passed at a limited speed along its whole length.</source>
-        <translation>Une tolérance de %1 demande %2 s de plus que %3, surtout par %4 (%5 s de plus)&#xa0;: un raccord d’angle peut durer plus longtemps qu’un raccord plus étroit ou qu’un arrêt précis, car il est parcouru à vitesse limitée sur toute sa longueur.</translation>
-    </message>
-    <message>
         <source>On %1</source>
         <comment>a machine</comment>
         <translation>Sur %1</translation>
@@ -16580,6 +16644,14 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>Line %1 asks for a feed of %2; all axes of this machine together reach %3: what is lost against the programmed feed tells little there.</source>
         <translation>La ligne %1 demande une avance de %2&#xa0;; tous les axes de cette machine ensemble atteignent %3&#xa0;: ce qui est perdu par rapport à l’avance programmée n’y dit pas grand-chose.</translation>
+    </message>
+    <message>
+        <source>: a corner blend can take longer than a narrower one or an exact stop, because it is passed at a limited speed along its whole length</source>
+        <translation>&#xa0;: un raccord d’angle peut durer plus longtemps qu’un raccord plus étroit ou qu’un arrêt précis, car il est parcouru à vitesse limitée sur toute sa longueur</translation>
+    </message>
+    <message>
+        <source>A tolerance of %1 takes %2 s longer than %3, mostly due to %4 (%5 s more)%6.</source>
+        <translation>Une tolérance de %1 demande %2 s de plus que %3, surtout par %4 (%5 s de plus)%6.</translation>
     </message>
 </context>
 </TS>

@@ -131,6 +131,14 @@ TEST_F(LessonsCommand, AHandOutIsForItsReader) {
   EXPECT_EQ(run("lessons 2 --for learners --out sheet.html").code, 0);
   EXPECT_THAT(contents(folder_ / "sheet.html"), AllOf(HasSubstr("Question 1"), Not(HasSubstr("Answer"))));
   EXPECT_EQ(run("lessons 2 --for teacher --out key.html").code, 0);
+  write("work.feedscope",
+        "{\"format\": \"feedscope-session\", \"version\": 1, \"predictions\": {\"02_data_sheet\": \"A "
+        "guess.\"}, "
+        "\"lessons\": []}");
+  EXPECT_EQ(run("lessons 2 --for learners --session work.feedscope --out mine.html").code, 0);
+  EXPECT_THAT(contents(folder_ / "mine.html"), HasSubstr("A guess."));
+  expect_wrong_use("lessons 2 --for teacher --session work.feedscope --out x.html", "--for learners");
+  expect_wrong_use("lessons 2 --session none.feedscope --out x.html", "none.feedscope");
   EXPECT_THAT(contents(folder_ / "key.html"), AllOf(HasSubstr("Answer"), HasSubstr("Computed")));
   expect_wrong_use("lessons 8 --for pupils --out x.html",
                    "--for: pupils not in {everybody,learners,teacher}");

@@ -134,6 +134,7 @@ void use(const std::string& panel, ui::MainWindow& window, ui::Workbench& bench)
   } else if (panel == "identification") {
     identify_tolerance(window, bench);
   } else if (panel == "lesson") {
+    window.part<ui::LessonView>().desk().unlock(true);
     window.open_lesson(find_lesson("small_circle"));
   }
 }

@@ -51,9 +51,13 @@ Sample corners() {
 }
 
 /// From the middle of a side once around, so that every corner is passed in motion.
-Sample polygon() {
+Sample polygon(bool stops) {
   NcWriter nc = begin("ONCE AROUND AN OCTAGON WITH SIDES OF 20 MM AT 6000 MM/MIN, FROM THE MIDDLE OF A SIDE",
-                      "CORNERS OF 45 DEGREES THAT ARE PASSED WITHOUT A STOP");
+                      stops ? "THE TIME OF AN EXACT STOP, WITH AND WITHOUT A WINDOW"
+                            : "CORNERS OF 45 DEGREES THAT ARE PASSED WITHOUT A STOP");
+  if (stops) {
+    nc.raw("G61");
+  }
   constexpr double side = 20;
   constexpr int corners = 8;
   constexpr double turn = 360.0 / corners;
@@ -63,7 +67,7 @@ Sample polygon() {
     nc.line(place, i == 0 ? 6000 : 0);
   }
   nc.raw("M30");
-  return {"lesson_polygon.nc", nc.text()};
+  return {stops ? "lesson_polygon_stops.nc" : "lesson_polygon.nc", nc.text()};
 }
 
 /// Out and back: the reversals are exact stops on every control.
@@ -384,7 +388,8 @@ Sample zigzag(int feed) {
 
 std::vector<Sample> lesson_programs() {
   return {corners(),
-          polygon(),
+          polygon(false),
+          polygon(true),
           lines(),
           approaches(),
           row(0.1, 100, 9600, "lesson_short_blocks.nc",

@@ -8,6 +8,7 @@ namespace feedscope::ui {
 namespace {
 
 constexpr std::array heidenhain_patterns{
+    QT_TRANSLATE_NOOP("core", "HSC-MODE %1 changes nothing in the simulation"),
     // Approaches, corners, motion (approaches, contour_writer, motion, path_statements, targets, words).
     QT_TRANSLATE_NOOP("core", "an approach or departure without RL or RR"),
     QT_TRANSLATE_NOOP("core", "the left side is assumed; write RL or RR"),

@@ -205,7 +205,13 @@ constexpr std::array iso_patterns{
     QT_TRANSLATE_NOOP("core", "one turn is used"),
     QT_TRANSLATE_NOOP("core", "%1 is perpendicular to the plane of the arc"),
     QT_TRANSLATE_NOOP("core", "it is ignored; check whether G17, G18 or G19 is missing"),
-    QT_TRANSLATE_NOOP("core", "R%1 of G5.1 (machining condition from speed to accuracy) is not supported"),
+    QT_TRANSLATE_NOOP(
+        "core", "R%1 of G5.1 (machining condition from speed to accuracy) changes nothing in the simulation"),
+    QT_TRANSLATE_NOOP("core", "P%1 of G187 (smoothness) changes nothing in the simulation"),
+    QT_TRANSLATE_NOOP("core", "G5.1 Q2 (smooth interpolation) is not supported"),
+    QT_TRANSLATE_NOOP("core",
+                      "its blocks are run as lines; with the setting compressor=on a smooth curve within the "
+                      "tolerance is laid through them, which is not that of the control"),
     QT_TRANSLATE_NOOP(
         "core", "its parameters exist only in the control; set acceleration and jerk of the machine instead"),
     QT_TRANSLATE_NOOP("core", "tolerance %1 of %2 is negative"),

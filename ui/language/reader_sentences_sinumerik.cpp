@@ -144,6 +144,7 @@ constexpr std::array sinumerik_patterns{
     QT_TRANSLATE_NOOP("core", "CYCLE832 with tolerance %1 and machining type 0 switches its settings off"),
     QT_TRANSLATE_NOOP("core",
                       "write the type as the second value: 1 finishing, 2 semi-finishing, 3 roughing"),
+    QT_TRANSLATE_NOOP("core", "machining type %1 of CYCLE832 changes nothing in the simulation"),
     QT_TRANSLATE_NOOP("core", "CYCLE800 with mode %1 is not supported"),
     QT_TRANSLATE_NOOP("core",
                       "the plane is shown without rotation; program angles about one axis after the other"),

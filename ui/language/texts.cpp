@@ -4,6 +4,7 @@
 #include <QLocale>
 
 #include "core/analysis/study/sweep.h"
+#include "core/analysis/tolerance_effect.h"
 #include "core/base/short_text.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
@@ -50,14 +51,15 @@ QString setting_title(const std::string& key) {
 QString slower_tolerance_text(const SlowerTolerance& slower) {
   const QLocale locale;
   const auto seconds = [&](double value) { return locale.toString(value, 'f', 3); };
+  const QString why = QCoreApplication::translate("texts",
+                                                  ": a corner blend can take longer than a narrower one or "
+                                                  "an exact stop, because it is passed at a limited "
+                                                  "speed along its whole length");
   return QCoreApplication::translate(
-             "texts",
-             "A tolerance of %1 takes %2 s longer than %3, mostly due to %4 (%5 s more): a corner blend can "
-             "take longer than a narrower one or an exact stop, because it is passed at a limited speed "
-             "along its whole length.")
+             "texts", "A tolerance of %1 takes %2 s longer than %3, mostly due to %4 (%5 s more)%6.")
       .arg(significant_text(slower.wide_value, Dimension::length, 5), seconds(slower.more),
            significant_text(slower.narrow_value, Dimension::length, 5), core_text(cause_title(slower.cause)),
-           seconds(slower.cause_more));
+           seconds(slower.cause_more), is_by_blends(slower) ? why : QString());
 }
 
 }  // namespace feedscope::ui

@@ -148,12 +148,52 @@ void LessonDesk::take(const std::shared_ptr<const OpenLesson>& lesson) {
   }
   question_ = 0;
   view_pending_ = false;
+  revealed_ = false;
   emit opened();
   emit question_changed();
-  if (std::exchange(set_up_pending_, false)) {
-    set_up_window();
-  } else {
+  emit cover_changed();
+  if (!std::exchange(set_up_pending_, false)) {
     measure();
+  } else if (awaits_prediction()) {
+    emit set_up_begins();
+    workbench_.close();
+  } else {
+    set_up_window();
+  }
+}
+
+bool LessonDesk::awaits_prediction() const {
+  return open_ != nullptr && !open_->lesson.predict.empty() && !unlocked_ && !revealed_ &&
+         prediction().isEmpty();
+}
+
+QString LessonDesk::prediction() const {
+  const auto found = open_ == nullptr ? work_.end() : work_.find({open_->lesson.id, ui::prediction});
+  return found == work_.end() ? QString() : found->second.answer;
+}
+
+void LessonDesk::predict(const QString& text) {
+  if (!awaits_prediction() || text.trimmed().isEmpty()) {
+    return;
+  }
+  work_[{open_->lesson.id, ui::prediction}].answer = text.trimmed();
+  emit work_changed();
+  emit cover_changed();
+  set_up_window();
+}
+
+void LessonDesk::reveal() {
+  if (awaits_prediction()) {
+    revealed_ = true;
+    emit cover_changed();
+    set_up_window();
+  }
+}
+
+void LessonDesk::unlock(bool on) {
+  if (on != unlocked_) {
+    unlocked_ = on;
+    emit cover_changed();
   }
 }
 
@@ -166,7 +206,7 @@ QString LessonDesk::watched() const {
 }
 
 void LessonDesk::set_up_window() {
-  if (open_ == nullptr) {
+  if (open_ == nullptr || awaits_prediction()) {
     return;
   }
   try {
@@ -193,7 +233,7 @@ void LessonDesk::choose_question(std::size_t number) {
 }
 
 void LessonDesk::move_control(const std::string& value) {
-  if (open_ == nullptr) {
+  if (open_ == nullptr || awaits_prediction()) {
     return;
   }
   const Question& question = open_->lesson.questions[question_];
@@ -299,6 +339,7 @@ void LessonDesk::set_all_work(LessonWork work) {
   if (work_ != work) {
     work_ = std::move(work);
     emit work_changed();
+    emit cover_changed();
   }
 }
 

@@ -44,15 +44,27 @@ class LessonDesk : public QObject {
   /// A text of the open lesson with its numbers, Markdown.
   QString filled(const std::string& text) const;
 
+  /// Whether the run of the lesson stays covered: there is something to predict, which nobody has written
+  /// yet.
+  bool awaits_prediction() const;
+  /// Of the open lesson; empty: none.
+  QString prediction() const;
+  /// Writes it down, once, and sets up the window.
+  void predict(const QString& text);
+  /// The same without a prediction, until another lesson is opened.
+  void reveal();
+  /// Whether lessons show their run without a prediction: the choice of a teacher.
+  bool unlocked() const { return unlocked_; }
+  void unlock(bool on);
   /// Program, runs and settings that the lesson begins with, instead of those in the window; view_wanted()
-  /// follows with the first result.
+  /// follows with the first result. Not while it awaits_prediction().
   void set_up_window();
   /// The window is to show something else again: view_wanted() does not follow any more.
   void leave_window() { view_pending_ = false; }
   std::size_t question() const { return question_; }
   void choose_question(std::size_t number);
   /// Gives the control of the question a value in the current run; all else is as the lesson begins, and can
-  /// be undone.
+  /// be undone. Not while the lesson awaits_prediction().
   void move_control(const std::string& value);
 
   /// What was done at the question that is shown: every value that its control was given in the current run,
@@ -78,6 +90,8 @@ class LessonDesk : public QObject {
   void opened();
   /// What the window shows now is about to be replaced by what the lesson begins with.
   void set_up_begins();
+  /// awaits_prediction() or unlocked() may be another one.
+  void cover_changed();
   void question_changed();
   void value_changed();
   /// Values tried or answers at the question that is shown.
@@ -120,6 +134,8 @@ class LessonDesk : public QObject {
   QString value_;
   bool view_pending_ = false;
   bool set_up_pending_ = false;
+  bool unlocked_ = false;
+  bool revealed_ = false;  ///< the open lesson, without a prediction
   Job<Catalogue> listing_;
   Job<std::shared_ptr<const OpenLesson>> opening_;
   LessonWork work_;

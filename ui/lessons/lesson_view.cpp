@@ -98,6 +98,9 @@ LessonView::LessonView(LessonDesk& desk, QWidget* parent)
       own_value_(new ShortNumberBox(own_)),
       show_setting_(new QToolButton(control_)),
       value_(new QLabel(this)),
+      lower_(new QStackedWidget(this)),
+      own_prediction_(new QPlainTextEdit(this)),
+      predict_(new QPushButton(tr("Show the run"), this)),
       tried_(new QWidget(this)),
       tries_(new TriesTable(tried_)),
       own_answer_(new QPlainTextEdit(this)),
@@ -118,6 +121,7 @@ LessonView::LessonView(LessonDesk& desk, QWidget* parent)
   fit_to_text(*question_);
   fit_to_text(*expected_);
   fit_to_lines(*own_answer_);
+  fit_to_lines(*own_prediction_);
   own_answer_->setAccessibleName(tr("Your own answer"));
   own_answer_->setPlaceholderText(tr("Your own answer"));
   own_answer_->setToolTip(tr("Your own answer, kept with the session"));
@@ -134,6 +138,10 @@ LessonView::LessonView(LessonDesk& desk, QWidget* parent)
   });
   connect(own_answer_, &QPlainTextEdit::textChanged, this,
           [this] { desk_.set_answer(own_answer_->toPlainText()); });
+  connect(own_prediction_, &QPlainTextEdit::textChanged, this,
+          [this] { predict_->setEnabled(!own_prediction_->toPlainText().trimmed().isEmpty()); });
+  connect(predict_, &QPushButton::clicked, this, [this] { desk_.predict(own_prediction_->toPlainText()); });
+  connect(&desk_, &LessonDesk::cover_changed, this, &LessonView::show_cover);
   connect(&desk_, &LessonDesk::listed, this, &LessonView::show_list);
   connect(&desk_, &LessonDesk::opened, this, &LessonView::show_lesson);
   connect(&desk_, &LessonDesk::question_changed, this, &LessonView::show_question);
@@ -183,8 +191,18 @@ void LessonView::make_actions() {
   clear_action_ = make_action(
       this, tr("Clear the values tried"),
       tr("Forget the values tried at this question; the answer stays. Edit > Undo brings them back"));
+  unlock_action_ = make_action(this, tr("Runs without a prediction"),
+                               tr("For teachers: show the run of a lesson before a prediction is written"));
+  unlock_action_->setCheckable(true);
   actions_ = {set_up_action_, before_action_, after_action_, hint_action_,  answer_action_,
               list_action_,   copy_action_,   csv_action_,   clear_action_, return_action_};
+  connect(unlock_action_, &QAction::triggered, this, [this](bool on) {
+    const bool covered = desk_.awaits_prediction();
+    desk_.unlock(on);
+    if (covered) {
+      desk_.set_up_window();
+    }
+  });
   connect(list_action_, &QAction::triggered, this, [this] { pages_->setCurrentWidget(list_); });
   connect(copy_action_, &QAction::triggered, this,
           [this] { QGuiApplication::clipboard()->setText(rows_text(*tries_->model())); });
@@ -232,7 +250,9 @@ void LessonView::share_height() {
   const int shown = work_->viewport()->width();
   const int of_question =
       question.hasHeightForWidth() ? question.totalHeightForWidth(shown) : question.totalSizeHint().height();
-  const int wanted_below = lower.height() - work_->viewport()->height() + of_question;
+  const int wanted_below = desk_.awaits_prediction()
+                               ? lower_->currentWidget()->sizeHint().height()
+                               : lower.height() - work_->viewport()->height() + of_question;
   const int wanted_above = upper.height() - text_->viewport()->height() +
                            static_cast<int>(std::ceil(text_->document()->size().height()));
   const int all = upper.height() + lower.height();
@@ -312,7 +332,25 @@ QWidget* LessonView::make_lower() {
   whole->setContentsMargins(0, 0, 0, 0);
   whole->addLayout(steps);  // always at the same place
   whole->addWidget(work_, 1);
-  return lower;
+  lower_->addWidget(make_prediction());
+  lower_->addWidget(lower);
+  return lower_;
+}
+
+QWidget* LessonView::make_prediction() {
+  auto* page = new QWidget(this);
+  auto* layout = new QVBoxLayout(page);
+  layout->setContentsMargins(0, 0, 0, 0);
+  own_prediction_->setAccessibleName(tr("Your prediction"));
+  own_prediction_->setPlaceholderText(tr("Your prediction"));
+  own_prediction_->setToolTip(tr("What you expect, kept with the session; it cannot be changed afterwards"));
+  own_prediction_->setTabChangesFocus(true);
+  predict_->setToolTip(tr("Write the prediction down and set up the window with the lesson"));
+  predict_->setEnabled(false);
+  layout->addWidget(own_prediction_);
+  layout->addWidget(predict_, 0, Qt::AlignLeft);
+  layout->addStretch(1);
+  return page;
 }
 
 bool LessonView::shows_list() const {
@@ -359,27 +397,68 @@ void LessonView::show_list() {
 }
 
 void LessonView::show_lesson() {
+  const bool open = desk_.lesson() != nullptr;
+  list_action_->setEnabled(open);
+  pages_->setCurrentIndex(open ? 1 : 0);
+  own_prediction_->clear();
+  show_cover();
+}
+
+/// The text of the lesson ends with what to predict while that is awaited, else with what was predicted.
+void LessonView::show_text() {
   const Lesson* lesson = desk_.lesson();
-  set_up_action_->setEnabled(lesson != nullptr);
-  list_action_->setEnabled(lesson != nullptr);
-  pages_->setCurrentIndex(lesson != nullptr ? 1 : 0);
-  if (lesson != nullptr) {
-    const auto part = [this](const QString& heading, const std::string& text) {
-      return text.empty() ? QString() : QStringLiteral("\n\n**%1**\n\n").arg(heading) + desk_.filled(text);
-    };
-    text_->setHtml(
-        as_html(QStringLiteral("### %1\n\n*%2*\n\n%3%4%5")
-                    .arg(QString::fromStdString(lesson->title), QString::fromStdString(lesson->learn),
-                         desk_.filled(lesson->text), part(tr("Before you look"), lesson->predict),
-                         part(tr("On my control"), lesson->transfer))));
+  if (lesson == nullptr) {
+    return;
   }
+  const auto part = [this](const QString& heading, const std::string& text) {
+    return text.empty() ? QString() : QStringLiteral("\n\n**%1**\n\n").arg(heading) + desk_.filled(text);
+  };
+  const QString shown =
+      as_html(QStringLiteral("### %1\n\n*%2*\n\n%3%4")
+                  .arg(QString::fromStdString(lesson->title), QString::fromStdString(lesson->learn),
+                       desk_.filled(lesson->text), part(tr("Before you look"), lesson->predict)));
+  const QString predicted = desk_.prediction().toHtmlEscaped().replace('\n', QStringLiteral("<br>"));
+  const QString written =
+      predicted.isEmpty()
+          ? QString()
+          : QStringLiteral("<p><b>%1</b> <i>%2</i></p>").arg(tr("Your prediction:"), predicted);
+  const QString transfer =
+      desk_.awaits_prediction() ? QString() : as_html(part(tr("On my control"), lesson->transfer));
+  text_->setHtml(shown + written + transfer);
+}
+
+void LessonView::show_cover() {
+  const bool covered = desk_.awaits_prediction();
+  set_up_action_->setEnabled(desk_.lesson() != nullptr && !covered);
+  lower_->setCurrentIndex(covered ? 0 : 1);
+  unlock_action_->setChecked(desk_.unlocked());
+  show_text();
   show_question();
+}
+
+void LessonView::step(bool forward) {
+  const Lesson* lesson = desk_.lesson();
+  if (lesson == nullptr) {
+    return;
+  }
+  if (desk_.awaits_prediction()) {
+    if (forward) {
+      desk_.reveal();
+    }
+  } else if (answer_action_->isChecked() != forward) {
+    answer_action_->setChecked(forward);
+  } else if (forward) {
+    desk_.choose_question(desk_.question() + 1);
+  } else if (desk_.question() > 0) {
+    desk_.choose_question(desk_.question() - 1);
+    answer_action_->setChecked(true);
+  }
 }
 
 void LessonView::show_question() {
   const Lesson* lesson = desk_.lesson();
-  const std::size_t count = lesson == nullptr ? 0 : lesson->questions.size();
-  before_action_->setEnabled(desk_.question() > 0);
+  const std::size_t count = lesson == nullptr || desk_.awaits_prediction() ? 0 : lesson->questions.size();
+  before_action_->setEnabled(count > 0 && desk_.question() > 0);
   after_action_->setEnabled(desk_.question() + 1 < count);
   hint_action_->setEnabled(count > 0 && !lesson->questions[desk_.question()].hint.empty());
   answer_action_->setEnabled(count > 0);

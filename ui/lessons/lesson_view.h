@@ -22,7 +22,8 @@ class TriesTable;
 
 /// The list of lessons, or one of them beside the window that it is about: its text, its questions one by one
 /// with the control to move, what the current run measures, the values tried and an answer of one's own; hint
-/// and expected answer when asked for.
+/// and expected answer when asked for. While the lesson awaits a prediction, the field for it is in the place
+/// of the questions.
 class LessonView : public Panel {
   Q_OBJECT
 
@@ -45,6 +46,12 @@ class LessonView : public Panel {
   NumberBox& own_value() { return *own_value_; }
   TriesTable& tries() { return *tries_; }
   QPlainTextEdit& own_answer() { return *own_answer_; }
+  QPlainTextEdit& own_prediction() { return *own_prediction_; }
+  /// Writes the prediction down and shows the run.
+  QPushButton& predict_button() { return *predict_; }
+  /// The next or the previous step of the lesson before a class: the run without a prediction, then each
+  /// question and its answer.
+  void step(bool forward);
   /// The answer of the lesson, while it is shown.
   QTextBrowser& expected() { return *expected_; }
   QString measured() const;
@@ -53,6 +60,8 @@ class LessonView : public Panel {
   /// Set up the window, previous and next question, hint, answer, list of lessons, tries as text and as CSV,
   /// tries cleared, bring back what was in the window.
   QList<QAction*> panel_actions() const override { return actions_; }
+  /// Whether lessons show their run without a prediction.
+  QAction* unlock_action() const { return unlock_action_; }
 
  signals:
   /// What was in the window before the lesson is to be brought back.
@@ -72,8 +81,11 @@ class LessonView : public Panel {
   void share_height();
   QWidget* make_upper();
   QWidget* make_lower();
+  QWidget* make_prediction();
   void show_list();
   void show_lesson();
+  void show_text();
+  void show_cover();
   void show_question();
   void show_texts();
   void show_expected();
@@ -100,6 +112,9 @@ class LessonView : public Panel {
   NumberBox* own_value_;
   QToolButton* show_setting_;
   QLabel* value_;
+  QStackedWidget* lower_;  ///< the field for a prediction, or the question
+  QPlainTextEdit* own_prediction_;
+  QPushButton* predict_;
   QWidget* tried_;
   TriesTable* tries_;
   QPlainTextEdit* own_answer_;
@@ -121,6 +136,7 @@ class LessonView : public Panel {
   QAction* copy_action_ = nullptr;
   QAction* csv_action_ = nullptr;
   QAction* clear_action_ = nullptr;
+  QAction* unlock_action_ = nullptr;
 };
 
 }  // namespace feedscope::ui

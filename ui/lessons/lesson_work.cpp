@@ -2,6 +2,8 @@
 
 #include <set>
 
+#include "ui/lessons/lesson_tries.h"
+
 namespace feedscope::ui {
 
 namespace {
@@ -17,6 +19,24 @@ std::set<std::string> lessons_of(const LessonWork& work) {
 }
 
 }  // namespace
+
+LearnersWork work_on(const Lesson& lesson, const LessonWork& work) {
+  LearnersWork made;
+  made.answers.resize(lesson.questions.size());
+  for (const auto& [where, done] : work) {
+    if (where.first != lesson.id) {
+      continue;
+    }
+    if (where.second == prediction) {
+      made.prediction = done.answer.trimmed().toStdString();
+    } else if (where.second < made.answers.size()) {
+      const bool fits = is_work_on(lesson.questions[where.second], done);
+      made.answers[where.second] = {done.answer.trimmed().toStdString(),
+                                    fits ? done.tries : std::vector<LessonTry>()};
+    }
+  }
+  return made;
+}
 
 LessonWork of_other_lessons(const LessonWork& work, const LessonWork& held) {
   const std::set<std::string> there = lessons_of(held);

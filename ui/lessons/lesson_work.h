@@ -1,21 +1,16 @@
 #pragma once
 
 #include <QString>
+#include <cstddef>
+#include <limits>
 #include <map>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-namespace feedscope::ui {
+#include "core/lessons/handout.h"
 
-/// A value that someone has given the control of a question, and what the run with it measures.
-struct LessonTry {
-  std::string value;               ///< as in Changes
-  double cycle_time = 0;           ///< [s]
-  std::optional<double> measured;  ///< what the question watches, in its unit; none: there is nothing of it
-  bool operator==(const LessonTry&) const = default;
-};
+namespace feedscope::ui {
 
 /// What someone has done at one question.
 struct QuestionWork {
@@ -26,8 +21,12 @@ struct QuestionWork {
   bool operator==(const QuestionWork&) const = default;
 };
 
-/// By the id of a lesson and the number of its question, from 0.
+/// By the id of a lesson and the number of its question, from 0; the prediction is the answer to
+/// `prediction`.
 using LessonWork = std::map<std::pair<std::string, std::size_t>, QuestionWork>;
+inline constexpr std::size_t prediction = std::numeric_limits<std::size_t>::max();
+/// What `work` has of a lesson, for its hand-out; tries only where they are is_work_on() its questions.
+LearnersWork work_on(const Lesson& lesson, const LessonWork& work);
 /// What `work` has of lessons of which `held` has nothing.
 LessonWork of_other_lessons(const LessonWork& work, const LessonWork& held);
 /// How many lessons it is of.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "core/analysis/study/sweep.h"
 #include "core/lessons/lesson_language.h"
@@ -56,9 +57,10 @@ std::string word_for_value(const std::string& key, const std::string& value) {
 }  // namespace
 
 ReportPage handout_page(const Lesson& lesson, LessonRuns& runs, HandoutReader reader, const SceneTexts& texts,
-                        Progress* progress) {
+                        Progress* progress, LearnersWork work) {
   HandoutContents contents = handout_contents(lesson, runs, reader, progress);
   contents.words = {title_with_unit, word_for_value};
+  contents.work = std::move(work);
   ReportInput input = input_of(lesson, runs, progress);
   input.texts = texts;
   ReportPage page{{}, ReportPictures(progress)};
@@ -93,8 +95,8 @@ ReportPage handout_page(const Lesson& lesson, LessonRuns& runs, HandoutReader re
 }
 
 std::string make_handout(const Lesson& lesson, LessonRuns& runs, HandoutReader reader, ReportFormat format,
-                         const SceneTexts& texts, Progress* progress) {
-  const ReportPage page = handout_page(lesson, runs, reader, texts, progress);
+                         const SceneTexts& texts, Progress* progress, LearnersWork work) {
+  const ReportPage page = handout_page(lesson, runs, reader, texts, progress, std::move(work));
   const PageTexts on_pages{QString::fromStdString(lesson.title),
                            {},
                            {},

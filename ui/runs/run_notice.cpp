@@ -110,7 +110,10 @@ QString RunNotice::reason() const {
     default:
       break;
   }
-  if (program == nullptr || !workbench_.shown_program().input.toolpath->segments.empty()) {
+  if (program == nullptr) {
+    return without_program_;
+  }
+  if (!workbench_.shown_program().input.toolpath->segments.empty()) {
     return {};
   }
   const QString file = to_qstring(workbench_.file().filename());
@@ -119,6 +122,11 @@ QString RunNotice::reason() const {
             "Reading › Program import options selects another language. The panel Messages lists what was "
             "found in it.")
       .arg(file, dialect);
+}
+
+void RunNotice::say_without_program(const QString& text) {
+  without_program_ = text;
+  follow();
 }
 
 QString RunNotice::text() const {

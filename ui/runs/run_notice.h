@@ -20,6 +20,8 @@ class RunNotice : public QFrame {
   /// Lies over the lower edge of `stage`, which keeps its size. `workbench` outlives this.
   RunNotice(Workbench& workbench, QWidget& stage);
 
+  /// To be said while no program is there; empty: nothing.
+  void say_without_program(const QString& text);
   QString text() const;
   QToolButton* again() { return again_; }
 
@@ -36,6 +38,7 @@ class RunNotice : public QFrame {
   Workbench& workbench_;
   QLabel* text_;
   QProgressBar* progress_;
+  QString without_program_;
   QString activity_;  ///< what is being done
   QToolButton* again_;
 };

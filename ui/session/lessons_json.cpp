@@ -1,6 +1,6 @@
 #include "ui/session/lessons_json.h"
 
-#include <QJsonObject>
+#include <QJsonArray>
 #include <cmath>
 
 #include "ui/session/session_json.h"
@@ -36,9 +36,14 @@ LessonTry read_try(const QJsonObject& json, const QString& place, QStringList& n
 
 }  // namespace
 
-QJsonArray to_json(const LessonWork& work) {
+void put_lessons(const LessonWork& work, QJsonObject& session) {
   QJsonArray json;
+  QJsonObject predictions;
   for (const auto& [where, done] : work) {
+    if (where.second == prediction) {
+      predictions[QString::fromStdString(where.first)] = done.answer;
+      continue;
+    }
     if (done.answer.isEmpty() && done.tries.empty()) {
       continue;
     }
@@ -54,13 +59,20 @@ QJsonArray to_json(const LessonWork& work) {
     }
     json.append(question);
   }
-  return json;
+  session["lessons"] = json;
+  if (!predictions.isEmpty()) {
+    session["predictions"] = predictions;
+  }
 }
 
-LessonWork read_lessons(const QJsonArray& json, QStringList& notes) {
+LessonWork read_lessons(const QJsonObject& session, QStringList& notes) {
   LessonWork work;
+  const QJsonObject predictions = session["predictions"].toObject();
+  for (const QString& lesson : predictions.keys()) {
+    work[{lesson.toStdString(), prediction}].answer = predictions[lesson].toString();
+  }
   int number = 0;
-  for (const QJsonValue& value : json) {
+  for (const QJsonValue& value : session["lessons"].toArray()) {
     const QJsonObject question = value.toObject();
     const QString place = QStringLiteral("lessons, entry %1").arg(++number);
     note_unknown(question, {"lesson", "question", "answer", "setting", "measure", "tries"}, place, notes);

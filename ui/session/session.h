@@ -37,7 +37,8 @@ struct Session {
   std::vector<Annotation> annotations;
   std::vector<TraceItem> traces;         ///< absolute files; one that is not there is kept nevertheless
   IdentificationState identification;    ///< rows of `runs` and `traces`
-  LessonWork lessons;                    ///< answers and values tried
+  LessonWork lessons;                    ///< predictions, answers and values tried
+  bool lessons_unlocked = false;         ///< lessons show their run without a prediction
   QByteArray layout;                     ///< of the docks, as QMainWindow::saveState; may be empty
   bool presentation = false;             ///< large type and few panels; `layout` is that without
   std::optional<ThemeKind> theme;        ///< none: as the one who opens it likes it

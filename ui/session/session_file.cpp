@@ -50,7 +50,15 @@ void write_session(const Session& session, const std::filesystem::path& file) {
   }
 }
 
-ReadSession read_session_file(const std::filesystem::path& file) {
+void write_lesson_work(const LessonWork& work, QIODevice& out) {
+  out.write(QJsonDocument(lesson_work_json(work)).toJson());
+}
+
+namespace {
+
+/// What `read` makes of the JSON in a file, with the file's name in what it throws.
+template <class Read>
+auto read_file(const std::filesystem::path& file, const Read& read) {
   const QString name = to_qstring(file);
   const QByteArray bytes = read_bytes(name);
   QJsonParseError error;
@@ -60,11 +68,23 @@ ReadSession read_session_file(const std::filesystem::path& file) {
                           .arg(name, error.errorString(), place_of(bytes, error.offset)));
   }
   try {
-    return read_session(document.object(), std::filesystem::absolute(file).parent_path(), shipped_machines());
+    return read(document.object());
   } catch (const InputError& reason) {
     throw input_error(
         QStringLiteral("cannot use session '%1': %2").arg(name, QString::fromUtf8(reason.what())));
   }
+}
+
+}  // namespace
+
+ReadSession read_session_file(const std::filesystem::path& file) {
+  return read_file(file, [&](const QJsonObject& json) {
+    return read_session(json, std::filesystem::absolute(file).parent_path(), shipped_machines());
+  });
+}
+
+LessonWork read_lesson_work(const std::filesystem::path& file) {
+  return read_file(file, [](const QJsonObject& json) { return read_lesson_work(json); });
 }
 
 QByteArray hash_of(const std::filesystem::path& file) {

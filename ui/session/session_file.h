@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QIODevice>
+
 #include "ui/session/session_json.h"
 
 namespace feedscope::ui {
@@ -17,6 +19,12 @@ void write_session(const Session& session, const std::filesystem::path& file);
 
 /// Throws InputError naming the file, and line and column where it is no JSON; and what read_session throws.
 ReadSession read_session_file(const std::filesystem::path& file);
+
+/// Only what was done in lessons, for read_lesson_work().
+void write_lesson_work(const LessonWork& work, QIODevice& out);
+/// What was done in lessons, of a session file or of what write_lesson_work() has written. Throws as
+/// read_session_file().
+LessonWork read_lesson_work(const std::filesystem::path& file);
 
 /// SHA-256 of a file's bytes in hex; empty if it cannot be read.
 QByteArray hash_of(const std::filesystem::path& file);

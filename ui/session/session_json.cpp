@@ -236,8 +236,11 @@ QJsonObject to_json(const Session& session, const std::filesystem::path& folder)
       {"load_file", to_json(session.load)},
       {"annotations", annotations},
       {"traces", traces},
-      {"lessons", to_json(session.lessons)},
       {"window", window}};
+  put_lessons(session.lessons, json);
+  if (session.lessons_unlocked) {
+    json["lessons_unlocked"] = true;
+  }
   if (session.error_bound) {
     json["max_contour_error_mm"] = *session.error_bound;
   }
@@ -247,14 +250,27 @@ QJsonObject to_json(const Session& session, const std::filesystem::path& folder)
   return json;
 }
 
+QJsonObject lesson_work_json(const LessonWork& work) {
+  QJsonObject json{{"format", format_name}, {"version", session_version}};
+  put_lessons(work, json);
+  return json;
+}
+
+LessonWork read_lesson_work(const QJsonObject& json) {
+  check_format(json);
+  QStringList notes;
+  return read_lessons(json, notes);
+}
+
 ReadSession read_session(const QJsonObject& json, const std::filesystem::path& folder,
                          const MachineLibrary& machines) {
   check_format(json);
   ReadSession read;
-  note_unknown(json,
-               {"format", "version", "program", "reading", "runs", "current_run", "cursor_s", "view",
-                "compare", "charts", "circular", "load_file", "annotations", "traces", "identification",
-                "lessons", "window", "max_contour_error_mm"},
+  note_unknown(json, {"format",      "version",          "program",        "reading",
+                      "runs",        "current_run",      "cursor_s",       "view",
+                      "compare",     "charts",           "circular",       "load_file",
+                      "annotations", "traces",           "identification", "lessons",
+                      "predictions", "lessons_unlocked", "window",         "max_contour_error_mm"},
                QStringLiteral("the session"), read.notes);
   Session& session = read.session;
   const QJsonObject program = json["program"].toObject();
@@ -303,7 +319,8 @@ ReadSession read_session(const QJsonObject& json, const std::filesystem::path& f
   }
   session.identification =
       read_identification(json["identification"].toObject(), folder, machines, read.notes);
-  session.lessons = read_lessons(json["lessons"].toArray(), read.notes);
+  session.lessons = read_lessons(json, read.notes);
+  session.lessons_unlocked = json["lessons_unlocked"].toBool();
   read_window(json["window"].toObject(), session, read.notes);
   return read;
 }

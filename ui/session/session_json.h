@@ -37,4 +37,9 @@ struct ReadSession {
 ReadSession read_session(const QJsonObject& json, const std::filesystem::path& folder,
                          const MachineLibrary& machines);
 
+/// Only what was done in lessons, as a session has it.
+QJsonObject lesson_work_json(const LessonWork& work);
+/// That of a session or of lesson_work_json(). Throws InputError as read_session().
+LessonWork read_lesson_work(const QJsonObject& json);
+
 }  // namespace feedscope::ui

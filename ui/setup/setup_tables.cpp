@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/machine/key_unit.h"
 #include "core/toolpath/turn_limiter.h"
 #include "ui/fields/choice_delegate.h"
 #include "ui/fields/number_text.h"
@@ -58,6 +59,18 @@ QString range_text(const SettingSpec& spec) {
   }
   return QStringLiteral("%1%2 … %3")
       .arg(spec.minimum_allowed ? "" : "> ", text_of(spec.minimum), text_of(spec.maximum));
+}
+
+/// "= 0.51 g" of a value whose unit data sheets often give otherwise; "" of another one.
+QString data_sheet_text(const SettingValue& value, const SettingSpec& spec) {
+  const DataSheetUnit other = data_sheet_unit(spec.unit);
+  const auto* number = std::get_if<double>(&value);
+  constexpr int digits = 4;
+  return number == nullptr || other.name.empty()
+             ? QString()
+             : QStringLiteral(" = %1 %2")
+                   .arg(QLocale().toString(*number / other.factor, 'g', digits),
+                        QString::fromUtf8(other.name.data(), qsizetype(other.name.size())));
 }
 
 /// Where nobody gives a value, a usual one holds, which is shown in its place.
@@ -179,6 +192,9 @@ QString SetupTable::explanation(const std::string& key) const {
       QStringLiteral("<b>%1</b>%2")
           .arg(core_text(spec.title).toHtmlEscaped(),
                spec.unit.empty() ? QString() : QStringLiteral(" [%1]").arg(key_unit(spec.unit).text)));
+  if (const QString other = data_sheet_text(state_.value(key), spec); !other.isEmpty()) {
+    lines.append(value_text(state_.value(key), spec) + QLatin1Char(' ') + key_unit(spec.unit).text + other);
+  }
   lines.append(core_text(spec.explanation).toHtmlEscaped());
   if (spec.choices.empty()) {
     lines.append(tr("Range: %1").arg(range_text(spec)));

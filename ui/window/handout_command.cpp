@@ -3,6 +3,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 
+#include "ui/session/session_file.h"
 #include "ui/shared/panel_action.h"
 #include "ui/shared/paths.h"
 
@@ -67,7 +68,14 @@ void HandoutCommand::write(HandoutReader reader, const QString& file) {
     return;
   }
   file_ = file;
-  process_.start(arguments(*lesson, reader) + QStringList{QStringLiteral("--out"), file}, {});
+  QStringList all = arguments(*lesson, reader) + QStringList{QStringLiteral("--out"), file};
+  work_ = std::make_unique<QTemporaryFile>();
+  if (reader != HandoutReader::teacher && work_->open()) {
+    write_lesson_work(desk_.all_work(), *work_);
+    work_->close();
+    all << QStringLiteral("--session") << work_->fileName();
+  }
+  process_.start(all, {});
 }
 
 }  // namespace feedscope::ui

@@ -2,7 +2,9 @@
 
 #include <QList>
 #include <QStringList>
+#include <QTemporaryFile>
 #include <QWidget>
+#include <memory>
 
 #include "core/lessons/handout.h"
 #include "ui/lessons/lesson_desk.h"
@@ -14,6 +16,7 @@ namespace feedscope::ui {
 
 /// Hand-outs of the open lesson as files to print, with pictures, made by `feedscope lessons` in a process of
 /// its own: the window goes on, and the pages are those of the command line, in the language of the lesson.
+/// What was written and tried in the window is on those that are not for the teacher.
 class HandoutCommand : public QObject {
   Q_OBJECT
 
@@ -41,6 +44,7 @@ class HandoutCommand : public QObject {
   QWidget& window_;
   QList<QAction*> actions_;
   CommandProcess process_;
+  std::unique_ptr<QTemporaryFile> work_;  ///< of the learner, for the process under way
   QString file_;
 };
 

@@ -3,10 +3,11 @@
 namespace feedscope::ui {
 
 LessonMenu::LessonMenu(LessonDesk& desk, const QList<QAction*>& commands, const QList<QAction*>& handouts,
-                       QWidget* parent)
+                       QAction* unlock, QWidget* parent)
     : QMenu(tr("&Lessons"), parent), desk_(desk), behind_lessons_(addSeparator()) {
   addMenu(tr("&This lesson"))->addActions(commands);
   addMenu(tr("&Hand-outs"))->addActions(handouts);
+  addAction(unlock);
   connect(&desk_, &LessonDesk::listed, this, &LessonMenu::list);
   list();
   desk_.list();

@@ -12,9 +12,9 @@ class LessonMenu : public QMenu {
   Q_OBJECT
 
  public:
-  /// `desk` outlives this. `commands`: of the open lesson; `handouts`: of it on paper.
+  /// `desk` outlives this. `commands`: of the open lesson; `handouts`: of it on paper; `unlock`: of all.
   LessonMenu(LessonDesk& desk, const QList<QAction*>& commands, const QList<QAction*>& handouts,
-             QWidget* parent);
+             QAction* unlock, QWidget* parent);
 
  signals:
   void lesson_wanted(const std::filesystem::path& file);

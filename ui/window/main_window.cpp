@@ -142,7 +142,12 @@ void MainWindow::make_centre() {
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
   layout->addWidget(scenes_, 1);
-  new RunNotice(workbench_, *scenes_);
+  auto* notice = new RunNotice(workbench_, *scenes_);
+  connect(&desk_, &LessonDesk::cover_changed, notice, [this, notice] {
+    notice->say_without_program(desk_.awaits_prediction()
+                                    ? tr("The run is shown once a prediction is written in the lesson.")
+                                    : QString());
+  });
   layout->addWidget(playback_);
   setCentralWidget(centre);
 }
@@ -261,7 +266,8 @@ void MainWindow::make_menus() {
     dock_sizes_->follow_first_layout();
   });
   handouts_ = new HandoutCommand(desk_, QCoreApplication::applicationFilePath(), *this);
-  auto* lessons = new LessonMenu(desk_, lessons_->panel_actions(), handouts_->actions(), this);
+  auto* lessons =
+      new LessonMenu(desk_, lessons_->panel_actions(), handouts_->actions(), lessons_->unlock_action(), this);
   menuBar()->addMenu(lessons);
   connect(lessons, &LessonMenu::lesson_wanted, this, &MainWindow::open_lesson);
   auto* help = new HelpMenu(*lessons_, *this);
@@ -329,6 +335,7 @@ void MainWindow::connect_lessons() {
     session_->bring_back();
   });
   connect(&desk_, &LessonDesk::view_wanted, this, &MainWindow::show_lesson);
+  connect(presentation_, &Presentation::step_wanted, lessons_, &LessonView::step);
   connect(lessons_, &LessonView::setting_wanted, this, [this](const QString& key) {
     dock_of(*setup_).show();
     dock_of(*setup_).raise();

@@ -3,6 +3,8 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QEvent>
+#include <QMenuBar>
+#include <QStatusBar>
 #include <QToolBar>
 #include <algorithm>
 #include <cmath>
@@ -42,8 +44,8 @@ Presentation::~Presentation() {
 
 void Presentation::make_actions() {
   action_ = make_action(&window_, tr("&Presentation"),
-                        tr("Large type, 3D view and charts first, the lesson beside them: for a class"),
-                        QKeySequence(tr("Ctrl+F11")));
+                        tr("Large type and the open lesson alone, with its 3D view and charts: for a class"),
+                        QKeySequence(Qt::Key_F5));
   action_->setCheckable(true);
   set_everyday_words(action_, tr("class projector beamer large type bigger letters teach"));
   connect(action_, &QAction::toggled, this, &Presentation::set_on);
@@ -54,6 +56,17 @@ void Presentation::make_actions() {
     window_.setWindowState(full ? window_.windowState() | Qt::WindowFullScreen
                                 : window_.windowState() & ~Qt::WindowFullScreen);
   });
+  const auto add_step = [this](const QString& text, const QString& tip, Qt::Key key, bool forward) {
+    QAction* step = make_action(&window_, text, tip, QKeySequence(key));
+    step->setEnabled(false);
+    connect(step, &QAction::triggered, this, [this, forward] { emit step_wanted(forward); });
+    return step;
+  };
+  next_ = add_step(tr("&Next step"), tr("While presenting: next question or answer of the lesson"),
+                   Qt::Key_PageDown, true);
+  previous_ =
+      add_step(tr("Pre&vious step"), tr("While presenting: previous question or answer of the lesson"),
+               Qt::Key_PageUp, false);
 }
 
 double Presentation::type_scale(const QSize& window) {
@@ -79,6 +92,8 @@ void Presentation::set_on(bool on) {
   }
   on ? enter() : leave();
   action_->setChecked(on);
+  next_->setEnabled(on);
+  previous_->setEnabled(on);
   emit switched(on);
 }
 
@@ -101,6 +116,8 @@ void Presentation::enter() {
       bar->hide();
     }
   }
+  window_.menuBar()->setMaximumHeight(0);  // hidden, its commands would lose their keys
+  window_.statusBar()->hide();
   parts_.scene.show_bar(false);
   for (QDockWidget* dock : window_.findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly)) {
     dock->setVisible(dock == &parts_.lesson || dock == &parts_.charts);
@@ -124,6 +141,8 @@ void Presentation::leave() {
     bar->show();
   }
   bars_.clear();
+  window_.menuBar()->setMaximumHeight(QWIDGETSIZE_MAX);
+  window_.statusBar()->show();
   parts_.scene.show_bar(true);
   window_.setMinimumSize(0, 0);
   window_.restoreState(usual_layout_);

@@ -16,7 +16,7 @@ class ProgramView;
 class SceneView;
 
 /// The window before a class: large type, the 3D view and the charts first, the lesson as a narrow column
-/// that can be read from the last row, and nothing else that the class does not need. Leaving it brings back
+/// that can be read from the last row, and nothing else. Leaving it brings back
 /// the layout as it was.
 class Presentation : public QObject {
   Q_OBJECT
@@ -41,8 +41,9 @@ class Presentation : public QObject {
   QByteArray usual_layout() const;
   /// Type of the program text when the window does not present [px].
   int usual_program_type() const;
-  /// Switches it, and the whole screen.
-  QList<QAction*> actions() const { return {action_, full_screen_}; }
+  /// Switches it, and the whole screen; the next and the previous step of the lesson, by the keys of a
+  /// presenter while it is on.
+  QList<QAction*> actions() const { return {action_, full_screen_, next_, previous_}; }
 
   /// Size of type for a window, against the usual one: the same share of the window, whatever its size. The
   /// projector makes all of them equally large.
@@ -50,6 +51,8 @@ class Presentation : public QObject {
 
  signals:
   void switched(bool on);
+  /// The next step of the lesson, or the previous one.
+  void step_wanted(bool forward);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -67,6 +70,8 @@ class Presentation : public QObject {
   Parts parts_;
   QAction* action_ = nullptr;
   QAction* full_screen_ = nullptr;
+  QAction* next_ = nullptr;
+  QAction* previous_ = nullptr;
   bool on_ = false;
   QByteArray usual_layout_;
   QSize usual_size_;  ///< of the window that it is of

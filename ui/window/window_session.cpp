@@ -87,6 +87,7 @@ Session WindowSession::view() const {
   session.identification = identification();
   session.load = window_.part<LoadView>().setup();
   session.lessons = desk().all_work();
+  session.lessons_unlocked = desk().unlocked();
   session.layout = window_.layout_to_keep();
   session.presentation = window_.presentation().on();
   session.theme = theme_of(QApplication::palette());
@@ -104,6 +105,7 @@ LessonDesk& WindowSession::desk() const {
 
 void WindowSession::show(const Session& session) {
   drop_aside();
+  desk().unlock(session.lessons_unlocked);
   desk().set_all_work(session.lessons);
   show_contents(session);
   show_layout(session);
@@ -174,6 +176,7 @@ void WindowSession::take_over(const Kept& kept) {
   emit aside_changed(aside_ != nullptr);
   show_layout(kept.view);
   window_.part<LoadView>().set_setup(kept.view.load);
+  desk().unlock(kept.view.lessons_unlocked);
   desk().set_all_work(kept.view.lessons);
   saved_answers_ = kept.answers;
   window_.part<IdentificationView>().set_state(kept.view.identification);

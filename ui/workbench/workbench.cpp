@@ -86,12 +86,27 @@ void Workbench::open(const std::filesystem::path& file) {
     reading_ = {};
   }
   file_ = file;
+  show_nothing();
+  emit program_changed();
+  read_file();
+}
+
+void Workbench::close() {
+  job_.cancel();
+  traces_.clear();
+  annotations_.replace({});
+  reading_ = {};
+  begin_runs_again();
+  file_.clear();
+  show_nothing();
+  emit program_changed();
+}
+
+void Workbench::show_nothing() {
   program_ = {};
   place_.reset();
   runs_.clear_results();
   show_current();
-  emit program_changed();
-  read_file();
 }
 
 void Workbench::open(const std::filesystem::path& file, std::vector<RunItem> runs, std::size_t current,

@@ -49,6 +49,8 @@ class Workbench : public QObject {
   /// The same with other runs, at least one; their history goes.
   void open(const std::filesystem::path& file, std::vector<RunItem> runs, std::size_t current,
             const ReadOptions& reading = {}, const LoadSetup& load = {});
+  /// Shows no program; one run stays, as for another program.
+  void close();
   /// Reads the program again; the cursor stays at its line.
   void reload();
   void set_reload_on_change(bool on);
@@ -125,6 +127,7 @@ class Workbench : public QObject {
     bool operator==(const FileState&) const = default;
   };
 
+  void show_nothing();
   void begin_runs_again();
   void read_file();
   std::optional<FileState> file_state() const;

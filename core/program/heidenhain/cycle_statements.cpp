@@ -1,5 +1,7 @@
 #include "core/program/heidenhain/cycle_statements.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -174,7 +176,12 @@ void CycleStatements::tolerance_line(int part, Scanner& scanner, std::uint32_t c
     parts_.path_modes.set_tolerance(tolerance, std::nullopt, column);
   } else if (part == 2) {
     if (scanner.take("HSC-MODE:")) {
-      read_value(scanner);
+      const double mode = read_value(scanner);
+      report(Severity::info, "machining-mode", 0, column, [&] {
+        return Text{
+            fmt::format("HSC-MODE {} changes nothing in the simulation", mode),
+            "its parameters exist only in the control; set acceleration and jerk of the machine instead"};
+      });
     }
     if (scanner.take("TA")) {
       parts_.path_modes.set_orientation_tolerance(units::from_deg(read_value(scanner)), column);

@@ -40,8 +40,11 @@ void ModalWords::apply_g(const Block& block, const Word& word) {
   }
   check_group(*code, word);
   words_.other_codes = words_.other_codes || code->group != GGroup::motion;
-  if (code->needs_axes && !words_.has_any("XYZ")) {
+  // "G5.1 Q2 X0 Y0 Z0" of a Fanuc names the axes of a mode; without Q the code is LinuxCNC's spline.
+  const bool chooses_mode = number == 51 && words_.has('Q') && !is_linuxcnc();
+  if (code->needs_axes && (chooses_mode || !words_.has_any("XYZ"))) {
     words_.other_codes = true;
+    words_.own_words = words_.own_words || chooses_mode;
     if (number == 50 || number == 51) {
       path_modes_.apply(*code);
     }

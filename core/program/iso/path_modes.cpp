@@ -15,6 +15,7 @@ void PathModes::apply(const GCode& code) {
   constexpr int continuous = 640;
   constexpr int smoothness = 1870;
   constexpr double high_speed = 10000;
+  constexpr double smooth_interpolation = 2;
   PathControl control = path().path_control();
   const auto switched = [&](char letter, double on) {
     if (words_.has(letter)) {
@@ -42,16 +43,22 @@ void PathModes::apply(const GCode& code) {
       break;
     case smoothness:
       control.contour_tolerance = tolerance('E', "G187");
+      report_mode('P', "G187 (smoothness)");
       break;
     case 50:
       switched('P', high_speed);
       break;
     case 51:
+      report_mode('R', "G5.1 (machining condition from speed to accuracy)");
+      if (words_.has('Q') && words_['Q'].value == smooth_interpolation) {
+        control.compressor = control.look_ahead = Switch::machine;
+        report_smooth_interpolation();
+        break;
+      }
       switched('Q', 1);
       if (words_.has('Q')) {
         control.compressor = control.look_ahead;
       }
-      report_precision_level();
       break;
     case 80:
       switched('P', 1);
@@ -62,17 +69,26 @@ void PathModes::apply(const GCode& code) {
   path().set_path_control(control);
 }
 
-/// R of G5.1: a parameter set of the control, from speed (1) to accuracy (10).
-void PathModes::report_precision_level() const {
-  if (words_.has('R')) {
-    const Word& word = words_['R'];
-    report(Severity::info, "unused-word", 'R', word.column, [&] {
+/// A word that chooses between sets of parameters of the control.
+void PathModes::report_mode(char letter, std::string_view of) const {
+  if (words_.has(letter)) {
+    const Word& word = words_[letter];
+    report(Severity::info, "machining-mode", letter, word.column, [&] {
       return Text{
-          fmt::format("R{} of G5.1 (machining condition from speed to accuracy) is not supported",
-                      word.value),
+          fmt::format("{}{} of {} changes nothing in the simulation", letter, word.value, of),
           "its parameters exist only in the control; set acceleration and jerk of the machine instead"};
     });
   }
+}
+
+/// Fanuc, Series 15i/150i-MA, Operator's Manual, 4.16: a curve where the radius is large, lines at corners.
+void PathModes::report_smooth_interpolation() const {
+  report(Severity::warning, "unread-g", 'Q', words_['Q'].column, [] {
+    return Text{
+        "G5.1 Q2 (smooth interpolation) is not supported",
+        "its blocks are run as lines; with the setting compressor=on a smooth curve within the tolerance is "
+        "laid through them, which is not that of the control"};
+  });
 }
 
 std::optional<double> PathModes::tolerance(char letter, std::string_view of) const {

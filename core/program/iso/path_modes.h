@@ -20,7 +20,8 @@ class PathModes : private Part {
  private:
   std::optional<double> tolerance(char letter, std::string_view of) const;
   void set_tolerances(PathControl& control) const;
-  void report_precision_level() const;
+  void report_mode(char letter, std::string_view of) const;
+  void report_smooth_interpolation() const;
 };
 
 }  // namespace feedscope::iso

@@ -149,6 +149,13 @@ void Cycles::high_speed_settings(const SubprogramCall& call) {
           "write the type as the second value: 1 finishing, 2 semi-finishing, 3 roughing"};
     });
   }
+  if (digits % 10 != 0) {
+    report(Severity::info, "machining-mode", 0, call.column, [&] {
+      return Text{
+          fmt::format("machining type {} of CYCLE832 changes nothing in the simulation", digits % 10),
+          "its parameters exist only in the control; set acceleration and jerk of the machine instead"};
+    });
+  }
   std::optional<double> orientation;
   if (digits / 10 % 10 == 1) {
     orientation = units::from_deg(number_at(call.arguments, 2));

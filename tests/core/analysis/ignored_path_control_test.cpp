@@ -56,6 +56,32 @@ TEST(Unfollowed, CompactionIsFollowedWhereTheCompressorIsOnEverywhere) {
   EXPECT_THAT(ignored("on"), IsEmpty());
 }
 
+/// They select data of the control: what a run makes of one is what it makes of the other.
+TEST(Unfollowed, MachiningModesChangeNothing) {
+  const auto said = [](const std::string& text, Dialect dialect, const std::string& model) {
+    const LoadedProgram program =
+        load_program(std::make_shared<const SourceText>("f", text), {.dialect = dialect});
+    SetupRequest request;
+    request.model = model;
+    return ignored_path_control(program, make_setup(request));
+  };
+  const std::string move = "\nG1 X10 F1000\nX20 Y5\n";
+  EXPECT_THAT(said("CYCLE832(0.01,_ROUGH,1)" + move, Dialect::sinumerik, "essid"),
+              ElementsAre(HasSubstr("machining mode")));
+  EXPECT_THAT(said("CYCLE832(0.01,_FINISH,1)" + move, Dialect::sinumerik, "essid"),
+              ElementsAre(HasSubstr("machining mode")));
+  EXPECT_THAT(said("CYCLE832(0,_OFF,1)" + move, Dialect::sinumerik, "essid"), IsEmpty());
+  EXPECT_THAT(said("G187 P1" + move, Dialect::fanuc, "essid"), ElementsAre(HasSubstr("machining mode")));
+  EXPECT_THAT(said("G187 E0.02" + move, Dialect::fanuc, "essid"), IsEmpty());
+  EXPECT_THAT(said("G5.1 Q1 R5" + move, Dialect::fanuc, "essid"), ElementsAre(HasSubstr("machining mode")));
+  EXPECT_THAT(
+      said("0 BEGIN PGM A MM\n1 CYCL DEF 32.0 TOLERANZ\n2 CYCL DEF 32.1 T0.01\n3 CYCL DEF 32.2 HSC-MODE:1\n"
+           "4 L X+10 R0 F1000\n5 L X+20 Y+5\n6 END PGM A MM\n",
+           Dialect::heidenhain, "essid"),
+      ElementsAre(HasSubstr("machining mode")));
+  EXPECT_THAT(said("G187 P1" + move, Dialect::fanuc, "cam"), IsEmpty()) << "it has no acceleration to choose";
+}
+
 TEST(Unfollowed, AccelerationNeedsAModelWithRamps) {
   EXPECT_THAT(ignored_of("BRISK", "essid"), IsEmpty());
   EXPECT_THAT(ignored_of("BRISK", "ward"), ElementsAre(HasSubstr("BRISK")));

@@ -55,6 +55,27 @@ TEST_F(Handout, LearnersGetThePredictionFirstThenRoomForTheirValuesAndNoHelp) {
                           Not(HasSubstr("Sources"))));
 }
 
+TEST_F(Handout, ALearnersOwnSheetHasWhatWasWrittenAndTried) {
+  const Lesson lesson = read_lesson(find_lesson("small_circle"));
+  LessonRuns runs(lesson);
+  HandoutContents contents = handout_contents(lesson, runs, HandoutReader::learners);
+  const std::string blank = handout_html(lesson, contents);
+  contents.work.prediction = "2 m/min <\nand 10";
+  contents.work.answers = {{}, {"A root.", {{"10", 12.0964, 5.8791}, {"7.5", 13.5, {}}}}};
+  const std::string html = handout_html(lesson, contents);
+  EXPECT_THAT(
+      html, AllOf(HasSubstr("2 m/min &lt;<br>and 10"), HasSubstr("A root."),
+                  HasSubstr("<td>10</td><td>12.096</td><td>5.88</td>"), HasSubstr("<td>my value: 7.5</td>")));
+  const auto lines = [](const std::string& text) {
+    std::size_t count = 0;
+    for (std::size_t at = 0; (at = text.find("class=\"lines\"", at)) != std::string::npos; ++at) {
+      ++count;
+    }
+    return count;
+  };
+  EXPECT_EQ(lines(html), lines(blank) - 2) << "room to write only where nothing is written";
+}
+
 TEST_F(Handout, CallsSettingsAsItIsTold) {
   const Lesson lesson = read_lesson(find_lesson("small_circle"));
   LessonRuns runs(lesson);

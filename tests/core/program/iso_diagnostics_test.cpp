@@ -71,8 +71,9 @@ INSTANTIATE_TEST_SUITE_P(
              "f:2:6: error: M198 calls program 10, which is neither in the program nor in a file in its "
              "folder [subprogram] (its motion is missing; add the file \"O0010\" to the program's folder)"},
         Case{"G0 X1\nG05.1 Q1 R5",
-             "f:2:10: info: R5 of G5.1 (machining condition from speed to accuracy) is not supported "
-             "[unused-word] (its parameters exist only in the control; set acceleration and jerk of the "
+             "f:2:10: info: R5 of G5.1 (machining condition from speed to accuracy) changes nothing in the "
+             "simulation [machining-mode] (its parameters exist only in the control; set acceleration and "
+             "jerk of the "
              "machine instead)"},
         Case{"G1 X1 B90 F100",
              "f:1:7: error: axis B moves to 90 in a feed move, which is not simulated [unread-axis] (X, Y "

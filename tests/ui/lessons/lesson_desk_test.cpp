@@ -17,6 +17,7 @@ using testing::HasSubstr;
 
 class LessonDeskTest : public testing::Test {
  protected:
+  LessonDeskTest() { desk.unlock(true); }
   void open(const std::string& id) {
     QSignalSpy opened(&desk, &LessonDesk::opened);
     desk.open(find_lesson(id));
@@ -76,8 +77,9 @@ TEST_F(LessonDeskTest, TheStartIsWrittenAsEditsOfTheMachineFile) {
   desk.set_up_window();
   wait_for("3000 mm/min");
   const auto& edits = model.setup().state().edits();
-  ASSERT_EQ(edits.size(), 1U);
+  ASSERT_EQ(edits.size(), 2U);
   EXPECT_EQ(std::get<double>(edits.at("compaction_mm")), 0);
+  EXPECT_EQ(std::get<double>(edits.at("block_time_ms")), 1);
 }
 
 TEST_F(LessonDeskTest, MovingTheControlChangesTheRunAndWhatItMeasures) {
@@ -85,8 +87,8 @@ TEST_F(LessonDeskTest, MovingTheControlChangesTheRunAndWhatItMeasures) {
   open("6");
   desk.set_up_window();
   wait_for("3000 mm/min");
-  desk.move_control("0.001");
-  wait_for("6000 mm/min");
+  desk.move_control("4");
+  wait_for("1500 mm/min");
   model.runs().history().undo();
   wait_for("3000 mm/min");
 }
@@ -137,8 +139,72 @@ TEST_F(LessonDeskTest, QuestionsStayWithinTheLesson) {
   EXPECT_EQ(desk.question(), 0U);
 }
 
+TEST_F(LessonDeskTest, ThePredictionComesBeforeTheRun) {
+  desk.unlock(false);
+  model.open(std::filesystem::path(FEEDSCOPE_SOURCE_DIR) / "resources/programs/tapie_circle_30.nc");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !model.busy() && model.shown() != nullptr; }, patience));
+  QSignalSpy begins(&desk, &LessonDesk::set_up_begins);
+  QSignalSpy opened(&desk, &LessonDesk::opened);
+  desk.open(find_lesson("6"), true);
+  ASSERT_TRUE(opened.wait(patience));
+  EXPECT_TRUE(desk.awaits_prediction());
+  EXPECT_EQ(begins.count(), 1) << "what was in the window is set aside";
+  EXPECT_EQ(model.program(), nullptr) << "neither path nor charts of anything";
+  EXPECT_TRUE(model.file().empty());
+  desk.set_up_window();
+  desk.move_control("1");
+  desk.predict("  ");
+  EXPECT_FALSE(model.busy());
+  EXPECT_TRUE(desk.awaits_prediction());
+  desk.predict("3 m/min\n");
+  EXPECT_FALSE(desk.awaits_prediction());
+  EXPECT_EQ(desk.prediction(), "3 m/min");
+  wait_for("3000 mm/min");
+  desk.predict("6 m/min");
+  EXPECT_EQ(desk.prediction(), "3 m/min") << "it has been written down";
+  EXPECT_EQ(desk.answers().size(), 1U) << "so that it is asked for before it is lost";
+  desk.open(find_lesson("6"), true);
+  ASSERT_TRUE(opened.wait(patience));
+  wait_for("3000 mm/min");
+}
+
+TEST_F(LessonDeskTest, ATeacherShowsTheRunOfOneLessonOrOfAllWithoutAPrediction) {
+  desk.unlock(false);
+  QSignalSpy opened(&desk, &LessonDesk::opened);
+  desk.open(find_lesson("6"), true);
+  ASSERT_TRUE(opened.wait(patience));
+  desk.reveal();
+  EXPECT_FALSE(desk.awaits_prediction());
+  wait_for("3000 mm/min");
+  desk.open(find_lesson("12"), true);
+  ASSERT_TRUE(opened.wait(patience));
+  EXPECT_TRUE(desk.awaits_prediction()) << "that was one lesson";
+  desk.unlock(true);
+  EXPECT_FALSE(desk.awaits_prediction());
+  desk.set_up_window();
+  wait_for("2.115 s");
+  EXPECT_TRUE(desk.answers().empty());
+}
+
+TEST_F(LessonDeskTest, WorkOnALessonIsForItsSheet) {
+  open("6");
+  LessonWork work;
+  work[{"06_blocks_too_short", prediction}].answer = "3 m/min ";
+  work[{"06_blocks_too_short", 1}] = {"17", "lookahead_blocks", "peak_feed_m_min", {{"17", 2, 6}}};
+  work[{"06_blocks_too_short", 0}] = {"half", "another_setting", "peak_feed_mm_min", {{"17", 2, 6}}};
+  work[{"07_lines_arcs_splines", 0}].answer = "of another lesson";
+  const LearnersWork made = work_on(*desk.lesson(), work);
+  EXPECT_EQ(made.prediction, "3 m/min");
+  ASSERT_EQ(made.answers.size(), 2U);
+  EXPECT_EQ(made.answers[0].text, "half");
+  EXPECT_TRUE(made.answers[0].tries.empty()) << "of an older version of the lesson";
+  EXPECT_EQ(made.answers[1].text, "17");
+  EXPECT_EQ(made.answers[1].tries.size(), 1U);
+}
+
 class FrenchLessonDesk : public LessonDeskTest {
  protected:
+  FrenchLessonDesk() { french.unlock(true); }
   LessonDesk french{model, "fr"};
 };
 

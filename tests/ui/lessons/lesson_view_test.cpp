@@ -29,6 +29,7 @@ using testing::Not;
 class LessonViewTest : public testing::Test {
  protected:
   LessonViewTest() {
+    desk.unlock(true);
     view.resize(360, 700);
     QSignalSpy listed(&desk, &LessonDesk::listed);
     view.show();
@@ -95,6 +96,53 @@ TEST_F(LessonViewTest, TheListLeadsToTheLessons) {
   EXPECT_EQ(desk.lesson()->id, "07_lines_arcs_splines");
 }
 
+TEST_F(LessonViewTest, TheFieldForThePredictionIsInPlaceOfTheQuestions) {
+  desk.unlock(false);
+  choose_lesson(6);
+  EXPECT_TRUE(view.own_prediction().isVisible());
+  EXPECT_FALSE(view.question().isVisible());
+  EXPECT_FALSE(view.set_up_button().isEnabled());
+  EXPECT_FALSE(view.panel_actions()[4]->isEnabled()) << "the answer";
+  EXPECT_FALSE(view.predict_button().isEnabled()) << "nothing is written";
+  QTest::keyClicks(&view.own_prediction(), "3 < 6 m/min");
+  click(&view.predict_button());
+  wait_for("3000 mm/min");
+  EXPECT_FALSE(view.own_prediction().isVisible());
+  EXPECT_TRUE(view.question().isVisible());
+  EXPECT_THAT(view.text().toPlainText().toStdString(), HasSubstr("Your prediction: 3 < 6 m/min"));
+}
+
+TEST_F(LessonViewTest, ATeacherShowsTheRunByOneCommand) {
+  desk.unlock(false);
+  choose_lesson(6);
+  view.unlock_action()->trigger();
+  wait_for("3000 mm/min");
+  EXPECT_TRUE(desk.unlocked());
+  EXPECT_TRUE(view.question().isVisible());
+}
+
+TEST_F(LessonViewTest, StepsGoThroughRunQuestionsAndAnswers) {
+  desk.unlock(false);
+  choose_lesson(6);
+  view.step(false);
+  EXPECT_TRUE(desk.awaits_prediction());
+  view.step(true);
+  EXPECT_FALSE(desk.awaits_prediction());
+  wait_for("3000 mm/min");
+  const std::vector<std::pair<std::size_t, bool>> steps{{0, true}, {1, false}, {1, true}, {1, true}};
+  for (const auto& [question, answer] : steps) {
+    view.step(true);
+    EXPECT_EQ(desk.question(), question);
+    EXPECT_EQ(view.answer_button().isChecked(), answer);
+  }
+  const std::vector<std::pair<std::size_t, bool>> back{{1, false}, {0, true}, {0, false}, {0, false}};
+  for (const auto& [question, answer] : back) {
+    view.step(false);
+    EXPECT_EQ(desk.question(), question);
+    EXPECT_EQ(view.answer_button().isChecked(), answer);
+  }
+}
+
 /// Rows of the values tried, as they are copied: tabs between the cells.
 std::string copied_tries(LessonView& view) {
   view.panel_actions()[6]->trigger();
@@ -108,18 +156,18 @@ TEST_F(LessonViewTest, KeepsEachValueTriedWithWhatItChanges) {
   wait_for("3000 mm/min");
   ASSERT_TRUE(QTest::qWaitFor([&] { return view.tries().rowCount() == 1; }, patience))
       << "what the lesson begins with";
-  click(view.values()[0]);
-  wait_for("6000 mm/min");
+  click(view.values()[2]);
+  wait_for("1500 mm/min");
   ASSERT_TRUE(QTest::qWaitFor([&] { return view.tries().rowCount() == 2; }, patience));
-  EXPECT_EQ(view.tries().item(1, 0)->text(), "0.001");
-  EXPECT_EQ(view.tries().item(1, 3)->text(), "6000");
-  EXPECT_EQ(view.tries().item(1, 4)->text(), "+100.0");
+  EXPECT_EQ(view.tries().item(1, 0)->text(), "4");
+  EXPECT_EQ(view.tries().item(1, 3)->text(), "1500");
+  EXPECT_EQ(view.tries().item(1, 4)->text(), "−50.0");
   EXPECT_EQ(view.tries().item(0, 4)->text(), "") << "the first is what the others are compared with";
   const std::string rows = copied_tries(view);
-  EXPECT_THAT(rows, HasSubstr("0.001\t"));
-  EXPECT_THAT(rows, HasSubstr("\t6000\t+100.0\n"));
-  click(view.values()[0]);
-  wait_for("6000 mm/min");
+  EXPECT_THAT(rows, HasSubstr("4\t"));
+  EXPECT_THAT(rows, HasSubstr("\t1500\t−50.0\n"));
+  click(view.values()[2]);
+  wait_for("1500 mm/min");
   EXPECT_EQ(view.tries().rowCount(), 2) << "a value has one row";
 }
 
@@ -128,8 +176,8 @@ TEST_F(LessonViewTest, ChangesStandBelowTheNumbersInANarrowPanel) {
   choose_lesson(6);
   click(&view.set_up_button());
   wait_for("3000 mm/min");
-  click(view.values()[0]);
-  wait_for("6000 mm/min");
+  click(view.values()[2]);
+  wait_for("1500 mm/min");
   ASSERT_TRUE(QTest::qWaitFor([&] { return view.tries().rowCount() == 2; }, patience));
   constexpr QSize wide(700, 700);
   view.resize(wide);
@@ -142,20 +190,20 @@ TEST_F(LessonViewTest, ChangesStandBelowTheNumbersInANarrowPanel) {
   EXPECT_TRUE(view.tries().isColumnHidden(2));
   EXPECT_TRUE(view.tries().isColumnHidden(4));
   EXPECT_GT(view.tries().rowHeight(1), height * 3 / 2);
-  EXPECT_THAT(copied_tries(view), HasSubstr("\t6000\t+100.0\n"));
+  EXPECT_THAT(copied_tries(view), HasSubstr("\t1500\t−50.0\n"));
 }
 
 TEST_F(LessonViewTest, TriesLastUntilTheyAreCleared) {
   choose_lesson(6);
   click(&view.set_up_button());
   wait_for("3000 mm/min");
-  click(view.values()[0]);
-  wait_for("6000 mm/min");
+  click(view.values()[2]);
+  wait_for("1500 mm/min");
   const std::string rows = copied_tries(view);
   view.panel_actions()[2]->trigger();
-  wait_for("6000 mm/min");
+  wait_for("1500 mm/min");
   view.panel_actions()[1]->trigger();
-  wait_for("6000 mm/min");
+  wait_for("1500 mm/min");
   EXPECT_EQ(copied_tries(view), rows) << "of another question and back";
   choose_lesson(4);
   choose_lesson(6);
@@ -165,7 +213,7 @@ TEST_F(LessonViewTest, TriesLastUntilTheyAreCleared) {
   EXPECT_EQ(copied_tries(view), rows) << "undoing a setting";
   view.panel_actions()[7]->trigger();
   EXPECT_THAT(QGuiApplication::clipboard()->text().toStdString(),
-              testing::StartsWith("interpolation_period_s,cycle_time_s,change_percent,"));
+              testing::StartsWith("block_time_ms,cycle_time_s,change_percent,"));
   view.panel_actions()[8]->trigger();
   EXPECT_EQ(view.tries().rowCount(), 0);
   EXPECT_FALSE(view.panel_actions()[8]->isEnabled());
@@ -186,8 +234,8 @@ TEST_F(LessonViewTest, ClearingTheTriesCanBeUndone) {
   EXPECT_EQ(copied_tries(view), rows);
   model.runs().history().redo();
   EXPECT_EQ(view.tries().rowCount(), 0);
-  click(view.values()[0]);
-  wait_for("6000 mm/min");
+  click(view.values()[2]);
+  wait_for("1500 mm/min");
   ASSERT_TRUE(QTest::qWaitFor([&] { return view.tries().rowCount() == 1; }, patience));
   model.runs().history().undo();
   wait_for("3000 mm/min");
@@ -221,12 +269,12 @@ TEST_F(LessonViewTest, AValueOfOnesOwnIsTriedAsTheSuggestedOnes) {
   wait_for("3000 mm/min");
   auto* field = view.own_value().findChild<QLineEdit*>();
   field->selectAll();
-  QTest::keyClicks(field, "0.0015");
+  QTest::keyClicks(field, "2.5");
   QTest::keyClick(field, Qt::Key_Return);
-  wait_for("4000 mm/min");
+  wait_for("2400 mm/min");
   ASSERT_TRUE(QTest::qWaitFor([&] { return view.tries().rowCount() == 2; }, patience));
-  EXPECT_EQ(view.tries().item(1, 0)->text(), "0.0015");
-  EXPECT_EQ(field->text(), "0.0015") << "without zeros behind";
+  EXPECT_EQ(view.tries().item(1, 0)->text(), "2.5");
+  EXPECT_EQ(field->text(), "2.5") << "without zeros behind";
 }
 
 /// A run with other changes than the question's is no try of it.
@@ -261,9 +309,9 @@ TEST_F(LessonViewTest, AnswersAQuestionByMovingTheControl) {
   click(&view.set_up_button());
   wait_for("3000 mm/min");
   ASSERT_EQ(view.values().size(), 3);
-  EXPECT_EQ(view.values()[0]->text(), "0.001");
-  click(view.values()[0]);
-  wait_for("6000 mm/min");
+  EXPECT_EQ(view.values()[0]->text(), "1");
+  click(view.values()[2]);
+  wait_for("1500 mm/min");
 }
 
 TEST_F(LessonViewTest, ShowsHintAndAnswerOnDemand) {
@@ -275,7 +323,7 @@ TEST_F(LessonViewTest, ShowsHintAndAnswerOnDemand) {
   view.panel_actions()[4]->trigger();
   EXPECT_TRUE(view.expected().isVisible());
   EXPECT_THAT(view.expected().toPlainText().toStdString(),
-              HasSubstr("half the tick gives twice the feed, 6000 mm/min"));
+              HasSubstr("with twice that the feed is half as high, 1500 mm/min"));
   EXPECT_GT(view.expected().mapTo(&view, QPoint()).y(), view.own_answer().mapTo(&view, QPoint()).y())
       << "below one's own";
   EXPECT_TRUE(
@@ -306,6 +354,7 @@ TEST_F(LessonViewTest, StepsThroughTheQuestions) {
 
 TEST_F(LessonViewTest, SpeaksTheLanguageOfItsDesk) {
   LessonDesk french(model, "fr");
+  french.unlock(true);
   LessonView other(french);
   QSignalSpy listed(&french, &LessonDesk::listed);
   other.show();

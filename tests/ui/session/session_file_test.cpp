@@ -105,6 +105,7 @@ TEST_F(SessionFile, OfEveryVersionIsReadWhole) {
   expected.traces.clear();
   expected.identification = {};
   expected.lessons = {};
+  expected.lessons_unlocked = false;
   expected.charts.hidden_charts.clear();
   expected.charts.shown_charts.clear();
   expected.scene.stretch = {};

@@ -72,6 +72,8 @@ inline Session some_session(const std::filesystem::path& program) {
                                              "peak_feed_m_min_line_7",
                                              {{"5", 3.25, 1.594}, {"20", 2.5, {}}}};
   session.lessons[{"06_short_blocks", 0}] = {QStringLiteral("twice"), "", "", {}};
+  session.lessons[{"06_short_blocks", prediction}].answer = QStringLiteral("Twice \"the\"\nfeed.");
+  session.lessons_unlocked = true;
   session.layout = QByteArray("\x00\x01layout", 8);
   session.presentation = true;
   session.theme = ThemeKind::dark;

@@ -496,6 +496,7 @@ TEST_F(MainWindowTest, ALessonSetsUpTheWindowAndLeadsToItsControl) {
   command(window, "Lessons")->trigger();
   EXPECT_TRUE(dock->isVisible());
   LessonView& lesson = window.part<LessonView>();
+  lesson.desk().unlock(true);
   QSignalSpy opened(&lesson.desk(), &LessonDesk::opened);
   lesson.desk().open(find_lesson("2"));
   ASSERT_TRUE(opened.wait(patience));

@@ -6,8 +6,12 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QLabel>
+#include <QMenuBar>
+#include <QPlainTextEdit>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QSignalSpy>
+#include <QStatusBar>
 #include <QTableView>
 #include <QTest>
 #include <QToolBar>
@@ -31,6 +35,7 @@ class PresentationTest : public testing::Test {
  protected:
   PresentationTest() {
     apply_theme();
+    desk().unlock(true);
     window.resize(1280, 800);
     window.show();
     settle();
@@ -202,11 +207,35 @@ TEST_F(PresentationTest, LeavingItBringsTheLayoutBack) {
 
 TEST_F(PresentationTest, ACommandAndItsKeySwitchIt) {
   QAction& action = *window.presentation().actions().front();
-  EXPECT_EQ(action.shortcut(), QKeySequence("Ctrl+F11"));
+  EXPECT_EQ(action.shortcut(), QKeySequence("F5"));
   action.trigger();
   EXPECT_TRUE(window.presentation().on());
   action.trigger();
   EXPECT_FALSE(window.presentation().on());
+}
+
+/// Also where what is typed goes to a field.
+TEST_F(PresentationTest, TheKeysOfAPresenterGoThroughTheLesson) {
+  open(find_lesson("6"));
+  LessonView& lesson = window.part<LessonView>();
+  window.activateWindow();
+  QTest::keyClick(&window, Qt::Key_PageDown);
+  EXPECT_FALSE(lesson.answer_button().isChecked()) << "only while presenting";
+  present(true);
+  EXPECT_EQ(window.menuBar()->height(), 0);
+  EXPECT_FALSE(window.statusBar()->isVisible());
+  QTest::keyClick(&window, Qt::Key_PageDown);
+  EXPECT_TRUE(lesson.answer_button().isChecked());
+  lesson.own_answer().setFocus();
+  QTest::keyClick(&lesson.own_answer(), Qt::Key_PageDown);
+  EXPECT_EQ(desk().question(), 1U);
+  QTest::keyClick(&lesson.own_answer(), Qt::Key_PageUp);
+  EXPECT_EQ(desk().question(), 0U);
+  QTest::keyClick(&lesson.own_answer(), Qt::Key_F5);
+  EXPECT_FALSE(window.presentation().on()) << "the key works without its menu";
+  settle();
+  EXPECT_GT(window.menuBar()->height(), 0);
+  EXPECT_TRUE(window.statusBar()->isVisible());
 }
 
 TEST_F(PresentationTest, ASessionRemembersItWithTheUsualLayout) {

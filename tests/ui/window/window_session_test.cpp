@@ -382,6 +382,7 @@ TEST_F(WindowSessionTest, WhatALessonReplacesComesBackAnyNumberOfTimes) {
   QAction& back = *lesson.panel_actions().last();
   EXPECT_FALSE(back.isEnabled());
   for (int time = 0; time < 3; ++time) {
+    w.window.part<LessonView>().desk().unlock(true);
     w.window.open_lesson(find_lesson("8"));
     ASSERT_TRUE(QTest::qWaitFor(
         [&] {
@@ -422,6 +423,7 @@ TEST_F(WindowSessionTest, AnswersAndTriesOfALessonAreKeptWithTheSession) {
     Window w;
     open_saved(w);
     LessonDesk& desk = w.window.part<LessonView>().desk();
+    w.window.part<LessonView>().desk().unlock(true);
     w.window.open_lesson(find_lesson("8"));
     ASSERT_TRUE(QTest::qWaitFor(
         [&] { return w.model.file().filename() == "tapie_circle_2_5.nc" && !desk.work().tries.empty(); },
@@ -450,6 +452,7 @@ TEST_F(WindowSessionTest, AnswersAndTriesOfALessonAreKeptWithTheSession) {
 TEST_F(WindowSessionTest, WhatALessonReplacedUnsavedIsAskedFor) {
   Window w;
   set_up(w);
+  w.window.part<LessonView>().desk().unlock(true);
   w.window.open_lesson(find_lesson("8"));
   ASSERT_TRUE(QTest::qWaitFor([&] { return w.model.file() != program_ && !w.model.busy(); }, patience));
   int asked = 0;

@@ -199,7 +199,7 @@ TEST(HeidenhainReader, ParametersStandForNumbers) {
 TEST(HeidenhainReader, ToleranceOfCycle32IsAPathControl) {
   const Program program = read_clean_heidenhain(
       "L X+1 F100\nCYCL DEF 32.0 TOLERANCE\nCYCL DEF 32.1 T0.05\nL X+2\nCYCL DEF 32.1 T0.02\nCYCL DEF 32.2 "
-      "HSC-MODE:0 TA5\nL X+3\nCYCL DEF 32.0 TOLERANCE\nCYCL DEF 32.1\nL X+4\n");
+      "TA5\nL X+3\nCYCL DEF 32.0 TOLERANCE\nCYCL DEF 32.1\nL X+4\n");
   const auto control = [&](std::size_t i) {
     return program.path_controls.at(program.motions.at(i).path_control);
   };
@@ -209,6 +209,18 @@ TEST(HeidenhainReader, ToleranceOfCycle32IsAPathControl) {
   EXPECT_EQ(control(2).contour_tolerance, 0.02);
   EXPECT_NEAR(control(2).orientation_tolerance.value(), units::from_deg(5), 1e-15);
   EXPECT_EQ(control(3), PathControl{});
+}
+
+TEST(HeidenhainReader, HscModeChangesNothingAndSaysSo) {
+  const Program program = read_heidenhain(
+      "L X+1 F100\nCYCL DEF 32.0 TOLERANCE\nCYCL DEF 32.1 T0.05\nCYCL DEF 32.2 HSC-MODE:1 TA5\nL X+2\n");
+  ASSERT_EQ(program.diagnostics.size(), 1U);
+  EXPECT_EQ(format(program.diagnostics.front(), "f"),
+            "f:4:1: info: HSC-MODE 1 changes nothing in the simulation [machining-mode] (its parameters "
+            "exist only in "
+            "the control; set acceleration and jerk of the machine instead)");
+  const PathControl& control = program.path_controls.at(program.motions.back().path_control);
+  EXPECT_NEAR(control.orientation_tolerance.value(), units::from_deg(5), 1e-15) << "what follows it is read";
 }
 
 TEST(HeidenhainReader, DwellsAreCycle9) {

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "tests/core/program/iso/iso_text.h"
+#include "tests/core/program/motion_text.h"
 
 namespace feedscope {
 namespace {
@@ -59,13 +60,27 @@ TEST(IsoPathControl, LookAheadIsSwitched) {
   EXPECT_EQ(look_ahead("G05 P10000\nG05 P0"), Switch::off);
 }
 
+/// As Fanuc writes it, with the axes that it is for (Series 15i/150i-MA, Operator's Manual, 4.16).
+TEST(IsoPathControl, SmoothInterpolationIsNeitherLookAheadNorASpline) {
+  const Program after = read_as(Dialect::fanuc, "G05.1 Q1\nG05.1 Q2 X0 Y0 Z0\nG1 X1 F100");
+  const PathControl& smooth = after.path_controls.at(after.motions.back().path_control);
+  EXPECT_EQ(smooth.look_ahead, Switch::machine);
+  EXPECT_EQ(smooth.compressor, Switch::machine);
+  const std::string said = said_of(Dialect::fanuc, "G1 X5 F100\nG05.1 Q2 X0 Y0 Z0\nX9\nG05.1 Q0\nX10");
+  EXPECT_TRUE(said.starts_with("f:2:7: warning: G5.1 Q2 (smooth interpolation) is not supported [unread-g]"))
+      << said;
+  EXPECT_EQ(said.find('\n'), std::string::npos) << said << ": its axis words are no places";
+  const Program program = read_as(Dialect::fanuc, "G1 X5 F100\nG05.1 Q2 X0 Y0 Z0\nX9");
+  EXPECT_EQ(text_of(program), (Lines{"line 5 0 0 @1", "line 9 0 0 @3"}));
+}
+
 TEST(IsoPathControl, CornerOverrideAndTappingEndTheExactStop) {
   EXPECT_EQ(control_of(Dialect::fanuc, "G61\nG62\nG0 X1").mode, PathMode::continuous);
   EXPECT_EQ(control_of(Dialect::fanuc, "G61\nG63\nG0 X1").mode, PathMode::continuous);
 }
 
 TEST(IsoPathControl, G187NamesATolerance) {
-  EXPECT_EQ(control_of(Dialect::fanuc, "G187 P3 E0.02\nG0 X1").contour_tolerance, 0.02);
+  EXPECT_EQ(control_of(Dialect::fanuc, "G187 E0.02\nG0 X1").contour_tolerance, 0.02);
   EXPECT_EQ(control_of(Dialect::fanuc, "G187 E0.02\nG187\nG0 X1").contour_tolerance, std::nullopt);
 }
 

@@ -129,9 +129,10 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"G0 X1\nG641 ADIS=0.0000001",
              "f:2:6: warning: ADIS=0.0000001 is below 0.000001 mm [path-value] (0.000001 mm is used, the "
              "smallest that is simulated)"},
-        Case{"G0 X1\nCYCLE832(0.0000001,1)",
-             "f:2:1: warning: tolerance 0.0000001 mm of CYCLE832 is below 0.000001 mm [path-value] "
-             "(0.000001 mm is used, the smallest that is simulated)"},
+        Case{"G0 X1\nCYCLE832(0.01,_ROUGH)",
+             "f:2:1: info: machining type 3 of CYCLE832 changes nothing in the simulation [machining-mode] "
+             "(its "
+             "parameters exist only in the control; set acceleration and jerk of the machine instead)"},
         Case{"G0 X1\nSCALE X0",
              "f:2:1: error: a scale factor is zero [scale-factor] (1 is used; write a factor other than "
              "zero)"},
