@@ -33,10 +33,12 @@ void TimeFindings::set_run(std::shared_ptr<const ShownRun> shown, const SetupSta
   if (shown == shown_) {
     return;
   }
-  const bool follows = shown_ != nullptr;
+  const bool follows = setup_.has_value();  // in between there was none: the edit had no result yet
   cancel();
   shown_ = std::move(shown);
-  setup_ = setup;
+  if (shown_ != nullptr) {
+    setup_ = setup;
+  }
   report_ = recall();
   tried_ = report_ != nullptr && !report_->changes.tried.empty();
   wanted_ = has_time() && !tried_ && shown_->run.simulate_time < longest_unasked;

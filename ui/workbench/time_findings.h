@@ -69,7 +69,7 @@ class TimeFindings : public QObject {
 
   TimeJob job_;
   std::shared_ptr<const ShownRun> shown_;
-  std::optional<SetupState> setup_;
+  std::optional<SetupState> setup_;  ///< of the last run; none before the first
   std::shared_ptr<const TimeReport> report_;
   std::vector<Known> known_;  ///< the newest last
   std::set<const QObject*> viewers_;

@@ -214,6 +214,19 @@ TEST_F(TimeViewTest, ARunThatWasLookedAtBeforeIsKnownAtOnce) {
   EXPECT_EQ(findings.report(), first);
 }
 
+/// While a changed value is simulated there is no run.
+TEST_F(TimeViewTest, AfterAnEditItTriesChangesOnlyAfterAPause) {
+  set_run(run);
+  ASSERT_TRUE(finishes());
+  findings.set_run(nullptr, SetupState(run.setup));
+  set_run(test::simulate_text("G21 G90\nG1 X20 F3000\nY20\nM2\n"));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return findings.report() != nullptr; }, patience));
+  QTest::qWait(300);
+  EXPECT_TRUE(findings.report()->changes.tried.empty());
+  findings.set_run(nullptr, SetupState(run.setup));
+  EXPECT_FALSE(view.busy()) << "the next edit ends the pause";
+}
+
 /// A value that is being changed is simulated, not what would help the value before it.
 TEST_F(TimeViewTest, LeavesTheProcessorsToAnotherSimulation) {
   set_run(run);
