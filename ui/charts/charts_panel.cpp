@@ -185,7 +185,7 @@ void ChartsPanel::follow(Workbench& workbench) {
   RunList& runs = workbench.runs();
   const TraceList& traces = workbench.traces();
   const auto show_others = [this, &runs, &traces] { set_overlays(other_runs(runs), shown_traces(traces)); };
-  connect(&workbench, &Workbench::run_changed, this, [this, &workbench] { show_run_of(workbench); });
+  connect(&workbench, &Workbench::drawn_changed, this, [this, &workbench] { show_run_of(workbench); });
   connect(&runs, &RunList::list_changed, this, show_others);
   connect(&runs, &RunList::current_changed, this, show_others);
   connect(&runs, &RunList::item_changed, this, show_others);
@@ -202,11 +202,15 @@ void ChartsPanel::follow(Workbench& workbench) {
 }
 
 void ChartsPanel::show_run_of(Workbench& workbench) {
-  const auto shown = workbench.shown();
+  const auto shown = workbench.drawn();
   const SetupEdit& setup = workbench.setup();
   set_limits(setup.setup().machine.axes, setup.setup().machine.kinematics);
-  set_run(shown == nullptr ? nullptr : shown->run.trajectory, shown == nullptr ? nullptr : shown->envelope,
-          workbench.program() != nullptr, shown == nullptr ? RunSources() : shown->run.sources);
+  const bool is_shown = shown != nullptr && shown->run.trajectory == trajectory_ &&
+                        shown->envelope.get() == columns_.envelope();
+  if (!is_shown) {
+    set_run(shown == nullptr ? nullptr : shown->run.trajectory, shown == nullptr ? nullptr : shown->envelope,
+            workbench.program() != nullptr, shown == nullptr ? RunSources() : shown->run.sources);
+  }
   if (const auto period = setup.interpolation_period()) {
     set_sample_time(*period);
   }

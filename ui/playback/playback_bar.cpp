@@ -75,7 +75,7 @@ PlaybackBar::PlaybackBar(Workbench& workbench, QWidget* parent)
     actions_.first()->setData(static_cast<int>(playing ? MediaIcon::pause : MediaIcon::play));
     draw_icons();
   });
-  connect(&workbench_, &Workbench::run_changed, this, &PlaybackBar::show_run);
+  connect(&workbench_, &Workbench::drawn_changed, this, &PlaybackBar::show_run);
   show_run();
 }
 
@@ -138,7 +138,7 @@ void PlaybackBar::make_actions() {
 }
 
 void PlaybackBar::show_run() {
-  const auto shown = workbench_.shown();
+  const auto shown = workbench_.drawn();
   set_duration(shown == nullptr ? 0 : shown->run.trajectory->duration());
   if (const auto period = workbench_.setup().interpolation_period()) {
     set_sample_time(*period);

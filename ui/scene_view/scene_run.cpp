@@ -63,8 +63,8 @@ void SceneRun::follow() {
   const bool known = row < runs_.items().size();
   const auto before = samples_;
   const QString name_before = reference_name_;
-  const auto run_before = shown_;
-  shown_ = known ? runs_.result(row) : nullptr;
+  const auto run_before = scene.trajectory();
+  shown_ = known ? runs_.drawn(row) : nullptr;
   samples_ = shown_ != nullptr ? shown_->samples : nullptr;
   reference_.reset();
   reference_name_.clear();
@@ -83,8 +83,9 @@ void SceneRun::follow() {
       reference_ = runs_.result(*reference);
     }
   }
-  if (samples_ != before || shown_ != run_before) {
-    scene.set_executed(shown_ != nullptr ? shown_->run.trajectory : nullptr, samples_);
+  const auto run = shown_ != nullptr ? shown_->run.trajectory : nullptr;
+  if (samples_ != before || run != run_before) {
+    scene.set_executed(run, samples_);
   }
   show_comparison();
   if (samples_ != before || reference_name_ != name_before) {

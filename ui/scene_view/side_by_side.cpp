@@ -99,7 +99,7 @@ void SideBySide::follow_workbench() {
   connect(&workbench_.traces(), &TraceList::list_changed, this, &SideBySide::show_overlays);
   connect(&workbench_.traces(), &TraceList::changed, this, &SideBySide::show_overlays);
   connect(&workbench_, &Workbench::program_changed, this, &SideBySide::show_program);
-  connect(&workbench_, &Workbench::run_changed, this, &SideBySide::show_current);
+  connect(&workbench_, &Workbench::drawn_changed, this, &SideBySide::show_current);
   connect(&workbench_.cursor(), &Cursor::changed, this, &SideBySide::show_cursor);
   ViewRange& range = workbench_.view_range();
   connect(&range, &ViewRange::changed, &first_,
@@ -318,7 +318,7 @@ void SideBySide::list_runs() {
 }
 
 void SideBySide::show_current() {
-  const auto shown = workbench_.shown();
+  const auto shown = workbench_.drawn();
   const auto program = workbench_.program();
   PathScene& scene = first_.scene();
   scene.set_programmed(shown != nullptr && shown->programmed != nullptr ? shown->programmed
@@ -330,7 +330,7 @@ void SideBySide::show_current() {
 }
 
 void SideBySide::show_run_name() {
-  const auto shown = workbench_.shown();
+  const auto shown = workbench_.drawn();
   first_.annotations().set_run(shown != nullptr ? shown->run.trajectory : nullptr,
                                workbench_.runs().title(workbench_.runs().current_item()),
                                shown != nullptr ? shown->run.sources : RunSources());

@@ -21,6 +21,10 @@ double start_of(const Trajectory& trajectory, std::uint32_t element) {
 
 void Cursor::set_trajectory(std::shared_ptr<const Trajectory> trajectory,
                             std::shared_ptr<const LineTimes> line_times) {
+  if (trajectory != nullptr && trajectory == trajectory_) {
+    line_times_ = std::move(line_times);
+    return;
+  }
   const double place = state_.path_length;
   const bool at_start = state_.time == 0;
   trajectory_ = std::move(trajectory);

@@ -18,7 +18,7 @@ class Cursor : public QObject {
 
   /// Another run of the program: the cursor stays at its place on the path. Null: nothing to point at, and
   /// the next run starts at its beginning. `line_times`: of that run, without which set_line() has to look
-  /// through all blocks.
+  /// through all blocks. The same run once more only brings them.
   void set_trajectory(std::shared_ptr<const Trajectory> trajectory,
                       std::shared_ptr<const LineTimes> line_times = nullptr);
 

@@ -407,6 +407,13 @@ std::shared_ptr<const ShownRun> RunList::result(std::size_t row) const {
   return found != results_.end() && found->second.holds ? found->second.shown : nullptr;
 }
 
+std::shared_ptr<const ShownRun> RunList::drawn(std::size_t row) const {
+  const auto whole = result(row);
+  const bool begun = whole == nullptr && drawn_.shown != nullptr && drawn_.id == items_[row].id &&
+                     drawn_.shown->run.setup == setup(items_[row]);
+  return begun ? drawn_.shown : whole;
+}
+
 std::shared_ptr<const ShownRun> RunList::last_result(std::size_t row) const {
   const auto found = results_.find(items_[row].id);
   return found != results_.end() ? found->second.shown : nullptr;
@@ -428,7 +435,12 @@ QString RunList::failure(std::size_t row) const {
   return found == given_up_.end() ? QString() : found->second;
 }
 
+void RunList::set_drawn(int id, std::shared_ptr<const ShownRun> drawn) {
+  drawn_ = {id, std::move(drawn)};
+}
+
 void RunList::set_result(int id, std::shared_ptr<const ShownRun> result) {
+  drawn_ = {};
   const std::size_t row = row_of(id);
   if (row < items_.size()) {
     const bool holds = result->run.setup == setup(items_[row]);
@@ -439,6 +451,7 @@ void RunList::set_result(int id, std::shared_ptr<const ShownRun> result) {
 }
 
 void RunList::give_up(int id, const QString& failure) {
+  drawn_ = {};
   const std::size_t row = row_of(id);
   if (row < items_.size() && result(row) == nullptr) {
     given_up_[id] = failure;
@@ -453,6 +466,7 @@ void RunList::resume(std::size_t row) {
 }
 
 void RunList::clear_results() {
+  drawn_ = {};
   results_.clear();
   given_up_.clear();
   for (std::size_t row = 0; row < items_.size(); ++row) {

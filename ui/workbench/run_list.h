@@ -112,6 +112,8 @@ class RunList : public QObject {
 
   /// What the setup that a run has now gives; null while that has not been simulated.
   std::shared_ptr<const ShownRun> result(std::size_t row) const;
+  /// What pictures draw of it: result(), or before its summary is known what has been set_drawn().
+  std::shared_ptr<const ShownRun> drawn(std::size_t row) const;
   /// The last result of a run of this program, with whatever setup; null without any.
   std::shared_ptr<const ShownRun> last_result(std::size_t row) const;
   RunStatus status(std::size_t row) const;
@@ -119,6 +121,8 @@ class RunList : public QObject {
   QString failure(std::size_t row) const;
   /// For a run that is gone: nothing.
   void set_result(int id, std::shared_ptr<const ShownRun> result);
+  /// Of the run under way, until it has a result or is given up: what its pictures need, without the rest.
+  void set_drawn(int id, std::shared_ptr<const ShownRun> drawn);
   /// The setup that a run has now is not simulated: cancelled, or failed with a message for the user.
   void give_up(int id, const QString& failure = {});
   /// A run that was given up waits again.
@@ -161,7 +165,12 @@ class RunList : public QObject {
     std::shared_ptr<const ShownRun> shown;
     bool holds;  ///< of the setup that the run has now
   };
-  std::map<int, Result> results_;      ///< the last of each run
+  std::map<int, Result> results_;  ///< the last of each run
+  struct Drawn {
+    int id = 0;
+    std::shared_ptr<const ShownRun> shown;  ///< null: nothing is drawn before its result
+  };
+  Drawn drawn_;
   std::map<int, QString> given_up_;    ///< why, by the id of the run; empty: cancelled
   std::optional<double> error_bound_;  ///< [mm]
   std::vector<PathControl> feed_controls_;

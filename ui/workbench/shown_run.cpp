@@ -1,5 +1,6 @@
 #include "ui/workbench/shown_run.h"
 
+#include <atomic>
 #include <utility>
 
 #include "core/analysis/run_stages.h"
@@ -19,60 +20,82 @@ struct Shares {
   double samples = 0.35, summary = 0.2, envelope = 0.25, lines = 0.1, places = 0.1;  // of what follows
 };
 
-/// What is shown of `run`, each part beside the others, its summary too if that is still to come. `share`: of
-/// `progress`; `input`: the toolpath that was simulated, null: that of the run; `before`: what was asked of
-/// its samples is made of these at once.
-std::shared_ptr<const ShownRun> shown_of(Run run, Progress& progress, double share, const Toolpath* input,
-                                         const ShownRun* before, const ShownParts& parts) {
-  const bool with_deviations = before != nullptr && before->samples && before->samples->deviations &&
-                               before->samples->deviations->asked();
-  auto shown = std::make_shared<ShownRun>();
-  shown->run = std::move(run);
-  const std::shared_ptr<const Trajectory> trajectory = shown->run.trajectory;
+/// How the parts of a ShownRun are made.
+struct Making {
+  Progress& progress;
+  double share = 1;                  ///< of `progress`
+  const Toolpath* input = nullptr;   ///< was simulated, and the summary is to come; null: that of the run
+  const ShownRun* before = nullptr;  ///< what was asked of its samples is made of the new ones at once
+  ShownParts parts = {};
+  DrawableRun drawable = {};
+};
+
+/// What is shown of `run`, each part beside the others.
+std::shared_ptr<const ShownRun> shown_of(Run run, const Making& how) {
+  const bool with_deviations = how.before != nullptr && how.before->samples &&
+                               how.before->samples->deviations && how.before->samples->deviations->asked();
+  auto drawn = std::make_shared<ShownRun>();  // never changed once it is handed on
+  drawn->run = run;
+  const std::shared_ptr<const Trajectory> trajectory = run.trajectory;
+  ShownRun rest;
   const Shares of;
-  Progress samples(progress, of.samples * share);
-  Progress summary(progress, of.summary * share);
-  Progress envelope(progress, of.envelope * share);
-  Progress lines(progress, of.lines * share);
-  Progress places(progress, of.places * share);
-  // What takes longest first.
+  Progress samples(how.progress, of.samples * how.share);
+  Progress summary(how.progress, of.summary * how.share);
+  Progress envelope(how.progress, of.envelope * how.share);
+  Progress lines(how.progress, of.lines * how.share);
+  Progress places(how.progress, of.places * how.share);
+  std::atomic<int> left_to_draw{2};
+  const auto one_is_there = [&] {
+    if (--left_to_draw == 0 && how.drawable) {
+      how.drawable(drawn);
+    }
+  };
+  // Two cores begin with the first and the third.
   in_parallel({[&] {
-                 if (parts.path) {
-                   shown->samples = std::make_shared<const SampledPath>(
-                       sample_executed(trajectory, default_max_points, {}, &samples, shown->run.sources));
+                 const Toolpath* toolpath = drawn->run.input.toolpath.get();
+                 if (how.parts.path) {
+                   drawn->samples = std::make_shared<const SampledPath>(
+                       sample_executed(trajectory, default_max_points, {}, &samples, drawn->run.sources));
                    if (with_deviations) {
-                     shown->samples->found_deviations();
+                     drawn->samples->found_deviations();
                    }
                  }
+                 if (how.parts.path && how.input != nullptr && how.input != toolpath) {
+                   drawn->programmed = std::make_shared<const SampledPath>(sample_programmed(*toolpath));
+                 } else if (how.parts.path && how.before != nullptr && how.input == nullptr) {
+                   drawn->programmed = how.before->programmed;  // another load alone: the same motion
+                 }
                  samples.report(1);
+                 one_is_there();
                },
                [&] {
-                 const Toolpath& toolpath = *shown->run.input.toolpath;
-                 if (input != nullptr && parts.summary) {
-                   add_summary(shown->run, &summary);
-                 }
-                 if (parts.path && input != nullptr && input != &toolpath) {
-                   shown->programmed = std::make_shared<const SampledPath>(sample_programmed(toolpath));
+                 if (how.input != nullptr && how.parts.summary) {
+                   add_summary(run, &summary);
                  }
                  summary.report(1);
                },
                [&] {
-                 if (parts.charts) {
-                   shown->envelope =
-                       std::make_shared<const Envelope>(trajectory, shown->run.sources, &envelope);
+                 if (how.parts.charts) {
+                   drawn->envelope =
+                       std::make_shared<const Envelope>(trajectory, drawn->run.sources, &envelope);
                  }
                  envelope.report(1);
+                 one_is_there();
                },
                [&] {
-                 if (parts.lines) {
-                   shown->line_times = std::make_shared<const LineTimes>(*trajectory, &lines);
-                   shown->slow_places = std::make_shared<const SlowPlaces>(
+                 if (how.parts.lines) {
+                   rest.line_times = std::make_shared<const LineTimes>(*trajectory, &lines);
+                   rest.slow_places = std::make_shared<const SlowPlaces>(
                        find_slow_places(*trajectory, slow_places_kept, &places));
                  }
                  lines.report(1);
                  places.report(1);
                }});
-  return shown;
+  rest.run = std::move(run);
+  rest.envelope = drawn->envelope;
+  rest.samples = drawn->samples;
+  rest.programmed = drawn->programmed;
+  return std::make_shared<const ShownRun>(std::move(rest));
 }
 
 bool differ_in_load_alone(const Setup& a, Setup b) {
@@ -84,26 +107,25 @@ bool differ_in_load_alone(const Setup& a, Setup b) {
 
 std::shared_ptr<const ShownRun> make_shown(Run run, Progress* progress) {
   Progress unwatched;
-  return shown_of(std::move(run), progress != nullptr ? *progress : unwatched, 1, nullptr, nullptr, {});
+  return shown_of(std::move(run), {progress != nullptr ? *progress : unwatched});
 }
 
 std::shared_ptr<const ShownRun> simulate_shown(const LoadedProgram& input, Setup setup, Progress* progress,
-                                               const ShownRun* before, const ShownParts& parts) {
+                                               const ShownRun* before, const ShownParts& parts,
+                                               const DrawableRun& drawable) {
   Progress unwatched;
   Progress& whole = progress != nullptr ? *progress : unwatched;
   if (before != nullptr && differ_in_load_alone(before->run.setup, setup)) {
     Progress load(whole, share_of_load);
     Run run = with_load(before->run, std::move(setup.load), &load);
     load.report(1);
-    auto shown = std::make_shared<ShownRun>(
-        *shown_of(std::move(run), whole, 1 - share_of_load, nullptr, before, parts));
-    shown->programmed = before->programmed;
-    return shown;
+    return shown_of(std::move(run), {whole, 1 - share_of_load, nullptr, before, parts, drawable});
   }
   Progress motion(whole, share_of_motion);
   Run run = simulate_motion(input, std::move(setup), &motion);
   motion.report(1);
-  return shown_of(std::move(run), whole, 1 - share_of_motion, input.toolpath.get(), before, parts);
+  return shown_of(std::move(run),
+                  {whole, 1 - share_of_motion, input.toolpath.get(), before, parts, drawable});
 }
 
 ShownProgram make_shown(LoadedProgram input) {

@@ -52,7 +52,8 @@ SimulationJob::Result SimulationJob::work(const JobRequest& request, JobControl&
   }
   control.progress.report(0);
   stage = JobStage::simulating;
-  Result shown = simulate_shown(input, request.setup, &control.progress, request.before.get());
+  const auto tell = [&](const Result& drawn) { control.tell([this, drawn] { emit drawable(drawn); }); };
+  Result shown = simulate_shown(input, request.setup, &control.progress, request.before.get(), {}, tell);
   give_back_memory();
   return shown;
 }

@@ -40,6 +40,8 @@ class SimulationJob : public QObject {
   void progressed(feedscope::ui::JobStage stage, double fraction);
   /// A file has been read; its simulation follows.
   void program_read(const feedscope::ui::ShownProgram& program);
+  /// What pictures draw of the run under way; the rest of it follows.
+  void drawable(const std::shared_ptr<const feedscope::ui::ShownRun>& drawn);
   void finished(std::shared_ptr<const feedscope::ui::ShownRun> run);
   /// `message` for the user: unreadable file, missing limit, out of memory.
   void failed(const QString& message);

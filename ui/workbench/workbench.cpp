@@ -44,6 +44,7 @@ Workbench::Workbench(MachineLibrary machines, Setup setup, QObject* parent)
   connect(&job_, &SimulationJob::busy_changed, this, &Workbench::busy_changed);
   connect(&job_, &SimulationJob::progressed, this, &Workbench::report);
   connect(&job_, &SimulationJob::failed, this, &Workbench::take_failure);
+  connect(&job_, &SimulationJob::drawable, this, &Workbench::take_drawn);
   connect(&job_, &SimulationJob::finished, this, &Workbench::take_result);
   connect(&job_, &SimulationJob::program_read, this, &Workbench::take_program);
 
@@ -173,8 +174,12 @@ void Workbench::cancel() {
   if (place_) {
     place_->playing = false;
   }
+  const bool begun = drawn() != shown();
   for (const RunItem& run : std::vector(runs_.items())) {
     runs_.give_up(run.id);
+  }
+  if (begun) {
+    show_current();
   }
 }
 
@@ -335,6 +340,16 @@ void Workbench::use_default_machine() {
   }
 }
 
+void Workbench::take_drawn(const std::shared_ptr<const ShownRun>& drawn) {
+  if (drawn->run.input.program != program_.input.program) {
+    return;
+  }
+  runs_.set_drawn(working_on_, drawn);
+  if (runs_.current_item().id == working_on_) {
+    show_drawn();
+  }
+}
+
 void Workbench::take_result(const std::shared_ptr<const ShownRun>& result) {
   if (result->run.input.program != program_.input.program) {
     return;
@@ -347,13 +362,23 @@ void Workbench::take_result(const std::shared_ptr<const ShownRun>& result) {
 }
 
 void Workbench::take_failure(const QString& message) {
+  const bool begun = drawn() != shown();
   runs_.give_up(working_on_, message);
+  if (begun) {
+    show_current();
+  }
   emit failed(message);
   schedule();
 }
 
 void Workbench::show_current() {
-  const auto result = shown();
+  show_drawn();
+  traces_.set_run(shown());
+  emit run_changed();
+}
+
+void Workbench::show_drawn() {
+  const auto result = drawn();
   const std::shared_ptr<const Trajectory> trajectory = result == nullptr ? nullptr : result->run.trajectory;
   if (trajectory == nullptr) {
     keep_place();
@@ -366,8 +391,7 @@ void Workbench::show_current() {
   if (trajectory != nullptr) {
     return_to_place();
   }
-  traces_.set_run(result);
-  emit run_changed();
+  emit drawn_changed();
 }
 
 /// Until the run that comes next is simulated.

@@ -103,6 +103,8 @@ class Workbench : public QObject {
   const ShownProgram& shown_program() const { return program_; }
   /// Of the current run, simulated with the setup that it has now; null until that is done.
   std::shared_ptr<const ShownRun> shown() const { return runs_.result(runs_.current()); }
+  /// What pictures draw: shown(), or before its summary is known what charts and 3D need of it.
+  std::shared_ptr<const ShownRun> drawn() const { return runs_.drawn(runs_.current()); }
   bool busy() const { return job_.busy(); }
 
  signals:
@@ -110,6 +112,8 @@ class Workbench : public QObject {
   void program_changed();
   /// Another current run, another result of it, or none any more.
   void run_changed();
+  /// Another drawn(), or none any more; before run_changed().
+  void drawn_changed();
   void busy_changed(bool busy);
   /// show_place() [s].
   void place_shown(double from, double to);
@@ -137,9 +141,11 @@ class Workbench : public QObject {
   bool wanted(std::size_t row) const;
   bool under_way(std::size_t row) const;
   void take_program(const ShownProgram& program);
+  void take_drawn(const std::shared_ptr<const ShownRun>& drawn);
   void take_result(const std::shared_ptr<const ShownRun>& result);
   void take_failure(const QString& message);
   void show_current();
+  void show_drawn();
   void keep_place();
   void return_to_place();
   void watch();

@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 #include <algorithm>
 #include <fstream>
+#include <utility>
 
 #include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
@@ -37,6 +38,11 @@ class WorkbenchTest : public testing::Test {
     while (model.busy() && spy.wait(patience)) {
     }
     ASSERT_FALSE(model.busy());
+  }
+
+  template <class Slot>
+  void connect_drawn(Slot slot) {
+    QObject::connect(&model, &Workbench::drawn_changed, &model, slot);
   }
 
   Workbench model{shipped_machines(), make_setup({})};
@@ -126,6 +132,63 @@ TEST_F(WorkbenchTest, TheLatestEditWins) {
   }
   wait_until_idle(model);
   EXPECT_EQ(results.count(), 1);
+  EXPECT_DOUBLE_EQ(axis_limit(model.shown()->run.setup.machine, 'X', "jerk"), 14);
+}
+
+TEST_F(WorkbenchTest, PicturesDrawARunBeforeItsSummaryIsThere) {
+  std::vector<std::shared_ptr<const ShownRun>> drawn;
+  connect_drawn([&] { drawn.push_back(model.drawn()); });
+  model.open(write("long.nc", long_program()));
+  wait_until_idle(model);
+  ASSERT_GE(drawn.size(), 2U);
+  const auto& first = drawn[drawn.size() - 2];
+  ASSERT_NE(first, nullptr);
+  EXPECT_EQ(first->line_times, nullptr);
+  EXPECT_EQ(first->run.summary.cycle_time, 0);
+  EXPECT_EQ(model.drawn(), model.shown());
+  EXPECT_EQ(first->samples, model.shown()->samples) << "nothing is drawn twice";
+  EXPECT_EQ(first->envelope, model.shown()->envelope);
+  EXPECT_EQ(first->run.trajectory, model.shown()->run.trajectory);
+  EXPECT_GT(model.shown()->run.summary.cycle_time, 0);
+}
+
+TEST_F(WorkbenchTest, TheCursorStaysWhenTheRestOfARunComes) {
+  connect_drawn([&] {
+    if (model.drawn() != nullptr && model.shown() == nullptr) {
+      model.cursor().set_time(1);
+    }
+  });
+  model.open(write("long.nc", long_program()));
+  wait_until_idle(model);
+  EXPECT_EQ(model.cursor().state().time, 1);
+}
+
+TEST_F(WorkbenchTest, ARunThatIsDrawnAndThenCancelledIsNotDrawnAnyMore) {
+  bool was_drawn = false;
+  connect_drawn([&] {
+    if (model.drawn() != nullptr && !std::exchange(was_drawn, true)) {
+      model.cancel();
+    }
+  });
+  model.open(write("long.nc", long_program()));
+  wait_until_idle(model);
+  EXPECT_TRUE(was_drawn);
+  EXPECT_EQ(model.drawn(), nullptr);
+  EXPECT_FALSE(model.cursor().valid());
+  EXPECT_EQ(model.runs().status(0), RunStatus::cancelled);
+}
+
+TEST_F(WorkbenchTest, AnEditOfARunThatIsDrawnReplacesIt) {
+  int drawn = 0;
+  connect_drawn([&] {
+    if (model.drawn() != nullptr && ++drawn == 1) {
+      model.setup().set("X.jerk", 14.0);
+      EXPECT_EQ(model.drawn(), nullptr);
+    }
+  });
+  model.open(write("long.nc", long_program()));
+  wait_until_idle(model);
+  ASSERT_NE(model.shown(), nullptr);
   EXPECT_DOUBLE_EQ(axis_limit(model.shown()->run.setup.machine, 'X', "jerk"), 14);
 }
 
