@@ -56,7 +56,10 @@ void PathScene::set_executed(std::shared_ptr<const Trajectory> trajectory,
 }
 
 void PathScene::set_overlays(std::vector<OverlayRun> overlays) {
-  if (!overlays.empty() || !impl_->overlays.empty()) {
+  const auto same = [](const OverlayRun& a, const OverlayRun& b) {
+    return a.samples == b.samples && a.colour == b.colour && a.name == b.name;
+  };
+  if (!std::ranges::equal(overlays, impl_->overlays, same)) {
     impl_->overlays = std::move(overlays);
     impl_->rebuild();
   }

@@ -244,9 +244,8 @@ void SceneView::release(const QMouseEvent& mouse) {
 void SceneView::wheel(const QWheelEvent& event) {
   if (event.angleDelta().y() != 0) {
     leave();
-    scene_.set_moving(true);
+    begin_rest();
     scene_.zoom(std::pow(zoom_a_notch, event.angleDelta().y() / notch), pixel(event.position()));
-    rest_timer_.start();
   }
 }
 
@@ -340,14 +339,18 @@ void SceneView::show_times(double from, double to) {
   const auto duration = scene_.duration();
   const bool all = from <= 1e-9 * duration && to >= (1 - 1e-9) * duration;
   if (!all && drag_ == Drag::none) {  // charts that are zoomed or dragged do not wait for every detail here
-    scene_.set_moving(true);
-    rest_timer_.start();
+    begin_rest();
   }
   scene_.set_highlight(all ? std::nullopt : std::optional(std::array{from, to}));
 }
 
 void SceneView::zoom_to_times(double from, double to) {
   scene_.fit_times(from, to);
+}
+
+void SceneView::begin_rest() {
+  scene_.set_moving(true);
+  rest_timer_.start();
 }
 
 void SceneView::rest() {

@@ -75,7 +75,9 @@ class SceneView : public QWidget {
   void show_times(double from, double to);
   /// The path between two times fills the view [s].
   void zoom_to_times(double from, double to);
-  /// Every detail from the next frame on, as some time after the last move.
+  /// Frames without every detail until some time after the last move or other change.
+  void begin_rest();
+  /// Every detail from the next frame on.
   void rest();
   /// Two clicks on the path measure from one place to the other; false ends and clears.
   void set_measuring(bool measuring);
