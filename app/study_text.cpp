@@ -241,6 +241,20 @@ std::vector<std::string> names_among(const Study& study) {
   return names;
 }
 
+std::string fastest_text(const Study& study) {
+  if (none_possible(study.runs)) {
+    return fmt::format("{}\n", none_possible_text(study.runs));
+  }
+  const StudyRun* best = fastest(study.runs, study.within);
+  if (best == nullptr) {
+    const StudyRun& least = min_error(study.runs);
+    return fmt::format("No run has a contour error within {} mm; the smallest is {:.4f} mm: {}.\n",
+                       *study.within, least.summary.cutting_contour_error, curve_title(study, least));
+  }
+  return fmt::format("Fastest within {} mm: {}, {}.{}\n", *study.within, curve_title(study, *best),
+                     time_text(best->summary.cycle_time), not_run_text(best->lines_not_run));
+}
+
 std::string study_text(const LoadedProgram& program, const Study& study,
                        const std::vector<std::string>& assignments) {
   std::string text =
@@ -249,7 +263,8 @@ std::string study_text(const LoadedProgram& program, const Study& study,
     text += fmt::format(", with {}", fmt::join(assignments, " "));
   }
   text += "\n";
-  for (const auto& curve : study.curves()) {
+  const auto curves = study.curves();
+  for (const auto& curve : curves) {
     const bool all_equal = makes_no_difference(curve, study.within);
     const StudyRun* best = all_equal ? nullptr : fastest(curve, study.within);
     text +=
@@ -272,6 +287,18 @@ std::string study_text(const LoadedProgram& program, const Study& study,
       text +=
           fmt::format("\nOperations at {}\n{}", setting_text(study, shown), operations_text(study, shown));
     }
+  }
+  if (curves.size() > 1) {
+    const StudyRun* best = fastest(study.runs, study.within);
+    const bool any_value = best != nullptr && std::ranges::any_of(curves, [&](const auto& curve) {
+                             return best >= curve.data() && best < curve.data() + curve.size() &&
+                                    makes_no_difference(curve, study.within);
+                           });
+    text += best == nullptr ? fmt::format("\n{}\n", optimum_text(study, study.runs))
+            : any_value     ? fmt::format("\nOf all: {}, {}.\n", curve_title(study, *best),
+                                          time_text(best->summary.cycle_time))
+                            : fmt::format("\nOf all: {}. {}\n", curve_title(study, *best),
+                                          optimum_text(study, study.runs));
   }
   return text;
 }

@@ -14,6 +14,9 @@ namespace feedscope {
 std::string study_text(const LoadedProgram& program, const Study& study,
                        const std::vector<std::string>& assignments);
 
+/// Which of the runs is the fastest within the bound that the study has.
+std::string fastest_text(const Study& study);
+
 /// Names that tell the runs apart: machine, model, swept values or tolerance, as far as they differ; else
 /// by their number where that tells them not apart.
 std::vector<std::string> names_among(const Study& study);

@@ -172,6 +172,9 @@ std::string text_of(const CompareOptions& options, const LoadedProgram& program,
     return text + study_text(program, study, options.set);
   }
   text += comparison_text(program, plain_runs(study), options.set);
+  if (study.within) {
+    text += "\n" + fastest_text(study);
+  }
   for (const StudyRun& run : study.runs) {
     if (!run.operations.empty()) {
       text += fmt::format("\nOperations: {} on {}\n{}", run.setup.model->info().id, run.setup.machine.name,

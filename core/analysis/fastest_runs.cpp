@@ -31,16 +31,16 @@ std::vector<std::size_t> runs_to_choose_from(std::span<const RunTime> runs, std:
 
 std::vector<std::size_t> fastest_runs(std::span<const RunTime> runs, std::optional<double> within) {
   std::vector<std::size_t> fastest = runs_to_choose_from(runs, within);
-  const auto keep_least = [&](double RunTime::*figure, double share, double more) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const std::size_t i : fastest) {
-      least = std::min(least, runs[i].*figure);
-    }
-    std::erase_if(fastest, [&](std::size_t i) { return runs[i].*figure > least * (1 + share) + more; });
-  };
-  keep_least(&RunTime::cycle_time, worthwhile_share, 0);
-  keep_least(&RunTime::contour_error, 0, rounding);
-  keep_least(&RunTime::cycle_time, rounding, 0);
+  double time = std::numeric_limits<double>::infinity();
+  for (const std::size_t i : fastest) {
+    time = std::min(time, runs[i].cycle_time);
+  }
+  std::erase_if(fastest, [&](std::size_t i) { return runs[i].cycle_time > time * (1 + rounding); });
+  double error = std::numeric_limits<double>::infinity();
+  for (const std::size_t i : fastest) {
+    error = std::min(error, runs[i].contour_error);
+  }
+  std::erase_if(fastest, [&](std::size_t i) { return runs[i].contour_error > error + rounding; });
   return fastest;
 }
 

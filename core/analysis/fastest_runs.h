@@ -7,13 +7,10 @@
 
 namespace feedscope {
 
-/// Differences of the cycle time below this share are none.
-inline constexpr double worthwhile_share = 0.01;
-
 /// With what a run competes for being the fastest.
 struct RunTime {
   double cycle_time = 0;          ///< [s]
-  double contour_error = 0;       ///< largest of its cuts, with drives of what the axes do [mm]
+  double contour_error = 0;       ///< largest [mm]
   std::size_t lines_not_run = 0;  ///< that the control refuses
   bool competes = true;           ///< false: refused as a whole, or nothing is known of it
 };
@@ -26,8 +23,8 @@ bool keeps_bound(double contour_error, std::optional<double> within);
 /// not run takes no time.
 std::vector<std::size_t> runs_to_choose_from(std::span<const RunTime> runs, std::optional<double> within);
 
-/// Of runs_to_choose_from() the fastest, rising. Those that take at most worthwhile_share longer are as fast:
-/// of these the ones with the least error, and of equal errors (to 1e-9 mm) the fastest to a billionth.
+/// Of runs_to_choose_from() the fastest, rising: all that take the same time to a billionth, of these those
+/// with the least error.
 std::vector<std::size_t> fastest_runs(std::span<const RunTime> runs, std::optional<double> within);
 
 }  // namespace feedscope

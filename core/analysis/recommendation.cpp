@@ -6,6 +6,23 @@
 namespace feedscope {
 namespace {
 
+/// The one with the smallest error among those that take as long as `fastest`.
+std::size_t most_exact(std::span<const RunTime> runs, const std::vector<std::size_t>& places,
+                       std::size_t fastest) {
+  const double longest = runs[fastest].cycle_time * (1 + worthwhile_share);
+  std::size_t best = fastest;
+  for (const std::size_t place : places) {
+    const RunTime& run = runs[place];
+    const bool better =
+        run.contour_error < runs[best].contour_error ||
+        (run.contour_error == runs[best].contour_error && run.cycle_time < runs[best].cycle_time);
+    if (run.cycle_time <= longest && better) {
+      best = place;
+    }
+  }
+  return best;
+}
+
 struct ChoiceTimes {
   double fastest = 0;  ///< [s]
   double taken = 0;
@@ -30,7 +47,7 @@ std::optional<Recommendation> recommend(std::span<const RunTime> runs, std::opti
   const auto time = [&](std::size_t place) { return runs[place].cycle_time; };
   const std::size_t fastest = *std::ranges::min_element(places, {}, time);
   const std::size_t slowest = *std::ranges::max_element(places, {}, time);
-  const std::size_t best = fastest_runs(runs, within).front();
+  const std::size_t best = most_exact(runs, places, fastest);
   Recommendation result;
   result.run = best;
   result.against = slowest;
@@ -55,18 +72,14 @@ std::vector<bool> can_be_chosen(std::span<const ComparedRun> runs) {
   return can;
 }
 
-std::vector<RunTime> run_times(std::span<const ComparedRun> runs) {
+std::optional<Recommendation> recommend(std::span<const ComparedRun> runs, std::optional<double> within) {
   const std::vector<bool> can = can_be_chosen(runs);
   std::vector<RunTime> times;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const Summary& summary = runs[i].summary;
     times.push_back({summary.cycle_time, deciding_error(summary), runs[i].lines_not_run, can[i]});
   }
-  return times;
-}
-
-std::optional<Recommendation> recommend(std::span<const ComparedRun> runs, std::optional<double> within) {
-  return recommend(std::span<const RunTime>(run_times(runs)), within);
+  return recommend(std::span<const RunTime>(times), within);
 }
 
 std::string to_string(Recommendation::Reason reason) {

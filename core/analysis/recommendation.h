@@ -11,6 +11,9 @@
 
 namespace feedscope {
 
+/// Differences of the cycle time below this share are none.
+inline constexpr double worthwhile_share = 0.01;
+
 /// The run to take of several.
 struct Recommendation {
   enum class Reason : std::uint8_t {
@@ -28,7 +31,9 @@ struct Recommendation {
   double contour_error = 0;  ///< of its cuts [mm]
 };
 
-/// The first of fastest_runs(). None where no run keeps the bound.
+/// The one with the smallest contour error among those that take at most worthwhile_share longer than the
+/// fastest, of those whose contour error is at most `within` [mm]; of equal errors the faster one. None where
+/// no run keeps the bound. As in fastest_runs() never one of which more lines are refused than of another.
 std::optional<Recommendation> recommend(std::span<const RunTime> runs, std::optional<double> within);
 
 /// The contour error by which runs are chosen: that of their cuts, with drives of what the axes do [mm].
@@ -37,8 +42,6 @@ double deciding_error(const Summary& summary);
 /// Which of compared runs can be chosen from: all of one model; of several, between which nobody chooses,
 /// those with the model of their machine.
 std::vector<bool> can_be_chosen(std::span<const ComparedRun> runs);
-/// With what they compete: those that can_be_chosen(), by deciding_error().
-std::vector<RunTime> run_times(std::span<const ComparedRun> runs);
 /// The same of compared runs; none also where none can_be_chosen().
 std::optional<Recommendation> recommend(std::span<const ComparedRun> runs, std::optional<double> within);
 

@@ -7,7 +7,6 @@
 #include <iterator>
 #include <vector>
 
-#include "core/analysis/recommendation.h"
 #include "core/analysis/source_figures.h"
 #include "core/base/units.h"
 #include "core/export/csv_field.h"
@@ -126,7 +125,8 @@ std::vector<std::string> study_columns(const Study& study) {
 }
 
 std::string bound_text(std::optional<double> within, double error) {
-  return within ? (keeps_bound(error, within) ? "1" : "0") : "";
+  constexpr double rounding = 1e-9;  // mm
+  return within ? (error <= *within + rounding ? "1" : "0") : "";
 }
 
 /// The columns of study_columns() up to the operations.
@@ -135,7 +135,7 @@ std::vector<std::string> study_cells(const Study& study, const StudyRun& run, bo
   for (const double value : run.swept) {
     cells.push_back(csv_number(value));
   }
-  cells.push_back(run.is_possible() ? bound_text(study.within, deciding_error(run.summary)) : "");
+  cells.push_back(run.is_possible() ? bound_text(study.within, run.summary.cutting_contour_error) : "");
   cells.emplace_back(is_fastest ? "1" : "0");
   const std::vector<CauseShare> causes =
       run.out_of_reach ? std::vector<CauseShare>() : limiting_causes(run.summary);
@@ -228,16 +228,18 @@ std::string study_csv(const Study& study) {
   const Figures figures = figures_of(study.runs);
   append(titles, columns_of(figures));
   std::string text = fmt::format("{}\n", fmt::join(titles, ","));
-  const std::vector<bool> marks = fastest_marks(study);
-  for (std::size_t at = 0; at < study.runs.size(); ++at) {
-    const StudyRun& run = study.runs[at];
-    std::vector<std::string> row = row_of(run, causes);
-    append(row, study_cells(study, run, marks[at]));
-    row.resize(own);
-    append(row, cells_of(figures, run.summary));
-    text += fmt::format("{}\n", fmt::join(row, ","));
-    for (std::size_t i = 0; i < run.operations.size(); ++i) {
-      text += fmt::format("{}\n", fmt::join(operation_row(study, run, i, titles, row), ","));
+  for (const auto& curve : study.curves()) {
+    const std::vector<bool> marks = fastest_marks(curve, study.within);
+    for (std::size_t at = 0; at < curve.size(); ++at) {
+      const StudyRun& run = curve[at];
+      std::vector<std::string> row = row_of(run, causes);
+      append(row, study_cells(study, run, marks[at]));
+      row.resize(own);
+      append(row, cells_of(figures, run.summary));
+      text += fmt::format("{}\n", fmt::join(row, ","));
+      for (std::size_t i = 0; i < run.operations.size(); ++i) {
+        text += fmt::format("{}\n", fmt::join(operation_row(study, run, i, titles, row), ","));
+      }
     }
   }
   return text;

@@ -479,22 +479,24 @@ std::string comparison_json(const LoadedProgram& program, std::span<const Compar
 std::string study_json(const LoadedProgram& program, const Study& study) {
   Json list = Json::array();
   std::vector<double> times;
-  const std::vector<bool> marks = fastest_marks(study);
-  for (std::size_t at = 0; at < study.runs.size(); ++at) {
-    const StudyRun& run = study.runs[at];
-    Json json = run_json(program, run, run.is_possible());
-    Json swept = Json::object();
-    for (std::size_t i = 0; i < study.sweeps.size(); ++i) {
-      swept[study.sweeps[i].key] = run.swept[i];
+  for (const auto& curve : study.curves()) {
+    const std::vector<bool> marks = fastest_marks(curve, study.within);
+    for (std::size_t at = 0; at < curve.size(); ++at) {
+      const StudyRun& run = curve[at];
+      Json json = run_json(program, run, run.is_possible());
+      Json swept = Json::object();
+      for (std::size_t i = 0; i < study.sweeps.size(); ++i) {
+        swept[study.sweeps[i].key] = run.swept[i];
+      }
+      json["swept"] = std::move(swept);
+      json["fastest"] = static_cast<bool>(marks[at]);
+      json["limiting_share"] = limits_json(run);
+      if (!study.operations.empty()) {
+        json["operations"] = operations_json(study, run);
+      }
+      list.push_back(std::move(json));
+      times.push_back(run.simulate_time);
     }
-    json["swept"] = std::move(swept);
-    json["fastest"] = static_cast<bool>(marks[at]);
-    json["limiting_share"] = limits_json(run);
-    if (!study.operations.empty()) {
-      json["operations"] = operations_json(study, run);
-    }
-    list.push_back(std::move(json));
-    times.push_back(run.simulate_time);
   }
   Json json = with_runs("study", program, std::move(list));
   Json sweeps = Json::array();

@@ -123,9 +123,6 @@ MergedRun run_of(const Place& run) {
   const char* const cutting = "max_contour_error_cutting_mm";  // files of before have none
   merged.cutting_contour_error =
       run.json().contains(cutting) ? run.at(cutting).number() : merged.max_contour_error;
-  const bool has_drives = run.json().contains("actual") && !run.at("actual").json().is_null();
-  merged.deciding_error =
-      has_drives ? run.at("actual").at("max_contour_error_mm").number() : merged.cutting_contour_error;
   return merged;
 }
 
@@ -213,7 +210,7 @@ std::string csv_row(const std::string& program, const MergedRun& run, std::size_
 }
 
 RunTime time_of(const MergedRun& run, bool competes) {
-  return {run.cycle_time, run.deciding_error, run.lines_not_run, competes && !run.refused};
+  return {run.cycle_time, run.cutting_contour_error, run.lines_not_run, competes && !run.refused};
 }
 
 std::vector<bool> marks_of(const std::vector<RunTime>& times, std::optional<double> within) {
@@ -229,7 +226,6 @@ void add_to_sums(std::vector<MergedSum>& sums, const MergedRun& run) {
   if (sum == sums.end()) {
     sum = sums.insert(sum, {run, 0});
     sum->run.cycle_time = sum->run.max_contour_error = sum->run.cutting_contour_error = 0;
-    sum->run.deciding_error = 0;
     sum->run.mean_feed = 0;
     sum->run.refused = true;
     sum->run.lines_not_run = 0;
@@ -245,14 +241,13 @@ void add_to_sums(std::vector<MergedSum>& sums, const MergedRun& run) {
   sum->run.cycle_time += run.cycle_time;
   sum->run.max_contour_error = std::max(sum->run.max_contour_error, run.max_contour_error);
   sum->run.cutting_contour_error = std::max(sum->run.cutting_contour_error, run.cutting_contour_error);
-  sum->run.deciding_error = std::max(sum->run.deciding_error, run.deciding_error);
   ++sum->programs;
 }
 
 }  // namespace
 
 bool MergedComparison::keeps(const MergedRun& run) const {
-  return !run.refused && keeps_bound(run.deciding_error, within);
+  return !run.refused && keeps_bound(run.cutting_contour_error, within);
 }
 
 std::vector<bool> MergedComparison::fastest(const MergedProgram& program) const {

@@ -19,8 +19,7 @@ struct MergedRun {
   double cycle_time = 0;             ///< [s]
   double mean_feed = 0;              ///< [mm/min]
   double max_contour_error = 0;      ///< [mm]
-  double cutting_contour_error = 0;  ///< of feed motions [mm]
-  double deciding_error = 0;         ///< with drives that of what the axes do: a bound holds for it [mm]
+  double cutting_contour_error = 0;  ///< of feed motions, which a bound holds for [mm]
 };
 
 struct MergedProgram {

@@ -112,6 +112,7 @@ TEST_F(CompareCommand, SaysThatAControlRefusesTheProgramInsteadOfATime) {
   EXPECT_THAT(runs[0]["notes"].dump(), HasSubstr("refused by the control"));
   EXPECT_THAT(contents(folder_ / "part.csv"), HasSubstr("grbl-router,grbl,,,,,,,,,"));
 
+  EXPECT_THAT(run(arguments + " --within 0.1").out, HasSubstr("Fastest within 0.1 mm: cam on"));
   const std::string swept =
       "compare no_feed.nc --machine grbl-router --model grbl --sweep "
       "'junction_deviation_mm=0.01;0.02' --within 0.1";
@@ -136,6 +137,7 @@ TEST_F(CompareCommand, AControlThatRunsNoFeedMotionRefusesTheProgram) {
   for (const std::string program : {"dwell.nc", "rapid.nc"}) {
     const std::string arguments = "compare " + program + " --machine grbl-router --model grbl --model cam";
     EXPECT_THAT(run(arguments).out, HasSubstr("grbl            -      refused         -")) << program;
+    EXPECT_THAT(run(arguments + " --within 0.1").out, HasSubstr("Fastest within 0.1 mm: cam on")) << program;
   }
 }
 
@@ -143,7 +145,9 @@ TEST_F(CompareCommand, AControlThatRunsNoFeedMotionRefusesTheProgram) {
 TEST_F(CompareCommand, ARunOfAPartIsNotTheFastestOfTheWhole) {
   write("part.nc", "G21 G90\nG1 X10 F1000\nM6\nG1 X200 H1\nX10\n");
   const std::string arguments = "compare part.nc --machine grbl-router --within 1 --model grbl";
-  EXPECT_THAT(run(arguments).out, HasSubstr("lines of the program; they are not run."));
+  EXPECT_THAT(run(arguments + " --model cam").out, HasSubstr("Fastest within 1 mm: cam on"));
+  EXPECT_THAT(run(arguments).out, AllOf(HasSubstr("Fastest within 1 mm: grbl on"),
+                                        HasSubstr("lines of the program; they are not run.")));
   run("compare part.nc --machine grbl-router --model grbl --model cam --json part.json");
   const json runs = json::parse(contents(folder_ / "part.json"))["runs"];
   EXPECT_GT(runs[0]["lines_not_run"], 0);

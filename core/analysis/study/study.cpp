@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "core/analysis/fastest_runs.h"
-#include "core/analysis/recommendation.h"
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
 
@@ -92,7 +91,12 @@ std::size_t combinations(const std::vector<Sweep>& sweeps) {
 }
 
 std::vector<RunTime> times_of(std::span<const StudyRun> runs) {
-  return run_times(std::vector<ComparedRun>(runs.begin(), runs.end()));
+  std::vector<RunTime> times;
+  for (const StudyRun& run : runs) {
+    times.push_back(
+        {run.summary.cycle_time, run.summary.cutting_contour_error, run.lines_not_run, run.is_possible()});
+  }
+  return times;
 }
 
 }  // namespace
@@ -169,29 +173,17 @@ bool makes_no_difference(std::span<const StudyRun> runs, std::optional<double> w
            return run.is_possible() && run.lines_not_run == first.lines_not_run &&
                   std::abs(run.summary.cycle_time - first.summary.cycle_time) <=
                       rounding * first.summary.cycle_time &&
-                  keeps_bound(deciding_error(run.summary), within);
+                  keeps_bound(run.summary.cutting_contour_error, within);
          });
 }
 
 std::vector<bool> fastest_marks(std::span<const StudyRun> curve, std::optional<double> within) {
-  const std::vector<std::size_t> fastest = fastest_runs(times_of(curve), within);
   std::vector<bool> marks(curve.size());
-  if (fastest.size() == 1 || fastest.size() < curve.size()) {
-    for (const std::size_t i : fastest) {
-      marks[i] = true;
-    }
+  if (curve.empty() || makes_no_difference(curve, within)) {
+    return marks;
   }
-  return marks;
-}
-
-std::vector<bool> fastest_marks(const Study& study) {
-  if (study.sweeps.empty()) {
-    return fastest_marks(study.runs, study.within);
-  }
-  std::vector<bool> marks;
-  for (const auto& curve : study.curves()) {
-    const std::vector<bool> of_curve = fastest_marks(curve, study.within);
-    marks.insert(marks.end(), of_curve.begin(), of_curve.end());
+  for (const std::size_t i : fastest_runs(times_of(curve), within)) {
+    marks[i] = true;
   }
   return marks;
 }

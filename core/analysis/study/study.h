@@ -64,10 +64,8 @@ const StudyRun* fastest(std::span<const StudyRun> runs, std::optional<double> wi
 /// of a curve, that its setting makes no difference.
 bool makes_no_difference(std::span<const StudyRun> runs, std::optional<double> within);
 
-/// By run of a curve whether it is marked as its fastest: all that fastest_runs() names, the first of them
-/// what recommend() takes; none where it names every run of several.
+/// By run of a curve whether it is marked as its fastest: all that fastest_runs() names; none where the
+/// setting makes no difference.
 std::vector<bool> fastest_marks(std::span<const StudyRun> curve, std::optional<double> within);
-/// By run of the study: of its curve, without a sweep of all runs.
-std::vector<bool> fastest_marks(const Study& study);
 
 }  // namespace feedscope

@@ -16,11 +16,6 @@ TEST(FastestRuns, AreAllThatTakeTheSameTimeWithTheLeastError) {
   EXPECT_THAT(fastest_runs(runs, 0.0005), IsEmpty());
 }
 
-TEST(FastestRuns, CountTimesWithinOnePercentAsEqual) {
-  const std::vector<RunTime> runs{{10, 0.05}, {10.09, 0.01}, {10.05, 0.01}, {10.2, 0.001}};
-  EXPECT_THAT(fastest_runs(runs, std::nullopt), ElementsAre(2)) << "the faster one of equal errors";
-}
-
 TEST(FastestRuns, AreNoneOfWhichMoreIsRefused) {
   const std::vector<RunTime> runs{{1, 0, 3}, {0, 0, 0, false}, {5, 0, 2}, {6, 0, 2}};
   EXPECT_THAT(fastest_runs(runs, std::nullopt), ElementsAre(2));

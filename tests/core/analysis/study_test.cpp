@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include "core/analysis/recommendation.h"
 #include "core/analysis/study/heading.h"
 #include "core/base/error.h"
 
@@ -146,30 +145,6 @@ TEST(Study, MarksAllValuesThatAreEquallyFastAndNoneWhereAllAre) {
   const Study equal = run_study(program, request_of({"X.velocity=40;50"}, {"essid"}));
   EXPECT_TRUE(makes_no_difference(equal.runs, std::nullopt));
   EXPECT_THAT(fastest_marks(equal.runs, std::nullopt), ElementsAre(false, false));
-}
-
-/// One rule marks the fastest run and recommends one: with a sweep and without, of one model and of several.
-TEST(Study, MarksTheRunThatIsRecommended) {
-  const LoadedProgram program = program_of("G1 X20 F3000\nY20\nX40\nY40\n");
-  const std::vector<std::vector<std::string>> asked{{"ward"}, {"essid", "cam", "ward"}};
-  for (const std::vector<std::string>& models : asked) {
-    StudyRequest request = request_of({}, models);
-    request.tolerances = {0.01, 0.03, 0.05, 0.2};
-    if (models.size() == 1) {
-      request.tolerances.clear();
-      request.sweeps = {parse_sweep("tolerance=0.005:0.08:log9")};
-    }
-    request.within = 0.03;
-    const Study study = run_study(program, request);
-    const std::vector<ComparedRun> runs(study.runs.begin(), study.runs.end());
-    const auto taken = recommend(std::span<const ComparedRun>(runs), study.within);
-    ASSERT_TRUE(taken);
-    const std::vector<bool> marks = fastest_marks(study);
-    ASSERT_EQ(marks.size(), study.runs.size());
-    for (std::size_t i = 0; i < marks.size(); ++i) {
-      EXPECT_EQ(marks[i], i == taken->run) << i;
-    }
-  }
 }
 
 TEST(Study, CausesAddUpToTheCycleTime) {
