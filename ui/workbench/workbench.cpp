@@ -94,11 +94,12 @@ void Workbench::open(const std::filesystem::path& file) {
 
 void Workbench::close() {
   job_.cancel();
+  program_ = {};
+  file_.clear();
   traces_.clear();
   annotations_.replace({});
   reading_ = {};
   begin_runs_again();
-  file_.clear();
   show_nothing();
   emit program_changed();
 }
@@ -287,7 +288,7 @@ std::vector<MachineChoice> Workbench::machine_choices() const {
 
 void Workbench::schedule() {
   if (program_.input.program == nullptr) {
-    if (job_.busy()) {  // still reading
+    if (job_.busy() && !file_.empty()) {  // still reading
       read_file();
     }
     return;
