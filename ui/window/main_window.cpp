@@ -266,8 +266,8 @@ void MainWindow::make_menus() {
     dock_sizes_->follow_first_layout();
   });
   handouts_ = new HandoutCommand(desk_, QCoreApplication::applicationFilePath(), *this);
-  auto* lessons =
-      new LessonMenu(desk_, lessons_->panel_actions(), handouts_->actions(), lessons_->unlock_action(), this);
+  auto* lessons = new LessonMenu(desk_, lessons_->panel_actions() + presentation_->step_actions(),
+                                 handouts_->actions(), lessons_->unlock_action(), this);
   menuBar()->addMenu(lessons);
   connect(lessons, &LessonMenu::lesson_wanted, this, &MainWindow::open_lesson);
   auto* help = new HelpMenu(*lessons_, *this);

@@ -45,7 +45,7 @@ Presentation::~Presentation() {
 void Presentation::make_actions() {
   action_ = make_action(&window_, tr("&Presentation"),
                         tr("Large type and the open lesson alone, with its 3D view and charts: for a class"),
-                        QKeySequence(Qt::Key_F5));
+                        QKeySequence(Qt::Key_F12));
   action_->setCheckable(true);
   set_everyday_words(action_, tr("class projector beamer large type bigger letters teach"));
   connect(action_, &QAction::toggled, this, &Presentation::set_on);

@@ -43,7 +43,8 @@ class Presentation : public QObject {
   int usual_program_type() const;
   /// Switches it, and the whole screen; the next and the previous step of the lesson, by the keys of a
   /// presenter while it is on.
-  QList<QAction*> actions() const { return {action_, full_screen_, next_, previous_}; }
+  QList<QAction*> actions() const { return {action_, full_screen_}; }
+  QList<QAction*> step_actions() const { return {next_, previous_}; }
 
   /// Size of type for a window, against the usual one: the same share of the window, whatever its size. The
   /// projector makes all of them equally large.

@@ -207,7 +207,7 @@ TEST_F(PresentationTest, LeavingItBringsTheLayoutBack) {
 
 TEST_F(PresentationTest, ACommandAndItsKeySwitchIt) {
   QAction& action = *window.presentation().actions().front();
-  EXPECT_EQ(action.shortcut(), QKeySequence("F5"));
+  EXPECT_EQ(action.shortcut(), QKeySequence("F12"));
   action.trigger();
   EXPECT_TRUE(window.presentation().on());
   action.trigger();
@@ -231,7 +231,7 @@ TEST_F(PresentationTest, TheKeysOfAPresenterGoThroughTheLesson) {
   EXPECT_EQ(desk().question(), 1U);
   QTest::keyClick(&lesson.own_answer(), Qt::Key_PageUp);
   EXPECT_EQ(desk().question(), 0U);
-  QTest::keyClick(&lesson.own_answer(), Qt::Key_F5);
+  QTest::keyClick(&lesson.own_answer(), Qt::Key_F12);
   EXPECT_FALSE(window.presentation().on()) << "the key works without its menu";
   settle();
   EXPECT_GT(window.menuBar()->height(), 0);
