@@ -22,6 +22,7 @@
 #include "ui/annotations/annotations_view.h"
 #include "ui/identification/fit_choice.h"
 #include "ui/identification/identification_view.h"
+#include "ui/lessons/lesson_view.h"
 #include "ui/study/study_view.h"
 #include "ui/trace/trace_view.h"
 #include "ui/why/why_view.h"

@@ -60,7 +60,7 @@ TEST(Unfollowed, CompactionIsFollowedWhereTheCompressorIsOnEverywhere) {
 TEST(Unfollowed, MachiningModesChangeNothing) {
   const auto said = [](const std::string& text, Dialect dialect, const std::string& model) {
     const LoadedProgram program =
-        load_program(std::make_shared<const SourceText>("f", text), {.dialect = dialect});
+        load_program(std::make_shared<const SourceText>("f", text), nullptr, {.dialect = dialect});
     SetupRequest request;
     request.model = model;
     return ignored_path_control(program, make_setup(request));

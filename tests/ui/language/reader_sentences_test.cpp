@@ -70,7 +70,8 @@ const std::set<std::string>& no_patterns() {
       "{} without a tool: its radius is not known", "label {} does not exist {}", "in the program",
       "after this line", "before this line", "{}={} is negative",
       "no position of the rotary axes of machine '{}' gives the tool the direction {}, {}, {} of {}",
-      "the tool vector", "the tilted plane", " in the part as it is turned"};
+      "the tool vector", "the tilted plane", " in the part as it is turned", "G187 (smoothness)",
+      "G5.1 (machining condition from speed to accuracy)", "{} of {} changes nothing in the simulation"};
   return known;
 }
 

@@ -91,7 +91,7 @@ TEST(ReportDecision, PlacesLeadToTheirFigures) {
   EXPECT_EQ(make_report(input, page, ReportFormat::html).find("\xEE\x80"), std::string::npos)
       << "no mark is left";
   const std::string without = decision_page(input, "{{losses}}");
-  EXPECT_EQ(without.find("href"), std::string::npos) << "no card, no reference";
+  EXPECT_EQ(without.find("<a href"), std::string::npos) << "no card, no reference";
 }
 
 TEST(ReportDecision, PartsOfThePagesAreTaggedAndFiguresDescribed) {
