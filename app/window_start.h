@@ -14,7 +14,8 @@ class WindowStart {
  public:
   /// Throws InputError naming what is wrong: an option beside a session or a lesson, one of the program
   /// without a program, an unreadable program, an unusable setup. `lesson`: id or file, "" for none.
-  /// `traces`: files to lay beside the program. `unlocked`: lessons show their run without a prediction.
+  /// `traces`: files to compare with the run. `unlocked`: lessons show their run before a prediction is
+  /// written.
   WindowStart(const RunOptions& options, const std::string& lesson, std::vector<std::string> traces = {},
               bool unlocked = false);
 

@@ -107,7 +107,7 @@ std::string empty_lines(int count) {
   return html + "</table>\n";
 }
 
-/// What a learner has written, line by line; without it empty lines to write on.
+/// `written` with its line breaks; if it is empty, `lines` blank lines to write on.
 std::string written_or_lines(const std::string& written, int lines) {
   if (written.empty()) {
     return empty_lines(lines);

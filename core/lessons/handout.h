@@ -28,7 +28,7 @@ struct LessonTry {
   bool operator==(const LessonTry&) const = default;
 };
 
-/// What a learner has written and tried in a lesson: printed where the empty lines and cells would be.
+/// What a learner has written and tried in a lesson. It is printed in place of blank lines and cells.
 struct LearnersWork {
   struct Answer {
     std::string text;              ///< may be empty

@@ -47,8 +47,7 @@ struct ArcExtremes {
 /// Highest speed at which no axis exceeds its `velocity` anywhere on segment `i`, a line or an arc [mm/s].
 AxisBound axis_speed(const Toolpath& toolpath, std::size_t i, const Vec3& velocity);
 
-/// What sets the feed of a segment: the program, or the velocity of an axis in feed moves
-/// (Segment::feed_axis).
+/// The cause of a segment's feed: the program, or the cutting feed of Segment::feed_axis.
 Cause feed_cause(const Segment& segment);
 
 /// Programmed feed of segment `i`; for a rapid, and where no feed is programmed, the axes' speed along it;

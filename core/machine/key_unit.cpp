@@ -10,7 +10,7 @@
 namespace feedscope {
 namespace {
 
-/// A way to write a number behind a key of unit `of`, and what one of it is in that.
+/// A unit that a value may be written in where its key has the unit `of`; `factor` converts it.
 struct WrittenUnit {
   std::string_view of;
   std::string_view name;

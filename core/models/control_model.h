@@ -41,8 +41,8 @@ class ControlModel {
   virtual const ModelInfo& info() const = 0;
   /// What holds of every motion that simulate() makes with `settings`, as complete_settings gives them.
   virtual Guarantees guarantees(const Settings& settings) const = 0;
-  /// What this control does on `path`, as the machine runs it, and the model does not: one sentence each,
-  /// translatable.
+  /// Behaviour of the control on `path`, as the machine runs it, that the model does not simulate: one
+  /// translatable sentence each.
   virtual std::vector<const char*> left_out(const Toolpath& /*path*/, const Settings& /*settings*/) const {
     return {};
   }

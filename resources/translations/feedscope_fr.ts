@@ -10071,8 +10071,8 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>G5.1 Q2 (interpolation lisse) n’est pas pris en charge</translation>
     </message>
     <message>
-        <source>its blocks are run as lines; with the setting compressor=on a smooth curve within the tolerance is laid through them, which is not that of the control</source>
-        <translation>ses blocs sont parcourus en droites ; avec le réglage compressor=on, une courbe lisse y passe dans la tolérance, qui n’est pas celle de la commande</translation>
+        <source>its blocks are run as lines; the setting compressor=on smooths them within the tolerance, but not by the control&apos;s own curve</source>
+        <translation>ses blocs sont parcourus en droites ; le réglage compressor=on les lisse dans la tolérance, mais pas par la courbe propre à la commande</translation>
     </message>
     <message>
         <source>machining type %1 of CYCLE832 changes nothing in the simulation</source>

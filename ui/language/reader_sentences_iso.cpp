@@ -210,8 +210,8 @@ constexpr std::array iso_patterns{
     QT_TRANSLATE_NOOP("core", "P%1 of G187 (smoothness) changes nothing in the simulation"),
     QT_TRANSLATE_NOOP("core", "G5.1 Q2 (smooth interpolation) is not supported"),
     QT_TRANSLATE_NOOP("core",
-                      "its blocks are run as lines; with the setting compressor=on a smooth curve within the "
-                      "tolerance is laid through them, which is not that of the control"),
+                      "its blocks are run as lines; the setting compressor=on smooths them within the "
+                      "tolerance, but not by the control's own curve"),
     QT_TRANSLATE_NOOP(
         "core", "its parameters exist only in the control; set acceleration and jerk of the machine instead"),
     QT_TRANSLATE_NOOP("core", "tolerance %1 of %2 is negative"),

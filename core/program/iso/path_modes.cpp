@@ -84,10 +84,9 @@ void PathModes::report_mode(char letter, std::string_view of) const {
 /// Fanuc, Series 15i/150i-MA, Operator's Manual, 4.16: a curve where the radius is large, lines at corners.
 void PathModes::report_smooth_interpolation() const {
   report(Severity::warning, "unread-g", 'Q', words_['Q'].column, [] {
-    return Text{
-        "G5.1 Q2 (smooth interpolation) is not supported",
-        "its blocks are run as lines; with the setting compressor=on a smooth curve within the tolerance is "
-        "laid through them, which is not that of the control"};
+    return Text{"G5.1 Q2 (smooth interpolation) is not supported",
+                "its blocks are run as lines; the setting compressor=on smooths them within the tolerance, "
+                "but not by the control's own curve"};
   });
 }
 

@@ -41,9 +41,9 @@ struct CompensationRule {
   /// Corners that turn by less are no corners: the path of the earlier element runs to its end, and that of
   /// the later one begins there [rad].
   double smallest_corner = 0;
-  /// Cuts into what of the contour comes later are errors; else the control runs them, and they are warnings.
-  /// It then does not check either whether a block has room before an outside corner that leads to an arc:
-  /// the end of its path stays, and where it begins behind that, a line runs back and an arc nearly a whole
+  /// Cuts into later parts of the contour are errors. If false, the control runs them, and they are warnings.
+  /// It then does not check either whether a block before an outside corner that leads to an arc has room.
+  /// Its path keeps its end; if it starts after that end, a line runs backwards and an arc nearly a whole
   /// turn.
   bool looks_ahead = true;
 
