@@ -53,7 +53,6 @@ SetupBar::SetupBar(Workbench& workbench, QWidget* parent)
     const QString summary = core_text(control->info().summary);
     control_model_->setItemData(control_model_->count() - 1, summary, Qt::ToolTipRole);
   }
-  control_model_->setToolTip(tr("Control model: how the control turns the path into motion"));
   fix_width(control_model_, usual_control);
   tolerance_->setDecimals(decimals_of(Dimension::length, 4));
   tolerance_->setRange(0, in_shown_unit(10, Dimension::length));
@@ -137,7 +136,8 @@ void SetupBar::add_last(QAction* for_all, QAction* compare, const QList<QAction*
   auto* button = qobject_cast<QToolButton*>(widgetForAction(compare));
   button->setStyleSheet(QStringLiteral(
       "QToolButton { background: palette(highlight); color: palette(highlighted-text); border-radius: 4px; "
-      "padding: 4px 8px; } QToolButton:disabled { background: palette(mid); }"));
+      "padding: 4px 8px; } QToolButton:disabled { background: palette(button); color: "
+      "palette(placeholder-text); }"));
   auto* space = new QWidget(this);
   space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   addWidget(space);
@@ -155,13 +155,15 @@ void SetupBar::show_setup() {
     machine_->setItemData(0, id, id_role);
   }
   machine_->setCurrentIndex(machine_->findData(id, id_role));
-  const QString tip = tr("Machine whose axis limits and control settings apply");
-  machine_->setToolTip(
-      workbench_.machine_by_language()
-          ? tip + QLatin1Char('\n') +
-                tr("Chosen by the language of the program. For the times of your machine choose it here.")
-          : tip);
+  // The boxes may be too narrow for the names.
+  QStringList tips{machine_->currentText(), tr("Machine whose axis limits and control settings apply")};
+  if (workbench_.machine_by_language()) {
+    tips.append(tr("Chosen by the language of the program. For the times of your machine choose it here."));
+  }
+  machine_->setToolTip(tips.join(QLatin1Char('\n')));
   control_model_->setCurrentIndex(control_model_->findData(QString::fromStdString(file.model->info().id)));
+  control_model_->setToolTip(control_model_->currentText() + QLatin1Char('\n') +
+                             tr("Control model: how the control turns the path into motion"));
   show_tolerance();
 }
 

@@ -4,6 +4,7 @@
 #include <QFont>
 #include <QPainter>
 #include <QProxyStyle>
+#include <QStyleOptionComboBox>
 #include <QStyleOptionToolButton>
 #include <QTabBar>
 
@@ -17,18 +18,20 @@ namespace feedscope::ui {
 namespace {
 
 struct Roles {
-  QColor window, base, alternate, text, placeholder, button, highlight, tool_tip, disabled, link;
+  QColor window, base, alternate, text, placeholder, button, mid, midlight, highlight, tool_tip, disabled,
+      link;
 };
 
 const Roles light_roles{QColor(0xf4, 0xf5, 0xf7), Qt::white,
                         QColor(0xf7, 0xf8, 0xfa), QColor(0x22, 0x26, 0x2a),
                         QColor(0x77, 0x7d, 0x84), QColor(0xec, 0xee, 0xf1),
+                        QColor(0xb8, 0xb8, 0xb8), QColor(0xe2, 0xe5, 0xe9),
                         QColor(0x2f, 0x6f, 0xb0), QColor(0xff, 0xff, 0xf2),
                         QColor(0x9a, 0xa0, 0xa6), QColor(0x1f, 0x5f, 0xa8)};
 const Roles dark_roles{QColor(0x26, 0x29, 0x2d), QColor(0x1b, 0x1d, 0x20), QColor(0x22, 0x25, 0x28),
                        QColor(0xe3, 0xe6, 0xe9), QColor(0x94, 0x9a, 0xa1), QColor(0x33, 0x37, 0x3c),
-                       QColor(0x3b, 0x7f, 0xc4), QColor(0x3a, 0x3d, 0x33), QColor(0x75, 0x7b, 0x82),
-                       QColor(0x7f, 0xb8, 0xf0)};
+                       QColor(0x55, 0x5b, 0x62), QColor(0x3d, 0x42, 0x48), QColor(0x3b, 0x7f, 0xc4),
+                       QColor(0x3a, 0x3d, 0x33), QColor(0x75, 0x7b, 0x82), QColor(0x7f, 0xb8, 0xf0)};
 
 const ThemeColours light_colours{
     .plot = Qt::white,
@@ -80,6 +83,8 @@ QPalette make_palette(const Roles& roles, const ThemeColours& colours) {
   palette.setColor(QPalette::Highlight, roles.highlight);
   palette.setColor(QPalette::HighlightedText, Qt::white);
   palette.setColor(QPalette::Link, roles.link);
+  palette.setColor(QPalette::Mid, roles.mid);
+  palette.setColor(QPalette::Midlight, roles.midlight);
   palette.setColor(QPalette::BrightText, colours.error);  // white, it cannot be read on light
   palette.setColor(QPalette::ToolTipBase, roles.tool_tip);
   palette.setColor(QPalette::ToolTipText, roles.text);
@@ -152,6 +157,23 @@ class ThemeStyle : public QProxyStyle {
       painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
       painter->restore();
     }
+  }
+  /// A text that is too long for its box ends in "…": Qt cuts it within a letter.
+  void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                   const QWidget* widget) const override {
+    const auto* box = qstyleoption_cast<const QStyleOptionComboBox*>(option);
+    if (element != CE_ComboBoxLabel || box == nullptr || box->editable) {
+      QProxyStyle::drawControl(element, option, painter, widget);
+      return;
+    }
+    constexpr int around_text = 2;
+    constexpr int after_icon = 4;
+    const int icon = box->currentIcon.isNull() ? 0 : box->iconSize.width() + after_icon;
+    const QRect room = proxy()->subControlRect(CC_ComboBox, box, SC_ComboBoxEditField, widget);
+    QStyleOptionComboBox shown = *box;
+    shown.currentText =
+        box->fontMetrics.elidedText(box->currentText, Qt::ElideRight, room.width() - icon - around_text);
+    QProxyStyle::drawControl(element, &shown, painter, widget);
   }
   /// Qt squeezes the arrow of a menu into the corner below the text, where it reads as a comma.
   void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,

@@ -4,6 +4,7 @@
 
 #include <QApplication>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
@@ -13,6 +14,7 @@
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace feedscope::ui {
 namespace {
@@ -112,6 +114,26 @@ TEST_P(ThemeTest, TheArrowOfAMenuStandsBesideTheText) {
   }
   EXPECT_NEAR((first + last) / 2.0, image.height() / 2.0, 2.5);
   EXPECT_LE(last - first, 8);
+}
+
+/// As if the shorter text were its own.
+TEST_P(ThemeTest, ATextTooLongForItsBoxEndsInDots) {
+  const QString whole = QStringLiteral("Local smoothing by cubic blends (Sinumerik 840D)");
+  QComboBox box;
+  box.addItem(whole);
+  box.resize(160, box.sizeHint().height());
+  const QImage drawn = box.grab().toImage();
+  std::vector<QString> same;
+  for (int width = 40; width < box.width(); ++width) {
+    const QString shorter = box.fontMetrics().elidedText(whole, Qt::ElideRight, width);
+    box.setItemText(0, shorter);
+    if (box.grab().toImage() == drawn) {
+      same.push_back(shorter);
+    }
+  }
+  ASSERT_FALSE(same.empty());
+  EXPECT_TRUE(same.front().endsWith(QChar(0x2026))) << same.front().toStdString();
+  EXPECT_GT(same.front().size(), 10);
 }
 
 /// Time lines are as long as a cycle: a page is no place.
