@@ -4,6 +4,7 @@
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
+#include <QAbstractScrollArea>
 #include <QApplication>
 #include <QDockWidget>
 #include <QFontDatabase>
@@ -61,6 +62,16 @@ void add_cut_numbers(const KinematicChart& chart, std::vector<std::string>& cut)
   }
 }
 
+/// Reaches over the edge of the window, where it cannot be scrolled to.
+bool is_outside(const QWidget& widget, const QWidget& window) {
+  for (const QWidget* around = widget.parentWidget(); around != nullptr; around = around->parentWidget()) {
+    if (qobject_cast<const QAbstractScrollArea*>(around) != nullptr) {
+      return false;
+    }
+  }
+  return !window.rect().contains(QRect(widget.mapTo(&window, QPoint()), widget.size()));
+}
+
 /// Texts of labels, buttons, tabs, rows and axes that do not fit into their places.
 std::vector<std::string> cut_texts(const QWidget& window) {
   std::vector<std::string> cut;
@@ -71,8 +82,9 @@ std::vector<std::string> cut_texts(const QWidget& window) {
     const QFontMetrics metrics = widget->fontMetrics();
     if (const auto* label = qobject_cast<const QLabel*>(widget)) {
       const bool fits = label->wordWrap() ? label->height() >= label->heightForWidth(label->width())
-                                          : label->height() >= label->minimumSizeHint().height();
-      if (!label->text().isEmpty() && !fits) {
+                                          : label->height() >= label->minimumSizeHint().height() &&
+                                                label->width() >= label->minimumSizeHint().width();
+      if (!label->text().isEmpty() && (!fits || is_outside(*label, window))) {
         cut.push_back(shown(*label, label->text()));
       }
     } else if (const auto* button = qobject_cast<const QAbstractButton*>(widget)) {
@@ -81,7 +93,7 @@ std::vector<std::string> cut_texts(const QWidget& window) {
           tool != nullptr && tool->toolButtonStyle() == Qt::ToolButtonIconOnly && !tool->icon().isNull();
       const QString text = QString(button->text()).remove('&');
       if (!text.isEmpty() && !icon_only &&
-          (button->height() < metrics.height() ||
+          (button->height() < metrics.height() || is_outside(*button, window) ||
            button->width() < metrics.size(Qt::TextShowMnemonic, button->text()).width())) {
         cut.push_back(shown(*button, text));
       }
