@@ -3,6 +3,7 @@
 #include <cmark.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <memory>
 
@@ -60,12 +61,46 @@ std::string with_tables(const std::string& html) {
   return result.append(html, from);
 }
 
+bool is_letter(char c) {
+  return std::isalpha(static_cast<unsigned char>(c)) != 0;
+}
+
+/// Whether a symbol of one letter with an index of one, "K_v", is at `at`.
+bool has_symbol(std::string_view text, std::size_t at) {
+  const auto is_word = [&](std::size_t i) {
+    return i < text.size() && (std::isalnum(static_cast<unsigned char>(text[i])) != 0 || text[i] == '_');
+  };
+  return at + 2 < text.size() && is_letter(text[at]) && text[at + 1] == '_' && is_letter(text[at + 2]) &&
+         !(at > 0 && is_word(at - 1)) && !is_word(at + 3);
+}
+
+/// Indices of symbols set low, but not in tags and code.
+std::string with_low_indices(std::string_view html) {
+  std::string result;
+  bool in_code = false;
+  for (std::size_t at = 0; at < html.size(); ++at) {
+    if (html[at] == '<') {
+      const std::string_view tag = html.substr(at, html.find('>', at) - at);
+      in_code = tag.starts_with("<code") || (in_code && tag != "</code");
+      result.append(tag);
+      at += tag.size();
+    }
+    if (at < html.size() && !in_code && has_symbol(html, at)) {
+      result.append(1, html[at]).append("<sub>").append(1, html[at + 2]).append("</sub>");
+      at += 2;
+    } else if (at < html.size()) {
+      result += html[at];
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 std::string markdown_as_html(std::string_view markdown) {
   const std::unique_ptr<char, void (*)(void*)> html(
       cmark_markdown_to_html(markdown.data(), markdown.size(), CMARK_OPT_DEFAULT), std::free);
-  return with_tables(html.get());
+  return with_tables(with_low_indices(html.get()));
 }
 
 }  // namespace feedscope

@@ -13,13 +13,19 @@ namespace {
 
 constexpr double nanometre = 1e-6;  // [mm]; less is shown as none
 
-/// Three significant figures without a power of ten, without zeros at the end.
+/// Three significant figures without a power of ten: "2.00", "48.5", "1250".
 std::string three_figures(double value) {
   if (!(std::abs(value) > 0) || !std::isfinite(value)) {
     return fmt::format("{}", value);
   }
-  const int decimals = 2 - static_cast<int>(std::floor(std::log10(std::abs(value))));
-  std::string text = fmt::format("{:.{}f}", value, std::max(decimals, 0));
+  const auto decimals_of = [](double size) { return 2 - static_cast<int>(std::floor(std::log10(size))); };
+  const int decimals = decimals_of(std::abs(value));
+  const double step = std::pow(10, -decimals);
+  const double rounded = std::round(std::abs(value) / step) * step;  // 9.996 has one decimal less than 9.99
+  return fmt::format("{:.{}f}", value, std::max(std::min(decimals, decimals_of(rounded)), 0));
+}
+
+std::string without_zeros(std::string text) {
   if (text.find('.') != std::string::npos) {
     text.erase(text.find_last_not_of('0') + 1);
     text.erase(text.find_last_not_of('.') + 1);
@@ -51,7 +57,8 @@ std::string short_time(double seconds) {
 std::string short_length(double mm) {
   constexpr double in_um = 0.1;  // [mm]
   const double shown = mm < nanometre ? 0 : mm;
-  return shown < in_um ? three_figures(units::to_um(shown)) + " um" : three_figures(shown) + " mm";
+  return shown < in_um ? without_zeros(three_figures(units::to_um(shown))) + " um"
+                       : without_zeros(three_figures(shown)) + " mm";
 }
 
 std::string short_percent(double share) {

@@ -313,12 +313,14 @@ std::string handout_html(const Lesson& lesson, const HandoutContents& contents) 
   const auto word = [&](const std::string& english) { return lesson_word(english, lesson.language); };
   const bool of_teacher = contents.reader == HandoutReader::teacher;
   std::string html = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"{4}\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<!DOCTYPE html>\n<html lang=\"{3}\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, "
       "initial-scale=1\">\n<title>{0}</title>\n<style>{1}"
-      "</style>\n</head>\n<body>\n<h1>{0}</h1>\n<p class=\"learn\">{2} {3}</p>\n",
-      escaped(lesson.title), style, escaped(lesson.learn),
-      fmt::format(fmt::runtime(word("About {} minutes.")), lesson.minutes), lesson.language);
+      "</style>\n</head>\n<body>\n<h1>{0}</h1>\n<div class=\"learn\">{2}</div>\n",
+      escaped(lesson.title), style,
+      markdown_as_html(fmt::format("{} {}", lesson.learn,
+                                   fmt::format(fmt::runtime(word("About {} minutes.")), lesson.minutes))),
+      lesson.language);
   if (contents.reader != HandoutReader::everybody) {
     html += fmt::format("<p><b>{}</b></p>\n", word(of_teacher ? "For the teacher" : "For learners"));
   }

@@ -1779,10 +1779,6 @@
         <translation>%L1 blocs, trajectoire de %2 %3</translation>
     </message>
     <message>
-        <source>Programmed feed</source>
-        <translation>Avance programmée</translation>
-    </message>
-    <message>
         <source>Control model</source>
         <translation>Modèle de commande</translation>
     </message>
@@ -2097,8 +2093,8 @@
         <translation>Gain</translation>
     </message>
     <message>
-        <source>What limits the feed [s]</source>
-        <translation>Ce qui limite l’avance [s]</translation>
+        <source>What limits the feed</source>
+        <translation>Ce qui limite l’avance</translation>
     </message>
     <message>
         <source>Cycle time over actual contour error</source>
@@ -2259,6 +2255,14 @@
     <message>
         <source>actual contour error, %1</source>
         <translation>erreur de contour réelle, %1</translation>
+    </message>
+    <message>
+        <source>Feed, mean over each of %1 equal parts of the path, and the time lost against the programmed feed. Rapids and pauses are left out.</source>
+        <translation>Avance, moyenne sur chacune des %1 parts égales de la trajectoire, et temps perdu par rapport à l’avance programmée. Sans rapides ni pauses.</translation>
+    </message>
+    <message>
+        <source>Feed, acceleration and jerk of the tool about the places that lose most. Rapids are left out.</source>
+        <translation>Avance, accélération et jerk de l’outil autour des endroits qui perdent le plus. Sans rapides.</translation>
     </message>
 </context>
 <context>
@@ -10834,10 +10838,6 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>temps de cycle par cause limitante</translation>
     </message>
     <message>
-        <source>Time [s]</source>
-        <translation>Temps [s]</translation>
-    </message>
-    <message>
         <source>programmed time %1</source>
         <translation>temps programmé %1</translation>
     </message>
@@ -10892,6 +10892,10 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     <message>
         <source>without refused lines</source>
         <translation>sans les lignes refusées</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
     </message>
 </context>
 <context>
@@ -11324,10 +11328,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>Cycle time</source>
         <translation>Temps de cycle</translation>
-    </message>
-    <message>
-        <source>Cycle time [s]</source>
-        <translation>Temps de cycle [s]</translation>
     </message>
     <message>
         <source>bound %1</source>
@@ -15373,14 +15373,6 @@ Ensemble&#xa0;: %4</translation>
 <context>
     <name>feedscope::ui::StudyChart</name>
     <message>
-        <source>Cycle time [s]</source>
-        <translation>Temps de cycle [s]</translation>
-    </message>
-    <message>
-        <source>%1 s at %2</source>
-        <translation>%1&#xa0;s à %2</translation>
-    </message>
-    <message>
         <source>Cycle time and contour error over a setting: choose it and its range, then press Study.</source>
         <translation>Temps de cycle et erreur de contour en fonction d’un réglage : choisissez-le avec sa plage, puis pressez Étudier.</translation>
     </message>
@@ -15393,12 +15385,20 @@ Ensemble&#xa0;: %4</translation>
         <translation>Plus grande erreur de contour</translation>
     </message>
     <message>
-        <source>%1: %2 s</source>
-        <translation>%1&#xa0;: %2 s</translation>
-    </message>
-    <message>
         <source>, refused lines: %1</source>
         <translation>, lignes refusées&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Cycle time</source>
+        <translation>Temps de cycle</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
     </message>
 </context>
 <context>

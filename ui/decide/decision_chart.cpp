@@ -163,9 +163,8 @@ void DecisionChart::draw_axes(QPainter& painter, const Scale& scale) const {
   painter.drawText(
       QRectF(scale.plot.left(), height() - metrics.height() - 1, scale.plot.width(), metrics.height()),
       Qt::AlignCenter, with_unit_of(tr("Contour error"), Dimension::error));
-  const bool clock = !times.values.empty() && times.values.back() >= 60;
   painter.drawText(QRectF(0, 0, width(), metrics.height()), Qt::AlignLeft,
-                   clock ? tr("Cycle time") : tr("Cycle time [s]"));
+                   time_scale_title(tr("Cycle time"), times));
 }
 
 void DecisionChart::draw_bound(QPainter& painter, const Scale& scale) const {

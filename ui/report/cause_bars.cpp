@@ -1,6 +1,7 @@
 #include "ui/report/cause_bars.h"
 
 #include <QFontMetricsF>
+#include <QLocale>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -54,7 +55,24 @@ std::vector<QRectF> legend_places(const ComparisonBars& bars, double width, doub
   return entries_in_rows(widths, QRectF(0, top, width, legend_row), legend_row, legend_row, gap);
 }
 
+/// Whole seconds on the clock: "0:14", "4:13:15".
+QString clock_part(double time) {
+  const double whole = std::round(time);
+  constexpr double minute = 60;
+  return whole < minute ? QStringLiteral("0:%1").arg(whole, 2, 'f', 0, QLatin1Char('0'))
+                        : clock_text(whole).section(QLocale().decimalPoint(), 0, 0);
+}
+
 }  // namespace
+
+bool CauseBars::on_the_clock() const {
+  constexpr double minute = 60;
+  return std::ranges::any_of(bars_.machines, [](const MachineBars& machine) {
+    return std::ranges::any_of(machine.bars, [](const ComparisonBar& bar) {
+      return std::ranges::any_of(by_kind(bar).parts, [](const BarPart& part) { return part.time >= minute; });
+    });
+  });
+}
 
 CauseBars::CauseBars(ComparisonBars bars, double width)
     : bars_(std::move(bars)), legend_top_(bar_row * static_cast<double>(bars_.count()) + 4) {
@@ -83,8 +101,8 @@ void CauseBars::paint(QPainter& painter) const {
 
 void CauseBars::paint_bar(QPainter& painter, const ComparisonBar& bar, const QRectF& room) const {
   const QFontMetricsF metrics(painter.font());
-  const auto seconds = [&](const BarPart& part, double width) {
-    const QString text = fixed(part.time, part.time < 10 ? 1 : 0);
+  const auto time = [&, clock = on_the_clock()](const BarPart& part, double width) {
+    const QString text = clock ? clock_part(part.time) : fixed(part.time, part.time < 10 ? 1 : 0);
     return metrics.horizontalAdvance(text) + 6 <= width ? text : QString();
   };
   const double top = room.top() + (bar_row - bar_height) / 2;
@@ -92,7 +110,7 @@ void CauseBars::paint_bar(QPainter& painter, const ComparisonBar& bar, const QRe
                                      {QRectF(room.left(), top, room.width(), bar_height),
                                       bars_.longest > 0 ? room.width() / bars_.longest : 0,
                                       {},
-                                      seconds});
+                                      time});
   painter.setPen(bar_ink);
   const QString after = bar.refused        ? ReportWords::tr("refused")
                         : bar.out_of_reach ? ReportWords::tr("out of reach")

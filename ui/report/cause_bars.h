@@ -9,7 +9,7 @@ class QPainter;
 namespace feedscope::ui {
 
 /// Runs as bars as long as their cycle times, cut by what limits the feed, with a letter before and the cycle
-/// time after each, the seconds in parts that have room for them, and a legend of the parts below.
+/// time after each, the time in parts that have room for it, and a legend of the parts below.
 class CauseBars {
  public:
   /// `width`: of all [1/96 inch].
@@ -18,6 +18,8 @@ class CauseBars {
   /// Width, and the height that they need.
   QSizeF size() const { return size_; }
   void paint(QPainter& painter) const;
+  /// Whether times of parts are "4:13" and not seconds, as one is longer than a minute.
+  bool on_the_clock() const;
 
  private:
   void paint_bar(QPainter& painter, const ComparisonBar& bar, const QRectF& room) const;

@@ -2,13 +2,13 @@
 
 #include <QApplication>
 #include <QLabel>
-#include <QLocale>
 #include <QPainter>
 #include <QTextDocument>
 #include <QVBoxLayout>
 
 #include "core/toolpath/machine_toolpath.h"
 #include "ui/language/core_texts.h"
+#include "ui/language/texts.h"
 #include "ui/workbench/reading_faults.h"
 
 namespace feedscope::ui {
@@ -17,11 +17,11 @@ namespace {
 
 QString title_of(const Run& run) {
   const QString file = program_file_name(*run.input.program);
-  const QString time = QLocale().toString(run.trajectory->duration(), 'f', 3);
+  const QString time = clock_text(run.trajectory->duration());
   const QString faults = reading_faults_text(*run.input.program);
   const QString omitted = not_counted_text(not_counted(*run.input.toolpath));
   const QString title =
-      QStringLiteral("<b>%1</b> &nbsp; %2 · %3 · %4 s%5")
+      QStringLiteral("<b>%1</b> &nbsp; %2 · %3 · %4%5")
           .arg(file.toHtmlEscaped(), QString::fromStdString(run.setup.machine.name).toHtmlEscaped(),
                core_text(run.setup.model->info().title).toHtmlEscaped(), time,
                faults.isEmpty()
@@ -64,7 +64,7 @@ void ChartsPage::set_runs(const ReportInput& input, std::size_t row) {
     if (i != row) {
       const ReportRun& other = input.runs[i];
       others.push_back({other.shown->run.trajectory, other.shown->envelope, other.shown->run.sources,
-                        other.colour, other.name});
+                        other.colour, lettered_title(input, i)});
     }
   }
   std::vector<TraceOverlay> traces;

@@ -76,7 +76,9 @@ ReportPage handout_page(const Lesson& lesson, LessonRuns& runs, HandoutReader re
   }
   QString figures;
   if (!is_straight(*input.run().shown->samples)) {
-    figures += run_view(input, page.pictures, view_height,
+    ReportInput alone = without_other_runs(input);
+    alone.texts = without_line_names(std::move(alone.texts));  // they would lie over so low a picture
+    figures += run_view(alone, page.pictures, view_height,
                         caption(of_teacher ? "Programmed and executed path of {}." : "Path of {}."));
   }
   if (of_teacher) {

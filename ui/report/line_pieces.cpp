@@ -11,7 +11,8 @@ namespace feedscope::ui {
 
 namespace {
 
-constexpr int colour_step = 8;  // of 255: less is not seen
+constexpr int colour_step = 8;       // of 255: less is not seen
+constexpr double seen_share = 0.25;  // of the width of a line: shorter steps of colour are not seen
 
 int difference(QRgb one, QRgb other) {
   return std::max({std::abs(qRed(one) - qRed(other)), std::abs(qGreen(one) - qGreen(other)),
@@ -59,10 +60,16 @@ bool LinePieces::add(const LineEnd& from, const LineEnd& to, double width, bool 
   }
   const QRgb first = from.colour.rgba();
   const QRgb last = to.colour.rgba();
+  if (from.at == to.at && first != last) {
+    return true;  // the colour of a path jumps here; the lines before and after it end here
+  }
   const auto [enters, leaves] = *shares;
   const double part = leaves - enters;
-  const double pieces = std::max({1.0, std::ceil(part * std::abs(to.depth - from.depth) / max_depth),
-                                  std::ceil(part * difference(first, last) / colour_step)});
+  const QPointF along = to.at - from.at;
+  const double most_colours = std::ceil(part * std::hypot(along.x(), along.y()) / (seen_share * width));
+  const double pieces =
+      std::max({1.0, std::ceil(part * std::abs(to.depth - from.depth) / max_depth),
+                std::min(std::ceil(part * difference(first, last) / colour_step), most_colours)});
   if (static_cast<double>(pieces_.size()) + pieces > static_cast<double>(max_pieces)) {
     return false;
   }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "ui/language/language.h"
 #include "ui/report/pdf_file.h"
 #include "ui/report/recorded_pages.h"
 #include "ui/report/svg_device.h"
@@ -86,8 +87,9 @@ std::string pdf_of(const PictureSpec& spec, const Paint& paint) {
   painter.scale(unit, unit);
   paint_on(painter, spec, paint);
   painter.end();
-  return finished_pdf(buffer.data().toStdString(),
-                      {.title = spec.title, .author = {}, .date = {}, .outline = {}});
+  return finished_pdf(
+      buffer.data().toStdString(),
+      {.title = spec.title, .author = {}, .date = {}, .outline = {}, .language = spoken_language()});
 }
 
 std::string pages_of(const PictureSpec& spec, const Paint& paint) {

@@ -158,7 +158,7 @@ LensShot lens_shot(const ReportInput& input, double time) {
     }
     shown = i == input.current ? runs.size() : shown;
     runs.push_back(&run.shown->run);
-    looks.push_back({run.name, run.colour, run_dashes(i)});
+    looks.push_back({lettered_title(input, i), run.colour, run_dashes(i)});
   }
   return {lens_at(runs, shown, time), std::move(looks)};
 }

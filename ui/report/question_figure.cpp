@@ -114,9 +114,8 @@ QString chart_figure(const Lesson& lesson, const Question& question, ReportInput
 /// The stretch of a time interval in 3D, or all of the path.
 QString view_figure(const Lesson& lesson, const Question& question, ReportInput seen,
                     const std::optional<Interval>& times, const QString& name, ReportPictures& pictures) {
-  if (times) {
-    seen.texts = without_line_names(std::move(seen.texts));  // the first figure names them
-  }
+  seen = without_other_runs(std::move(seen));
+  seen.texts = without_line_names(std::move(seen.texts));  // they would lie over so low a picture
   const QSizeF size(report_width, question_view_height);
   const auto paint = [seen, size, times](QPainter& painter, double pixel_ratio) {
     constexpr double text = 0.8;
@@ -203,8 +202,14 @@ QString question_figure(const Lesson& lesson, const Question& question, const Re
   if (watch.first_line > 0) {
     return view_figure(lesson, question, seen, times_of(watch, shown), name, pictures);
   }
+  const bool is_first_figure = question.with.empty() && start.scene.colouring == Colouring::cause;
+  const auto same_run = std::ranges::find(lesson.questions, question.with, &Question::with);
+  const QString causes = QStringLiteral("causes%1").arg(same_run - lesson.questions.begin() + 1);
+  if (is_first_figure || pictures.all().contains(causes)) {
+    return {};
+  }
   seen.scene.colouring = Colouring::cause;
-  return view_figure(lesson, question, seen, std::nullopt, name, pictures);
+  return view_figure(lesson, question, seen, std::nullopt, causes, pictures);
 }
 
 }  // namespace feedscope::ui

@@ -41,21 +41,21 @@ QString rotary_peaks_block(const ReportInput& input) {
                   ReportWords::tr("Acceleration"), ReportWords::tr("Jerk"),
                   with_unit_of(ReportWords::tr("Largest lean"), Dimension::angle)});
   const auto cell = [](double peak, double limit, Dimension dimension) {
-    return std::isnan(peak) ? ReportWords::tr("jumps")
-                            : QStringLiteral("%1 %2<br/><span class=\"muted\">%3 %</span>")
-                                  .arg(significant(peak, dimension, 3),
-                                       QString::fromStdString(std::string(shown(dimension).text)),
-                                       percent(peak / limit, 0));
+    return std::isnan(peak)
+               ? ReportWords::tr("jumps")
+               : QStringLiteral("%1 %2<br/><span class=\"muted\">%3 %</span>")
+                     .arg(significant(peak, dimension, 3), unit_of(dimension), percent(peak / limit, 0));
   };
   bool any = false;
-  for (const ReportRun& run : input.runs) {
+  for (std::size_t row = 0; row < input.runs.size(); ++row) {
+    const ReportRun& run = input.runs[row];
     const std::optional<RotaryFigures>& figures = summary_of(run).rotary;
     if (!figures) {
       continue;
     }
     any = true;
     const Machine& machine = run.shown->run.setup.machine;
-    QString label = run_label(run);
+    QString label = run_label(input, row);
     QString lean = significant(figures->orientation.angle, Dimension::angle, 3);
     for (std::size_t i = 0; figures->linear && i < known_axes.size(); ++i) {
       QStringList cells{std::exchange(label, QString()), QString(QChar(known_axes[i].name))};
@@ -100,9 +100,10 @@ QString peaks_block(const ReportInput& input) {
   }
   table.add_group_head(groups);
   table.add_head(axes);
-  for (const ReportRun& run : input.runs) {
+  for (std::size_t row = 0; row < input.runs.size(); ++row) {
+    const ReportRun& run = input.runs[row];
     QStringList cells{
-        run_label(run) +
+        run_label(input, row) +
         QStringLiteral("<br/><span class=\"muted\">%1</span>").arg(ReportWords::tr("of the limit"))};
     for (const AxisQuantity& quantity : quantities) {
       for (const AxisInfo& axis : known_axes) {

@@ -191,11 +191,18 @@ QString decision_chart(const ReportInput& input, ReportPictures& pictures) {
                       ReportWords::tr("Cycle time over contour error of each run"));
 }
 
-QString cause_bars(const ReportInput& input, double width, ReportPictures& pictures) {
+QString title_line(const QString& text) {
+  return QStringLiteral("<p class=\"figure-title\">%1</p>\n").arg(text);
+}
+
+/// A title and the bars below it.
+std::pair<QString, QString> cause_bars(const ReportInput& input, double width, ReportPictures& pictures) {
   const auto bars = std::make_shared<const CauseBars>(comparison_bars(run_figures(input)), width);
-  return pictures.add(QStringLiteral("causes_of_runs"),
-                      {bars->size(), false, [bars](QPainter& painter, double) { bars->paint(painter); }},
-                      ReportWords::tr("Cycle time of each run by limiting cause"));
+  const QString title = ReportWords::tr("What limits the feed");
+  return {title_line(bars->on_the_clock() ? title : QStringLiteral("%1 [s]").arg(title)),
+          pictures.add(QStringLiteral("causes_of_runs"),
+                       {bars->size(), false, [bars](QPainter& painter, double) { bars->paint(painter); }},
+                       ReportWords::tr("Cycle time of each run by limiting cause"))};
 }
 
 /// A picture without a caption; alone in a cell it has no room above.
@@ -204,10 +211,6 @@ QString framed(const QString& picture) {
              "<table class=\"frame\" width=\"100%\" cellspacing=\"0\" cellpadding=\"0\"><tr><td>%1</td></tr>"
              "</table>\n")
       .arg(picture);
-}
-
-QString title_line(const QString& text) {
-  return QStringLiteral("<p class=\"figure-title\">%1</p>\n").arg(text);
 }
 
 /// Where the lens shows what the tolerance does: the largest error of feed motions, else a corner that loses
@@ -353,15 +356,15 @@ QString decision_charts_block(const ReportInput& input, ReportPictures& pictures
   if (!std::ranges::any_of(input.runs, moves)) {
     return {};
   }
-  const QString bars_title = title_line(ReportWords::tr("What limits the feed [s]"));
   const QString chart = decision_chart(input, pictures);
+  const auto [title, bars] = cause_bars(input, chart.isEmpty() ? report_width : half_width, pictures);
   if (chart.isEmpty()) {
-    return bars_title + QStringLiteral("<p>%1</p>\n").arg(cause_bars(input, report_width, pictures));
+    return title + QStringLiteral("<p>%1</p>\n").arg(bars);
   }
   return two_columns(title_line(has_drives(input) ? ReportWords::tr("Cycle time over actual contour error")
                                                   : ReportWords::tr("Cycle time over contour error")) +
                          framed(chart),
-                     bars_title + framed(cause_bars(input, half_width, pictures)), half_share);
+                     title + framed(bars), half_share);
 }
 
 QString runs_table_block(const ReportInput& input, ReportPictures& pictures) {

@@ -1,6 +1,5 @@
 #include "ui/report/report_input.h"
 
-#include <QLocale>
 #include <algorithm>
 #include <map>
 #include <set>
@@ -10,17 +9,12 @@
 #include "core/machine/contour_tolerance.h"
 #include "core/machine/machine.h"
 #include "ui/workbench/run_list.h"
+#include "ui/workbench/setting_texts.h"
 #include "ui/workbench/tolerance_text.h"
 
 namespace feedscope::ui {
 
 namespace {
-
-QString value_text(const SettingValue& value) {
-  const auto* number = std::get_if<double>(&value);
-  return number != nullptr ? QLocale().toString(*number, 'g', 6)
-                           : QString::fromStdString(std::get<std::string>(value));
-}
 
 /// Keys of settings that do not have the same value in all runs of their model.
 std::set<std::string> differing_settings(const std::vector<std::shared_ptr<const ShownRun>>& runs) {
@@ -60,17 +54,9 @@ std::set<AxisLimit> differing_limits(const std::vector<std::shared_ptr<const Sho
   return limits;
 }
 
-QStringList limit_texts(const Machine& machine, const std::set<AxisLimit>& limits) {
-  QStringList texts;
-  for (const auto& [limit, axis] : limits) {
-    texts.append(QStringLiteral("%1.%2 %3")
-                     .arg(QString(QChar(axis)), QString::fromStdString(limit),
-                          value_text(axis_value(machine, axis, limit))));
-  }
-  return texts;
-}
-
-QString name_of(const Run& run, bool with_machine, const std::set<std::string>& keys) {
+/// Machine, model, tolerance in force, settings and limits that differ.
+QString name_of(const Run& run, bool with_machine, const std::set<std::string>& keys,
+                const std::set<AxisLimit>& limits) {
   const Setup& setup = run.setup;
   QStringList parts;
   if (with_machine) {
@@ -80,14 +66,17 @@ QString name_of(const Run& run, bool with_machine, const std::set<std::string>& 
   if (const auto tolerance = tolerance_in_force(run.input.feed_controls, setup)) {
     parts.append(tolerance_text(*tolerance));
   }
+  std::map<std::string, SettingValue> values;
   for (const std::string& key : keys) {
     const bool said = key == contour_tolerance_key || key == program_tolerance_key;
     if (!said && setup.settings.has(key)) {
-      parts.append(QStringLiteral("%1 %2").arg(QString::fromStdString(key),
-                                               value_text(setup.settings.values().at(key))));
+      values[key] = setup.settings.values().at(key);
     }
   }
-  return parts.join(QStringLiteral(", "));
+  for (const auto& [limit, axis] : limits) {
+    values[axis_key(axis, limit)] = axis_value(setup.machine, axis, limit);
+  }
+  return (parts + setting_texts(values)).join(QStringLiteral(", "));
 }
 
 }  // namespace
@@ -125,6 +114,11 @@ QStringList short_names(const ReportInput& input) {
     names.append(own.isEmpty() ? run.name : own.join(name_joint));
   }
   return names;
+}
+
+QString lettered_title(const ReportInput& input, std::size_t run) {
+  const QString name = short_names(input)[static_cast<qsizetype>(run)];
+  return input.runs.size() > 1 ? run_letter(run) + ' ' + name : name;
 }
 
 QString common_name(const ReportInput& input) {
@@ -166,9 +160,7 @@ std::vector<ReportRun> report_runs(const std::vector<std::shared_ptr<const Shown
   const std::set<AxisLimit> limits = differing_limits(runs);
   QStringList names;
   for (const auto& shown : runs) {
-    QStringList parts{name_of(shown->run, machines.size() > 1, keys)};
-    parts.append(limit_texts(shown->run.setup.machine, limits));
-    names.append(parts.join(QStringLiteral(", ")));
+    names.append(name_of(shown->run, machines.size() > 1, keys, limits));
   }
   names = numbered(names);
   std::vector<ReportRun> named;

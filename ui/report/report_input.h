@@ -109,6 +109,8 @@ ReportInput with_contour_reports(ReportInput input, Progress* progress = nullptr
 
 /// What of the names of the runs is not the same in all: "0.02 mm"; the whole name where nothing is.
 QStringList short_names(const ReportInput& input);
+/// What pictures and tables call a run: "B 0.02 mm"; of a single run its name.
+QString lettered_title(const ReportInput& input, std::size_t run);
 /// What is the same in all: "essid"; all of the name of a single run.
 QString common_name(const ReportInput& input);
 /// The figures of the runs, in their order.

@@ -252,7 +252,7 @@ QString rows_table(const ReportInput& input, const std::vector<SettingRow>& rows
     HtmlTable table("ll" + std::string(end - first, 'r'), widths);
     QStringList head{ReportWords::tr("Setting"), ReportWords::tr("Unit")};
     for (std::size_t i = first; i < end; ++i) {
-      head.append(run_label(input.runs[i]));
+      head.append(run_label(input, i));
     }
     table.add_head(head);
     for (const SettingRow& row : rows) {

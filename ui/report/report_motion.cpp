@@ -86,7 +86,7 @@ void paint_motion_plot(QPainter& painter, const MotionPlot& plot, bool labelled_
   }
   constexpr double column_room = 70;
   const Ticks columns =
-      round_ticks(plot.from, plot.to, std::max(3, static_cast<int>(plot.place.width() / column_room)));
+      round_ticks(plot.from, plot.to, std::max(4, static_cast<int>(plot.place.width() / column_room)));
   for (std::size_t i = 0; i < columns.values.size(); ++i) {
     grid.upright(plot.at({columns.values[i], plot.low}).x(),
                  labelled_below ? tick_text(columns, i) : QString());
@@ -355,9 +355,12 @@ QString feed_course_block(const ReportInput& input, ReportPictures& pictures) {
   return figure(
       pictures.add_elastic(QStringLiteral("feeds"), report_width, {make, 260, 420},
                            ReportWords::tr("Feed and time lost over the path length")),
-      ReportWords::tr(
-          "Feed of all runs, mean over each of %1 equal parts of the path, and the time lost against "
-          "the programmed feed. Rapids and pauses are left out.")
+      (input.runs.size() > 1
+           ? ReportWords::tr(
+                 "Feed of all runs, mean over each of %1 equal parts of the path, and the time lost against "
+                 "the programmed feed. Rapids and pauses are left out.")
+           : ReportWords::tr("Feed, mean over each of %1 equal parts of the path, and the time lost against "
+                             "the programmed feed. Rapids and pauses are left out."))
           .arg(parts));
 }
 
@@ -376,9 +379,13 @@ QString motion_windows_block(const ReportInput& input, ReportPictures& pictures)
   return figure(
       pictures.add_elastic(QStringLiteral("windows"), report_width, {make, 330, 460},
                            ReportWords::tr("Feed, acceleration and jerk about the worst places")),
-      ReportWords::tr("Feed, acceleration and jerk of the tool about the places of %1 that lose most; "
-                      "other runs where they are at the same place of the program. Rapids are left out.")
-          .arg(lettered_name(input, input.current)));
+      input.runs.size() > 1
+          ? ReportWords::tr(
+                "Feed, acceleration and jerk of the tool about the places of %1 that lose most; "
+                "other runs where they are at the same place of the program. Rapids are left out.")
+                .arg(lettered_name(input, input.current))
+          : ReportWords::tr("Feed, acceleration and jerk of the tool about the places that lose most. Rapids "
+                            "are left out."));
 }
 
 }  // namespace feedscope::ui

@@ -153,7 +153,7 @@ QString causes_table(const ReportInput& input, const std::vector<std::size_t>& c
   std::vector<std::pair<QString, int>> groups{{ReportWords::tr("Limited by"), 1}};
   QStringList units{QString()};
   for (std::size_t i = first; i < end; ++i) {
-    groups.emplace_back(run_label(input.runs[i]), 2);
+    groups.emplace_back(run_label(input, i), 2);
     units << QStringLiteral("s") << QStringLiteral("%");
   }
   table.add_group_head(groups);
@@ -288,15 +288,16 @@ QString comparison_block(const ReportInput& input) {
        ReportWords::tr("To first [%]"), with_unit_of(ReportWords::tr("Mean feed"), Dimension::feed),
        with_unit_of(ReportWords::tr("Peak feed"), Dimension::feed),
        with_unit_of(ReportWords::tr("Contour error"), Dimension::error), ReportWords::tr("Corner blends")});
-  for (const ReportRun& run : input.runs) {
+  for (std::size_t i = 0; i < input.runs.size(); ++i) {
+    const ReportRun& run = input.runs[i];
     if (is_refused(run.shown->run)) {
-      table.add({run_label(run), QStringLiteral("<b>%1</b>").arg(ReportWords::tr("refused")),
+      table.add({run_label(input, i), QStringLiteral("<b>%1</b>").arg(ReportWords::tr("refused")),
                  QStringLiteral("–"), QStringLiteral("–"), QStringLiteral("–"), QStringLiteral("–"),
                  QStringLiteral("–"), QStringLiteral("–")});
       continue;
     }
     const Summary& summary = summary_of(run);
-    table.add({run_label(run), QStringLiteral("<b>%1</b>").arg(fixed(summary.cycle_time, 3)),
+    table.add({run_label(input, i), QStringLiteral("<b>%1</b>").arg(fixed(summary.cycle_time, 3)),
                summary.programmed_time > 0 ? fixed(against_programmed(summary), 3) : QStringLiteral("–"),
                difference_to_first(run, input.runs.front()), fixed(summary.mean_feed, Dimension::feed),
                fixed(summary.peak_feed, Dimension::feed), error_number(summary.cutting_contour_error),

@@ -13,6 +13,7 @@
 #include "ui/report/html_table.h"
 #include "ui/report/report_numbers.h"
 #include "ui/report/report_words.h"
+#include "ui/workbench/run_list.h"
 
 namespace feedscope::ui {
 
@@ -94,12 +95,7 @@ QString program_facts_block(const ReportInput& input) {
   if (facts.dwells > 0) {
     add(ReportWords::tr("Dwells"), clock_text(facts.dwell_time));
   }
-  const QString slowest = significant(facts.min_feed, Dimension::feed, 6);
-  const QString fastest = significant(facts.largest_feed, Dimension::feed, 6);
-  add(ReportWords::tr("Programmed feeds"),
-      !(facts.largest_feed > 0) ? ReportWords::tr("none")
-      : slowest == fastest      ? fastest + ' ' + unit_of(Dimension::feed)
-                           : ReportWords::tr("%1 to %2 %3").arg(slowest, fastest, unit_of(Dimension::feed)));
+  add(ReportWords::tr("Programmed feeds"), programmed_feeds_text(facts));
   if (facts.chord_error) {
     add(ReportWords::tr("Chord error"),
         ReportWords::tr("about %1 %2, estimated from %3 short lines")
@@ -121,6 +117,15 @@ QString program_facts_block(const ReportInput& input) {
                                    QCryptographicHash::Sha256)
               .toHex())));
   return table.html();
+}
+
+QString programmed_feeds_text(const ProgramFacts& facts) {
+  const QString slowest = significant(facts.min_feed, Dimension::feed, 6);
+  const QString fastest = significant(facts.largest_feed, Dimension::feed, 6);
+  return !(facts.largest_feed > 0) ? ReportWords::tr("none")
+         : slowest == fastest
+             ? fastest + ' ' + unit_of(Dimension::feed)
+             : ReportWords::tr("%1 to %2 %3").arg(slowest, fastest, unit_of(Dimension::feed));
 }
 
 QString messages_block(const ReportInput& input) {
@@ -147,9 +152,12 @@ QString messages_block(const ReportInput& input) {
   return table.empty() ? QString() : table.html();
 }
 
-QString run_label(const ReportRun& run) {
-  return QStringLiteral("<span style=\"color:%1\">■</span>&nbsp;%2")
-      .arg(run.colour.name(), html_text(run.name));
+QString run_label(const ReportInput& input, std::size_t run) {
+  const QString letter =
+      input.runs.size() > 1 ? QStringLiteral("<b>%1</b>&nbsp;").arg(run_letter(run)) : QString();
+  return letter +
+         QStringLiteral("<span style=\"color:%1\">■</span>&nbsp;%2")
+             .arg(input.runs[run].colour.name(), html_text(short_names(input)[static_cast<qsizetype>(run)]));
 }
 
 }  // namespace feedscope::ui

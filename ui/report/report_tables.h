@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/analysis/program_facts.h"
 #include "ui/report/report_input.h"
 
 namespace feedscope::ui {
@@ -46,7 +47,10 @@ QString causes_block(const ReportInput& input);
 /// How long each kind of limit rules a run [s], the longest first; those that never do are omitted.
 std::vector<std::pair<CauseKind, double>> time_by_kind(const Summary& summary);
 
-/// A run's name after a square of its colour.
-QString run_label(const ReportRun& run);
+/// "3000 mm/min", "500 to 3000 mm/min", "none".
+QString programmed_feeds_text(const ProgramFacts& facts);
+
+/// Letter, a square of its colour and what tells the run apart; of a single run the square and its name.
+QString run_label(const ReportInput& input, std::size_t run);
 
 }  // namespace feedscope::ui

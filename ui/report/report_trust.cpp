@@ -2,12 +2,12 @@
 
 #include <QLocale>
 #include <algorithm>
+#include <map>
 #include <set>
 #include <span>
 #include <vector>
 
 #include "core/analysis/program_facts.h"
-#include "core/analysis/setup_options.h"
 #include "ui/language/composed_text.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
@@ -18,6 +18,7 @@
 #include "ui/report/report_tables.h"
 #include "ui/report/report_words.h"
 #include "ui/workbench/run_list.h"
+#include "ui/workbench/setting_texts.h"
 
 namespace feedscope::ui {
 
@@ -36,13 +37,16 @@ QString source_span(const std::string& reference) {
   return QStringLiteral("<span class=\"source\">%1</span>").arg(html_text(reference));
 }
 
-std::vector<const Machine*> machines_of(const ReportInput& input) {
-  std::vector<const Machine*> machines;
+/// A machine as the runs have it: their limits may differ.
+using MachineOfRuns = std::vector<const Machine*>;
+
+std::vector<MachineOfRuns> machines_of(const ReportInput& input) {
+  std::vector<MachineOfRuns> machines;
   for (const ReportRun& run : input.runs) {
     const Machine& machine = run.shown->run.setup.machine;
-    if (std::ranges::none_of(machines, [&](const Machine* other) { return other->id == machine.id; })) {
-      machines.push_back(&machine);
-    }
+    const auto same = std::ranges::find_if(
+        machines, [&](const MachineOfRuns& other) { return other.front()->id == machine.id; });
+    (same == machines.end() ? machines.emplace_back() : *same).push_back(&machine);
   }
   return machines;
 }
@@ -59,8 +63,18 @@ QString limit_text(const Machine& machine, char axis, const SettingSpec& spec) {
                                                                       : text;
 }
 
+/// "20", or "20 / 10" where the runs have two values.
+QString limit_texts(const MachineOfRuns& machine, char axis, const SettingSpec& spec) {
+  QStringList texts;
+  for (const Machine* one : machine) {
+    texts.append(limit_text(*one, axis, spec));
+  }
+  texts.removeDuplicates();
+  return texts.join(QStringLiteral(" / "));
+}
+
 /// Velocity, acceleration and jerk of some axes, with the specs of these limits for such axes.
-QString limits_table(const Machine& machine, const QString& title, std::span<const SettingSpec> specs,
+QString limits_table(const MachineOfRuns& machine, const QString& title, std::span<const SettingSpec> specs,
                      const std::vector<char>& axes) {
   constexpr std::size_t limits = 3;
   HtmlTable table("lrrr", {16, 28, 28, 28});
@@ -73,53 +87,55 @@ QString limits_table(const Machine& machine, const QString& title, std::span<con
   for (const char axis : axes) {
     QStringList cells{QString(QChar(axis))};
     for (const SettingSpec& spec : specs.first(limits)) {
-      cells.append(limit_text(machine, axis, spec));
+      cells.append(limit_texts(machine, axis, spec));
     }
     table.add(cells);
   }
   return axes.empty() ? QString() : table.html();
 }
 
-QString limits_tables(const Machine& machine) {
+QString limits_tables(const MachineOfRuns& machine) {
   std::vector<char> linear;
-  for (const AxisInfo& axis : machine.axes.axes()) {
+  for (const AxisInfo& axis : machine.front()->axes.axes()) {
     linear.push_back(axis.name);
   }
   std::vector<char> rotary;
-  for (const RotaryAxis& axis : machine.kinematics.rotary) {
+  for (const RotaryAxis& axis : machine.front()->kinematics.rotary) {
     rotary.push_back(axis.name);
   }
   return limits_table(machine, ReportWords::tr("Axis"), axis_limit_specs(), linear) +
          limits_table(machine, ReportWords::tr("Rotary axis"), rotary_axis_specs(), rotary);
 }
 
-QString machine_part(const Machine& machine) {
+QString machine_part(const MachineOfRuns& of_runs) {
+  const Machine& machine = *of_runs.front();
   const QString control =
       machine.control.empty() ? QString() : QStringLiteral(", %1").arg(html_text(machine.control));
   return trust_heading(ReportWords::tr("Machine")) +
          trust_line(QStringLiteral("<b>%1</b>%2").arg(html_text(machine.name), control)) +
-         limits_tables(machine) +
+         limits_tables(of_runs) +
          trust_line(ReportWords::tr("Values in italics are assumed. Source: %1")
                         .arg(source_span(machine.reference)));
 }
 
-/// "contour_tolerance_mm=0.02": what of a setup is not that of the machine's file.
+/// "Contour tolerance 0.02 mm": what of a setup is not that of the machine's file.
 QStringList changed_settings(const Setup& setup) {
-  QStringList texts;
   const Settings usual = complete_settings(*setup.model, setup.machine);
+  std::map<std::string, SettingValue> changed;
   for (const auto& [key, value] : setup.settings.values()) {
     if (!usual.has(key) || usual.value(key) != value) {
-      texts.append(html_text(assignment_text(key, value)));
+      changed[key] = value;
     }
   }
-  return texts;
+  return setting_texts(changed);
 }
 
 QString settings_part(const ReportInput& input) {
   QString html = trust_heading(ReportWords::tr("Settings that differ from the machine's file"));
   for (std::size_t i = 0; i < input.runs.size(); ++i) {
     const QStringList changed = changed_settings(input.runs[i].shown->run.setup);
-    const QString text = changed.isEmpty() ? ReportWords::tr("none") : changed.join(QStringLiteral("; "));
+    const QString text =
+        changed.isEmpty() ? ReportWords::tr("none") : html_text(changed.join(QStringLiteral("; ")));
     html +=
         trust_line(input.runs.size() > 1 ? QStringLiteral("<b>%1</b> %2").arg(run_letter(i), text) : text);
   }
@@ -178,8 +194,8 @@ QString trust_part(const ReportInput& input) {
 
 QString trust_block(const ReportInput& input) {
   QString left;
-  for (const Machine* machine : machines_of(input)) {
-    left += machine_part(*machine);
+  for (const MachineOfRuns& machine : machines_of(input)) {
+    left += machine_part(machine);
   }
   left += settings_part(input);
   const QString right = models_part(input) + program_part(input) + trust_part(input);

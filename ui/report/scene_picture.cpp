@@ -27,12 +27,10 @@ Rgb rgb_of(const QColor& colour) {
 
 std::vector<OverlayRun> overlays_of(const ReportInput& input, std::size_t row) {
   std::vector<OverlayRun> overlays;
-  const QStringList names = short_names(input);
   for (std::size_t i = 0; i < input.runs.size(); ++i) {
     if (i != row) {
       const ReportRun& run = input.runs[i];
-      const QString name = run_letter(i) + ' ' + names[static_cast<qsizetype>(i)];
-      overlays.push_back({run.shown->samples, rgb_of(run.colour), name.toStdString()});
+      overlays.push_back({run.shown->samples, rgb_of(run.colour), lettered_title(input, i).toStdString()});
     }
   }
   for (const ReportTrace& trace : input.traces) {

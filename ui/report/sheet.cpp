@@ -22,6 +22,7 @@
 #include "ui/language/texts.h"
 #include "ui/report/charts_page.h"
 #include "ui/report/html_table.h"
+#include "ui/report/report_decision.h"
 #include "ui/report/report_numbers.h"
 #include "ui/report/report_tables.h"
 #include "ui/report/report_words.h"
@@ -126,7 +127,11 @@ class SheetPainter {
     if (!setup.machine.control.empty()) {
       left.append(QString::fromStdString(setup.machine.control));
     }
-    left.append(input_.run().name);
+    const QString run = lettered_title(input_, input_.current);
+    if (const QString common = common_name(input_); common != run && !common.isEmpty()) {
+      left.append(common);
+    }
+    left.append(run);
     const double line = room.top() + 32;
     write({room.left(), line, room.width() - used, 18}, small, colours_.muted, Qt::AlignLeft,
           left.join(QStringLiteral(" · ")));
@@ -229,13 +234,13 @@ class SheetPainter {
     const double first = is_refused(first_run) ? 0 : first_run.summary.cycle_time;
     for (std::size_t i = 0; i < std::min(input_.runs.size(), max_runs); ++i) {
       if (is_refused(input_.runs[i].shown->run)) {
-        table.add({run_label(input_.runs[i]), ReportWords::tr("refused"), QStringLiteral("–"),
-                   QStringLiteral("–"), QStringLiteral("–")});
+        table.add({run_label(input_, i), ReportWords::tr("refused"), QStringLiteral("–"), QStringLiteral("–"),
+                   QStringLiteral("–")});
         continue;
       }
       const Summary& summary = input_.runs[i].shown->run.summary;
       table.add(
-          {run_label(input_.runs[i]), clock_text(summary.cycle_time),
+          {run_label(input_, i), clock_text(summary.cycle_time),
            i == 0 || !(first > 0) ? QStringLiteral("–") : signed_percent(summary.cycle_time / first - 1),
            fixed(summary.mean_feed, Dimension::feed), error_number(deciding_error(summary))});
     }
@@ -253,12 +258,7 @@ class SheetPainter {
                ReportWords::tr("%1 blocks, path %2 %3")
                    .arg(program.block_count)
                    .arg(fixed(facts.path_length, Dimension::length, 1), unit_of(Dimension::length))});
-    if (facts.largest_feed > 0) {
-      table.add({ReportWords::tr("Programmed feed"),
-                 ReportWords::tr("%1 to %2 %3")
-                     .arg(significant(facts.min_feed, Dimension::feed, 6),
-                          significant(facts.largest_feed, Dimension::feed, 6), unit_of(Dimension::feed))});
-    }
+    table.add({ReportWords::tr("Programmed feeds"), programmed_feeds_text(facts)});
     const Run& run = input_.run().shown->run;
     const ModelInfo& model = run.setup.model->info();
     table.add({ReportWords::tr("Control model"), html_text(core_text(model.title))});
@@ -280,7 +280,7 @@ class SheetPainter {
     constexpr double worth_a_row = 5e-4;  // of the cycle time: less is shown as 0.0 %
     const Summary& summary = input_.run().shown->run.summary;
     HtmlTable table("lrr", {64, 18, 18});
-    table.add_head({ReportWords::tr("%1 is limited by").arg(html_text(input_.run().name)),
+    table.add_head({ReportWords::tr("%1 is limited by").arg(lettered_name(input_, input_.current)),
                     QStringLiteral("s"), QStringLiteral("%")});
     qsizetype rows = 0;
     for (const auto& [kind, time] : time_by_kind(summary)) {

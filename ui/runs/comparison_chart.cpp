@@ -146,12 +146,12 @@ void ComparisonChart::draw_axis(QPainter& painter, const ComparisonLayout& layou
   const double line = QFontMetricsF(painter.font()).height();
   PlotGrid grid(painter, plot, {grid_color, axis_color, text_color, 8, 5});
   for (std::size_t i = 0; i < layout.ticks.values.size(); ++i) {
-    grid.upright(layout.x_of(layout.ticks.values[i]), tick_text(layout.ticks, i),
+    grid.upright(layout.x_of(layout.ticks.values[i]), time_tick_text(layout.ticks, i),
                  i == 0 ? GridLine::strong : GridLine::usual);
   }
   painter.setPen(text_color);
   painter.drawText(QRectF(plot.left(), plot.bottom() + 5 + line, plot.width(), line),
-                   Qt::AlignHCenter | Qt::AlignTop, tr("Time [s]"));
+                   Qt::AlignHCenter | Qt::AlignTop, time_scale_title(tr("Time"), layout.ticks));
 }
 
 void ComparisonChart::draw_machines(QPainter& painter, const ComparisonLayout& layout) const {

@@ -10,6 +10,7 @@
 #include "ui/language/texts.h"
 #include "ui/runs/cause_bar.h"
 #include "ui/shared/plot_grid.h"
+#include "ui/workbench/run_list.h"
 
 namespace feedscope::ui {
 
@@ -115,8 +116,16 @@ TextColumn column_of(const ComparisonBars& bars, const QString& heading, const Q
   return column;
 }
 
+TextColumn letter_column(const ComparisonBars& bars) {
+  TextColumn column{QString(), QString(), {}, Qt::AlignLeft};
+  for (std::size_t row = 0; row < bars.count(); ++row) {
+    column.texts.push_back(bars.count() > 1 ? run_letter(row) : QString());
+  }
+  return column;
+}
+
 std::vector<TextColumn> name_columns(const ComparisonBars& bars) {
-  return {model_column(bars),
+  return {letter_column(bars), model_column(bars),
           column_of(bars, Comparison::tr("tolerance"), with_unit_of({}, Dimension::length).trimmed(),
                     [](const ComparisonBar& bar) {
                       const auto number = [](double mm) {

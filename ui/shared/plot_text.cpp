@@ -12,14 +12,30 @@
 
 namespace feedscope::ui {
 
-QString time_tick_text(const Ticks& ticks, std::size_t i) {
-  constexpr double minute = 60;
+namespace {
+
+constexpr double minute = 60;  // [s]
+
+bool on_the_clock(const Ticks& ticks) {
   constexpr double clock_step = 0.1;  // clock_text() has one decimal
-  if (ticks.values[i] < minute || ticks.step < clock_step) {
+  return !ticks.values.empty() && ticks.values.back() >= minute && ticks.step >= clock_step;
+}
+
+}  // namespace
+
+QString time_tick_text(const Ticks& ticks, std::size_t i) {
+  const double value = ticks.values[i];
+  if (!on_the_clock(ticks) || value == 0) {
     return tick_text(ticks, i);
   }
-  const QString text = clock_text(ticks.values[i]);
+  const QString text =
+      value < minute ? QStringLiteral("0:%1").arg(QLocale().toString(value, 'f', 1), 4, QLatin1Char('0'))
+                     : clock_text(value);
   return ticks.step == std::floor(ticks.step) ? text.section(QLocale().decimalPoint(), 0, 0) : text;
+}
+
+QString time_scale_title(const QString& title, const Ticks& ticks) {
+  return on_the_clock(ticks) ? title : QStringLiteral("%1 [s]").arg(title);
 }
 
 QColor text_on(const QColor& ground) {

@@ -10,9 +10,11 @@ class QPainter;
 
 namespace feedscope::ui {
 
-/// A value of `ticks` in seconds, without the unit: from a minute on as clock_text() unless the step is too
-/// fine for that, else as tick_text().
+/// A value of `ticks` in seconds: "0:20", "1:40" on a scale that reaches a minute, unless the step is too
+/// fine for that; else as tick_text().
 QString time_tick_text(const Ticks& ticks, std::size_t i);
+/// The title of a scale with these ticks: with " [s]" where they are seconds.
+QString time_scale_title(const QString& title, const Ticks& ticks);
 
 /// Black or white, whichever shows better on the colour.
 QColor text_on(const QColor& ground);

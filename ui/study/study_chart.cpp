@@ -36,7 +36,7 @@ QFont sized(QFont font, int pixels, bool bold = false) {
   return font;
 }
 
-QString number(double value, int digits = 4) {
+QString number(double value, int digits) {
   return QLocale().toString(value, 'g', digits);
 }
 
@@ -229,7 +229,7 @@ void StudyChart::draw_head(QPainter& painter, const Layout& layout) const {
 }
 
 QString StudyChart::bound_text() const {
-  return tr("bound %1").arg(significant_text(*study_.within, Dimension::error, 4));
+  return tr("bound %1").arg(significant_text(*study_.within, Dimension::error, 3));
 }
 
 QRectF StudyChart::bound_label(const Layout& layout) const {
@@ -244,18 +244,20 @@ void StudyChart::draw_plot(QPainter& painter, const Layout& layout, bool is_erro
   const double most = is_error ? in_shown_unit(layout.max_error, Dimension::error) : layout.max_time;
   const double least = is_error ? 0 : layout.min_time;
   const double line = QFontMetricsF(font()).height();
-  painter.setFont(sized(font(), text_size, true));
-  painter.setPen(theme_colours(palette()).text);
-  painter.drawText(
-      QRectF(margin, plot.top() - line - 6, plot.right() - margin, line), Qt::AlignLeft | Qt::AlignVCenter,
-      is_error ? with_unit_of(tr("Largest contour error"), Dimension::error) : tr("Cycle time [s]"));
-  painter.setFont(font());
   constexpr int max_ticks = 6;
   const Ticks ticks = round_ticks(least, most, max_ticks);
+  painter.setFont(sized(font(), text_size, true));
+  painter.setPen(theme_colours(palette()).text);
+  painter.drawText(QRectF(margin, plot.top() - line - 6, plot.right() - margin, line),
+                   Qt::AlignLeft | Qt::AlignVCenter,
+                   is_error ? with_unit_of(tr("Largest contour error"), Dimension::error)
+                            : time_scale_title(tr("Cycle time"), ticks));
+  painter.setFont(font());
   PlotGrid grid(painter, plot, grid_look(palette()));
   for (std::size_t i = 0; i < ticks.values.size(); ++i) {
     grid.level(plot.bottom() - (ticks.values[i] - least) / (most - least) * plot.height(),
-               tick_text(ticks, i), ticks.values[i] == 0 ? GridLine::strong : GridLine::usual);
+               is_error ? tick_text(ticks, i) : time_tick_text(ticks, i),
+               ticks.values[i] == 0 ? GridLine::strong : GridLine::usual);
   }
   if (is_error && study_.within) {
     const double y = layout.y(*study_.within, true);
@@ -272,9 +274,8 @@ void StudyChart::draw_plot(QPainter& painter, const Layout& layout, bool is_erro
 
 QString StudyChart::recorded_text(std::size_t index, bool is_error) const {
   const RecordedTime& recorded = study_.recorded[index];
-  return is_error ? QStringLiteral("%1: %2").arg(recorded.name,
-                                                 significant_text(recorded.error, Dimension::error, 4))
-                  : tr("%1: %2 s").arg(recorded.name, number(recorded.time, 5));
+  return tr("%1: %2").arg(recorded.name, is_error ? significant_text(recorded.error, Dimension::error, 3)
+                                                  : clock_text(recorded.time));
 }
 
 std::vector<QLineF> StudyChart::curve_lines(const Layout& layout, bool is_error) const {
@@ -406,8 +407,11 @@ void StudyChart::draw_labels(QPainter& painter, const Layout& layout, bool is_er
       continue;
     }
     const StudyPoint& best = curve.points[curve.fastest.front()];
-    const QString text = is_error ? significant_text(best.error, Dimension::error, 4)
-                                  : tr("%1 s at %2").arg(number(best.time, 5), number(best.value));
+    const QString text =
+        is_error ? significant_text(best.error, Dimension::error, 3)
+                 : tr("%1 at %2")
+                       .arg(clock_text(best.time),
+                            QStringLiteral("%1 %2").arg(number(best.value, 3), study_.unit).trimmed());
     const QSizeF size(metrics.horizontalAdvance(text) + 4, metrics.height());
     const QRectF label = free_label(layout, layout.place(best, is_error), size, is_error, taken);
     QColor behind = theme_colours(palette()).plot;
@@ -432,7 +436,7 @@ void StudyChart::draw_settings_axis(QPainter& painter, const Layout& layout) con
   PlotGrid grid(painter, plot, grid_look(palette()));
   grid.share(layout.time);
   for (const double tick : ticks) {
-    grid.upright(layout.x(tick), number(tick));
+    grid.upright(layout.x(tick), number(tick, 4));
   }
   painter.setPen(theme_colours(palette()).text);
   painter.drawText(

@@ -454,7 +454,7 @@ void StudyMapPicture::paint_times(QPainter& painter, const StudyMap& map, const 
 double StudyMapPicture::paint_scale(QPainter& painter, const QRectF& area) const {
   const QFontMetricsF metrics(font_);
   const double line = metrics.height();
-  const QString title = MapTexts::tr("Cycle time");
+  const QString title = time_scale_title(MapTexts::tr("Cycle time"), times_);
   painter.setPen(map_ink);
   painter.drawText(QRectF(area.left(), area.top(), area.width(), line), Qt::AlignLeft, title);
   constexpr double part = 46;

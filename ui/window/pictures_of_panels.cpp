@@ -6,6 +6,8 @@
 #include <QPainter>
 #include <QStringList>
 #include <algorithm>
+#include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -22,6 +24,7 @@
 #include "ui/theme/offscreen_application.h"
 #include "ui/window/main_window.h"
 #include "ui/workbench/reading_faults.h"
+#include "ui/workbench/setting_texts.h"
 
 namespace feedscope::ui {
 
@@ -107,15 +110,42 @@ QString not_counted_details(const Runs& runs) {
   return texts.join(QStringLiteral(" · "));
 }
 
+/// The value that an assignment has given to a setup; none where it does not apply to it.
+std::optional<SettingValue> assigned_value(const std::string& key, const Setup& setup) {
+  constexpr std::size_t after_axis = 2;  // "X.jerk"
+  if (key.size() > after_axis && key[1] == '.') {
+    const bool has_axis = axis_names(setup.machine).find(key[0]) != std::string::npos;
+    return has_axis ? std::optional(axis_value(setup.machine, key[0], key.substr(after_axis))) : std::nullopt;
+  }
+  return setup.settings.has(key) ? std::optional(setup.settings.value(key)) : std::nullopt;
+}
+
+/// "X Jerk 5 m/s³"; of what no run reads, the assignment itself.
+template <class Runs>
+QStringList assignment_texts(const std::vector<std::string>& assignments, const Runs& runs) {
+  std::map<std::string, SettingValue> values;
+  QStringList unread;
+  for (const std::string& assignment : assignments) {
+    const std::string key = assigned_key(assignment);
+    std::optional<SettingValue> value;
+    for (const auto& run : runs) {
+      value = value ? value : assigned_value(key, run.setup);
+    }
+    if (value) {
+      values[key] = *value;
+    } else {
+      unread.append(QString::fromStdString(assignment));
+    }
+  }
+  return setting_texts(values) + unread;
+}
+
 template <class Runs>
 QString comparison_details(const LoadedProgram& program, const Runs& runs,
                            const std::vector<std::string>& assignments) {
-  const QString path =
-      ComparisonChart::tr("path length %1").arg(amount_text(program.toolpath->length(), Dimension::length));
-  QStringList set;
-  for (const std::string& assignment : assignments) {
-    set.append(QString::fromStdString(assignment));
-  }
+  const QString path = ComparisonChart::tr("path length %1")
+                           .arg(amount_text(program.toolpath->length(), Dimension::length, 1));
+  const QStringList set = assignment_texts(assignments, runs);
   const QString details =
       set.isEmpty() ? path : ComparisonChart::tr("%1, with %2").arg(path, set.join(QStringLiteral(", ")));
   QStringList parts{reading_faults_text(*program.program), not_counted_details(runs), details};

@@ -1,15 +1,11 @@
 #include "ui/workbench/run_list.h"
 
-#include <QLocale>
-#include <QRegularExpression>
 #include <QSet>
 #include <QUndoCommand>
 #include <algorithm>
 
 #include "core/machine/contour_tolerance.h"
-#include "ui/language/core_texts.h"
-#include "ui/language/shown_numbers.h"
-#include "ui/language/texts.h"
+#include "ui/workbench/setting_texts.h"
 #include "ui/workbench/tolerance_text.h"
 
 namespace feedscope::ui {
@@ -20,12 +16,6 @@ namespace {
 // and no other curve of the charts. The first ones are told apart with every kind of colour vision.
 constexpr std::array<QRgb, 8> run_colours{0xff7538ff, 0xff945c38, 0xffff1aad, 0xff799e00,
                                           0xff5786ff, 0xffc46471, 0xff23718b, 0xff796906};
-
-QString value_text(const SettingValue& value, const KeyUnit& unit) {
-  const auto* number = std::get_if<double>(&value);
-  return number != nullptr ? QLocale().toString(*number * unit.factor, 'g', 6)
-                           : core_text(std::get<std::string>(value));
-}
 
 }  // namespace
 
@@ -47,46 +37,14 @@ QString run_letter(std::size_t row) {
 
 namespace {
 
-/// What was changed of a setup, one text each; the same limit of several axes is one: "X Y Z Jerk 20 m/s³",
-/// "X Z Jerk 20 / 10 m/s³".
+/// What was changed of a setup, one text each.
 QStringList changed_texts(const SetupState& setup, std::string_view left_out) {
-  struct Group {
-    std::string limit;  ///< "" for a setting of the model
-    std::string key;    ///< the first
-    QString unit;       ///< rotary axes have another one than linear ones
-    QStringList axes;
-    QStringList values;
-  };
-  std::vector<Group> groups;
-  for (const auto& [key, value] : setup.edits()) {
-    if (key == contour_tolerance_key || key == program_tolerance_key || key == left_out) {
-      continue;
-    }
-    const bool of_axis = key.size() > 2 && key[1] == '.';
-    const std::string limit = of_axis ? key.substr(2) : std::string();
-    const KeyUnit unit = key_unit(setup.spec(key).unit);
-    const auto same = std::ranges::find_if(groups, [&](const Group& group) {
-      return of_axis && group.limit == limit && group.unit == unit.text;
-    });
-    Group& group = same == groups.end() ? groups.emplace_back(Group{limit, key, unit.text, {}, {}}) : *same;
-    group.axes.append(of_axis ? QString(QLatin1Char(key.front())) : QString());
-    group.values.append(value_text(value, unit));
-  }
-  QStringList texts;
-  for (Group& group : groups) {
-    QString title = setting_title(group.key);
-    if (group.axes.size() > 1) {
-      static const QRegularExpression axis_name(QStringLiteral("\\b[A-Z]\\b"));
-      title.replace(axis_name, group.axes.join(QLatin1Char(' ')));
-    }
-    if (std::ranges::adjacent_find(group.values, std::ranges::not_equal_to()) == group.values.end()) {
-      group.values = {group.values.front()};
-    }
-    texts.append(QStringLiteral("%1 %2 %3")
-                     .arg(title, group.values.join(QStringLiteral(" / ")), group.unit)
-                     .trimmed());
-  }
-  return texts;
+  std::map<std::string, SettingValue> changed = setup.edits();
+  std::erase_if(changed, [&](const auto& edit) {
+    return edit.first == contour_tolerance_key || edit.first == program_tolerance_key ||
+           edit.first == left_out;
+  });
+  return setting_texts(changed);
 }
 
 /// Model, tolerance in force and what is changed, each a part.

@@ -24,5 +24,12 @@ TEST(Markdown, BarsWithoutARuleAreText) {
   EXPECT_THAT(markdown_as_html("    | a |\n    |---|\n"), Not(HasSubstr("<table")));
 }
 
+TEST(Markdown, IndicesOfSymbolsAreSetLow) {
+  EXPECT_EQ(markdown_as_html("**K_v times** T_v / (a_e)."),
+            "<p><strong>K<sub>v</sub> times</strong> T<sub>v</sub> / (a<sub>e</sub>).</p>\n");
+  EXPECT_EQ(markdown_as_html("`K_v`, max_x, x_max, _K_v_"),
+            "<p><code>K_v</code>, max_x, x_max, <em>K<sub>v</sub></em></p>\n");
+}
+
 }  // namespace
 }  // namespace feedscope

@@ -9,6 +9,9 @@ TEST(ShortText, TimesChangeTheirFormAtAMinuteAndAnHour) {
   EXPECT_EQ(short_time(0), "0 s");
   EXPECT_EQ(short_time(0.0123), "12.3 ms");
   EXPECT_EQ(short_time(48.53), "48.5 s");
+  EXPECT_EQ(short_time(2), "2.00 s") << "as many figures as the 2.71 s next to it";
+  EXPECT_EQ(short_time(9.996), "10.0 s");
+  EXPECT_EQ(short_time(0.02), "20.0 ms");
   EXPECT_EQ(short_time(59.94), "59.9 s");
   EXPECT_EQ(short_time(59.96), "1:00.0") << "never 60 s";
   EXPECT_EQ(short_time(108.46), "1:48.5");

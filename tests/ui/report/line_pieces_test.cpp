@@ -58,6 +58,20 @@ TEST(LinePieces, AColourThatChangesIsCutIntoStepsThatAreNotSeen) {
   }
 }
 
+TEST(LinePieces, AJumpOfColourIsNoPiece) {
+  LinePieces pieces(room);
+  pieces.add(end(10, 10, 0, Qt::black), end(50, 10, 0, Qt::black), 2, true);
+  pieces.add(end(50, 10, 0, Qt::black), end(50, 10, 0, Qt::white), 2, true);
+  pieces.add(end(50, 10, 0, Qt::white), end(90, 10, 0, Qt::white), 2, true);
+  EXPECT_EQ(pieces.count(), 2U);
+}
+
+TEST(LinePieces, StepsOfColourAreNoShorterThanTheWidthLetsThemBeSeen) {
+  LinePieces pieces(room);
+  pieces.add(end(50, 10, 0, Qt::black), end(52, 10, 0, Qt::white), 4, true);
+  EXPECT_EQ(pieces.count(), 2U) << "a quarter of the width each";
+}
+
 TEST(LinePieces, WhatIsOutsideIsOmittedAndWhatReachesOutIsCut) {
   LinePieces pieces(room);
   pieces.add(end(-50, -10, 0), end(150, -10, 0), 2, true);

@@ -124,6 +124,20 @@ TEST(ReportDecision, RotaryAxesHaveTheirLimits) {
               AllOf(HasSubstr("Rotary axis"), HasSubstr("[rev/min]"), HasSubstr(">A<"), HasSubstr(">C<")));
 }
 
+TEST(ReportDecision, PageFourHasTheLimitsAndSettingsOfEveryRun) {
+  const LoadedProgram program = load_program(std::make_shared<const SourceText>("part.nc", many_corners));
+  std::vector<std::shared_ptr<const ShownRun>> shown;
+  for (const char* jerk : {"X.jerk=10", "X.jerk=20"}) {
+    shown.push_back(make_shown(simulate_run(program, make_setup({"", "essid", 0.05, {jerk, "alpha=2"}}))));
+  }
+  ReportInput input;
+  input.runs = report_runs(shown);
+  const std::string trust = decision_page(input, "{{trust}}");
+  EXPECT_THAT(trust, HasSubstr(">10 / 20<"));
+  EXPECT_THAT(trust, HasSubstr("Contour tolerance 0.05 mm"));
+  EXPECT_THAT(trust, Not(HasSubstr("contour_tolerance_mm"))) << "keys are for command lines";
+}
+
 TEST(ReportDecision, PagesOfLetterPaperAreAsLargeAsIt) {
   ReportInput input = test::two_runs();
   input.paper = letter_paper;

@@ -3,10 +3,12 @@
 #include <gmock/gmock.h>
 
 #include <QImage>
+#include <QPainter>
 #include <QSvgRenderer>
 
 #include "core/base/error.h"
 #include "tests/ui/report/pdf_reading.h"
+#include "tests/ui/report/recorded_text.h"
 #include "tests/ui/report/report_fixture.h"
 #include "ui/report/pictures.h"
 #include "ui/report/scene_picture.h"
@@ -42,6 +44,23 @@ TEST(Sheet, TooSmallASizeIsAnErrorThatNamesTheLeast) {
         sheet_file(test::two_runs(), request_of(PictureFormat::png, {600, 400}));
       },
       testing::ThrowsMessage<InputError>(testing::HasSubstr("at least 880")));
+}
+
+TEST(Sheet, ItsTablesCallRunsAsItsPicturesDo) {
+  const auto texts = [](const ReportInput& input) {
+    test::RecordedText paper;
+    QPainter painter(&paper);
+    paint_sheet(painter, {1123, 794}, input, {});
+    return paper.texts();
+  };
+  ReportInput input = test::two_runs();
+  const QStringList both = texts(input);
+  EXPECT_TRUE(both.contains("A"));
+  EXPECT_TRUE(both.contains("B"));
+  EXPECT_TRUE(both.contains("test.nc · Spinner MVC 850 · Siemens Sinumerik 840D · essid · A 0.01 mm"))
+      << both.join('|').toStdString();
+  input.runs.resize(1);
+  EXPECT_FALSE(texts(input).contains("A"));
 }
 
 TEST(ScenePicture, ATransparentOneHasNothingBehindThePath) {
@@ -170,8 +189,8 @@ TEST(ReportRuns, AreNamedByWhatTellsThemApart) {
     shown.push_back(make_shown(simulate_run(program, make_setup({"", "essid", 0.05, {jerk}}))));
   }
   const auto limits = report_runs(shown);
-  EXPECT_EQ(limits[0].name, "essid, 0.05 mm, X.jerk 10");
-  EXPECT_EQ(limits[1].name, "essid, 0.05 mm, X.jerk 20");
+  EXPECT_EQ(limits[0].name, "essid, 0.05 mm, X Jerk 10 m/s³");
+  EXPECT_EQ(limits[1].name, "essid, 0.05 mm, X Jerk 20 m/s³");
 }
 
 }  // namespace

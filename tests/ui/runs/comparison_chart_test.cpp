@@ -63,6 +63,24 @@ TEST(ComparisonChart, DrawsNothingAndRunsWithoutMotion) {
   EXPECT_FALSE(drawn(chart, {640, 300}).isNull());
 }
 
+TEST(ComparisonChart, RunsHaveTheirLettersWhereThereAreSeveral) {
+  const std::vector times{std::pair{Cause{CauseKind::programmed_feed, -1}, 2.0}};
+  std::vector runs{feedscope::test::compared_run("m", "essid", 0.01, times)};
+  const auto texts = [&] {
+    ComparisonChart chart;
+    chart.set_comparison("a.nc", "", comparison_bars(runs));
+    chart.resize(1000, 300);
+    feedscope::test::RecordedText paper;
+    QPainter painter(&paper);
+    chart.draw(painter);
+    return paper.texts();
+  };
+  EXPECT_FALSE(texts().contains("A"));
+  runs.push_back(feedscope::test::compared_run("m", "essid", 0.05, times));
+  EXPECT_TRUE(texts().contains("A"));
+  EXPECT_TRUE(texts().contains("B"));
+}
+
 /// Otherwise a control that cuts less than the program looks fast.
 TEST(ComparisonChart, MarksTheRunWhoseControlRefusesLines) {
   const std::vector times{std::pair{Cause{CauseKind::programmed_feed, -1}, 3.0}};

@@ -23,6 +23,16 @@ TEST(TimeTicks, HaveNoDecimalsThatAreAllNought) {
   EXPECT_EQ(time_tick_text(hours, 0), "1:06:40");
 }
 
+TEST(TimeTicks, AScaleHasOneUnit) {
+  const Ticks minutes = round_ticks(0, 160, 8);
+  EXPECT_EQ(time_tick_text(minutes, 0), "0");
+  EXPECT_EQ(time_tick_text(minutes, 1), "0:20") << "not 20 next to 1:00";
+  EXPECT_EQ(time_scale_title("Time", minutes), "Time");
+  const Ticks seconds = round_ticks(0, 50, 5);
+  EXPECT_EQ(time_tick_text(seconds, 1), "10");
+  EXPECT_EQ(time_scale_title("Time", seconds), "Time [s]");
+}
+
 const QRectF plot(60, 10, 100, 50);
 
 /// White, with what `draw` paints in black lines and red labels.

@@ -13,12 +13,12 @@ const localised = (text) => text.replace('-', '\u2212').replace('.', decimalPoin
 export const unitOf = (dimension) => units[dimension].text;
 export const inShownUnit = (value, dimension) => value * units[dimension].factor;
 
-/** Three significant figures without a power of ten and without zeros at the end. */
+/** Three significant figures without a power of ten. */
 function threeFigures(value) {
   if (value === 0) return '0';
-  const decimals = Math.max(0, 2 - Math.floor(Math.log10(Math.abs(value))));
-  const text = value.toFixed(Math.min(decimals, 12));
-  return text.includes('.') ? text.replace(/\.?0+$/, '') : text;
+  const rounded = Number(value.toPrecision(3)); // 9.996 has one decimal less than 9.99
+  const decimals = Math.max(0, 2 - Math.floor(Math.log10(Math.abs(rounded))));
+  return value.toFixed(Math.min(decimals, 12));
 }
 
 const padded = (number) => String(number).padStart(2, '0');
