@@ -9,17 +9,25 @@
 #include "core/analysis/recommendation.h"
 #include "core/machine/contour_tolerance.h"
 #include "core/machine/machine.h"
+#include "core/models/control_model.h"
+#include "ui/language/core_texts.h"
+#include "ui/language/shown_numbers.h"
+#include "ui/language/texts.h"
 #include "ui/workbench/run_list.h"
+#include "ui/workbench/setup_state.h"
 #include "ui/workbench/tolerance_text.h"
 
 namespace feedscope::ui {
 
 namespace {
 
-QString value_text(const SettingValue& value) {
+/// "X Jerk 20 m/s³".
+QString setting_text(const std::string& key, const SettingSpec& spec, const SettingValue& value) {
+  const KeyUnit unit = key_unit(spec.unit);
   const auto* number = std::get_if<double>(&value);
-  return number != nullptr ? QLocale().toString(*number, 'g', 6)
-                           : QString::fromStdString(std::get<std::string>(value));
+  const QString text = number != nullptr ? QLocale().toString(*number * unit.factor, 'g', 6)
+                                         : core_text(std::get<std::string>(value));
+  return QStringLiteral("%1 %2 %3").arg(setting_title(key), text, unit.text).trimmed();
 }
 
 /// Keys of settings that do not have the same value in all runs of their model.
@@ -63,9 +71,9 @@ std::set<AxisLimit> differing_limits(const std::vector<std::shared_ptr<const Sho
 QStringList limit_texts(const Machine& machine, const std::set<AxisLimit>& limits) {
   QStringList texts;
   for (const auto& [limit, axis] : limits) {
-    texts.append(QStringLiteral("%1.%2 %3")
-                     .arg(QString(QChar(axis)), QString::fromStdString(limit),
-                          value_text(axis_value(machine, axis, limit))));
+    const std::vector<SettingSpec>& specs = axis_specs_of(axis);
+    const auto spec = std::ranges::find(specs, limit, &SettingSpec::key);
+    texts.append(setting_text(axis_key(axis, limit), *spec, axis_value(machine, axis, limit)));
   }
   return texts;
 }
@@ -80,11 +88,10 @@ QString name_of(const Run& run, bool with_machine, const std::set<std::string>& 
   if (const auto tolerance = tolerance_in_force(run.input.feed_controls, setup)) {
     parts.append(tolerance_text(*tolerance));
   }
-  for (const std::string& key : keys) {
-    const bool said = key == contour_tolerance_key || key == program_tolerance_key;
-    if (!said && setup.settings.has(key)) {
-      parts.append(QStringLiteral("%1 %2").arg(QString::fromStdString(key),
-                                               value_text(setup.settings.values().at(key))));
+  for (const SettingSpec& spec : settings_of(*setup.model)) {
+    const bool said = spec.key == contour_tolerance_key || spec.key == program_tolerance_key;
+    if (!said && keys.contains(spec.key) && setup.settings.has(spec.key)) {
+      parts.append(setting_text(spec.key, spec, setup.settings.values().at(spec.key)));
     }
   }
   return parts.join(QStringLiteral(", "));

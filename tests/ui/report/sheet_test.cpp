@@ -170,8 +170,8 @@ TEST(ReportRuns, AreNamedByWhatTellsThemApart) {
     shown.push_back(make_shown(simulate_run(program, make_setup({"", "essid", 0.05, {jerk}}))));
   }
   const auto limits = report_runs(shown);
-  EXPECT_EQ(limits[0].name, "essid, 0.05 mm, X.jerk 10");
-  EXPECT_EQ(limits[1].name, "essid, 0.05 mm, X.jerk 20");
+  EXPECT_EQ(limits[0].name, "essid, 0.05 mm, X Jerk 10 m/s³");
+  EXPECT_EQ(limits[1].name, "essid, 0.05 mm, X Jerk 20 m/s³");
 }
 
 }  // namespace
