@@ -43,6 +43,7 @@ bool waits_behind(const Trajectory& motion, std::size_t piece) {
 
 std::vector<Wait> find_waits(const Trajectory& motion, const Machine& machine, double window,
                              const Progress* progress) {
+  constexpr double rounding = 1e-10;  // [s]
   std::vector<Wait> waits;
   const AxisDrives drives(machine);
   ActualWalk walk(motion, drives);
@@ -52,7 +53,10 @@ std::vector<Wait> find_waits(const Trajectory& motion, const Machine& machine, d
     }
     stop_if_cancelled(progress);
     const double end = motion.piece_end(piece);
-    walk.at(end);
+    // Pieces and the spans of the drives add up times differently: an end that is later by rounding counts.
+    while (!walk.done() && walk.span().end() <= end + rounding) {
+      walk.next_span();
+    }
     if (const double wait = walk.settling_time(window); wait > 0) {
       walk.rest(wait);
       waits.push_back({piece, end, wait});

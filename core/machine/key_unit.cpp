@@ -2,10 +2,13 @@
 
 #include <fast_float/fast_float.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <vector>
 
 namespace feedscope {
 namespace {
@@ -62,6 +65,28 @@ std::string_view number_in_front(std::string_view text, std::string_view unit) {
   return runs_on ? std::string_view() : without_blanks_behind(front);
 }
 
+/// What stands after the longest number in front: "lb" of "0.5 lb"; empty without a number.
+std::string_view unit_behind(std::string_view text) {
+  for (std::size_t size = text.size() - std::min<std::size_t>(text.size(), 1); size > 0; --size) {
+    if (typed_number(without_blanks_behind(text.substr(0, size))).value) {
+      text.remove_prefix(size);
+      return text.substr(std::min(text.find_first_not_of(' '), text.size()));
+    }
+  }
+  return {};
+}
+
+/// Those that a value of a key may have; empty where it has none but its own.
+std::vector<std::string_view> names_of_units(std::string_view unit) {
+  std::vector<std::string_view> names;
+  for (const WrittenUnit& written : written_units) {
+    if (written.of == unit) {
+      names.push_back(written.name);
+    }
+  }
+  return names;
+}
+
 }  // namespace
 
 TypedNumber typed_in_unit(std::string_view text, std::string_view unit) {
@@ -72,7 +97,14 @@ TypedNumber typed_in_unit(std::string_view text, std::string_view unit) {
       return {*number * written.factor, {}};
     }
   }
-  return typed_number(text);
+  TypedNumber plain = typed_number(text);
+  const std::vector<std::string_view> known = names_of_units(unit);
+  const std::string_view other = unit_behind(text);
+  if (!plain.value && plain.problem.empty() && !known.empty() && !other.empty()) {
+    plain.problem =
+        fmt::format("unknown unit '{}'; write the number in one of: {}", other, fmt::join(known, ", "));
+  }
+  return plain;
 }
 
 DataSheetUnit data_sheet_unit(std::string_view unit) {

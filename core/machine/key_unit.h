@@ -18,7 +18,7 @@ double shortest_in_unit(double internal, const KeyConversion& conversion);
 
 /// Reads a number as typed_number() does. It is in `unit`, that of a key ("m/s2"), unless another unit of
 /// data sheets stands after it: "0.5 g" is 4.903325 m/s2 (1 g is 9.80665 m/s2, 3rd CGPM, 1901), and
-/// "2 (m/min)/mm" is 33.33 1/s.
+/// "2 (m/min)/mm" is 33.33 1/s. The problem with another unit names those that are known.
 TypedNumber typed_in_unit(std::string_view text, std::string_view unit);
 
 /// The unit in which data sheets often give what a key has in `unit`: g for m/s2, (m/min)/mm for 1/s.

@@ -34,6 +34,9 @@ SettingValue read_sourced_value(const ConfigNode& table, const SettingSpec& spec
   SettingValue result;
   if (given.is_text()) {
     const TypedNumber number = spec.choices.empty() ? typed_in_unit(given.text(), spec.unit) : TypedNumber();
+    if (!number.problem.empty()) {
+      given.fail(fmt::format("{} = '{}': {}", name, given.text(), number.problem));
+    }
     result = number.value ? SettingValue(*number.value) : SettingValue(given.text());
   } else if (given.is_number()) {
     result = given.number();

@@ -888,6 +888,10 @@
         <source>place %1 of %2</source>
         <translation>endroit %1 sur %2</translation>
     </message>
+    <message>
+        <source>rotary axes within %1 of their limits</source>
+        <translation>axes rotatifs à %1 de leurs limites près</translation>
+    </message>
 </context>
 <context>
     <name>PictureCaption</name>
@@ -10082,6 +10086,10 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <source>machining type %1 of CYCLE832 changes nothing in the simulation</source>
         <translation>le type d’usinage %1 de CYCLE832 ne change rien dans la simulation</translation>
     </message>
+    <message>
+        <source>unknown unit &apos;%1&apos;; write the number in one of: %2</source>
+        <translation>unité &apos;%1&apos; inconnue&#xa0;; écrivez le nombre dans l’une de ces unités&#xa0;: %2</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ActionTable</name>
@@ -11242,7 +11250,7 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     </message>
     <message>
         <source>Lost: against the programmed feed (%1).</source>
-        <translation>Perdus&#xa0;: par rapport à l&apos;avance programmée (%1).</translation>
+        <translation>Perdus&#xa0;: par rapport à l’avance programmée (%1).</translation>
     </message>
     <message>
         <source>Run</source>

@@ -81,7 +81,7 @@ ChartSpec chart_of(QuantityChart chart, const char* key, const QString& title) {
         if (spec.curves.empty()) {
           spec.source = quantity.source;
         }
-        spec.unit = QString::fromStdString(std::string(unit.text));
+        spec.unit = unit_of(quantity.dimension);
         spec.factor = unit.factor;
         spec.decimals = unit.decimals;
         spec.curves.push_back(curve_of(quantity));

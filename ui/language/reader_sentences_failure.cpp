@@ -72,6 +72,7 @@ constexpr std::array failure_patterns{
     QT_TRANSLATE_NOOP("core", "%1 = '%2' is not a number; it must be %3"),
     QT_TRANSLATE_NOOP("core", "%1 = '%2': %3"),
     QT_TRANSLATE_NOOP("core", "%1 = '%2' is text; it must be a number %3"),
+    QT_TRANSLATE_NOOP("core", "unknown unit '%1'; write the number in one of: %2"),
     QT_TRANSLATE_NOOP("core", "setting '%1' has no value"),
     QT_TRANSLATE_NOOP("core", "a number has one decimal separator and no thousands separators; write %1"),
     QT_TRANSLATE_NOOP("core", "the comma could be a decimal or a thousands separator; write %1 or %2"),

@@ -15,6 +15,7 @@
 #include "ui/language/language.h"
 #include "ui/page/page_columns.h"
 #include "ui/page/page_texts.h"
+#include "ui/page/rotary_curves.h"
 #include "ui/page/run_nodes.h"
 #include "ui/scene/cause_colour.h"
 #include "ui/scene/colour_map.h"
@@ -29,7 +30,9 @@ constexpr double time_quantum = 1e-6;      // [s]
 constexpr double speed_parts = 8192;       // of the largest speed
 constexpr double peak_parts = 250;         // of the largest acceleration and jerk
 constexpr double feed_quantum = 1e-3;      // [mm/s]
+constexpr double limit_parts = 1000;       // of the limit of a rotary axis
 constexpr std::size_t most_places = 60;    // of a run
+constexpr std::size_t curve_share = 4;     // nodes of a run that may be for each point of a curve
 
 using Position = std::array<std::int64_t, 3>;
 
@@ -188,6 +191,28 @@ QJsonObject nodes_json(const std::vector<RunNode>& nodes, ProgrammedSteps progra
           {"jerk_step", quanta.jerk}};
 }
 
+QJsonArray rotary_json(const std::vector<RotaryCurve>& curves, PageData& data) {
+  QJsonArray list;
+  for (const RotaryCurve& curve : curves) {
+    const double quantum = curve.limit / limit_parts;
+    Deltas time, value;
+    for (const CurvePoint& point : curve.points) {
+      time.add(steps(point.time, time_quantum));
+      value.add(steps(point.value, quantum));
+    }
+    list.append(QJsonObject{
+        {"kind", QString::fromUtf8(info_of(curve.kind).key.data(),
+                                   static_cast<qsizetype>(info_of(curve.kind).key.size()))},
+        {"axis", QString(QLatin1Char(curve.axis))},
+        {"limit", curve.limit},
+        {"precision", curve.precision + 1 / limit_parts},
+        {"step", quantum},
+        {"count", static_cast<qint64>(curve.points.size())},
+        {"columns", QJsonObject{{"time", data.add(time.column())}, {"value", data.add(value.column())}}}});
+  }
+  return list;
+}
+
 QString hex(const Rgb& colour) {
   return QColor::fromRgbF(static_cast<float>(colour[0]), static_cast<float>(colour[1]),
                           static_cast<float>(colour[2]))
@@ -296,7 +321,15 @@ QJsonArray annotations_json(const ReportInput& input) {
 class PageWriter {
  public:
   PageWriter(const ReportInput& input, std::size_t most_nodes)
-      : input_(input), most_(most_nodes / input.runs.size()) {}
+      : input_(input), most_(most_nodes / input.runs.size()) {
+    for (const ReportRun& run : input.runs) {
+      for (const CauseKind kind : deciding_rotary_limits(run.shown->run)) {
+        if (std::ranges::find(rotary_limits_, kind) == rotary_limits_.end()) {
+          rotary_limits_.push_back(kind);
+        }
+      }
+    }
+  }
 
   QByteArray write(Progress* progress) {
     const std::vector<ComparedRun> figures = run_figures(input_);
@@ -386,12 +419,15 @@ class PageWriter {
     json["top_feed"] = top_feed;
     json["precision"] =
         QJsonObject{{"position", 2 * nodes.precision.position}, {"speed", 2 * nodes.precision.speed}};
+    json["rotary"] =
+        rotary_json(rotary_curves(run.shown->run, rotary_limits_, most_ / curve_share, progress), data_);
     json["places"] = places_json(*run.shown);
     return json;
   }
 
   const ReportInput& input_;
   std::size_t most_;
+  std::vector<CauseKind> rotary_limits_;  ///< that slow one of the runs
   PageData data_;
   QJsonArray programmed_;
   std::vector<std::shared_ptr<const Toolpath>> paths_;

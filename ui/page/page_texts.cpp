@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 
+#include "ui/language/shown_numbers.h"
 #include "ui/units/unit_system.h"
 
 namespace feedscope::ui {
@@ -23,6 +24,7 @@ constexpr PageText texts_of_page[] = {
     {"PageWords", QT_TRANSLATE_NOOP("PageWords", "%1: the axes stand.")},
     {"PageWords", QT_TRANSLATE_NOOP("PageWords", "About this page")},
     {"KinematicCharts", QT_TRANSLATE_NOOP("KinematicCharts", "Acceleration")},
+    {"KinematicCharts", QT_TRANSLATE_NOOP("KinematicCharts", "Acceleration of rotary axes")},
     {"ReportWords", QT_TRANSLATE_NOOP("ReportWords", "Actual contour error")},
     {"PageWords", QT_TRANSLATE_NOOP("PageWords", "Against")},
     {"PageWords",
@@ -46,6 +48,7 @@ constexpr PageText texts_of_page[] = {
     {"PageWords", QT_TRANSLATE_NOOP("PageWords", "Go to the report below")},
     {"PageWords", QT_TRANSLATE_NOOP("PageWords", "Iso")},
     {"KinematicCharts", QT_TRANSLATE_NOOP("KinematicCharts", "Jerk")},
+    {"KinematicCharts", QT_TRANSLATE_NOOP("KinematicCharts", "Jerk of rotary axes")},
     {"PageWords", QT_TRANSLATE_NOOP("PageWords", "Lens")},
     {"LensPicture", QT_TRANSLATE_NOOP("LensPicture", "Lens: line %1")},
     {"ReportWords", QT_TRANSLATE_NOOP("ReportWords", "Limited by")},
@@ -90,6 +93,7 @@ constexpr PageText texts_of_page[] = {
     {"TimeRows", QT_TRANSLATE_NOOP("TimeRows", "Time")},
     {"PageWords", QT_TRANSLATE_NOOP("PageWords", "Time lost")},
     {"PageWords", QT_TRANSLATE_NOOP("PageWords", "Top")},
+    {"KinematicCharts", QT_TRANSLATE_NOOP("KinematicCharts", "Velocity of rotary axes")},
     {"feedscope::ui::TimeView", QT_TRANSLATE_NOOP("feedscope::ui::TimeView", "Where the time goes")},
     {"feedscope::ui::WhyView", QT_TRANSLATE_NOOP("feedscope::ui::WhyView", "Why here?")},
     {"LensPicture", QT_TRANSLATE_NOOP("LensPicture", "across × %1")},
@@ -102,6 +106,7 @@ constexpr PageText texts_of_page[] = {
     {"PageWords", QT_TRANSLATE_NOOP("PageWords", "over time")},
     {"PageWords", QT_TRANSLATE_NOOP("PageWords", "place %1 of %2")},
     {"ReportWords", QT_TRANSLATE_NOOP("ReportWords", "refused")},
+    {"PageWords", QT_TRANSLATE_NOOP("PageWords", "rotary axes within %1 of their limits")},
     {"DecisionTexts",
      QT_TRANSLATE_NOOP("DecisionTexts", "No run keeps a contour error of %1. The smallest is %2, with %3.")},
     {"ReportWords", QT_TRANSLATE_NOOP("ReportWords", "%1, of which %2 are lost (%3); %4.")},
@@ -119,19 +124,20 @@ QJsonObject page_texts() {
 
 QJsonObject page_units() {
   QJsonObject units;
-  for (const auto& [name, dimension] :
-       std::initializer_list<std::pair<const char*, Dimension>>{{"time", Dimension::time},
-                                                                {"length", Dimension::length},
-                                                                {"error", Dimension::error},
-                                                                {"feed", Dimension::feed},
-                                                                {"acceleration", Dimension::acceleration},
-                                                                {"jerk", Dimension::jerk},
-                                                                {"pace", Dimension::pace}}) {
+  for (const auto& [name, dimension] : std::initializer_list<std::pair<const char*, Dimension>>{
+           {"time", Dimension::time},
+           {"length", Dimension::length},
+           {"error", Dimension::error},
+           {"feed", Dimension::feed},
+           {"acceleration", Dimension::acceleration},
+           {"jerk", Dimension::jerk},
+           {"pace", Dimension::pace},
+           {"turning", Dimension::turning},
+           {"turning_acceleration", Dimension::turning_acceleration},
+           {"turning_jerk", Dimension::turning_jerk}}) {
     const ShownUnit& unit = shown(dimension);
     units[QLatin1String(name)] =
-        QJsonObject{{"text", QString::fromUtf8(unit.text.data(), static_cast<qsizetype>(unit.text.size()))},
-                    {"factor", unit.factor},
-                    {"decimals", unit.decimals}};
+        QJsonObject{{"text", unit_of(dimension)}, {"factor", unit.factor}, {"decimals", unit.decimals}};
   }
   return units;
 }

@@ -94,6 +94,27 @@ TEST_P(StopWaits, LastAsTheClosedFormSays) {
   testing::expect_no_gaps_between_pieces(*motion);
 }
 
+/// Times of pieces and of the spans that drives follow are sums of different parts; where round numbers make
+/// them differ by rounding, the wait is still that of the following error at the end.
+TEST_P(StopWaits, DoNotDependOnTheRoundingOfTimes) {
+  for (const double feed : {3.0, 4.2, 6.0}) {  // [m/min]
+    Toolpath path = stopping(0, ExactStopWindow::fine);
+    for (const Vec3& end :
+         {Vec3(50, 0, 0), Vec3(50, 30, 0), Vec3(20, 10, 0), Vec3(20, 10, 7), Vec3(0.3, 10, 7)}) {
+      testing::append_line(path, end, units::from_m_min(feed));
+      path.segments.back().path_control = 1;
+    }
+    const Machine machine = machine_with(0);
+    const auto motion = std::make_shared<const Trajectory>(run(path, machine, window));
+    const DriveResponse response(motion, machine);
+    const std::vector<Rest> waits = rests(*motion);
+    ASSERT_EQ(waits.size(), path.segments.size());
+    for (const Rest& wait : waits) {
+      EXPECT_NEAR(response.at(wait.end).following_error.cwiseAbs().maxCoeff(), window, 1e-7) << feed;
+    }
+  }
+}
+
 /// The motion between the waits is that without them.
 TEST_P(StopWaits, LeaveTheMotionAsItIs) {
   const Toolpath path = stopping(8, ExactStopWindow::coarse);

@@ -33,6 +33,15 @@ TEST(KeyUnit, AUnitOfAnotherQuantityIsNoNumber) {
   }
 }
 
+TEST(KeyUnit, TheProblemWithAnotherUnitNamesThoseThatAreKnown) {
+  EXPECT_EQ(typed_in_unit("0.5 lb", "m/s2").problem,
+            "unknown unit 'lb'; write the number in one of: m/s2, m/s², mm/s2, g");
+  EXPECT_EQ(typed_in_unit("1e3 kg", "ms").problem, "unknown unit 'kg'; write the number in one of: ms, s");
+  for (const auto& [text, unit] : {std::pair("g", "m/s2"), std::pair("5 mm", ""), std::pair("", "m/s2")}) {
+    EXPECT_EQ(typed_in_unit(text, unit).problem, "") << text;
+  }
+}
+
 /// The unit that is shown beside is one that can be typed.
 TEST(KeyUnit, TheUnitOfDataSheetsGoesThereAndBack) {
   for (const char* unit : {"m/s2", "1/s"}) {

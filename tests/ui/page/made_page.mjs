@@ -91,6 +91,13 @@ function nodesOf(nodes, points, columns) {
   };
 }
 
+/** `points`: time and value of each. */
+function rotaryOf({ points, ...curve }, columns) {
+  const quantum = curve.limit / 1000;
+  const of = (k, size) => columns.add(deltas(points.map((point) => step(point[k], size))));
+  return { ...curve, step: quantum, count: points.length, columns: { time: of(0, steps.time), value: of(1, quantum) } };
+}
+
 /** `points`: of the programmed path; `runs`: {letter, nodes, ...} with plain nodes. */
 export function madePage({ points, runs, ...more }) {
   const columns = new Columns();
@@ -105,7 +112,12 @@ export function madePage({ points, runs, ...more }) {
   const described = {
     steps,
     programmed,
-    runs: runs.map((run) => ({ ...run, programmed: 0, nodes: nodesOf(run.nodes, points, columns) })),
+    runs: runs.map((run) => ({
+      ...run,
+      programmed: 0,
+      nodes: nodesOf(run.nodes, points, columns),
+      rotary: (run.rotary ?? []).map((curve) => rotaryOf(curve, columns)),
+    })),
     ...more,
   };
   const json = new TextEncoder().encode(JSON.stringify(described));

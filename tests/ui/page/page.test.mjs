@@ -176,6 +176,32 @@ test('the path is as near to simulate --csv as the page states: short lines, arc
   }
 });
 
+test('rotary axes are drawn where their limits decide, as near to simulate --csv as stated', async () => {
+  assert.deepEqual(await page.ask(() => [...document.querySelector('#feedscope-view').shadowRoot.querySelectorAll('.chart')].map((one) => one.classList[1])), ['feed', 'acceleration', 'jerk']);
+  const options = [join(top, 'resources/programs/lesson_singular.nc'), '--machine', 'five-axis-table-ac', '--tolerance', '0.02'];
+  feedscope('report', ...options, '--brief', '--out', 'turning.html');
+  const [run] = dataOf('turning.html').runs;
+  const lasting = Object.entries(run.figures.time_by_cause_s).filter(([key, time]) => /^axis_(velocity|acceleration|jerk)_[abc]$/.test(key) && time > 0.01 * run.duration);
+  assert.deepEqual([...new Set(run.rotary.map(({ kind }) => kind))].sort(), [...new Set(lasting.map(([key]) => key.slice(0, -2)))].sort());
+  const [head, ...rows] = feedscope('simulate', ...options, '--step', '0.0013', '--csv', '-').trim().split('\n').map((row) => row.split(','));
+  const names = { axis_velocity: ['v', '_rev_min', 60], axis_acceleration: ['a', '_rev_s2', 1], axis_jerk: ['j', '_rev_s3', 1] };
+  for (const curve of run.rotary) {
+    const [letter, unit, factor] = names[curve.kind];
+    const column = head.indexOf(`${letter}${curve.axis.toLowerCase()}${unit}`);
+    const time = head.indexOf('time_s');
+    const far = rows.filter((row) => Math.abs((curve.at(Number(row[time])) * factor) / (2 * Math.PI) - Number(row[column])) > (curve.precision * curve.limit * factor) / (2 * Math.PI));
+    assert.ok(far.length < 0.003 * rows.length, `${curve.kind} ${curve.axis}: ${far.length} of ${rows.length} rows`);
+  }
+  const turning = await browser.page();
+  await turning.openView(url('turning.html'));
+  await turning.picture(picture('turning'));
+  const labels = await turning.ask(() => [...document.querySelector('#feedscope-view').shadowRoot.querySelectorAll('.chart:nth-of-type(n+4) .chart-label')].map((one) => one.textContent));
+  assert.match(labels.join(), /Jerk of rotary axes.*C [−\d.]+ of 40/);
+  assert.match(await turning.ask(() => document.querySelector('#feedscope-view').shadowRoot.querySelector('.precision').textContent), /rotary axes within 1 % of their limits/);
+  assert.deepEqual(turning.complaints, []);
+  await page.send('Page.bringToFront');
+});
+
 test('the run to take is that of compare, whatever the bound', async () => {
   const runs = tolerances.flatMap((tolerance) => ['--tolerance', tolerance]);
   for (const within of [null, '0.2', '0.04', '0.02', '0.012', '0.009', '0.0001']) {

@@ -64,6 +64,16 @@ test('positions off the programmed path come back to the step', () => {
   [5.0124, -0.0456, 0.0008].forEach((value, k) => close(run.positions[k][1], value, 1e-9));
 });
 
+test('a curve of a rotary axis is straight between its points, and jumps where two are at one time', () => {
+  const made = straight();
+  made.runs[0].rotary = [{ kind: 'axis_jerk', axis: 'C', limit: 40, precision: 0.01, points: [[0, 0], [0.05, 10], [0.05, -20], [0.15, -20]] }];
+  const [curve] = readPage(madePage(made)).runs[0].rotary;
+  close(curve.at(0.025), 5, 0.03);
+  close(curve.at(0.0499), 10, 0.1);
+  close(curve.at(0.0501), -20, 0.1);
+  close(curve.at(9), -20, 0.03);
+});
+
 test('lost time is counted by line', () => {
   const [run] = readPage(madePage(straight())).runs;
   close(run.lostByLine().get(1), 0.05, 1e-5);

@@ -5,8 +5,10 @@
 #include <random>
 
 #include "core/analysis/run.h"
+#include "core/base/data_folder.h"
 #include "ui/page/page.h"
 #include "ui/page/page_columns.h"
+#include "ui/page/rotary_curves.h"
 #include "ui/page/run_nodes.h"
 
 namespace feedscope::ui {
@@ -111,6 +113,68 @@ TEST(RunNodes, AreAsManyAsAskedForAndSayHowCoarseTheyAre) {
     EXPECT_LE(away.position, 1.5 * few.precision.position) << "node " << i;
     EXPECT_LE(away.speed, 1.5 * few.precision.speed) << "node " << i;
   }
+}
+
+/// What is drawn at a time, straight between the points.
+double drawn_at(const RotaryCurve& curve, double time) {
+  const auto next = std::ranges::lower_bound(curve.points, time, {}, &CurvePoint::time);
+  if (next == curve.points.begin() || next == curve.points.end()) {
+    return next == curve.points.end() ? curve.points.back().value : next->value;
+  }
+  const CurvePoint& before = *(next - 1);
+  return before.value + (next->value - before.value) * (time - before.time) / (next->time - before.time);
+}
+
+double AxisState::*value_of(const RotaryCurve& curve) {
+  return curve.kind == CauseKind::axis_velocity       ? &AxisState::velocity
+         : curve.kind == CauseKind::axis_acceleration ? &AxisState::acceleration
+                                                      : &AxisState::jerk;
+}
+
+struct Run singular_run() {
+  const Setup setup = make_setup({"five-axis-table-ac", "essid", 0.02});
+  return simulate_run(load_program(data_folder() / "resources/programs/lesson_singular.nc", nullptr,
+                                   reading_on({}, setup.machine)),
+                      setup);
+}
+
+/// Share of random times at which a curve is farther from the run than it says.
+double share_beyond_precision(const RotaryCurve& curve, const feedscope::Run& run) {
+  constexpr int looks = 5000;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> times(0, run.trajectory->duration());
+  int beyond = 0;
+  for (int i = 0; i < looks; ++i) {
+    const double time = times(random);
+    const RotarySample sample = run.sources.rotary->at(run.trajectory->state(time));
+    const double value = sample.rotary[rotary_names.find(curve.axis)].*value_of(curve);
+    beyond += std::abs(drawn_at(curve, time) - value) > curve.precision * curve.limit;
+  }
+  return static_cast<double>(beyond) / looks;
+}
+
+TEST(RotaryCurves, AreOfTheLimitsThatSlowTheRun) {
+  const feedscope::Run run = singular_run();
+  const std::vector<CauseKind> kinds = deciding_rotary_limits(run);
+  EXPECT_THAT(kinds, ::testing::Contains(CauseKind::axis_jerk)) << "that of C, as lesson 11 says";
+  EXPECT_THAT(deciding_rotary_limits(page_run("G1 X100 F3000\n", "essid", 0.01)), ::testing::IsEmpty());
+  EXPECT_THAT(rotary_curves(page_run("G1 X100 F3000\n", "essid", 0.01), kinds, 1000), ::testing::IsEmpty());
+}
+
+TEST(RotaryCurves, StayWithinTheirPrecisionButWhereTheyJump) {
+  const feedscope::Run run = singular_run();
+  const auto curves = rotary_curves(
+      run, {CauseKind::axis_velocity, CauseKind::axis_acceleration, CauseKind::axis_jerk}, 1'000'000);
+  ASSERT_EQ(curves.size(), 6);
+  for (const RotaryCurve& curve : curves) {
+    EXPECT_DOUBLE_EQ(curve.precision, 0.01);
+    EXPECT_LE(share_beyond_precision(curve, run), 0.002) << curve.axis << ' ' << info_of(curve.kind).key;
+  }
+  const auto few = rotary_curves(run, {CauseKind::axis_velocity}, curves.front().points.size() / 4);
+  ASSERT_EQ(few.size(), 2);
+  EXPECT_LE(few.front().points.size(), curves.front().points.size() / 4);
+  EXPECT_GT(few.front().precision, 0.01);
+  EXPECT_LE(share_beyond_precision(few.front(), run), 0.002);
 }
 
 /// The sagitta of a chord c of an arc with radius r is c^2 / (8 r).

@@ -9,6 +9,7 @@ import { tr } from './texts.js';
 
 const gutter = 46; // left of the plots, for their ticks [pixels]
 const least = 1e-4; // width of a range, of the whole run
+const phone = 560; // narrower charts [pixels]
 
 /** Values of a run at its nodes, where the next one begins, and between them. */
 const quantities = {
@@ -33,6 +34,13 @@ const quantities = {
     end: (run, i) => run.jerk[i],
     at: (state) => state.jerk,
   },
+};
+
+/** Charts of rotary axes, by the limit that decides in one of the runs. */
+const rotaryQuantities = {
+  axis_velocity: { title: () => tr('Velocity of rotary axes'), dimension: 'turning' },
+  axis_acceleration: { title: () => tr('Acceleration of rotary axes'), dimension: 'turning_acceleration' },
+  axis_jerk: { title: () => tr('Jerk of rotary axes'), dimension: 'turning_jerk' },
 };
 
 /** Points of a curve, of many in a pixel only the first, least, largest and last. */
@@ -102,6 +110,32 @@ export function curveOf(run, quantity, axis, [from, to], pixels) {
   return points.done();
 }
 
+/** A curve of a rotary axis within a range; where it jumps its points are close to each other, not at one place. */
+export function rotaryCurveOf(run, curve, axis, [from, to], pixels) {
+  const xs = axis === 'time' ? curve.time : curve.placesIn(run);
+  const factor = inShownUnit(1, rotaryQuantities[curve.kind].dimension);
+  const points = new Thinned(from, to, pixels);
+  const last = Math.min(curve.count - 1, firstAtLeast(xs, to) + 1);
+  for (let i = Math.max(0, lastAtMost(xs, from) - 1); i <= last; ++i) points.add(xs[i], factor * curve.value[i]);
+  const [x, y] = points.done();
+  const least = (to - from) * 1e-9;
+  for (let i = 1; i < x.length; ++i) x[i] = Math.max(x[i], x[i - 1] + least);
+  return [x, y];
+}
+
+/** The limit of a rotary axis, both ways. */
+const limitOf = (curve, range) => {
+  const limit = inShownUnit(curve.limit, rotaryQuantities[curve.kind].dimension);
+  return [limit, -limit].map((value) => [range, [value, value]]);
+};
+
+/** Largest value of the curves; with their limits where these are near. */
+function rotaryTop(curves, dimension) {
+  const largest = Math.max(0, ...curves.map(({ value }) => value.reduce((most, one) => Math.max(most, Math.abs(one)), 0)));
+  const near = curves.map(({ limit }) => limit).filter((limit) => limit < 1.3 * largest);
+  return inShownUnit(Math.max(largest, ...near), dimension) || 1;
+}
+
 /** The programmed feed, rapids left out. */
 function programmedFeed(run, axis, [from, to], pixels) {
   const xs = run[axis];
@@ -132,16 +166,24 @@ export class Charts {
   constructor(page, store, host) {
     Object.assign(this, { page, store, host });
     this.strip = el('canvas', { class: 'strip', 'aria-label': tr('Limited by') });
-    this.plots = Object.entries(quantities).map(([name, quantity]) => ({ name, quantity }));
-    const boxes = this.plots.map((plot) => {
-      plot.box = el('div', { class: `chart ${plot.name}` });
-      plot.label = el('div', { class: 'chart-label' }, plot.quantity.title(), ' ', el('i', {}, unitOf(plot.quantity.dimension)));
+    this.plots = [
+      ...Object.entries(quantities).map(([name, quantity]) => ({ name, quantity })),
+      ...Object.entries(rotaryQuantities)
+        .map(([name, quantity]) => ({ name, quantity, axes: this.axesOf(name) }))
+        .filter(({ axes }) => axes.length > 0),
+    ];
+    const boxes = this.plots.map((plot, k) => {
+      const last = k === this.plots.length - 1;
+      plot.box = el('div', { class: `chart ${plot.name}${last ? ' last' : ''}` });
+      plot.values = plot.axes?.map((axis) => el('b', { style: { color: `var(--axis-${axis.toLowerCase()})` } }));
+      plot.label = el('div', { class: 'chart-label' }, plot.quantity.title(), ' ', el('i', {}, unitOf(plot.quantity.dimension)), ...(plot.values ?? []));
       plot.box.append(plot.label);
       return plot.box;
     });
+    host.style.setProperty('--rotary-charts', this.plots.length - Object.keys(quantities).length);
     this.readout = el('div', { class: 'readout' });
     this.line = el('div', { class: 'cursor-line' });
-    host.append(boxes[0], this.strip, boxes[1], boxes[2], this.line, this.readout);
+    host.append(boxes[0], this.strip, ...boxes.slice(1), this.line, this.readout);
     this.make();
     const observer = new ResizeObserver(() => this.resize());
     for (const box of [host, ...boxes]) observer.observe(box);
@@ -152,6 +194,16 @@ export class Charts {
 
   get run() {
     return this.page.runs[this.store.get('run')];
+  }
+
+  /** Rotary axes of which a run has curves of a kind. */
+  axesOf(kind) {
+    const curves = this.page.runs.flatMap((run) => run.rotary).filter((curve) => curve.kind === kind);
+    return [...new Set(curves.map(({ axis }) => axis))].sort();
+  }
+
+  curvesOf({ name }) {
+    return this.run.rotary.filter((curve) => curve.kind === name);
   }
 
   get axis() {
@@ -195,7 +247,12 @@ export class Charts {
     this.plots.forEach((plot, k) => {
       const line = (stroke, width) => ({ stroke, width, points: { show: false } });
       const asked = plot.name === 'feed' ? [line(() => themeColour(this.host, '--asked'), 1)] : [];
-      const series = [{}, ...asked, line(() => this.inkOf(), 1.25)];
+      const ofAxis = (name) => {
+        const ink = () => themeColour(this.host, `--axis-${name.toLowerCase()}`);
+        const limit = { ...line(ink, 1), dash: [6, 4] };
+        return [limit, limit, line(ink, 1.25)];
+      };
+      const series = [{}, ...asked, ...(plot.axes?.flatMap(ofAxis) ?? [line(() => this.inkOf(), 1.25)])];
       const axis = {
         stroke: muted,
         grid: { stroke: grid, width: 1 },
@@ -212,7 +269,7 @@ export class Charts {
           cursor: { show: false },
           scales: {
             x: { time: false, range: () => this.range },
-            y: { range: () => [0, 1.08 * (topOf(this.run, plot.quantity) || 1)] },
+            y: { range: () => this.scaleOf(plot) },
           },
           axes: [
             {
@@ -226,9 +283,25 @@ export class Charts {
           ],
           series,
         },
-        [[0], [0], [0]].slice(0, series.length),
+        series.map(() => [0]),
         plot.box,
       );
+    });
+  }
+
+  scaleOf(plot) {
+    const { dimension } = plot.quantity;
+    const top = 1.08 * (plot.axes ? rotaryTop(this.curvesOf(plot), dimension) : topOf(this.run, plot.quantity) || 1);
+    return [plot.axes ? -top : 0, top];
+  }
+
+  /** Limits and course of each axis; none of an axis of another run's machine. */
+  rotaryData(plot) {
+    const { run, axis, range, width } = this;
+    const none = [[range[0]], [null]];
+    return plot.axes.flatMap((name) => {
+      const curve = this.curvesOf(plot).find((one) => one.axis === name);
+      return curve ? [...limitOf(curve, range), rotaryCurveOf(run, curve, axis, range, width)] : [none, none, none];
     });
   }
 
@@ -242,7 +315,12 @@ export class Charts {
 
   update() {
     const { run, axis, range, width } = this;
-    for (const { name, quantity, chart } of this.plots) {
+    for (const plot of this.plots) {
+      const { name, quantity, chart } = plot;
+      if (plot.axes) {
+        chart.setData(uPlot.join(this.rotaryData(plot)));
+        continue;
+      }
       const [x, y] = drawable(curveOf(run, quantity, axis, range, width));
       const data = [x, y];
       if (name === 'feed') {
@@ -302,6 +380,7 @@ export class Charts {
     this.line.hidden = !seen;
     this.line.style.transform = `translateX(${x}px)`;
     this.readout.hidden = !seen;
+    this.showRotary(state.time);
     const axisText =
       this.axis === 'time' ? `${numberText(state.time, 'time')} s` : `${numberText(state.place, 'length')} ${unitOf('length')}`;
     this.readout.textContent = `${axisText} · ${tr('%1 of %2', numberText(state.speed, 'feed'), `${numberText(state.feed, 'feed')} ${unitOf('feed')}`)} · ${this.page.causes[state.cause]}`;
@@ -309,6 +388,19 @@ export class Charts {
     const label = this.plots[0].label;
     const free = label.offsetLeft + label.offsetWidth + 4;
     this.readout.style.left = `${Math.min(Math.max(x + 8, free), this.host.clientWidth - half - 6)}px`;
+  }
+
+  /** "C −12.5 of 40.0": the value at the cursor and the limit, which a phone has no room for. */
+  showRotary(time) {
+    for (const plot of this.plots.filter(({ axes }) => axes)) {
+      const { dimension } = plot.quantity;
+      plot.axes.forEach((name, k) => {
+        const curve = this.curvesOf(plot).find((one) => one.axis === name);
+        const value = curve && numberText(curve.at(time), dimension);
+        const text = this.host.clientWidth < phone ? value : value && tr('%1 of %2', value, numberText(curve.limit, dimension));
+        plot.values[k].textContent = text ? ` ${name} ${text}` : '';
+      });
+    }
   }
 
   timeOf(value) {

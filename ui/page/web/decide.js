@@ -177,12 +177,22 @@ export class Decide {
       const index = this.page.runs.indexOf(run);
       if (this.taken?.run === index) parts.push(svg('circle', { ...place, r: 9, class: 'taken', stroke: run.colour }));
       const beyond = within !== null && run.choice.error > within + 1e-9;
-      parts.push(
-        svg('circle', { ...place, r: 5, fill: run.colour, class: beyond ? 'dot beyond' : 'dot', onclick: () => this.choose(index) }),
-        svg('text', { x: place.cx + 8, y: place.cy - 7, class: 'label' }, run.letter),
-      );
+      parts.push(svg('circle', { ...place, r: 5, fill: run.colour, class: beyond ? 'dot beyond' : 'dot', onclick: () => this.choose(index) }));
     }
-    return parts;
+    return parts.concat(this.letters());
+  }
+
+  /** Runs at nearly one place have one label: "C D". */
+  letters() {
+    const near = 9; // [pixels]
+    const labels = [];
+    for (const run of this.runs) {
+      const [x, y] = [this.x(run.choice.error) + 8, this.y(run.choice.time) - 7];
+      const same = labels.find((label) => Math.hypot(label.x - x, label.y - y) < near);
+      if (same) same.text += ` ${run.letter}`;
+      else labels.push({ x, y, text: run.letter });
+    }
+    return labels.map(({ text, ...place }) => svg('text', { ...place, class: 'label' }, text));
   }
 
   /** The bound can be dragged, by keys too; without one its line waits at the right end. */

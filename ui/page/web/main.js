@@ -123,7 +123,9 @@ function runChoice(page, store) {
 }
 
 /** Of a long program nodes are left out. */
-const isCoarse = ({ precision, top_feed: top }) => precision.position > 1.5e-3 || precision.speed > 1.5e-3 * top;
+const rotaryPrecision = (run) => Math.max(0, ...run.rotary.map(({ precision }) => precision));
+const isCoarse = (run) =>
+  run.precision.position > 1.5e-3 || run.precision.speed > 1.5e-3 * run.top_feed || rotaryPrecision(run) > 0.015;
 
 /** "path within 1 µm, feed within 0.1 %" of the run. */
 function precisionText(run) {
@@ -131,9 +133,11 @@ function precisionText(run) {
     amountText(run.precision.position, 'error'),
     shareText(run.precision.speed / (run.top_feed || 1)),
   ];
-  return isCoarse(run)
+  const path = isCoarse(run)
     ? tr('Long program, drawn coarser: path within %1, feed within %2 of the largest', ...text)
     : tr('Path within %1, feed within %2 of the largest', ...text);
+  const turning = rotaryPrecision(run);
+  return turning > 0 ? `${path}, ${tr('rotary axes within %1 of their limits', shareText(turning))}` : path;
 }
 
 function about(page) {

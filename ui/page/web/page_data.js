@@ -98,11 +98,35 @@ function positionsOf(places, rests, programmed) {
   return rests;
 }
 
+/** Velocity, acceleration or jerk of a rotary axis over time; straight between its points. */
+class RotaryCurve {
+  constructor(description, column, steps) {
+    Object.assign(this, description);
+    const read = (name) => summed(column(description.columns[name], description.count));
+    this.time = scaled(read('time'), steps.time);
+    this.value = scaled(read('value'), description.step);
+  }
+
+  at(time) {
+    const next = Math.max(1, firstAtLeast(this.time, time));
+    const width = this.time[next] - this.time[next - 1];
+    const share = width > 0 ? Math.min(1, Math.max(0, (time - this.time[next - 1]) / width)) : 0;
+    return this.value[next - 1] + (this.value[next] - this.value[next - 1]) * share;
+  }
+
+  /** Places of the program at its points, which `run` knows. */
+  placesIn(run) {
+    this.places ??= this.time.map((time) => run.at(time).place);
+    return this.places;
+  }
+}
+
 /** A run: nodes with what holds from each to the next. Inside units: mm, s. */
 export class Run {
   constructor(description, programmed, column, steps) {
     Object.assign(this, description);
     this.programmedPath = programmed;
+    this.rotary = (description.rotary ?? []).map((curve) => new RotaryCurve(curve, column, steps));
     if (!description.nodes) {
       this.count = 0;
       return;
