@@ -5,8 +5,8 @@
 
 namespace feedscope {
 
-/// A Markdown text as HTML: the inside of a body. CommonMark, and tables of lines "| a | b |" whose second
-/// line is "|---|---|"; a cell has no bar in it.
+/// Converts a Markdown text to the HTML inside a body. CommonMark, and tables of lines "| a | b |" whose
+/// second line is "|---|---|"; cells cannot contain bars.
 std::string markdown_as_html(std::string_view markdown);
 
 }  // namespace feedscope

@@ -11,9 +11,9 @@
 namespace feedscope {
 namespace {
 
-constexpr double nanometre = 1e-6;  // [mm]; less is shown as none
+constexpr double nanometre = 1e-6;  // [mm]; less is shown as zero
 
-/// Three significant figures without a power of ten, without zeros at the end.
+/// Three significant digits without a power of ten and without trailing zeros.
 std::string three_figures(double value) {
   if (!(std::abs(value) > 0) || !std::isfinite(value)) {
     return fmt::format("{}", value);
