@@ -49,7 +49,7 @@ std::optional<UnreachableFeed> feed_beyond_machine(const LoadedProgram& program,
 
 /// First of the most severe faults; `faults` must not be empty.
 const Diagnostic& most_severe(const std::vector<Diagnostic>& faults);
-/// What the machine cannot do of the program, in one sentence; empty if nothing.
+/// Faults of the machine on the program, in one sentence; empty if there are none.
 std::string machine_fault_note(const std::vector<Diagnostic>& faults);
 
 /// Notes on a run that restrict the use of its figures, one sentence each: a control that does not read the

@@ -6,7 +6,7 @@
 
 namespace feedscope {
 
-/// Change of direction [rad] up to which two blocks count as one straight line, and from pi minus which as a
+/// Up to this change of direction [rad] two blocks count as one straight line; above pi minus this, as a
 /// reversal.
 inline constexpr double straight_angle = 1e-6;
 

@@ -9,7 +9,7 @@ namespace {
 /// Larger distances between the ends of two spans are not rounding [mm].
 constexpr double jump = 1e-4;
 
-/// Duration of a span with the error of the tolerance, as a share of a span with `error` [mm]: errors rise
+/// Factor on the duration of a span with `error` [mm] to bring its error within the tolerance: errors rise
 /// with the eighth power of the duration.
 double fitting_share(double error) {
   constexpr double cautious = 0.9;

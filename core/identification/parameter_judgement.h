@@ -23,8 +23,8 @@ void add_reached_velocities(std::vector<IdentifiedParameter>& parameters, const 
 /// Which parameters change the residuals by more than noise when multiplied or divided by 1.5.
 std::vector<bool> influences(ParameterSearch& search);
 
-/// Which parameters act in steps, like a tolerance that determines a number of chords: large changes have an
-/// effect, small ones have none at all.
+/// Which parameters act in steps, like a tolerance that determines a number of chords: a factor of 1.5 has an
+/// effect, a small change has none at all.
 std::vector<bool> acting_by_steps(ParameterSearch& search);
 
 /// Whether the residuals at the present point of a search can be noise alone: no larger than noise, and no

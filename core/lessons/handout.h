@@ -12,9 +12,9 @@
 
 namespace feedscope {
 
-/// Reader of a hand-out: prediction and questions with room to write, on two pages (learners); hints and
-/// answers with the numbers that they build on (teacher); the learners' pages, then the answers on separate
-/// pages (everybody).
+/// Reader of a hand-out. Learners: prediction and questions with room to write, on two pages. Teacher: hints
+/// and answers with the numbers that they build on. Everybody: the learners' pages with hints, then the
+/// answers from a new page on.
 enum class HandoutReader : std::uint8_t { everybody, learners, teacher };
 /// Names "everybody", "learners", "teacher", in the order of HandoutReader.
 const std::vector<std::string>& handout_readers();

@@ -23,9 +23,10 @@ struct ProgramCircles {
 /// Largest number of circles evaluated per program, the first ones.
 inline constexpr std::size_t max_program_circles = 200;
 
-/// Evaluates every circle from where the control has reached it to where it leaves it: corners at both ends
-/// that it rounds by its own curves are excluded, see CirclePass::evaluated. Filters that smooth the motion
-/// have no such curves: their effect within the turn is included. Throws Cancelled.
+/// Evaluates every circle from the place where the control reaches it to the place where it leaves it.
+/// Corners at both ends that the control rounds by its own curves are excluded, see CirclePass::evaluated.
+/// Filters that smooth the motion have no such curves: their effect within the turn is included. Throws
+/// Cancelled.
 ProgramCircles program_circles(const Run& run, Progress* progress = nullptr);
 
 /// Parts of the program that are not evaluated, with the reason, or that it has no full circle; one sentence

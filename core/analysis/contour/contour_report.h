@@ -22,7 +22,7 @@ struct ContourSpot {
   bool inside = false;        ///< the executed path is on the inner side of the corner or arc
 };
 
-/// The corner within the distance at which a cut would leave it, else the block.
+/// The corner, if `place` is at most twice as far from it as on an evenly cut corner; else the block.
 ContourSpot contour_spot(const Toolpath& programmed, const ContourPlace& place);
 
 /// One of the worst places of a run, with the data shown for it.

@@ -74,7 +74,7 @@ void CourseWalk::gather() {
   is_filtered(element_) ? gather_filtered() : gather_curve();
 }
 
-/// Gathers all parts of one element: together they execute what is programmed there.
+/// Gathers all parts of one element: together they correspond to the programmed length there.
 void CourseWalk::gather_curve() {
   for (; !parts_.done() && parts_.part().element == element_; parts_.next()) {
     const Part& part = parts_.part();

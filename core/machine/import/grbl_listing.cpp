@@ -190,7 +190,7 @@ class GrblReader {
     return draft_.number(setting.value, given);
   }
 
-  /// `never`: the motors always hold, so there is no wait.
+  /// `never`: the motors stay energised, so there is no wait.
   void give(const char* key, const GrblSetting& setting, const GivenValue& given, bool never = false) {
     if (const std::optional<double> value = never ? std::optional(0.0) : number_of(setting, given)) {
       draft_.give(key, *value, given);
