@@ -64,7 +64,6 @@ Executed rounding_of(const BlendedPath& path, std::size_t segment) {
   return {from, end};
 }
 
-/// Any direction across `along`.
 Vec3 any_across(const Vec3& along) {
   const Vec3 flat = Vec3::UnitZ().cross(along);
   constexpr double steep = 1e-3;

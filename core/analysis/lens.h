@@ -13,7 +13,6 @@ namespace feedscope {
 /// A place in the lens: along and across the programmed direction, from the centre [mm].
 using LensPoint = Eigen::Vector2d;
 
-/// A run as seen in the lens.
 struct LensRun {
   std::vector<LensPoint> path;  ///< executed, in order
   LensPoint cursor = LensPoint::Zero();

@@ -12,7 +12,6 @@ constexpr double binomial(std::size_t n, std::size_t k) {
   return k == 0 ? 1 : k == 1 ? m : m * (m - 1) / 2;
 }
 
-/// n!
 constexpr double factorial(std::size_t n) {
   double product = 1;
   for (std::size_t k = 2; k <= n; ++k) {

@@ -94,7 +94,6 @@ class ActualWalk {
   bool done() const { return set_.done(); }
   /// Current span.
   const SetSpan& span() const { return set_.span(); }
-  /// Advances to the next span.
   void next_span();
 
  private:

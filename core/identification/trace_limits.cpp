@@ -10,7 +10,6 @@ namespace {
 constexpr double share_reached = 0.995;  // quantile of the samples: single ones are not representative
 constexpr double shortest = 8e-3;        // [s] used for differences
 
-/// Quantile `share` of the values.
 double quantile(std::vector<double>& values, double share) {
   if (values.empty()) {
     return 0;

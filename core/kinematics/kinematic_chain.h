@@ -12,7 +12,6 @@
 
 namespace feedscope {
 
-/// An axis of a kinematic chain.
 struct ChainAxis {
   char name = ' ';
   bool rotary = false;

@@ -133,7 +133,6 @@ std::string written_part(const char* heading, const std::string& text, int lines
                    written_or_lines(written, lines) + "</td></tr></table>\n";
 }
 
-/// A question and its task.
 std::string task_html(const Question& question, std::size_t number, const HandoutContents& contents,
                       const std::string& language) {
   const WrittenNumbers& numbers = contents.numbers;

@@ -12,7 +12,6 @@
 
 namespace feedscope {
 
-/// Result of a claim.
 struct ClaimResult {
   double value = 0;  ///< of its quantity, in its unit
   double bound = 0;  ///< value compared with; for `between` the lower bound

@@ -14,7 +14,6 @@ class WorkOffsets {
  public:
   void set(std::string_view name, const Vec3& zero) { zeros_[key(name)] = zero; }
   void erase(std::string_view name) { zeros_.erase(key(name)); }
-  /// Adds the offsets of `other` that are missing here.
   void add_missing(const WorkOffsets& other) { zeros_.insert(other.zeros_.begin(), other.zeros_.end()); }
   bool empty() const { return zeros_.empty(); }
   const std::map<std::string, Vec3>& all() const { return zeros_; }

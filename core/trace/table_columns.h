@@ -20,7 +20,6 @@ struct FoundColumn {
   double inside(double number) const { return number * factor + offset; }
 };
 
-/// Columns found in a table.
 struct FoundColumns {
   std::array<std::optional<FoundColumn>, trace_quantity_count> columns;
   double period = 0;  ///< of tables whose times are not used [s]

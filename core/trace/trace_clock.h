@@ -18,7 +18,6 @@ std::string_view to_string(TraceClock clock);
 /// Title for display, translatable: "servo period of the machine".
 std::string_view title_of(TraceClock clock);
 
-/// Sampling rate of a trace.
 struct SamplingRate {
   double period = 0;  ///< median between two samples [s]; 0 without samples
   TraceClock clock = TraceClock::times;

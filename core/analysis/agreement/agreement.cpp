@@ -42,7 +42,6 @@ double ends_of(const Trajectory& trajectory, const TimeLaw& simulated, const Com
   return std::max(0.0, simulated.at(part.from) - first) + std::max(0.0, last - simulated.at(part.to));
 }
 
-/// Adds the times of the operations to `found`.
 void add_operations(const Run& run, const ProgrammedCourse& course, const TimeLaw& measured,
                     const TimeLaw& simulated, const Compared& part, Agreement& found) {
   std::vector<Operation> operations;

@@ -76,7 +76,6 @@ struct LimitFigures {
   std::vector<LoadPlace> places = {};  ///< the longest ones, in order of time
 };
 
-/// Figures of the load of a run.
 struct LoadFigures {
   LoadTotals all;
   std::vector<LoadTotals> operations;           ///< in the order of LoadModel::operations()

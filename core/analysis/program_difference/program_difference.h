@@ -23,7 +23,6 @@ std::string_view program_change_key(ProgramChange change);
 /// Title for display: "same motions", "other feed", ...
 std::string_view program_change_title(ProgramChange change);
 
-/// One side of a stretch.
 struct StretchSide {
   std::uint32_t first_line = 0;  ///< smallest source line of its motions; 0 without any
   std::uint32_t last_line = 0;   ///< largest
