@@ -17,10 +17,10 @@ struct SmoothingRule {
 
 /// A smooth curve along a polyline, or the reason why there is none.
 struct SmoothCourse {
-  std::vector<CourseKnot> knots;   ///< s from 0
-  std::vector<std::size_t> lines;  ///< line of the polyline at each knot except the last
+  std::vector<CourseKnot> knots;     ///< s from 0
+  std::vector<std::size_t> lines;    ///< line of the polyline at each knot except the last
   std::vector<std::size_t> corners;  ///< points that no smooth curve passes closely enough; then no knots
-  double deviation = 0;  ///< largest distance found [mm]
+  double deviation = 0;              ///< largest distance found [mm]
 };
 
 /// Finds the cubic spline with the fewest intervals within the tolerance of the polyline, as quintic Hermite
