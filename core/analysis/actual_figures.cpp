@@ -12,8 +12,9 @@ namespace {
 
 constexpr std::size_t spans_per_report = 4096;
 
-/// Looks at what the drives make of one span after the other, in order of time, and closer where a figure may
-/// be larger between three looks than at any so far. By values alone: slides jump where friction lets go.
+/// Searches the largest figures span by span, in order of time. Samples more closely where a figure may rise
+/// between three samples above its largest value so far. Uses values only, no derivatives: slides jump where
+/// friction breaks loose.
 class SpanFigures {
  public:
   explicit SpanFigures(const ActualPath& path) : path_(path), errors_(path) {}
@@ -50,10 +51,10 @@ class SpanFigures {
   }
 
  private:
-  static constexpr std::size_t error = 3;  ///< place of the contour error, after the three following errors
+  static constexpr std::size_t error = 3;  ///< index of the contour error, after the three following errors
   static constexpr double first_share = 1e-3;
-  static constexpr double width = 1e-9;  ///< of an instant that is narrowed down [s]
-  static constexpr int steps = 60;       ///< for that
+  static constexpr double width = 1e-9;  ///< to which an instant is narrowed down [s]
+  static constexpr int steps = 60;       ///< at most, to narrow it down
   struct Look {
     double time = 0;             ///< [s]
     std::array<double, 4> of{};  ///< [mm]
@@ -91,7 +92,8 @@ class SpanFigures {
     return figure == error ? figures_.worst.error
                            : figures_.largest_following_error[static_cast<Eigen::Index>(figure)];
   }
-  /// Whether a figure may be larger than any so far by as much as it falls from `high`.
+  /// Whether a figure may exceed its largest value so far if it rises above `high` by as much as it falls to
+  /// `low`.
   bool may_rise(std::size_t figure, double high, double low) const {
     constexpr double rounding = 1 + 1e-9;
     return high >= low && 2 * high - low > largest(figure) * rounding;
@@ -110,7 +112,8 @@ class SpanFigures {
     }
   }
 
-  /// Between two looks of which one counts: the error may be largest where it begins or ceases to count.
+  /// Between two samples only one of which counts: the error may be largest where it begins or ceases to
+  /// count.
   void look_at_border(ActualWalk& walk, const Look& before, const Look& after) {
     double from = before.time;
     double to = after.time;
@@ -122,7 +125,7 @@ class SpanFigures {
     walk.go_back(after.slides);
   }
 
-  /// Between two looks of which one is at an end of the span: whether a figure first rises from there.
+  /// Between two samples one of which is at an end of the span: a figure may first rise from there.
   void narrow_at_end(ActualWalk& walk, const Look& before, const Look& after, double share) {
     const bool rises = std::ranges::any_of(std::array<std::size_t, 4>{0, 1, 2, 3}, [&](std::size_t i) {
       return may_rise(i, std::max(before.of[i], after.of[i]), std::min(before.of[i], after.of[i]));

@@ -7,27 +7,28 @@
 
 namespace feedscope {
 
-/// What the axes do at one instant.
+/// Motion and contour error of the axes at one instant.
 struct ActualSample {
   ActualMotion motion;
   double contour_error = 0;  ///< distance of the actual position from the nearest programmed point [mm]
-  /// Whether that is an error of a cut: a feed motion is commanded, and the nearest programmed point is not
-  /// on a rapid, where the axes may still lag.
+  /// The error counts: a feed motion is commanded, and the nearest programmed point is not on a rapid, where
+  /// the axes may still lag.
   bool cuts = true;
 };
 
-/// The path that the axes of a machine with drives run, beside the set path that they are asked for.
+/// The path that the axes of a machine with drives run, as opposed to the set path that is commanded.
 class ActualPath {
  public:
-  /// One pass over the trajectory, as DriveResponse. Throws Cancelled, and InputError as AxisDrives.
+  /// Passes over the trajectory once, as DriveResponse does. Throws Cancelled, and InputError as AxisDrives
+  /// does.
   ActualPath(std::shared_ptr<const Trajectory> trajectory, const Machine& machine,
              Progress* progress = nullptr);
 
   const Trajectory& trajectory() const { return response_.trajectory(); }
   const DriveResponse& response() const { return response_; }
-  /// `state`: of the trajectory. Costs up to 32 spans; for many in order use an ActualSampler.
+  /// `state`: of the trajectory. Walks over up to 32 spans; use an ActualSampler for many instants in order.
   ActualSample at(const State& state) const;
-  /// Distance of the set position from the nearest programmed point: what the control does of it [mm].
+  /// Distance of the set position from the nearest programmed point: the control's share [mm].
   double set_contour_error(const State& state) const;
 
  private:
@@ -37,7 +38,7 @@ class ActualPath {
   PathDeviation deviation_;
 };
 
-/// Contour errors of actual positions at instants in order.
+/// Contour errors of actual positions, at instants in order.
 class ActualErrors {
  public:
   /// `path` must outlive this.
@@ -48,18 +49,18 @@ class ActualErrors {
   PathDeviation::Foot foot(const Vec3& position, std::uint32_t element);
   /// Whether a feed motion is commanded while `element` is under way.
   bool is_cut(std::uint32_t element) const;
-  /// Whether its distance counts as ActualSample::cuts.
+  /// Whether the distance of `foot` counts, as in ActualSample::cuts.
   bool is_of_cut(const PathDeviation::Foot& foot, std::uint32_t element) const;
-  /// Its distance [mm].
+  /// Distance of `position` from its nearest programmed point [mm].
   double at(const Vec3& position, std::uint32_t element);
 
  private:
   const Trajectory& trajectory_;
   PathDeviation deviation_;
-  std::size_t last_ = 0;  ///< segment of the foot before
+  std::size_t last_ = 0;  ///< segment of the previous foot
 };
 
-/// Samples at instants that never fall.
+/// Samples at instants that never decrease.
 class ActualSampler {
  public:
   /// `from`: the first instant [s]. `path` must outlive this.

@@ -26,7 +26,7 @@ Diagnostic fault(std::uint32_t line, std::string message) {
   return {Severity::error, line, 0, "beyond-machines", std::move(message), not_simulated};
 }
 
-/// Follows a path and finds the first element beyond a bound.
+/// Follows a path up to the first element beyond a bound.
 class Reach {
  public:
   explicit Reach(const Toolpath& path) : path_(path) {}

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t pieces_a_mark = 64;
 constexpr std::size_t kind_count = cause_kind_count;
 
-/// Whether the middle of a piece has a cause of its own.
+/// Whether the middle of a piece has its own cause.
 bool holds_acceleration(const Piece& piece) {
   return piece.law == Law::ramp && piece.second != Piece::no_cause &&
          piece.cause.kind != CauseKind::ramp_down;

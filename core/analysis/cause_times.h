@@ -13,8 +13,8 @@ namespace feedscope {
 
 /// Time that each limiting cause takes in any stretch of a trajectory.
 ///
-/// Keeps the time of each cause from the start up to every 64th piece: an eighth of a byte a piece for each
-/// cause that occurs. A stretch costs a walk over the pieces between its ends and the marks before them,
+/// Stores the time of each cause from the start up to every 64th piece: an eighth of a byte per piece for
+/// each cause that occurs. A query costs a walk over the pieces from its ends to the marks before them,
 /// whatever its length.
 class CauseTimes {
  public:
@@ -22,15 +22,15 @@ class CauseTimes {
   explicit CauseTimes(std::shared_ptr<const Trajectory> trajectory);
 
   /// Time of every cause between two instants [s], in the order of all_causes(). The instants are clamped to
-  /// the run; nothing where `to` does not lie after `from`.
+  /// the run; all zero unless `to` is after `from`.
   std::vector<double> between(double from, double to) const;
-  /// The kind that takes most of the time between each pair of neighbours in `times` [s], ascending; none
-  /// where there is no time.
+  /// The cause kind with the most time between each pair of neighbours in `times` [s], ascending; none where
+  /// there is no time.
   std::vector<std::optional<CauseKind>> dominating(std::span<const double> times) const;
-  /// The same of `count` columns of which only these stretches count.
+  /// As above for `count` columns, of which only these stretches count.
   std::vector<std::optional<CauseKind>> dominating(std::span<const ColumnStretch> stretches,
                                                    std::size_t count) const;
-  /// Time of every cause within these stretches, as of between() [s].
+  /// Time of every cause within these stretches, in the order of between() [s].
   std::vector<double> within(std::span<const ColumnStretch> stretches) const;
 
  private:
@@ -39,7 +39,7 @@ class CauseTimes {
 
   std::shared_ptr<const Trajectory> trajectory_;
   std::vector<std::uint8_t> seen_;      ///< cause_index() of every cause that occurs
-  std::vector<std::uint8_t> place_of_;  ///< in seen_, of all_causes()
+  std::vector<std::uint8_t> place_of_;  ///< index into seen_ for each of all_causes()
   std::vector<double> marks_;           ///< a row of seen_.size() for each 64 pieces: times before them [s]
 };
 

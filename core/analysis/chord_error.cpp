@@ -12,13 +12,13 @@ namespace {
 
 constexpr double longest_chord = 20;                     // [mm]
 constexpr double sharpest_corner = units::from_deg(36);  // [rad]
-constexpr double least_length_share = 0.5;               // of a neighbour, of the chord
+constexpr double least_length_share = 0.5;               // of a chord relative to its neighbour
 constexpr double largest_curvature_ratio = 3;
 constexpr std::size_t fewest_chords = 20;
 constexpr double least_error = 1e-4;  // [mm]
-constexpr double kept_by = 0.95;      // of the chords
+constexpr double kept_by = 0.95;      // share of the chords
 
-/// Walks over the corners of a path, with what is known of the chord behind the last one.
+/// Walks over the corners of a path; remembers the corner at the start of the last chord.
 class ChordWalk {
  public:
   explicit ChordWalk(const Toolpath& toolpath) : toolpath_(toolpath) {}
@@ -38,7 +38,7 @@ class ChordWalk {
            segment.length <= longest_chord;
   }
 
-  /// The corner before segment `i`.
+  /// Processes the corner before segment `i`.
   void pass_corner(std::size_t i) {
     if (!is_chord(i - 1) || !is_chord(i)) {
       has_corner_ = false;
@@ -69,8 +69,8 @@ class ChordWalk {
     if (from.dot(to) < 0 || from_square > ratio * to_square || to_square > ratio * from_square) {
       return;
     }
-    // The mean of two vectors that point to the centre of a circle from both ends of a chord is shorter by
-    // the cosine of half of its angle: m = k sqrt(1 - k^2 h^2/4).
+    // Two vectors that point to the centre of a circle from both ends of a chord have a mean shorter by the
+    // cosine of half of its angle: m = k sqrt(1 - k^2 h^2/4).
     const double mean_square = (from + to).squaredNorm() / 4;
     const double square = length * length;
     const double root = std::sqrt(std::max(0.0, 1 - square * mean_square));
@@ -81,9 +81,9 @@ class ChordWalk {
 
   const Toolpath& toolpath_;
   std::vector<float> errors_;
-  bool has_corner_ = false;  ///< at the start of the chord before the corner
+  bool has_corner_ = false;  ///< a corner at the start of the last chord is known
   Vec3 curvature_ = Vec3::Zero();
-  double before_last_ = 0;  ///< length of the chord before that [mm]
+  double before_last_ = 0;  ///< length of the chord before that corner [mm]
 };
 
 std::string advice(const ChordError& error) {

@@ -12,7 +12,7 @@ namespace feedscope {
 
 namespace {
 
-/// A maker or product in the name of a control, and what such controls read.
+/// A maker or product in the name of a control, and the dialects that such controls read.
 struct ControlFamily {
   std::string_view word;  ///< in lower case
   std::array<Dialect, 2> reads;
@@ -32,7 +32,7 @@ constexpr auto families = std::to_array<ControlFamily>({
     {"marlin", {Dialect::grbl, Dialect::grbl}},
 });
 
-/// A shipped machine for each dialect that a published control reads.
+/// Shipped machine for each dialect that a published control reads.
 struct MachineOfDialect {
   Dialect dialect;
   const char* machine;

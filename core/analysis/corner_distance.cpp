@@ -9,7 +9,7 @@
 namespace feedscope {
 namespace {
 
-/// Distance of places on one element from a point.
+/// Distance between a point and the places on one element.
 class ElementDistance {
  public:
   ElementDistance(const ElementCurve& curve, const Vec3& point) : curve_(curve), point_(point) {}
@@ -29,7 +29,7 @@ class ElementDistance {
   }
 
  private:
-  /// Blends are gone along by their parameter, which costs no quadrature.
+  /// Blends are traversed by their parameter, which needs no quadrature.
   double end() const { return curve_.kind == ElementKind::blend ? 1 : curve_.length; }
 
   CurvePoint look(double place) {
@@ -42,10 +42,10 @@ class ElementDistance {
     return at;
   }
 
-  /// Newton steps from the nearest place that was looked at.
+  /// Newton steps from the nearest sampled place.
   void approach() {
     constexpr int most_steps = 8;
-    constexpr double precision = 1e-9;  // of the distance squared that another step could win
+    constexpr double precision = 1e-9;  // of the squared distance: smallest gain worth another step
     for (int i = 0; i < most_steps; ++i) {
       const double from = place_;
       const CurvePoint at = look(from);
@@ -76,14 +76,14 @@ double distance_of(const BlendedPath& path, std::size_t element, const Vec3& poi
   return ElementDistance(curve, point).least();
 }
 
-/// Part of the path that is searched for the point nearest to a corner.
+/// Part of the path searched for the point nearest to a corner.
 struct Search {
-  double reach = 0;        ///< and twice the distance, from where it is expected [mm]
-  std::size_t blocks = 0;  ///< at least so many after that
-  double enough = 0;       ///< any distance that is not above this does [mm]
+  double reach = 0;        ///< from the expected place, plus twice the distance [mm]
+  std::size_t blocks = 0;  ///< smallest number of blocks after that place
+  double enough = 0;       ///< a distance up to this ends the search [mm]
 };
 
-/// Distance of `point` from the path on either side of where `element` begins.
+/// Distance of `point` from the path on both sides of the start of `element`.
 double distance_about(const BlendedPath& path, std::size_t element, const Vec3& point, const Search& search) {
   double least = std::numeric_limits<double>::infinity();
   double gone = 0;
@@ -104,8 +104,8 @@ double distance_about(const BlendedPath& path, std::size_t element, const Vec3& 
   return least;
 }
 
-/// Where the elements of both blocks meet the corner is near; a control that joins blocks may pass it
-/// anywhere on them, or in a corner that it counts to the next.
+/// The corner is near the junction of its blocks' elements. A control that joins blocks may pass it anywhere
+/// on them, or in a corner that it assigns to the next.
 double largest_of_path(const BlendedPath& path, const Progress* progress) {
   constexpr std::size_t blocks_of_joined = 2;
   const std::vector<Segment>& segments = path.programmed()->segments;

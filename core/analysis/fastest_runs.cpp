@@ -6,7 +6,7 @@
 namespace feedscope {
 namespace {
 
-constexpr double rounding = 1e-9;  // of the time; of errors [mm]
+constexpr double rounding = 1e-9;  // of the time, relative; of errors [mm]
 
 }  // namespace
 

@@ -10,13 +10,13 @@ namespace feedscope {
 
 namespace {
 
-/// What is looked at: a path control of the program, what the model promises, and the setup.
+/// Data that the rules examine: a path control of the program, the guarantees of the model, and the setup.
 struct Asked {
   const PathControl& control;
   const Guarantees& promised;
   const Setup& setup;
 
-  /// Without ramps there is no acceleration to choose.
+  /// Without ramps there is no acceleration to select.
   bool has_ramps() const { return promised.continuity != Continuity::position; }
 };
 
@@ -57,13 +57,13 @@ constexpr auto rules = std::to_array<Rule>({
      [](const Asked& a) { return a.control.look_ahead == Switch::off && a.has_ramps(); }},
 });
 
-/// Times of splines as arcs over those on the curves of continuous curvature that they stand for: 2 to 2.4.
+/// Times of splines as arcs over those on the curves of continuous curvature that they approximate: 2 to 2.4.
 constexpr const char* curves_as_arcs = QT_TRANSLATE_NOOP(
     "core",
     "Curves of the program are simulated as tangent arcs: where the curvature jumps, a control that limits "
     "the jerk slows down, and the time shown is up to 2.4 times that on the curve itself.");
 
-/// Accelerations, jerks and filters by a number.
+/// Accelerations, jerks and filters selected by a number.
 constexpr const char* machining_modes = QT_TRANSLATE_NOOP(
     "core",
     "The machining mode of the program (type of CYCLE832, HSC-MODE, P of G187, R of G5.1) changes nothing: "

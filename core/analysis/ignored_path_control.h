@@ -7,14 +7,14 @@
 
 namespace feedscope {
 
-/// What of the program's path control a run does not follow, one sentence each, in a fixed order; empty where
-/// it follows all that the program asks for. Tolerances that the setup replaces on purpose are not named.
+/// Parts of the program's path control that a run does not follow, one sentence each, in a fixed order; empty
+/// if it follows all of them. Tolerances that the setup replaces on purpose are not listed.
 std::vector<std::string> ignored_path_control(const Toolpath& toolpath, const Setup& setup);
 
-/// The same of a program as it was read, and what a run makes of its curves: they are arcs by then.
+/// As above for a program as it was read; a run also turns its curves into arcs.
 std::vector<std::string> ignored_path_control(const LoadedProgram& program, const Setup& setup);
 
-/// Every sentence that ignored_path_control() may give, for translators.
+/// Every sentence of ignored_path_control(), for translators.
 std::vector<std::string> all_ignored_path_control();
 
 }  // namespace feedscope

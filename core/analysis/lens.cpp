@@ -11,14 +11,14 @@
 namespace feedscope {
 namespace {
 
-constexpr double share_of_width = 2.0 / 3;   // of the longest rounding
-constexpr double share_of_height = 1.0 / 3;  // of the largest deviation
-constexpr double seen_ways = 1.5;            // path length that is drawn to either side, in widths
-constexpr int samples = 512;                 // of a run
+constexpr double share_of_width = 2.0 / 3;   // of the lens, for the longest rounding
+constexpr double share_of_height = 1.0 / 3;  // of the lens, for the largest deviation
+constexpr double seen_ways = 1.5;            // path length drawn to either side, in widths
+constexpr int samples = 512;                 // per run
 
 /// Two segments that meet at an angle.
 struct LensCorner {
-  std::size_t segment = 0;  ///< that ends there
+  std::size_t segment = 0;  ///< segment that ends there
   Vec3 point = Vec3::Zero();
   Vec3 in = Vec3::UnitX();
   Vec3 out = Vec3::UnitX();
@@ -36,7 +36,7 @@ std::optional<LensCorner> corner_behind(const Toolpath& path, std::size_t segmen
   return corner.turn > straight_angle ? std::optional(corner) : std::nullopt;
 }
 
-/// Path lengths at which what is executed of a segment begins and ends [mm].
+/// Path lengths at which the executed part of a segment begins and ends [mm].
 struct Executed {
   double begin = 0;
   double end = 0;
@@ -47,8 +47,8 @@ Executed executed_of(const BlendedPath& path, std::size_t segment) {
   return {path_length_of(path, {index, 0}), path_length_of(path, {index, 1})};
 }
 
-/// Where an executed path rounds the corner behind `segment` [mm]; both the same where it does not, or where
-/// the path alone does not say.
+/// Where an executed path rounds the corner after `segment` [mm]; an empty range if it does not, or if the
+/// path alone does not show it.
 Executed rounding_of(const BlendedPath& path, std::size_t segment) {
   const auto [begin, end] = executed_of(path, segment);
   double from = end;
@@ -64,21 +64,20 @@ Executed rounding_of(const BlendedPath& path, std::size_t segment) {
   return {from, end};
 }
 
-/// A direction across `along`.
 Vec3 any_across(const Vec3& along) {
   const Vec3 flat = Vec3::UnitZ().cross(along);
   constexpr double steep = 1e-3;
   return flat.norm() > steep ? flat.normalized() : Vec3(along.cross(Vec3::UnitX()).normalized());
 }
 
-/// The part of `direction` across `along`, unit; any where there is none.
+/// Component of `direction` across `along`, unit; any direction across if there is none.
 Vec3 across_of(const Vec3& along, const Vec3& direction) {
   const Vec3 part = direction - along * along.dot(direction);
   constexpr double none = 1e-9;
   return part.norm() > none * direction.norm() ? part.normalized() : any_across(along);
 }
 
-/// The place that the lens shows, and the width that suits it.
+/// Centre of the lens, and its width.
 class Focus {
  public:
   Focus(std::span<const Run* const> runs, std::size_t shown, double time)
@@ -110,10 +109,10 @@ class Focus {
     return lens;
   }
 
-  /// Instant of a run at which it is where the shown one is at its cursor [s].
+  /// Time at which a run is at the place of the shown run's cursor [s].
   double time_in(const Trajectory& run) const { return &run == &shown_ ? time_ : time_of(run, place_); }
 
-  /// Path length of a run in the middle of the lens [mm].
+  /// Path length of a run at the centre of the lens [mm].
   double middle_in(const Trajectory& run) const {
     if (!corner_) {
       return path_length_of(run.path(), place_);
@@ -128,7 +127,7 @@ class Focus {
   double place_on_segment() const { return corner_ ? path_.segments[corner_->segment].length : foot_.s; }
 
  private:
-  /// `segment` if it moves the axes, else the last one before it that does; at the beginning the next one.
+  /// `segment` if it moves the axes, else the last one before it that does; at the beginning, the next one.
   std::size_t moving_segment(std::size_t segment) const {
     const auto stands = [&](std::size_t i) { return path_.segments[i].kind == SegmentKind::dwell; };
     std::size_t before = segment;
@@ -159,16 +158,16 @@ class Focus {
 
   Vec3 place() const { return path_.place_on(foot_.segment, foot_.s).position; }
 
-  /// A control that reads the program in its own way may have others.
+  /// False for a control that reads the program in its own way.
   bool has_same_segments(const Trajectory& run) const {
     return run.path().programmed()->segments.size() == path_.segments.size();
   }
 
-  /// Where a run with other segments comes nearest to a point, not far from where it would be with the same
-  /// ones [mm].
+  /// Path length nearest to a point of a run with other segments, near the place expected with the same ones
+  /// [mm].
   double nearest_length(const Trajectory& run, const Vec3& point) const {
     constexpr int looks = 512;
-    constexpr double times = 4;  // of what is drawn and of the segment to either side
+    constexpr double times = 4;  // of the drawn length and the segment: range on either side
     const double reach = times * (width_ + path_.segments[foot_.segment].length);
     const double guess = path_length_of(run.path(), place_);
     const auto distance = [&](double s) { return (run.state_at_path(s).position - point).norm(); };
@@ -187,7 +186,7 @@ class Focus {
     return best;
   }
 
-  /// Three halves of the longest rounding of the runs; where none rounds it, of the shorter segment's half.
+  /// Three halves of the longest rounding of the runs; without any, of half the shorter segment.
   double width_at(const LensCorner& corner) const {
     double longest = 0;
     for (const Run* run : runs_) {
@@ -200,7 +199,7 @@ class Focus {
     return longest > 0 ? longest / share_of_width : shorter;
   }
 
-  /// Length of the path that leaves the programmed one in a corner [mm].
+  /// Length of the path that deviates from the programmed one in a corner [mm].
   static double rounded_length(const Trajectory& run, const LensCorner& corner) {
     const BlendedPath& path = run.path();
     const auto [from, to] = rounding_of(path, corner.segment);
@@ -210,8 +209,8 @@ class Focus {
     return deviating_length(run, corner, to);
   }
 
-  /// The same of a path that does not say where it does: on either side of `middle` as far as the error is
-  /// above a twentieth of its largest, at most half of the segments.
+  /// As rounded_length() for a path without marked roundings: on either side of `middle` as far as the error
+  /// exceeds a twentieth of its maximum, up to half of the segments.
   static double deviating_length(const Trajectory& run, const LensCorner& corner, double middle) {
     constexpr int steps = 64;
     constexpr double little = 0.05;
@@ -248,7 +247,7 @@ class Focus {
   double width_ = 0;
 };
 
-/// The part of the programmed path that the lens draws.
+/// Part of the programmed path that the lens shows.
 class ProgrammedLines {
  public:
   ProgrammedLines(const Lens& lens, const Focus& focus) : lens_(lens), path_(focus.path()) {
@@ -283,7 +282,7 @@ class ProgrammedLines {
     }
   }
 
-  /// In steps that the width of the lens, or the turn of the arc, has many of.
+  /// In steps small compared with the width of the lens and the turn of the arc.
   void add_arc(std::size_t i, double length) {
     constexpr double steps_a_width = 512;
     constexpr int most = 4096;
@@ -313,7 +312,7 @@ LensRun run_through(const Lens& lens, const Focus& focus, const Trajectory& run)
     }
     const State state = run.state_at_path(s);
     seen.path.push_back(lens.seen(state.position));
-    // A path that turns back runs beside the corner, far outside of the picture.
+    // A path that turns back runs next to the corner, far outside of the picture.
     if (seen.path.back().norm() <= lens.width / 2) {
       seen.largest_error = std::max(seen.largest_error, error_at(state));
     }

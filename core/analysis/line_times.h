@@ -11,18 +11,18 @@
 
 namespace feedscope {
 
-/// What one source line, or several together, cost in a run.
+/// Time and motion of one or several source lines in a run.
 struct LineTime {
-  double time = 0;         ///< [s]; in loops and calls of all passes together
-  double length = 0;       ///< executed on them [mm]
-  double dwell = 0;        ///< part of `time` that the program waits [s]
-  std::uint64_t runs = 0;  ///< how often the run came to the line from another one, or from the start
+  double time = 0;         ///< sum over all passes of loops and calls [s]
+  double length = 0;       ///< executed on the lines [mm]
+  double dwell = 0;        ///< part of `time` in which the program waits [s]
+  std::uint64_t runs = 0;  ///< how often the run entered the line from another one, or from the start
 
-  /// While it moves [mm/s]; 0 for lines that do not move.
+  /// Mean feed in motion [mm/s]; 0 for lines that do not move.
   double mean_feed() const { return time > dwell ? length / (time - dwell) : 0; }
 };
 
-/// Time of a run by source line: 36 bytes a line, read in constant time however many lines are asked for.
+/// Time of a run by source line: 36 bytes per line, any range read in constant time.
 ///
 /// A corner that the control rounds counts for the line that ends there. The times of all lines add up to the
 /// cycle time.
@@ -32,7 +32,7 @@ class LineTimes {
   /// Linear in the pieces of `trajectory`. Throws Cancelled.
   explicit LineTimes(const Trajectory& trajectory, Progress* progress = nullptr);
 
-  /// The last line that takes time or is run; 0 for an empty run.
+  /// Last line that takes time or is run; 0 for an empty run.
   std::uint32_t line_count() const {
     return static_cast<std::uint32_t>(ends_.empty() ? 0 : ends_.size() - 1);
   }
@@ -40,20 +40,18 @@ class LineTimes {
   double total() const { return ends_.empty() ? 0 : ends_.back().time; }
   /// Time of the slowest line [s].
   double largest() const { return largest_; }
-  /// Of one line, 1-based; zero for one that does not run.
+  /// One line, 1-based; zero if it does not run.
   LineTime of(std::uint32_t line) const { return of(line, line); }
-  /// Of the lines from `first` to `last`, both included.
+  /// Lines `first` to `last`, inclusive.
   LineTime of(std::uint32_t first, std::uint32_t last) const;
-  /// First element of the path that comes from the line, or from the next one that runs; none behind the
-  /// last.
+  /// First element of the path from the line, or from the next one that runs; none after the last.
   std::optional<std::uint32_t> first_element(std::uint32_t line) const;
-  /// What of the line takes time on the machine that is not known and not counted here, each kind once;
-  /// empty: nothing.
+  /// Events of the line whose time on the machine is unknown and not included, each kind once; empty if none.
   std::vector<Pause> not_counted(std::uint32_t line) const;
 
  private:
-  std::vector<LineTime> ends_;           ///< [n]: of the lines 1 to n together
-  std::vector<std::uint32_t> elements_;  ///< [n]: the first one of line n or the next that runs
+  std::vector<LineTime> ends_;           ///< [n]: lines 1 to n together
+  std::vector<std::uint32_t> elements_;  ///< [n]: the first one of line n or of the next line that runs
   /// By line and kind, each once.
   std::vector<std::pair<std::uint32_t, Pause>> not_counted_;
   double largest_ = 0;

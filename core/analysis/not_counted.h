@@ -9,17 +9,17 @@
 
 namespace feedscope {
 
-/// One kind of event or motion whose time the cycle time does not contain.
+/// A kind of event or motion that the cycle time does not include.
 struct NotCountedItem {
   std::string_view key;  ///< for files: "tool_change", "spindle_start", "stop", "machine_move", "plane_turn",
                          ///< "tip_following", "other_axis"
-  std::size_t count = 0;      ///< of events; of other_axis: of axes
-  std::string_view settings;  ///< that would give the time; "" for none
+  std::size_t count = 0;      ///< of events; for other_axis, of axes
+  std::string_view settings;  ///< that would provide the time; "" if none
 };
 
-/// Those that occur, in a fixed order.
+/// Items that occur, in a fixed order.
 std::vector<NotCountedItem> not_counted_items(const NotCounted& counts);
-/// "2 tool changes, 1 program stop (M0, M1), motion of B, C"; empty if all time is counted.
+/// Text such as "2 tool changes, 1 program stop (M0, M1), motion of B, C"; empty if all time is counted.
 std::string describe(const NotCounted& counts);
 
 }  // namespace feedscope

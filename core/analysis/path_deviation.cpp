@@ -14,7 +14,7 @@ namespace {
 
 constexpr double full_turn = 2 * std::numbers::pi;
 
-/// Path length on a line from `start` at which it comes nearest to `position` [mm].
+/// Path length from `start` to the point of a line nearest to `position` [mm].
 double nearest_on_line(const Vec3& start, const Segment& line, const Vec3& position) {
   const Vec3 along = line.end - start;
   const double squared = along.squaredNorm();
@@ -22,12 +22,12 @@ double nearest_on_line(const Vec3& start, const Segment& line, const Vec3& posit
   return u * line.length;
 }
 
-/// Angles on a helix where its distance from a place may be least. With rho and `turn` the place's radius and
-/// angle about the axis, `aim` the angle at which the helix is as high, the squared distance is but for a
-/// constant
+/// Angles on a helix at which its distance from a place may have its minimum. With rho and `turn` the radius
+/// and angle of the place about the axis, and `aim` the angle at which the helix is as high, the squared
+/// distance is, up to a constant,
 ///   f(a) = (aim - a)^2 h^2 - 2 r rho cos(a - turn),   h the rise per radian, r the radius.
-/// Beside each angle b = turn + 2 k pi, towards the aim, lies at most one least value, at b + y with
-/// r rho sin(y) = h^2 (aim - b - y).
+/// Next to each angle b = turn + 2 k pi, towards the aim, there is at most one minimum, at b + y with r rho
+/// sin(y) = h^2 (aim - b - y).
 class HelixFoot {
  public:
   HelixFoot(const Arc& arc, const Vec3& from_center)
@@ -41,7 +41,7 @@ class HelixFoot {
     const double within = std::clamp(aim_, 0.0, sweep_);
     const double nearest = turn_ + full_turn * std::round((within - turn_) / full_turn);
     const double beside = valley(nearest);
-    // With the aim on the helix no other valley is deeper.
+    // If the aim is on the helix, no other valley is deeper.
     if (within == aim_ && beside >= 0 && beside <= sweep_) {
       return beside;
     }
@@ -61,8 +61,8 @@ class HelixFoot {
     return off * off * rise_ - 2 * pull_ * std::cos(angle - turn_);
   }
 
-  /// Newton steps from y = 0: they never pass the root, because the slope of f is concave there. Where there
-  /// is none, or it does not come, any place: its value is compared.
+  /// Newton steps from y = 0; they never pass the root, because the slope of f is concave there. Without a
+  /// root or convergence, any place: its value is compared.
   double valley(double base) const {
     const double gap = std::abs(aim_ - base);
     double y = 0;
@@ -85,7 +85,7 @@ class HelixFoot {
   double pull_;  ///< r rho
 };
 
-/// The same on an arc or a helix.
+/// Path length on an arc or a helix, likewise.
 double nearest_on_arc(const Arc& arc, const Vec3& position) {
   const Vec3 from_center = position - arc.center;
   if (!arc.rise.isZero(0)) {
@@ -96,8 +96,8 @@ double nearest_on_arc(const Arc& arc, const Vec3& position) {
   return std::clamp(angle, 0.0, arc.sweep) * arc.length_per_radian();
 }
 
-/// Distance squared of a place from the circle that a flat arc is part of, or from the cylinder of a helix:
-/// no point of the arc is nearer. Without an angle, which costs most.
+/// Squared distance from the circle of a flat arc, or from the cylinder of a helix: a lower bound for all
+/// points of the arc. Needs no angle, which is the expensive part.
 double squared_from_circle(const Arc& arc, const Vec3& position) {
   const Vec3 from_center = position - arc.center;
   const double x = from_center.dot(arc.x);
@@ -129,7 +129,7 @@ PathDeviation::Foot PathDeviation::foot_on(std::size_t index, const Vec3& positi
     const Arc& arc = toolpath_.arc_of(segment);
     foot.s = nearest_on_arc(arc, position);
     foot.offset = position - arc.at(foot.s).position;
-  } else if (toolpath_.is_gap(segment)) {  // no part of the path
+  } else if (toolpath_.is_gap(segment)) {  // not part of the path
     foot.squared = std::numeric_limits<double>::infinity();
     return foot;
   } else {
@@ -154,7 +154,8 @@ void PathDeviation::improve(Foot& best, std::size_t segment, const Vec3& positio
   }
 }
 
-/// A place at distance d from one leg of a corner with turn t is d / cos(t / 2) from it along the bisector.
+/// Enlarges the offset of a corner: a place at distance d from one leg of a corner with turn t is d / cos(t /
+/// 2) from it along the bisector.
 Vec3 PathDeviation::along_bisector(const Foot& foot) const {
   const bool ends = foot.s > toolpath_.segments[foot.segment].length / 2;
   const std::size_t next = foot.segment + (ends ? 1 : 0);

@@ -7,13 +7,13 @@ namespace feedscope {
 namespace {
 
 constexpr double turn_per_span = 0.25;        // rad of an arc
-constexpr double parameter_per_span = 0.125;  // of a blend that is run by its parameter, or of a curve
-constexpr double spread_per_span = 0.4;       // of a blend by path length, as BlendSpread
+constexpr double parameter_per_span = 0.125;  // of a blend run by its parameter, or of a curve
+constexpr double spread_per_span = 0.4;       // of a blend run by path length, as BlendSpread
 constexpr double looks_per_filter_time = 16;  // where turning pulses change
-constexpr double most_spans = 1e6;            // of a part
+constexpr double most_spans = 1e6;            // per part
 
-/// By the chain rule: `d` by the parameter of a course, `u` of the parameter by time, the first to the
-/// fourth.
+/// Derivatives by time, first to fourth, by the chain rule. `d`: of a course by its parameter; `u`: of the
+/// parameter by time.
 std::array<Vec3, 4> rates_of(const std::array<Vec3, 4>& d, const std::array<double, 4>& u) {
   const double square = u[0] * u[0];
   return {d[0] * u[0], d[1] * square + d[0] * u[1],
@@ -22,7 +22,7 @@ std::array<Vec3, 4> rates_of(const std::array<Vec3, 4>& d, const std::array<doub
               d[0] * u[3]};
 }
 
-/// The same where the path length goes as `law`: from s' = g u' with g the length of d[0].
+/// Derivatives by time if the path length follows `law`: from s' = g u', where g is the length of d[0].
 std::array<Vec3, 4> rates_by_length(const std::array<Vec3, 4>& d, const LawPoint& law) {
   const double g = d[0].norm();
   const double g1 = d[0].dot(d[1]) / g;
@@ -41,8 +41,8 @@ std::array<Vec3, 4> blend_derivatives(const CubicBlend& blend, double u) {
   return {at.d1, at.d2, at.d3, Vec3::Zero()};
 }
 
-/// Places on a blend that are the closer the slower it is passed by its parameter: with
-/// u = 1/2 + w sinh(x) its speed |S'| is about |S'(1/2)| cosh(x), and one step of x suits every turn.
+/// Places on a blend that are the denser the slower its parameter passes it: with u = 1/2 + w sinh(x) its
+/// speed |S'| is about |S'(1/2)| cosh(x), and one step of x suits every turn.
 class BlendSpread {
  public:
   explicit BlendSpread(const CubicBlend& blend) {
@@ -59,7 +59,7 @@ class BlendSpread {
   double width_;
 };
 
-/// Where a + b t + c t^2 / 2 is 0, and its derivative.
+/// Roots of a + b t + c t^2 / 2, and the root of its derivative.
 std::array<double, 3> roots_and_turn(double a, double b, double c) {
   const double root = std::sqrt(b * b - 2 * a * c);
   const double sum = -(b + std::copysign(root, b));
@@ -123,7 +123,8 @@ void PeakSearch::search_span(const RatesAt& rates_at, const Look& from, const Lo
   }
 }
 
-/// Between two looks with slopes of different sign. Secants, of which an end that stays weighs half.
+/// Narrows down a peak between two samples with slopes of opposite sign. Secants; an end that stays gets half
+/// the weight.
 template <typename RatesAt>
 void PeakSearch::narrow(const RatesAt& rates_at, Look low, Look high, std::size_t quantity) {
   constexpr int most_steps = 60;
@@ -211,8 +212,8 @@ void PeakSearch::add_line(const Part& part, const Vec3& direction) {
   largest_[speed_place] = std::max(largest_[speed_place], law.v * direction.norm());
 }
 
-/// Whether the largest that each term of the chain rule can be on an arc adds up to nothing new: so it is
-/// with one arc after the other at a constant speed.
+/// Whether the bounds of all terms of the chain rule on an arc add up to nothing above the values so far: the
+/// case for consecutive arcs at constant speed.
 bool PeakSearch::is_known(const LawPeaks& law, const Arc& arc) const {
   constexpr double rounding = 1 + 1e-12;
   const double rate = 1 / arc.length_per_radian();
@@ -284,7 +285,7 @@ void PeakSearch::add_blend_by_length(const Part& part, const ElementCurve& curve
   }
 }
 
-/// The part on the span between two knots of a course, if it is on it.
+/// Searches the time of the part on the span between two knots of a course, if any.
 void PeakSearch::add_course(const Part& part, const CourseKnot& from, const CourseKnot& to) {
   const LawPoint start = law_at(part, 0);
   const double begin = time_to_reach(start, from.s, part.duration);
@@ -305,7 +306,7 @@ void PeakSearch::add_course(const Part& part, const CourseKnot& from, const Cour
 void PeakSearch::add_filtered(const Part& part, const FilteredMotion& motion) {
   const PulseTrain& train = motion.train();
   const double end = part.time - motion.start() + part.duration;
-  const double rounding = 1e-9 * train.filter_time;  // knots that it alone keeps apart are one
+  const double rounding = 1e-9 * train.filter_time;  // knots closer than this are one
   double next = 0;
   for (double time = end - part.duration; time < end; time = next) {
     next = std::min(end, filters_.next_knot(train, time + rounding));
@@ -323,8 +324,8 @@ void PeakSearch::add_filtered(const Part& part, const FilteredMotion& motion) {
   }
 }
 
-/// Motion with a constant derivative of the jerk. Of each axis the acceleration is largest where the jerk is
-/// 0, the velocity where the acceleration is.
+/// Motion with a constant derivative of the jerk. The acceleration of each axis has its extremes where the
+/// jerk is 0, the velocity where the acceleration is 0.
 void PeakSearch::add_polynomial(const Rates& start, double duration) {
   const auto at = [&](double t) {
     const auto& [v, a, j, s] = start;

@@ -8,13 +8,13 @@
 
 namespace feedscope {
 
-/// The largest magnitudes of the motion of a trajectory, exact but for rounding. On lines, and between the
-/// knots of straight pulses, from the roots of polynomials. Elsewhere a part is cut into spans in which a
-/// quantity has one extreme at most: where its derivative changes sign, and the extreme can be above what was
-/// found before, the root of the derivative is narrowed down.
+/// Largest magnitudes of the motion of a trajectory, exact up to rounding. On lines, and between the knots of
+/// straight pulses, from the roots of polynomials. Elsewhere a part is divided into spans in which a quantity
+/// has at most one extreme: where its derivative changes sign, and the extreme may exceed the value so far,
+/// the root of the derivative is narrowed down.
 class PeakSearch {
  public:
-  /// Takes up a part of `trajectory`; parts in order are quickest.
+  /// Adds a part of `trajectory`; fastest for parts in order.
   void add(const Trajectory& trajectory, const Part& part);
   void add(const PeakSearch& other);
 
@@ -22,13 +22,13 @@ class PeakSearch {
   AxisVector<AxisPeaks> axes() const;
 
  private:
-  /// Velocity, acceleration, jerk and the derivative of that.
+  /// Velocity, acceleration, jerk and derivative of the jerk.
   using Rates = std::array<Vec3, 4>;
   struct Look {
     double time = 0;  ///< from the start of the part [s]
     Rates rates;
   };
-  /// Places of the quantities: velocity, acceleration and jerk of X, Y and Z, and the speed.
+  /// Indices of the quantities: velocity, acceleration and jerk of X, Y and Z, then the speed.
   static constexpr std::size_t axis_count = 3;
   static constexpr std::size_t speed_place = 3 * axis_count;
 
@@ -51,13 +51,13 @@ class PeakSearch {
 
   static double value(const Look& look, std::size_t quantity);
   static double slope(const Look& look, std::size_t quantity);
-  /// Takes up what `rates_at` says of an instant.
+  /// Samples `rates_at` at an instant and updates the largest values.
   template <typename RatesAt>
   Look look(const RatesAt& rates_at, double time);
-  /// Looks at the ends of equal spans and between them, from `first` on of the quantities.
+  /// Samples the ends of equal spans and searches between them, for the quantities from `first` on.
   template <typename RatesAt>
   void search(const RatesAt& rates_at, double from, double to, double spans, std::size_t first = 0);
-  /// Looks where the feed stops rising or falling.
+  /// Samples the turning point of the feed.
   template <typename RatesAt>
   void look_at_turn(const RatesAt& rates_at, const Part& part, double from, double to);
   template <typename RatesAt>

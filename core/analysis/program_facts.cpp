@@ -6,7 +6,7 @@ namespace feedscope {
 
 namespace {
 
-/// As many as a reader of the facts looks through; loops may change the settings at every turn.
+/// As many as a reader would look through; loops may change the settings at every pass.
 constexpr std::size_t max_ranges = 200;
 
 std::vector<PathControlRange> path_control_ranges(const Toolpath& toolpath) {

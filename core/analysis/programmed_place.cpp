@@ -11,7 +11,7 @@ struct ProgrammedStretch {
   double end = 0;
 };
 
-/// First element of `path` whose segment is not before `segment`; as many as there are if none is.
+/// First element of `path` whose segment is not before `segment`; path.size() if there is none.
 std::size_t first_element_from(const BlendedPath& path, std::uint64_t segment) {
   std::size_t low = 0;
   std::size_t high = path.size();

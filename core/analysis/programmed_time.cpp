@@ -45,7 +45,7 @@ double programmed_time(const Toolpath& toolpath, std::size_t index, const Vec3& 
     return toolpath.dwell_of(segment);
   }
   if (segment.length == 0) {
-    return 0;  // without a direction
+    return 0;  // no direction
   }
   return !segment.rapid && segment.feed > 0 ? segment.length / segment.feed
                                             : time_at_axes_speed(toolpath, index, rapid_speed);

@@ -11,7 +11,7 @@
 
 namespace feedscope {
 
-/// What is known of one instant of a run. Refers to what it is made of.
+/// Data of a run at one instant. Refers to its parts.
 struct Instant {
   // NOLINTNEXTLINE(google-explicit-constructor): a state is an instant of a run with nothing beside its
   // motion
@@ -21,11 +21,11 @@ struct Instant {
 
   const State& set;
   const ActualSample* actual;  ///< null without drives
-  const LoadSample* load;      ///< null where no operations are known
-  const RotarySample* rotary;  ///< null where no rotary axis turns in the run
+  const LoadSample* load;      ///< null without known operations
+  const RotarySample* rotary;  ///< null unless a rotary axis turns in the run
 };
 
-/// What a run has at every instant, in the order of CSV columns.
+/// Quantities of a run at every instant, in the order of CSV columns.
 enum class QuantityId : std::uint8_t {
   time,
   path_length,
@@ -46,34 +46,33 @@ enum class QuantityId : std::uint8_t {
   jerk_z,
   tangential_acceleration,
   tangential_jerk,
-  acceleration_across,  ///< square to the path: speed squared times curvature
+  acceleration_across,  ///< perpendicular to the path: speed squared times curvature
   acceleration,         ///< length of the vector
   jerk,                 ///< length of the vector
   feed_ratio,           ///< achieved over programmed feed
-  actual_x,             ///< from here on of the drives
+  actual_x,             ///< the following ones are of the drives
   actual_y,
   actual_z,
   following_error_x,
   following_error_y,
   following_error_z,
-  /// Distance of the actual position from the nearest programmed point; unknown where ActualSample::cuts is
-  /// not set.
+  /// Distance of the actual position from the nearest programmed point; unknown unless ActualSample::cuts.
   actual_contour_error,
-  following_error_across,  ///< square to the direction of the set motion; all of it at standstill
+  following_error_across,  ///< perpendicular to the direction of the set motion; all of it at standstill
   following_error,         ///< length of the vector
-  feed_per_tooth,          ///< from here on of the cutting load: at the achieved feed
+  feed_per_tooth,          ///< the following ones are of the cutting load, at the achieved feed
   torque,
   power,
   mean_force,
   peak_force,
-  chip_thickness,             ///< of one tooth, at most
-  chip_thickness_programmed,  ///< from here on at the programmed feed, at the same place
+  chip_thickness,             ///< largest of one tooth
+  chip_thickness_programmed,  ///< the following ones are at the programmed feed, at the same place
   peak_force_programmed,
   mean_force_programmed,
   feed_per_tooth_programmed,
   torque_programmed,
   power_programmed,
-  position_a,  ///< from here on of the rotary axes
+  position_a,  ///< the following ones are of the rotary axes
   position_b,
   position_c,
   velocity_a,
@@ -85,7 +84,8 @@ enum class QuantityId : std::uint8_t {
   jerk_a,
   jerk_b,
   jerk_c,
-  machine_velocity_x,  ///< from here on of the machine's linear axes, where rotary ones turn about the tip
+  machine_velocity_x,  ///< the following ones are of the machine's linear axes, with rotary axes turning
+                       ///< about the tip
   machine_velocity_y,
   machine_velocity_z,
   machine_acceleration_x,
@@ -100,15 +100,15 @@ enum class QuantityId : std::uint8_t {
 };
 inline constexpr std::size_t quantity_count = static_cast<std::size_t>(QuantityId::machine_z) + 1;
 
-/// What a quantity is of.
+/// Part of a run that a quantity describes.
 enum class QuantitySource : std::uint8_t {
-  motion,  ///< that the control sets
-  drives,  ///< what the axes make of it; not a number where a machine has no drives
-  load,    ///< what the tool bears; not a number where it cuts nothing that an operation describes
-  rotary,  ///< rotary axes, and X, Y, Z with them; not a number of one that the machine does not have
+  motion,  ///< set by the control
+  drives,  ///< actual motion of the axes; NaN on a machine without drives
+  load,    ///< cutting load; NaN without a cut that an operation describes
+  rotary,  ///< rotary axes, and X, Y, Z with them; NaN for axes that the machine lacks
 };
 
-/// Where a quantity is drawn over time.
+/// Chart that shows a quantity over time.
 enum class QuantityChart : std::uint8_t {
   none,
   feed,
@@ -123,11 +123,11 @@ enum class QuantityChart : std::uint8_t {
   rotary_jerk
 };
 
-/// Quantities that are drawn over time: one behind the other for each source.
+/// Charted quantities of one source; they are consecutive.
 struct ChartedRange {
   QuantityId first;
-  std::size_t count;  ///< of the range
-  std::size_t index;  ///< of the first among all that are drawn
+  std::size_t count;  ///< number in the range
+  std::size_t index;  ///< of the first one among all charted quantities
 };
 inline constexpr ChartedRange charted_of_motion{QuantityId::feed, 14, 0};
 inline constexpr ChartedRange charted_of_drives{QuantityId::following_error_x, 5, charted_of_motion.count};
@@ -136,7 +136,7 @@ inline constexpr ChartedRange charted_of_load{QuantityId::mean_force, 5,
 inline constexpr ChartedRange charted_of_rotary{QuantityId::position_a, 21,
                                                 charted_of_load.index + charted_of_load.count};
 inline constexpr std::size_t charted_count = charted_of_rotary.index + charted_of_rotary.count;
-/// Place of a quantity that is drawn among all that are.
+/// Index of a quantity among all charted ones.
 constexpr std::size_t charted_index(QuantityId id) {
   const ChartedRange& range = id < charted_of_drives.first   ? charted_of_motion
                               : id < charted_of_load.first   ? charted_of_drives
@@ -145,27 +145,27 @@ constexpr std::size_t charted_index(QuantityId id) {
   return range.index + static_cast<std::size_t>(id) - static_cast<std::size_t>(range.first);
 }
 
-/// How many colour the executed path.
+/// Number of quantities that can colour the executed path.
 inline constexpr std::size_t coloured_count = 11;
 
-/// One row for each quantity: CSV, charts, colours, measures of lessons and annotations read this list, so
-/// that a new quantity is a row here.
+/// One row for each quantity: CSV, charts, colours, measures of lessons and annotations use this list, so a
+/// new quantity is a row here.
 struct QuantityInfo {
   QuantityId id = QuantityId::time;
   std::string_view key;     ///< stable, for sessions, annotations and lessons: "acceleration_across"
-  std::string_view column;  ///< of CSV, with its unit: "an_m_s2"; empty: none
+  std::string_view column;  ///< of CSV, with its unit: "an_m_s2"; empty if none
   std::string_view title;   ///< English, marked for translation; %1: the axis
   Dimension dimension = Dimension::number;
-  int axis = -1;  ///< place in cause_axes: X, Y, Z, A, B, C; -1: of the path
+  int axis = -1;  ///< index in cause_axes: X, Y, Z, A, B, C; -1: of the path
   QuantityChart chart = QuantityChart::none;
-  std::string_view curve;  ///< name of its curve there, marked for translation; empty: the axis
+  std::string_view curve;  ///< name of its curve in the chart, marked for translation; empty: the axis
   bool colours = false;    ///< the executed path can be coloured by it
   bool is_signed = false;
-  double (*of)(const Instant&) = nullptr;  ///< in inside units
+  double (*of)(const Instant&) = nullptr;  ///< in internal units
   QuantitySource source = QuantitySource::motion;
 };
 
-/// By QuantityId.
+/// In the order of QuantityId.
 std::span<const QuantityInfo> all_quantities();
 const QuantityInfo& info_of(QuantityId id);
 

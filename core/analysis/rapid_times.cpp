@@ -36,7 +36,7 @@ std::vector<ColumnStretch> RapidTimes::outside(std::span<const double> times) co
       add_until(from_[rapid] - nanosecond);
       from = std::max(from, to_[rapid] + nanosecond);
       if (to_[rapid] > times[i + 1]) {
-        break;  // it reaches into the next column
+        break;  // it extends into the next column
       }
       ++rapid;
     }

@@ -6,7 +6,7 @@
 namespace feedscope {
 namespace {
 
-/// The one with the smallest error among those that take as long as `fastest`.
+/// Run with the smallest error among those not longer than `fastest`.
 std::size_t most_exact(std::span<const RunTime> runs, const std::vector<std::size_t>& places,
                        std::size_t fastest) {
   const double longest = runs[fastest].cycle_time * (1 + worthwhile_share);

@@ -11,41 +11,41 @@
 
 namespace feedscope {
 
-/// Differences of the cycle time below this share are none.
+/// Relative difference of the cycle time below which runs are equally fast.
 inline constexpr double worthwhile_share = 0.01;
 
-/// The run to take of several.
+/// The recommended one of several runs.
 struct Recommendation {
   enum class Reason : std::uint8_t {
-    only,           ///< no other one can be taken
-    no_difference,  ///< all take the same time: the one with the smallest contour error
+    only,           ///< no other run is eligible
+    no_difference,  ///< all take the same time: the smallest contour error decides
     fastest,
-    smallest_error,  ///< of those that take no longer than the fastest
+    smallest_error,  ///< among those as fast as the fastest
   };
 
-  std::size_t run = 0;      ///< its place
-  std::size_t against = 0;  ///< place of the slowest one that could be taken
+  std::size_t run = 0;      ///< its index
+  std::size_t against = 0;  ///< index of the slowest eligible run
   Reason reason = Reason::only;
-  double gain = 0;           ///< cycle time of that one less its own [s]
-  double gain_share = 0;     ///< of the cycle time of that one
+  double gain = 0;           ///< cycle time of that run minus its own [s]
+  double gain_share = 0;     ///< relative to the cycle time of that run
   double contour_error = 0;  ///< of its cuts [mm]
 };
 
-/// The one with the smallest contour error among those that take at most worthwhile_share longer than the
-/// fastest, of those whose contour error is at most `within` [mm]; of equal errors the faster one. None where
-/// no run keeps the bound. As in fastest_runs() never one of which more lines are refused than of another.
+/// Recommends the run with the smallest contour error among those at most worthwhile_share slower than the
+/// fastest, all with a contour error of at most `within` [mm]; of equal errors the faster one. None if no run
+/// is within the bound. As in fastest_runs(), never a run with more refused lines than another.
 std::optional<Recommendation> recommend(std::span<const RunTime> runs, std::optional<double> within);
 
-/// The contour error by which runs are chosen: that of their cuts, with drives of what the axes do [mm].
+/// Contour error that decides between runs: that of the cuts, of the actual path if there are drives [mm].
 double deciding_error(const Summary& summary);
 
-/// Which of compared runs can be chosen from: all of one model; of several, between which nobody chooses,
-/// those with the model of their machine.
+/// Which of the compared runs are eligible: all if they have one model; if they have several and none is
+/// selected, those with the model of their machine.
 std::vector<bool> can_be_chosen(std::span<const ComparedRun> runs);
-/// The same of compared runs; none also where none can_be_chosen().
+/// Recommends one of the compared runs; also none if no run can_be_chosen().
 std::optional<Recommendation> recommend(std::span<const ComparedRun> runs, std::optional<double> within);
 
-/// "only", "no-difference", "fastest", "smallest-error-within-1-percent".
+/// Keys "only", "no-difference", "fastest", "smallest-error-within-1-percent".
 std::string to_string(Recommendation::Reason reason);
 
 }  // namespace feedscope

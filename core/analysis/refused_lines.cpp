@@ -20,7 +20,7 @@ std::vector<Diagnostic> refused_as_written(const LoadedProgram& program, const S
 }
 
 bool is_refused(const Run& run) {
-  const bool cuts = !run.input.feed_controls.empty();  // as it was read, whatever is refused
+  const bool cuts = !run.input.feed_controls.empty();  // as read, including refused ones
   const auto is_feed_motion = [](const Segment& segment) {
     return segment.kind != SegmentKind::dwell && !segment.rapid;
   };
@@ -33,7 +33,7 @@ bool is_out_of_reach(const Run& run) {
 }
 
 std::string line_list(const std::vector<Diagnostic>& lines) {
-  constexpr std::size_t most = 8;  // ranges that are named
+  constexpr std::size_t most = 8;  // ranges listed
   std::string list;
   std::size_t named = 0;
   std::size_t i = 0;

@@ -16,27 +16,26 @@ AxisState motion_of(const Series& course) {
   return {course.value(), course.d1(), course.d2(), course.d3()};
 }
 
-/// Share of a line at the foot of the tip's place on it.
+/// Share of a line at the foot of the tip on it.
 Series share_of_line(const Vec3& start, const Vec3& end, const State& state) {
   const Vec3 way = (end - start) / (end - start).squaredNorm();
   return Series((state.position - start).dot(way), state.velocity.dot(way), state.acceleration.dot(way),
                 state.jerk.dot(way));
 }
 
-/// A share of `begin` that grows evenly with the path, by `slope` [1/mm].
+/// Share from `begin` that grows evenly with the path, by `slope` [1/mm].
 Series even_share(double begin, double slope, const State& state) {
   return Series(begin, slope * state.speed, slope * state.tangential_acceleration,
                 slope * state.tangential_jerk);
 }
 
-/// Within 0 and 1, where the course itself may be beside it by rounding.
+/// Clamps to 0 and 1, since rounding may put the course slightly outside.
 Series within_segment(Series share) {
   share += Series(std::clamp(share.value(), 0.0, 1.0) - share.value());
   return share;
 }
 
-/// How far a turn about the arc's axis has gone, of an arc that may turn several times; `near`: a share that
-/// is close.
+/// Progress of a rotation about the arc's axis, for arcs of several turns; `near`: an approximate share.
 double share_of_arc(const Arc& arc, const Vec3& position, double near) {
   const Vec3 from = position - arc.center;
   const double angle = std::atan2(from.dot(arc.y), from.dot(arc.x));
@@ -44,7 +43,7 @@ double share_of_arc(const Arc& arc, const Vec3& position, double near) {
   return (angle + turns * 2 * units::pi) / arc.sweep;
 }
 
-/// That element `i` is part of; null if of none.
+/// Corner that contains element `i`; null if none.
 const RoundedCorner* rounded_corner(const BlendedPath& path, std::uint32_t i) {
   std::size_t low = 0;
   std::size_t high = path.rounded_count();
@@ -75,9 +74,9 @@ RotaryCourse::RotaryCourse(std::shared_ptr<const Trajectory> trajectory, const M
   set_starts();
 }
 
-/// When the segment of each turn, or the next one that the control runs, begins; and where the tip stops.
+/// Sets the start of each turn, at its segment or the next one that runs, and the stops of the tip.
 void RotaryCourse::set_starts() {
-  constexpr double standstill = 1e-9;  // [mm/s], and [mm] from the start of the element
+  constexpr double standstill = 1e-9;  // [mm/s]; also [mm] from the start of the element
   auto event = events_.begin();
   for (const Piece& piece : trajectory_->pieces()) {
     const std::uint32_t segment = trajectory_->path().segment(piece.element);
@@ -100,7 +99,7 @@ RotarySample RotaryCourse::at(const State& state) const {
   const auto after = std::ranges::upper_bound(events_, way.segment, {}, &Event::segment);
   Angles angles{};
   if (after == events_.begin()) {
-    // Where the first turn begins, which is not 0 where the part is turned on the machine.
+    // Angles at the start of the first turn; not 0 if the part is turned on the machine.
     std::ranges::copy(events_.front().along ? path().segment_turns[events_.front().index].from
                                             : path().rotary_turns[events_.front().index].from,
                       angles.begin());
@@ -110,7 +109,7 @@ RotarySample RotaryCourse::at(const State& state) const {
                          : turning(path().rotary_turns[event.index], state.time - event.start);
   }
   add_joints(way, angles);
-  const auto swings = [&] {  // the axes hold the tip in a turn of its own
+  const auto swings = [&] {  // the axes keep the tip in place in a separate turn
     return after != events_.begin() && !std::prev(after)->along && std::prev(after)->segment == way.segment &&
            path().rotary_turns[std::prev(after)->index].at_tip;
   };
@@ -145,7 +144,7 @@ Vec3 RotaryCourse::slides(const State& state) const {
   return slides;
 }
 
-/// Axes that carry the part turn it and not the tool.
+/// Axes that carry the part turn the part, not the tool.
 Vec3 RotaryCourse::tool_on_machine(const State& state) const {
   std::array<double, 3> angles = at(state).angles();
   for (const std::size_t k : chain_.rotary()) {
@@ -222,10 +221,10 @@ RotaryCourse::Way RotaryCourse::way_of(const State& state) const {
   return length > 0 ? Way{i, even_share(done, 1 / length, state), true} : Way{i, done, false};
 }
 
-/// The nearest place on line `i`, or where that is its end, on one of the lines behind it, over which a
-/// smooth curve goes on.
+/// Nearest place on line `i`, or if that is its end, on one of the lines after it, over which a smooth curve
+/// continues.
 RotaryCourse::Way RotaryCourse::on_lines(std::uint32_t i, const State& state) const {
-  constexpr double rounding = 1e-9;  // of a place at the end of a line [mm]
+  constexpr double rounding = 1e-9;  // of a place from the end of a line [mm]
   for (;; ++i) {
     const Segment& segment = path().segments[i];
     const Series share = share_of_line(path().start_of(i), segment.end, state);
@@ -239,8 +238,8 @@ RotaryCourse::Way RotaryCourse::on_lines(std::uint32_t i, const State& state) co
   }
 }
 
-/// On what a control makes of programmed lines: the share of a line is the nearest one, and a rounded corner
-/// goes from where it leaves one line to where it meets the next.
+/// On a control's path over programmed lines: the share of a line is the nearest one; a rounded corner
+/// extends from where it leaves one line to where it meets the next.
 RotaryCourse::Way RotaryCourse::executed_way(const State& state, double done) const {
   const BlendedPath& blended = trajectory_->path();
   const std::uint32_t i = blended.segment(state.element);
@@ -287,7 +286,7 @@ const TurnJoint* RotaryCourse::joint_behind(std::size_t segment) const {
   return std::ranges::binary_search(stops_, segment) ? nullptr : path().turn_joint(segment);
 }
 
-/// What the joints at both ends of the segment change.
+/// Adds the changes by the joints at both ends of the segment.
 void RotaryCourse::add_joints(const Way& way, Angles& angles) const {
   if (path().turn_joints.empty() || !way.along) {
     return;

@@ -12,53 +12,54 @@
 
 namespace feedscope {
 
-/// How the rotary axes of a machine turn in a run: what Toolpath::rotary_turns and Toolpath::segment_turns
-/// say, on the time of the trajectory.
+/// Motion of the rotary axes in a run: Toolpath::rotary_turns and Toolpath::segment_turns on the time of the
+/// trajectory.
 ///
-/// A turn on its own goes by a TurnLaw. Beside other motions the angles are those of TurnCourse by the
-/// programmed way, rounded where blocks meet (Toolpath::turn_joints); on the curve in a corner each half of
-/// the curve is the way that it replaces, so that velocities step a little at the ends and the middle of such
-/// a curve.
+/// A separate turn follows a TurnLaw. During other motions the angles follow TurnCourse by the programmed
+/// path length, rounded where blocks meet (Toolpath::turn_joints). Each half of the curve in a corner
+/// corresponds to the path that it replaces, so velocities have small steps at the ends and in the middle of
+/// such a curve.
 class RotaryCourse {
  public:
-  /// All of them stand at zero before the first turn.
+  /// All rotary axes are at zero before the first turn.
   RotaryCourse(std::shared_ptr<const Trajectory> trajectory, const Machine& machine);
 
   const Trajectory& trajectory() const { return *trajectory_; }
-  /// The machine has this axis: A, B or C.
+  /// Whether the machine has this axis: A, B or C.
   bool has(char axis) const;
-  /// `state`: of the trajectory, with its path length.
+  /// `state`: of the trajectory, including its path length.
   RotarySample at(const State& state) const;
-  /// Of the tool in the coordinates of the part, from the tip to the spindle, unit; `state` as at().
+  /// Direction of the tool in the coordinates of the part, from the tip to the spindle, unit; `state` as for
+  /// at().
   Vec3 tool_direction(const State& state) const;
 
-  /// Where X, Y and Z of the machine stand while the tip is where the path has it; `state` as at(). Only
-  /// where knows_linear() [mm].
+  /// Positions of X, Y and Z of the machine with the tip on the path [mm]; `state` as for at(). Requires
+  /// knows_linear().
   Vec3 slides(const State& state) const;
-  /// Of the tool in the coordinates of the machine, unit; `state` as at().
+  /// Direction of the tool in the coordinates of the machine, unit; `state` as for at().
   Vec3 tool_on_machine(const State& state) const;
 
   const std::vector<RotaryAxis>& axes() const { return axes_; }
   const KinematicChain& chain() const { return chain_; }
-  /// That rounds the turns where segment `segment` meets the next one; null for none, and where the tip
-  /// stops: there every slope is passed at rest.
+  /// Joint that rounds the turns between segment `segment` and the next; null if none, and where the tip
+  /// stops: every change of slope is passed at rest there.
   const TurnJoint* joint_behind(std::size_t segment) const;
-  /// It is known how X, Y and Z of the machine follow the tip where rotary axes turn.
+  /// Whether the motion of X, Y and Z that follows the tip while rotary axes turn is known.
   bool knows_linear() const { return path().part.known; }
 
  private:
-  /// A turn from the first segment in which it shows on.
+  /// A turn from the first segment with an effect on.
   struct Event {
     std::size_t segment = 0;
-    double start = 0;       ///< of a turn of its own [s]
+    double start = 0;       ///< of a separate turn [s]
     std::size_t index = 0;  ///< into Toolpath::rotary_turns or segment_turns
-    bool along = false;     ///< of segment_turns
+    bool along = false;     ///< in segment_turns
   };
-  /// How far the programmed segment `segment` is done.
+  /// Progress on the programmed segment `segment`.
   struct Way {
     std::uint32_t segment = 0;
     Series share;        ///< 0 to 1, with its derivatives by time
-    bool along = false;  ///< the path goes along it: its length is not 0
+    bool along = false;  ///< the path follows the segment: its length is not 0
   };
 
   const Toolpath& path() const { return *trajectory_->path().programmed(); }
@@ -76,11 +77,11 @@ class RotaryCourse {
   std::shared_ptr<const Trajectory> trajectory_;
   std::vector<RotaryAxis> axes_;
   KinematicChain chain_;
-  std::vector<Event> events_;       ///< by segment
+  std::vector<Event> events_;       ///< in order of segments
   std::vector<std::size_t> stops_;  ///< segments at whose end the tip stops, in order
 };
 
-/// Null where the machine has no rotary axes or the run turns none.
+/// Null if the machine has no rotary axes or the run turns none.
 std::shared_ptr<const RotaryCourse> rotary_course_of(std::shared_ptr<const Trajectory> trajectory,
                                                      const Machine& machine);
 

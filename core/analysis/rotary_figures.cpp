@@ -13,7 +13,7 @@ namespace {
 
 constexpr double no_axis = std::numeric_limits<double>::quiet_NaN();
 
-/// Where joints turn the tool aside, and half way between them, where two joints may reach.
+/// Samples where joints deflect the tool, and half way between them, where two joints may overlap.
 class OrientationSearch {
  public:
   explicit OrientationSearch(const RotaryCourse& course)
@@ -44,7 +44,7 @@ class OrientationSearch {
                  (before != nullptr ? joint_turn(*before, i, share * length).value() : 0);
       sum += std::abs(aside[i]);
     }
-    if (sum <= worst_.angle) {  // the tool leans by less
+    if (sum <= worst_.angle) {  // the tool deviates by less
       return;
     }
     std::array<double, 3> angles{};
@@ -89,7 +89,7 @@ RotaryFigures rotary_figures(const std::shared_ptr<const RotaryCourse>& course, 
   figures.linear = search.linear();
   for (const RotaryTurn& turn : course->trajectory().path().programmed()->rotary_turns) {
     if (turn.great_circle && turn.law.way > 0) {
-      continue;  // the search has seen it
+      continue;  // the search has covered it
     }
     for (const RotaryAxis& axis : course->axes()) {
       const RestToRestPlace most = TurnLaw(turn, course->axes(), axis).largest();

@@ -11,25 +11,25 @@
 
 namespace feedscope {
 
-/// How far the tool leans from its programmed direction at most, where the courses of rotary axes are rounded
+/// Largest deviation of the tool from its programmed direction, where the courses of rotary axes are rounded
 /// between blocks.
 struct OrientationError {
   double angle = 0;        ///< [rad]
-  std::uint32_t line = 0;  ///< of the block that ends or is there; 0: nowhere
+  std::uint32_t line = 0;  ///< of the block that ends or is there; 0 without one
 };
 
 /// Figures of a run in which rotary axes turn.
 struct RotaryFigures {
-  /// Of A, B and C; not numbers of one that the machine does not have. What the curves in corners add where
-  /// they begin and end (RotaryCourse) is not in acceleration and jerk.
+  /// Of A, B and C; NaN for axes that the machine lacks. Acceleration and jerk exclude the steps at the ends
+  /// of curves in corners (RotaryCourse).
   std::array<AxisPeaks, 3> rotary{};
   /// Of X, Y and Z of the machine along blocks in which rotary axes turn under tool centre point control;
-  /// none without such a block, or where tool length or part zero are unknown.
+  /// none without such a block, or if tool length or part zero are unknown.
   std::optional<std::array<AxisPeaks, 3>> linear;
   OrientationError orientation;
 };
 
-/// `limits_jerk`: as RunSources; else jerks are not numbers. Throws Cancelled when stopped.
+/// `limits_jerk`: as in RunSources; without it jerks are NaN. Throws Cancelled when stopped.
 RotaryFigures rotary_figures(const std::shared_ptr<const RotaryCourse>& course, bool limits_jerk,
                              const Progress* progress = nullptr);
 

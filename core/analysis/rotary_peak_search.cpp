@@ -11,8 +11,7 @@ constexpr std::size_t per_axis = 3;
 double AxisPeaks::*const peak_of[per_axis] = {&AxisPeaks::velocity, &AxisPeaks::acceleration,
                                               &AxisPeaks::jerk};
 
-/// By how much the largest value of the parabola through three places is above the middle one, which is the
-/// largest of the three.
+/// Rise of the parabola through three places above the middle one, which is the largest of the three.
 double rise_of_parabola(double before, double at, double after, double from, double middle, double to) {
   const double left = (middle - before) / (at - from);
   const double right = (after - middle) / (to - at);
@@ -58,7 +57,7 @@ double RotaryPeakSearch::found(std::size_t quantity) const {
   return peaks.*peak_of[quantity % per_axis];
 }
 
-/// By golden sections, of each quantity that can rise above what was found.
+/// Golden sections for each quantity that may exceed its largest value so far.
 void RotaryPeakSearch::narrow(RotaryWalk& walk, const Look& before, const Look& at, const Look& after) {
   constexpr double doubt = 4;  // a peak may be narrower than the parabola
   for (std::size_t q = 0; q < count; ++q) {
@@ -74,7 +73,7 @@ void RotaryPeakSearch::narrow(RotaryWalk& walk, const Look& before, const Look& 
   }
 }
 
-/// The magnitude rises at `from` and falls at `to`: the tangents at both bound it in between.
+/// The magnitude increases at `from` and decreases at `to`: the tangents at both bound it in between.
 void RotaryPeakSearch::narrow_between(RotaryWalk& walk, const Look& from, const Look& to) {
   const double time = to.time - from.time;
   for (std::size_t q = 0; q < count; ++q) {
@@ -112,10 +111,10 @@ void RotaryPeakSearch::search(RotaryWalk& walk, std::size_t quantity, double low
   }
 }
 
-/// The largest magnitude may be between the end of a part and the look next to it.
+/// The largest magnitude may be between the end of a part and the sample next to it.
 void RotaryPeakSearch::narrow_at_end(RotaryWalk& walk, const Look& end, const Look& next) {
   constexpr double doubt = 2;
-  constexpr double beside = 1e-3;  // of the way: whether a magnitude first rises
+  constexpr double beside = 1e-3;  // of the interval: whether a magnitude increases at first
   for (std::size_t q = 0; q < count; ++q) {
     if (end.of[q] >= next.of[q] && end.of[q] + doubt * (end.of[q] - next.of[q]) > found(q)) {
       const Look at = look(walk, end.time + beside * (next.time - end.time));
@@ -156,7 +155,7 @@ void RotaryPeakSearch::add(RotaryWalk& walk) {
   }
 }
 
-/// Between each two places half way and close to both, where several laws follow each other.
+/// Adds samples half way between neighbours and close to both, where several laws follow each other.
 void RotaryPeakSearch::look_closer() {
   const std::size_t known = times_.size();
   for (std::size_t i = 1; i < known; ++i) {

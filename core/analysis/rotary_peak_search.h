@@ -10,18 +10,18 @@
 
 namespace feedscope {
 
-/// The largest magnitudes of all axes of a machine while its rotary axes turn. A part of the motion is
-/// sampled at some instants. Between two samples from which a velocity or an acceleration rises towards the
-/// other one, and around a sample larger than its neighbours, the peak is narrowed down if it can exceed what
-/// was found before.
+/// Largest magnitudes of all axes of a machine while its rotary axes turn. Samples each part of the motion at
+/// some instants. The peak is narrowed down, if it can exceed the value so far, between two samples from
+/// which a velocity or an acceleration rises towards the other one, and around a sample larger than its
+/// neighbours.
 class RotaryPeakSearch {
  public:
-  /// Takes up the part where `walk` is.
+  /// Adds the current part of `walk`.
   void add(RotaryWalk& walk);
 
   /// Of A, B and C.
   const std::array<AxisPeaks, 3>& rotary() const { return rotary_; }
-  /// Of X, Y and Z of the machine; empty where nothing is known of them.
+  /// Of X, Y and Z of the machine; none if they are unknown.
   const std::optional<std::array<AxisPeaks, 3>>& linear() const { return linear_; }
 
  private:
@@ -30,7 +30,7 @@ class RotaryPeakSearch {
   struct Look {
     double time = 0;  // [s]
     Magnitudes of{};
-    Magnitudes slope{};  ///< by time; of jerks not known and 0
+    Magnitudes slope{};  ///< by time; unknown and 0 for jerks
   };
 
   Look look(RotaryWalk& walk, double time);

@@ -5,7 +5,7 @@
 
 namespace feedscope {
 
-/// Where an axis is at one instant, and how it moves.
+/// Position and motion of an axis at one instant.
 struct AxisState {
   double position = 0;      ///< [rad], [mm]
   double velocity = 0;      ///< [rad/s], [mm/s]
@@ -18,11 +18,11 @@ struct AxisState {
   }
 };
 
-/// The axes of a machine with rotary ones at one instant.
+/// Axes of a machine with rotary axes at one instant.
 struct RotarySample {
-  std::array<AxisState, 3> rotary{};  ///< A, B and C; of one that the machine does not have not a number
-  /// X, Y and Z of the machine, which hold the tip on its path while rotary axes turn under tool centre point
-  /// control; elsewhere, and where it is not known how they follow, not a number.
+  std::array<AxisState, 3> rotary{};  ///< A, B and C; NaN for axes that the machine lacks
+  /// X, Y and Z of the machine, which keep the tip on its path while rotary axes turn under tool centre point
+  /// control; otherwise, and if unknown, NaN.
   std::array<AxisState, 3> linear{AxisState::unknown(), AxisState::unknown(), AxisState::unknown()};
 
   /// Of A, B and C.

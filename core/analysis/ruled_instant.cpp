@@ -9,10 +9,10 @@
 namespace feedscope {
 
 double ruled_instant(const Trajectory& trajectory, const SlowPlace& place) {
-  constexpr int looks = 4;  // at a part
+  constexpr int looks = 4;  // per part
   double instant = place.slowest;
   auto best =
-      std::tuple(true, std::numeric_limits<double>::infinity());  // ahead of what rules, share of feed
+      std::tuple(true, std::numeric_limits<double>::infinity());  // on the way to its place, share of feed
   const std::size_t first = trajectory.piece_at(place.from);
   const double into = std::max(0.0, place.from - trajectory.pieces()[first].time);
   for (PartWalk walk(trajectory, first, into); !walk.done() && walk.part().time < place.to; walk.next()) {

@@ -4,10 +4,9 @@
 
 namespace feedscope {
 
-/// An instant of `place` that its cause rules: what is said of the place must be explained there, and not
-/// where the tool is slowest, which may have another cause. Of several the slowest; where the tool does
-/// nothing in the place but slow down for what the cause rules, one at which it does that [s]. Linear in the
-/// pieces of the place.
+/// Time within `place` at which its limiting cause is active [s]. The slowest instant may have a different
+/// cause, so explanations use this one. Of several the slowest; if the tool only slows down for that cause in
+/// the place, a time at which it does. Linear in the pieces of the place.
 double ruled_instant(const Trajectory& trajectory, const SlowPlace& place);
 
 }  // namespace feedscope

@@ -52,7 +52,7 @@ std::string place_and_message(const Diagnostic& said, const Program& program) {
                      said.message);
 }
 
-/// The first thing that is wrong or missing in a program that does not come to an end; "" if there is none.
+/// First error or omission in a program that does not end; "" if there is none.
 std::string likely_cause(const Program& program) {
   const auto cause = std::ranges::find_if(program.diagnostics, [](const Diagnostic& said) {
     return said.severity != Severity::info && said.code != "run-limit" && said.line > 0;
@@ -82,7 +82,7 @@ std::string likely_cause(const Program& program) {
                   why));
 }
 
-/// None without operations. Throws InputError as LoadModel.
+/// None without operations. Throws InputError as LoadModel does.
 std::optional<LoadModel> load_model(const LoadedProgram& input, const LoadSetup& load) {
   return load.empty() ? std::nullopt
                       : std::optional<LoadModel>(std::in_place, load, *input.program, *input.toolpath);
@@ -217,7 +217,7 @@ Run simulate_motion(const LoadedProgram& input, Setup setup, Progress* progress)
   const bool same_points = promised.lays_curves || !promised.smooths;
   run.input.toolpath =
       same_points && ran && ran->programmed
-          ? ran  // worked out once: every turn costs its kinematics
+          ? ran  // already computed: every turn costs its kinematics
           : on_machine(std::move(reading.path), run.setup.machine, run.setup.settings, progress);
   run.input.lines_not_run = std::move(reading.refused);
   run.sources.limits_jerk = promised.limits_jerk;

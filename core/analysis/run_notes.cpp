@@ -205,7 +205,7 @@ std::vector<std::string> run_notes(const LoadedProgram& program, const Setup& se
   if (std::string refused = refused_note(refused_lines(program, setup)); !refused.empty()) {
     notes.push_back(std::move(refused));
   }
-  // That of a run is worked out for its setup already.
+  // The toolpath of a run is already adapted to its setup.
   const std::shared_ptr<const Toolpath> path =
       program.toolpath->programmed
           ? program.toolpath

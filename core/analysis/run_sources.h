@@ -9,16 +9,16 @@
 
 namespace feedscope {
 
-/// What a run has beside the motion that the control sets.
+/// Data of a run in addition to the set motion.
 struct RunSources {
-  std::shared_ptr<const ActualPath> actual;    ///< null where all axes follow their set values exactly
-  std::shared_ptr<const RunLoad> load;         ///< null where no operations are known
-  std::shared_ptr<const RotaryCourse> rotary;  ///< null where no rotary axis turns
-  bool limits_jerk = true;  ///< else the acceleration jumps, and jerks are those between the jumps
+  std::shared_ptr<const ActualPath> actual;    ///< null if all axes follow their set values exactly
+  std::shared_ptr<const RunLoad> load;         ///< null without known operations
+  std::shared_ptr<const RotaryCourse> rotary;  ///< null if no rotary axis turns
+  bool limits_jerk = true;  ///< otherwise the acceleration jumps, and jerks are those between the jumps
 
   /// Whether a run has quantities of this source.
   bool has(QuantitySource source) const;
-  /// The same of one quantity: of a rotary axis only where the machine has it.
+  /// Whether a run has this quantity: of a rotary axis only if the machine has the axis.
   bool has(const QuantityInfo& quantity) const;
 };
 
@@ -28,8 +28,8 @@ class InstantSampler {
   /// `from`: the first instant [s]. `sources` must outlive this.
   explicit InstantSampler(const RunSources& sources, double from = 0);
 
-  /// `state`: of the trajectory, not before that of the last call. What is returned refers to it, and to this
-  /// until the next call.
+  /// `state`: of the trajectory, not before that of the previous call. The result refers to it, and to this
+  /// object until the next call.
   Instant at(const State& state);
 
  private:

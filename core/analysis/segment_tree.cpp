@@ -10,8 +10,8 @@ namespace feedscope {
 namespace {
 
 constexpr std::uint32_t max_in_leaf = 8;
-constexpr double max_lengths = 2;  // the average one, of a segment that is not divided
-constexpr double max_turn = 2;     // of an arc that is not divided [rad]
+constexpr double max_lengths = 2;  // average lengths, of an undivided segment
+constexpr double max_turn = 2;     // of an undivided arc [rad]
 constexpr double part_turn = 1;
 
 float rounded_down(double value) {
@@ -24,7 +24,7 @@ float rounded_up(double value) {
   return -rounded_down(-value);
 }
 
-/// No point of an arc part between two others is farther from their chord: its sagitta, and half its length.
+/// Upper bound of the distance of an arc's points from their chord: its sagitta, or half its length.
 double bulge(const Arc& arc, double length) {
   const double turn = std::min(length / arc.length_per_radian(), 2 * std::numbers::pi);
   return std::min(length / 2, arc.radius * (1 - std::cos(turn / 2)));
@@ -43,14 +43,14 @@ Bounds bounds_of(const Vec3& from, const Vec3& to) {
   return bounds;
 }
 
-/// Of an arc from `from` to `to` along it [mm].
+/// Bounds of an arc from `from` to `to` along it [mm].
 Bounds bounds_of(const Arc& arc, double from, double to) {
-  // What rounding does to places far from the centre.
+  // Rounding of places far from the centre.
   const double rounding = 1e-12 * (arc.radius + arc.center.cwiseAbs().maxCoeff());
   return widened(bounds_of(arc.at(from).position, arc.at(to).position), bulge(arc, to - from) + rounding);
 }
 
-/// Long lines and arcs that turn far have boxes that are mostly empty.
+/// Number of parts of a segment: long lines and arcs with large turns have mostly empty boxes.
 std::uint32_t parts_of(const Toolpath& toolpath, const Segment& segment, double longest) {
   double parts = segment.length > longest ? segment.length / longest : 1;
   if (segment.kind == SegmentKind::arc) {
@@ -60,7 +60,7 @@ std::uint32_t parts_of(const Toolpath& toolpath, const Segment& segment, double 
   return static_cast<std::uint32_t>(std::ceil(parts));
 }
 
-/// Every third bit of the result, from the lowest 21 of `bits`.
+/// Spreads the lowest 21 bits to every third bit.
 std::uint64_t spread(std::uint64_t bits) {
   bits &= 0x1FFFFFU;
   bits = (bits | bits << 32U) & 0x001F00000000FFFFU;

@@ -9,20 +9,20 @@
 
 namespace feedscope {
 
-/// Boxes around the segments of a programmed path, in a tree by place: finds those near a place without
-/// looking at the others.
+/// Tree of boxes around the segments of a programmed path, sorted by place: finds the segments near a place
+/// without visiting the others.
 ///
-/// A leaf holds up to eight segments that follow each other, or a part of one that is long or turns far. The
-/// leaves are sorted along a Z-order curve, and every four get a box around them, level by level: 5 bytes a
-/// segment where blocks are of one length, at most some 45, some 40 for every radian of a longer arc.
+/// A leaf contains up to eight consecutive segments, or a part of one that is long or turns far. The leaves
+/// are sorted along a Z-order curve, and every four get a common box, level by level: 5 bytes per segment if
+/// blocks have equal lengths, at most some 45, some 40 for every radian of a longer arc.
 class SegmentTree {
  public:
   /// `toolpath` must outlive this.
   explicit SegmentTree(const Toolpath& toolpath);
 
-  /// Calls `look(first, count)` for the segments of leaves whose box comes nearer to `place` than the root of
-  /// `squared` [mm2], roughly the nearest first. `look` returns what `squared` is from then on, not more than
-  /// before.
+  /// Calls `look(first, count)` for the segments of leaves whose box is nearer to `place` than the root of
+  /// `squared` [mm2], roughly the nearest first. `look` returns the new value of `squared`, which never
+  /// increases.
   template <typename Look>
   void search(const Vec3& place, double squared, const Look& look) const;
 
@@ -50,7 +50,7 @@ class SegmentTree {
     std::uint32_t first;
     std::uint32_t count;
   };
-  /// Of a level: 0 are the leaves.
+  /// Node of a level; level 0 are the leaves.
   struct Node {
     std::uint32_t level;
     std::uint32_t index;
@@ -94,7 +94,7 @@ void SegmentTree::search(const Vec3& place, double squared, const Look& look) co
       if (away >= squared) {
         continue;
       }
-      std::size_t at = count++;  // the nearest on top
+      std::size_t at = count++;  // nearest on top
       for (; at > bottom && waiting[at - 1].squared < away; --at) {
         waiting[at] = waiting[at - 1];
       }

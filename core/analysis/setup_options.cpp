@@ -12,7 +12,7 @@ SettingValue value_of(const Setup& setup, const std::string& key) {
   return of_axis ? axis_value(setup.machine, key[0], key.substr(2)) : setup.settings.value(key);
 }
 
-/// Not of an axis that the machine does not have.
+/// False for a key of an axis that the machine lacks.
 bool has(const Setup& setup, const std::string& key) {
   const bool of_axis = key.size() > 2 && key[1] == '.';
   return !of_axis || axis_names(setup.machine).find(key[0]) != std::string::npos;

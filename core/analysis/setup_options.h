@@ -6,12 +6,12 @@
 
 namespace feedscope {
 
-/// KEY=VALUE as --set has it.
+/// KEY=VALUE as for --set.
 std::string assignment_text(const std::string& key, const SettingValue& value);
 
-/// All that the command line needs to ask for a setup on a shipped machine: --machine, --model where it is
-/// not the machine's own, --tolerance and --set of what differs from the machine's file; the load is not
-/// asked for. Throws InputError for a machine that is not shipped.
+/// Command-line options for a setup on a shipped machine: --machine, --model unless it is the machine's own,
+/// --tolerance and --set for values that differ from the machine's file. The load is not included. Throws
+/// InputError for a machine that is not shipped.
 std::string setup_options(const Setup& setup);
 
 }  // namespace feedscope

@@ -11,12 +11,12 @@ namespace feedscope {
 namespace {
 
 constexpr double min_depth = 0.1;        // of the programmed feed
-constexpr double depth_of_peak = 0.3;    // of the feed beside a dip, where that is less
-constexpr double as_programmed = 0.999;  // of the programmed feed; what is faster is not slow
+constexpr double depth_of_peak = 0.3;    // of the feed next to a dip, if that is less
+constexpr double as_programmed = 0.999;  // of the programmed feed; anything faster is not slow
 constexpr double min_loss = 1e-6;        // [s]
 constexpr double spans_per_filter_time = 4;
 
-/// How deep a dip is beside a feed of that share of the programmed one.
+/// Depth from which a dip counts, next to a feed with this share of the programmed one.
 double depth_beside(double share) {
   return std::min(min_depth, depth_of_peak * share);
 }
@@ -32,14 +32,14 @@ struct Level {
   double share() const { return speed / programmed; }
 };
 
-/// What is known of a stretch while it grows.
+/// Data of a growing stretch.
 class Account {
  public:
   void add_level(const Level& level) {
     if (level.share() < least_) {
       least_ = level.share();
       place_.slowest = level.time;
-      place_.feed = std::max(0.0, level.speed);  // a stop ends within rounding of 0
+      place_.feed = std::max(0.0, level.speed);  // rounding may end a stop slightly off 0
       place_.programmed_feed = level.programmed;
       place_.line = level.line;
     }
@@ -55,7 +55,7 @@ class Account {
     }
   }
 
-  /// `later` follows this one.
+  /// Appends `later`, which directly follows.
   void append(const Account& later) {
     place_.loss += later.place_.loss;
     begin_ = std::min(begin_, later.begin_);
@@ -94,7 +94,7 @@ class Account {
   }
   bool is_empty() const { return causes_.empty(); }
   std::span<const std::pair<Cause, double>> losses() const { return causes_; }
-  /// All of it, by the cause that matters most.
+  /// The whole stretch, with its most important cause.
   SlowPlace stretch() const {
     SlowPlace stretch = place_;
     stretch.from = begin_;
@@ -127,25 +127,25 @@ class Account {
   }
 
   SlowPlace place_;
-  std::vector<std::pair<Cause, double>> causes_;  ///< loss of each [s]
+  std::vector<std::pair<Cause, double>> causes_;  ///< with the loss of each [s]
   double least_ = std::numeric_limits<double>::infinity();
   bool is_slow_ = false;
-  double begin_ = std::numeric_limits<double>::infinity();  ///< of all of it [s]
+  double begin_ = std::numeric_limits<double>::infinity();  ///< of the whole stretch [s]
   double end_ = 0;
 };
 
-/// Cuts the course of the feed at its peaks as it comes in.
+/// Divides the course of the feed at its peaks as it comes in.
 ///
-///   share   __             __      a peak is one, and the places are cut there, once the feed has
-///             \    /\_    /        fallen by depth_beside() below it; until then what follows the
+///   share   __             __      a peak counts, and the places are divided there, once the feed has
+///             \    /\_    /        fallen by depth_beside() below it; until then everything after the
 ///              \__/   \__/         peak so far is kept apart in after_peak_
 ///            place 1|place 2
-/// They are cut where a rapid begins or ends, too, however slow the run is there.
+/// They are also divided where a rapid begins or ends, however slow the run is there.
 class PlaceFinder {
  public:
   explicit PlaceFinder(const VisitStretch& visit) : visit_(visit) {}
 
-  /// What follows belongs to no place that is open: a rapid begins or ends.
+  /// Closes the current place: a rapid begins or ends.
   void cut() {
     end_place();
     after_peak_.clear();
@@ -180,7 +180,7 @@ class PlaceFinder {
     account().add_loss(from, to, loss, cause);
   }
 
-  /// Returns the loss of all [s].
+  /// Returns the total loss [s].
   double finish() {
     end_place();
     return loss_;
@@ -208,12 +208,12 @@ class PlaceFinder {
   double loss_ = 0;
   Account open_;
   Account after_peak_;
-  bool rising_ = false;  ///< the feed has risen far enough from lowest_; looking for a peak
+  bool rising_ = false;  ///< the feed has risen far enough from lowest_; searching for a peak
   double lowest_ = std::numeric_limits<double>::infinity();
   double peak_ = 0;
 };
 
-/// Instants of a part at which its feed may be extreme, its ends among them.
+/// Instants of a part at which its feed may be extreme, including its ends.
 class PartLevels {
  public:
   explicit PartLevels(const Trajectory& trajectory) : trajectory_(trajectory) {}
@@ -242,7 +242,7 @@ class PartLevels {
     const std::uint32_t line = trajectory_.line_of(part.element);
     const auto add = [&](double tau) {
       const LawPoint at = advance({part.q, part.v, part.a, part.j}, tau);
-      const double time = std::min(part.time + tau, trajectory_.duration());  // of rounding
+      const double time = std::min(part.time + tau, trajectory_.duration());  // rounding
       levels_.push_back({time, start + at.q, at.v, programmed, line});
     };
     add(0);
@@ -257,7 +257,7 @@ class PartLevels {
   std::vector<Level> levels_;
 };
 
-/// Keeps those of a run that matter most.
+/// Keeps the most important places of a run.
 class SlowestPlaces {
  public:
   explicit SlowestPlaces(std::size_t most) : most_(std::max<std::size_t>(most, 1)) {}
@@ -268,7 +268,7 @@ class SlowestPlaces {
       keep_worst();
     }
   }
-  /// In order of time.
+  /// Places in order of time.
   std::vector<SlowPlace> finish() {
     keep_worst();
     std::ranges::sort(places_, {}, &SlowPlace::from);

@@ -24,7 +24,7 @@ bool differ_in_tolerance_alone(const Setup& a, const Setup& b) {
          without_tolerance(a.settings) == without_tolerance(b.settings);
 }
 
-/// The cause whose time grows most from one run to the other.
+/// Finds the cause whose time grows most from one run to the other.
 void find_cause(const Summary& narrow, const Summary& wide, SlowerTolerance& slower) {
   for (std::size_t i = 0; i < wide.time_by_cause.size(); ++i) {
     const double more = wide.time_by_cause[i] - narrow.time_by_cause[i];

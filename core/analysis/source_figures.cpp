@@ -17,7 +17,7 @@ std::optional<double> peak_force(const Summary& summary) {
               : std::nullopt;
 }
 
-/// None where no operation has a least chip thickness.
+/// None if no operation has a least chip thickness.
 std::optional<double> rubbing_time(const Summary& summary) {
   if (summary.load) {
     for (const LimitFigures& limit : summary.load->limits) {

@@ -10,18 +10,18 @@
 
 namespace feedscope {
 
-/// A figure that only runs with drives, or with a cutting load, have: for comparisons and studies.
+/// A figure that only runs with drives or with a cutting load have, for comparisons and studies.
 struct SourceFigure {
-  std::string_view column;   ///< of CSV, with its unit, the inside one
+  std::string_view column;   ///< of CSV, with its internal unit
   std::string_view title;    ///< English, marked for translation: "Actual error"
-  std::string_view meaning;  ///< the same in a sentence
+  std::string_view meaning;  ///< the figure in a sentence
   Dimension dimension = Dimension::number;
-  std::optional<double> (*of)(const Summary&) = nullptr;  ///< in inside units
+  std::optional<double> (*of)(const Summary&) = nullptr;  ///< in internal units
 };
 
 std::span<const SourceFigure> source_figures();
 
-/// Those that any of `runs` has; `summary_of`: of one of them, null if it has none.
+/// Figures that any of `runs` has; `summary_of` returns null for a run without a summary.
 template <typename Runs, typename SummaryOf>
 std::vector<const SourceFigure*> source_figures_of(const Runs& runs, SummaryOf summary_of) {
   std::vector<const SourceFigure*> figures;

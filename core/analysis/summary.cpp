@@ -14,13 +14,13 @@
 namespace feedscope {
 namespace {
 
-/// What the pieces of a trajectory add up to.
+/// Sums over the pieces of a trajectory.
 class Totals {
  public:
   explicit Totals(const Trajectory& trajectory)
       : trajectory_(trajectory), by_cause_(all_causes().size()), by_slower_place_(all_causes().size()) {}
 
-  /// Of pieces [first, last).
+  /// Adds pieces [first, last).
   void add_pieces(std::size_t first, std::size_t last) {
     for (PartWalk walk(trajectory_, first); !walk.done() && walk.part().piece < last; walk.next()) {
       const Part& part = walk.part();
@@ -51,7 +51,7 @@ class Totals {
 
  private:
   std::vector<double> times(const std::vector<ExactSum>& sums) const {
-    const double rounding = 1e-14 * trajectory_.duration();  // what pieces leave that end where others begin
+    const double rounding = 1e-14 * trajectory_.duration();  // overlap of pieces that end where others begin
     std::vector<double> seconds;
     for (const ExactSum& sum : sums) {
       seconds.push_back(sum.value() < rounding ? 0 : sum.value());
@@ -66,8 +66,8 @@ class Totals {
   ExactSum waiting_;
 };
 
-/// The pieces in runs of a length that does not depend on the number of processors, on all of them; `also` is
-/// called meanwhile.
+/// Adds up the pieces in runs whose length does not depend on the number of processors, on all processors;
+/// calls `also` meanwhile.
 Totals totals_of(const Trajectory& trajectory, const std::function<void()>& also, const Progress* progress) {
   constexpr std::size_t pieces_a_run = 16384;
   const std::size_t pieces = trajectory.pieces().size();

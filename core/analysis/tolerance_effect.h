@@ -7,13 +7,13 @@
 
 namespace feedscope {
 
-/// Whether limits on corner blends are what takes longer.
+/// Whether limits on corner blends cause the longer time.
 bool is_by_blends(const SlowerTolerance& slower);
-/// Why a wider tolerance can take longer, as one sentence for people; empty where it is not by blends.
+/// Reason why a wider tolerance takes longer, as one sentence for display; empty unless it is by blends.
 std::string why_slower(const SlowerTolerance& slower);
 
-/// Whether the runs differ in the contour tolerance, none has a blend, and runs that differ in nothing else
-/// take the same time: the tolerances compared change nothing.
+/// Whether the tolerances of a comparison have no effect: the runs differ in the contour tolerance, none has
+/// a blend, and runs that otherwise agree take the same time.
 bool tolerances_without_effect(std::span<const ComparedRun> runs);
 
 }  // namespace feedscope

@@ -24,7 +24,8 @@ bool follows_tolerance(const Setup& setup) {
   if (!contour_tolerance(setup)) {
     return false;
   }
-  // With a tolerance of 0 a model promises exact corners, which the program's own tolerance may undo.
+  // With a tolerance of 0 a model guarantees exact corners, but the program's own tolerance may override
+  // that.
   constexpr double any = 1;  // [mm]
   Settings settings = setup.settings;
   settings.set(contour_tolerance_key, any);

@@ -9,7 +9,7 @@
 
 namespace feedscope {
 
-/// The contour tolerances that hold on the feed motions of a run, whoever sets them.
+/// Contour tolerances in force on the feed motions of a run, from whatever source.
 struct ToleranceInForce {
   enum class Setter { setting, program, both };
 
@@ -21,21 +21,20 @@ struct ToleranceInForce {
   bool operator==(const ToleranceInForce&) const = default;
 };
 
-/// "setting", "program", "program and setting": the setting is that of the machine file or what was asked
-/// for.
+/// Texts "setting", "program", "program and setting"; the setting comes from the machine file or the request.
 std::string_view to_string(ToleranceInForce::Setter setter);
 
 /// Whether the model follows a contour tolerance with these settings; `cam`, `tapie` and `optimal` on their
-/// paths do not, whatever the program asks for.
+/// paths do not, whatever the program requests.
 bool follows_tolerance(const Setup& setup);
 
-/// `feed_controls`: LoadedProgram::feed_controls; empty: the setting. None where the model follows none.
+/// `feed_controls`: LoadedProgram::feed_controls; empty: the setting. None if the model follows no tolerance.
 std::optional<ToleranceInForce> tolerance_in_force(std::span<const PathControl> feed_controls,
                                                    const Setup& setup);
 
-/// "0.1 mm", "0.02 mm (program)", "0.01 ... 0.05 mm (program and setting)"; "none" without one.
+/// Text: "0.1 mm", "0.02 mm (program)", "0.01 ... 0.05 mm (program and setting)"; "none" without one.
 std::string describe(const std::optional<ToleranceInForce>& tolerance);
-/// The same without unit and setter, "-" without one: a cell of a table.
+/// The same for a table cell, without unit and source; "-" without one.
 std::string range_text(const std::optional<ToleranceInForce>& tolerance);
 
 }  // namespace feedscope

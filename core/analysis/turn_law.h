@@ -8,8 +8,8 @@
 
 namespace feedscope {
 
-/// How one rotary axis goes in a turn of its own, from rest to rest (rest_to_rest_at()): axes that turn at a
-/// feed arrive together, within the limits of them all; others each when it can.
+/// Motion of one rotary axis in a separate turn, from rest to rest (rest_to_rest_at()): axes that turn at a
+/// feed arrive together, within the limits of all; otherwise each arrives as soon as it can.
 class TurnLaw {
  public:
   /// `axes`: all of the machine; `axis`: one of them.
@@ -17,14 +17,14 @@ class TurnLaw {
 
   /// Angle [rad] with its derivatives by time, `time` from the start of the turn, clamped to it [s].
   Series at(double time) const;
-  /// The largest velocity, acceleration and jerk of the turn, magnitudes.
+  /// Magnitudes of the largest velocity, acceleration and jerk of the turn.
   RestToRestPlace largest() const;
 
  private:
   double from_ = 0;  ///< [rad]
   double to_ = 0;
-  double share_ = 0;  ///< of the axis in the way of all, with its sign; 0: it stands
-  double way_ = 0;    ///< of all axes, or of this one [rad]
+  double share_ = 0;  ///< of the axis in the combined rotation, signed; 0: it does not turn
+  double way_ = 0;    ///< rotation of all axes, or of this one [rad]
   double velocity_ = 0, acceleration_ = 0, jerk_ = 0;  ///< limits along it
 };
 

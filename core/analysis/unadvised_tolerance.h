@@ -17,7 +17,7 @@ struct UnadvisedTolerance {
 };
 std::optional<UnadvisedTolerance> unadvised_tolerance(const std::optional<ChordError>& error,
                                                       const std::optional<ToleranceInForce>& tolerance);
-/// "510 %", "90 to 510 %".
+/// Text: "510 %", "90 to 510 %".
 std::string shares_text(const UnadvisedTolerance& tolerance);
 /// As one sentence.
 std::string describe(const UnadvisedTolerance& tolerance);

@@ -14,7 +14,7 @@
 namespace feedscope {
 namespace {
 
-/// A number that a kind of cause comes from: a limit of the cause's axis where it begins with a dot, else a
+/// Number that determines a kind of cause: a limit of the cause's axis if it begins with a dot, else a
 /// setting.
 struct NumberOfCause {
   CauseKind kind;
@@ -45,7 +45,7 @@ constexpr std::array numbers_of_causes{
     NumberOfCause{CauseKind::path_velocity, "max_linear_velocity_m_min"},
     NumberOfCause{CauseKind::path_acceleration, "max_acceleration_m_s2"}};
 
-/// Undetermined numbers that `setup` uses, with no time yet.
+/// Undetermined numbers that `setup` uses, with zero time.
 std::map<std::string, double, std::less<>> undetermined_numbers(const Setup& setup) {
   std::map<std::string, double, std::less<>> numbers;
   const Settings& of_machine = setup.machine.settings;
@@ -58,7 +58,7 @@ std::map<std::string, double, std::less<>> undetermined_numbers(const Setup& set
   return numbers;
 }
 
-/// Counts `time` for the numbers that `cause` comes from.
+/// Adds `time` to the numbers that determine `cause`.
 void add_time(std::map<std::string, double, std::less<>>& numbers, Cause cause, double time) {
   for (const auto& [kind, number] : numbers_of_causes) {
     const bool of_axis = number.starts_with('.');

@@ -4,9 +4,9 @@
 
 namespace feedscope {
 
-/// "1:02:05": a duration of 0 s or more to the nearest second, in hours, minutes and seconds.
+/// A duration of at least 0 s as "1:02:05", to the nearest second, in hours, minutes and seconds.
 std::string clock_text(double seconds);
-/// "-1.250 s": to the nearest millisecond; what is nearest to none has no sign.
+/// A duration such as "-1.250 s", to the nearest millisecond; without a sign if rounded to zero.
 std::string seconds_text(double seconds);
 
 }  // namespace feedscope

@@ -14,7 +14,7 @@ constexpr double inch = 1 / units::from_inch(1);
 constexpr double pound_force = 4.4482216152605;                          // [N]
 constexpr double horsepower = 550 * units::from_inch(12) * pound_force;  // [N mm/s]: 550 lbf ft a second
 
-/// By Dimension.
+/// In the order of Dimension.
 constexpr std::array<ShownUnit, dimension_count> metric{{
     {"", 1, 0},
     {"s", 1, 3},
@@ -40,7 +40,7 @@ constexpr std::array<ShownUnit, dimension_count> metric{{
     {"°/mm³", units::to_deg(1), 5},
 }};
 
-/// A thou is a thousandth of an inch.
+/// In the order of Dimension; a thou is a thousandth of an inch.
 constexpr std::array<ShownUnit, dimension_count> in_inches{{
     {"", 1, 0},
     {"s", 1, 3},

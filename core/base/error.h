@@ -5,8 +5,8 @@
 
 namespace feedscope {
 
-/// Wrong use or unreadable input: machine file, option, call, file. The message names thing, value, place
-/// and what to do; the command line prints it and leaves with exit code 2.
+/// Wrong use or unreadable input: machine file, option, call, file. The message has thing, value, place and
+/// advice; the command line prints it and exits with code 2.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

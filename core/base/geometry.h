@@ -9,7 +9,7 @@ namespace feedscope {
 
 using Vec3 = Eigen::Vector3d;
 
-/// Points closer than this are one point: far below any control's resolution, far above rounding [mm].
+/// Distance below which points are equal: far below any control's resolution, far above rounding [mm].
 inline constexpr double same_point = 1e-6;
 
 inline constexpr std::array<char, 3> coordinate_names{'X', 'Y', 'Z'};

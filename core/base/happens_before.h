@@ -2,16 +2,16 @@
 
 namespace feedscope {
 
-/// Tells the thread sanitizer that all before `before()` happens before all behind `after()`, where a library
-/// that is not compiled for it (TBB, Qt) makes it so by means that the sanitizer does not see. Nothing
-/// elsewhere.
+/// Informs the thread sanitizer that everything before `before()` happens before everything after `after()`,
+/// where a library not compiled for it (TBB, Qt) synchronises by means invisible to the sanitizer. No effect
+/// in other builds.
 class HappensBefore {
  public:
   void before();
   void after();
 
  private:
-  [[maybe_unused]] char place_ = 0;  ///< its address stands for the pair
+  [[maybe_unused]] char place_ = 0;  ///< its address identifies the pair
 };
 
 }  // namespace feedscope

@@ -6,8 +6,8 @@
 
 namespace feedscope {
 
-/// Makes room for `more` values; where that takes a copy, for what the whole will need, of which `done` in
-/// (0, 1] is there then.
+/// Reserves room for `more` values; if that requires a copy, for the whole, of which the share `done` in (0,
+/// 1] is then complete.
 template <class T>
 void make_room(std::vector<T>& values, std::size_t more, double done) {
   constexpr double slack = 1.02;

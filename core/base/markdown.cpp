@@ -13,14 +13,14 @@ namespace {
 constexpr std::string_view paragraph_begin = "<p>";
 constexpr std::string_view paragraph_end = "</p>";
 
-/// Takes the text before `mark` away from `rest`, `mark` too.
+/// Removes the text up to and including `mark` from `rest` and returns it without `mark`.
 std::string_view taken(std::string_view& rest, char mark) {
   const std::string_view piece = rest.substr(0, rest.find(mark));
   rest.remove_prefix(std::min(piece.size() + 1, rest.size()));
   return piece;
 }
 
-/// "| a | b |" as a row of cells "th" or "td".
+/// Converts "| a | b |" to a row of cells "th" or "td".
 std::string table_row(std::string_view line, std::string_view cell) {
   taken(line, '|');
   std::string row = "<tr>";
@@ -31,7 +31,7 @@ std::string table_row(std::string_view line, std::string_view cell) {
   return row + "</tr>\n";
 }
 
-/// The table that a paragraph writes with bars, or nothing if its second line does not rule one off.
+/// Converts a paragraph with bars to a table; empty unless its second line is a rule.
 std::string table_of(std::string_view lines) {
   const std::string_view headings = taken(lines, '\n');
   const std::string_view rule = taken(lines, '\n');
@@ -46,7 +46,8 @@ std::string table_of(std::string_view lines) {
   return table + "</table>";
 }
 
-/// CommonMark has no tables: cmark leaves them as paragraphs, with all marks inside their cells done.
+/// Converts tables, which CommonMark lacks: cmark leaves them as paragraphs, with the markup in their cells
+/// converted.
 std::string with_tables(const std::string& html) {
   std::string result;
   std::size_t from = 0;

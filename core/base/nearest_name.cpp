@@ -15,7 +15,7 @@ std::string lower_case(std::string_view text) {
 
 struct EditDistances {
   std::size_t whole;   ///< to the whole candidate
-  std::size_t prefix;  ///< to its best beginning
+  std::size_t prefix;  ///< to its closest prefix
 };
 
 EditDistances edit_distances(std::string_view word, std::string_view candidate) {

@@ -6,7 +6,8 @@
 
 namespace feedscope {
 
-/// The candidate nearest to `word` by edit distance, or ""; a mere beginning needs the same first letter.
+/// Candidate nearest to `word` by edit distance, or ""; a match of a prefix only requires the same first
+/// letter.
 std::string nearest_name(std::string_view word, const std::vector<std::string>& candidates);
 
 }  // namespace feedscope

@@ -46,7 +46,7 @@ void in_parallel(std::size_t count, const std::function<void(std::size_t)>& work
 
 namespace {
 
-/// Tells at the end of a scope, also when an exception ends it, that all of it was before what comes after.
+/// Marks at the end of a scope, also after an exception, that all of it happened before the rest.
 class DoneBefore {
  public:
   explicit DoneBefore(HappensBefore& place) : place_(place) {}
@@ -89,7 +89,7 @@ void in_order(std::size_t count, const std::function<std::function<void()>(std::
       });
   const auto ahead = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()) + 1;
   try {
-    // Isolated: a thread that waits here must not begin what the caller does elsewhere.
+    // Isolated: a thread that waits here must not start other work of the caller.
     tbb::this_task_arena::isolate([&] { tbb::parallel_pipeline(ahead, number & work & take); });
   } catch (...) {
     handed_over.after();

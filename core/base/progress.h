@@ -6,22 +6,22 @@
 
 namespace feedscope {
 
-/// Thrown out of long work after Progress::cancel().
+/// Thrown from long work after Progress::cancel().
 class Cancelled : public std::exception {
  public:
   const char* what() const noexcept override { return "cancelled"; }
 };
 
-/// Shared between the threads that work and the one that watches.
+/// Progress of long work, shared between the working threads and an observer.
 class Progress {
  public:
   Progress() = default;
-  /// Of one of several parts that are worked on at a time: what it reports adds to `whole` by its `share`
-  /// in (0, 1], and cancelling the whole cancels it. `whole` outlives it.
+  /// One of several parts processed at the same time: its progress adds to `whole` with its `share` in (0,
+  /// 1], and cancelling the whole cancels it. `whole` outlives it.
   Progress(Progress& whole, double share) : whole_(&whole), share_(share) {}
 
-  /// Called by the worker every few thousand blocks. `fraction` in [0, 1].
-  /// Throws Cancelled once cancel() was called.
+  /// Called by the worker every few thousand blocks. `fraction` in [0, 1]. Throws Cancelled after a call of
+  /// cancel().
   void report(double fraction) {
     const double before = fraction_.exchange(fraction, std::memory_order_relaxed);
     if (whole_ != nullptr) {
@@ -51,21 +51,21 @@ class Progress {
   std::atomic<bool> cancelled_{false};
 };
 
-/// Within a step that may take long. `progress` may be null.
+/// For use within long steps. `progress` may be null.
 inline void stop_if_cancelled(const Progress* progress) {
   if (progress != nullptr && progress->cancelled()) {
     throw Cancelled();
   }
 }
 
-/// Reports to a Progress, or to nobody, only every few thousand steps.
+/// Reports to a Progress, or null, only every few thousand steps.
 class ProgressSteps {
  public:
   ProgressSteps(Progress* progress, std::size_t total) : ProgressSteps(progress, 0, total) {}
   /// Steps [first, first + total) of a whole.
   ProgressSteps(Progress* progress, std::size_t first, std::size_t total)
       : progress_(progress), first_(first), total_(total), next_(first) {}
-  /// All before `done` is done; throws Cancelled as Progress::report.
+  /// Everything before `done` is done; throws Cancelled as Progress::report does.
   void at(std::size_t done) {
     if (progress_ != nullptr && (done >= next_ || progress_->cancelled())) {
       next_ = done + every;

@@ -5,7 +5,7 @@
 
 namespace feedscope {
 
-/// Where a root or an extreme lies.
+/// Interval that contains a root or an extreme.
 struct Bracket {
   double low = 0;
   double high = 0;
@@ -13,8 +13,8 @@ struct Bracket {
   double middle() const { return (low + high) / 2; }
 };
 
-/// Where a condition that holds at `low` and up to some place, and nowhere beyond, ends: `holds(x)` is asked
-/// `halvings` times, each of which halves the bracket. It holds at the bracket's lower end if it was true
+/// Finds the end of a condition that holds from `low` up to some place and nowhere beyond: calls `holds(x)`
+/// `halvings` times, each halving the bracket. The condition holds at the bracket's lower end if it was true
 /// anywhere.
 template <class Condition>
 Bracket halve(Bracket bracket, int halvings, Condition holds) {
@@ -25,24 +25,24 @@ Bracket halve(Bracket bracket, int halvings, Condition holds) {
   return bracket;
 }
 
-/// A function and its slope at some place.
+/// A function and its slope at one place.
 struct ValueAndSlope {
   double value = 0;
   double slope = 0;
 };
 
-/// When a root is good enough; 0: that is not asked for.
+/// Criteria for accepting a root; 0 disables one.
 struct RootTolerance {
   double value = 0;     ///< |f|
   double step = 0;      ///< Newton's next step
-  double relative = 0;  ///< the same as a share of x
+  double relative = 0;  ///< Newton's next step as a share of x
   double width = 0;     ///< of the bracket
-  int steps = 100;      ///< at most; then the last place counts
+  int steps = 100;      ///< at most; then the last place is returned
 };
 
-/// Root of a function that rises through zero within the bracket. Newton's steps from `x`, and the middle of
-/// what is left of the bracket where such a step would leave it: safe where the slope vanishes, quadratic
-/// where it does not.
+/// Root of a function that increases through zero within the bracket. Newton's steps from `x`, replaced by
+/// the middle of the remaining bracket if a step would leave it: safe where the slope vanishes, quadratic
+/// elsewhere.
 template <class Function>
 double rising_root(Bracket bracket, double x, const RootTolerance& tolerance, Function f) {
   for (int i = 0; i < tolerance.steps && bracket.high - bracket.low > tolerance.width; ++i) {
@@ -60,14 +60,14 @@ double rising_root(Bracket bracket, double x, const RootTolerance& tolerance, Fu
   return x;
 }
 
-/// Where a function is least, and its least value that was found inside the bracket.
+/// Place of a minimum, and the smallest value found inside the bracket.
 struct Least {
   Bracket place;
   double value = 0;
 };
 
-/// Where a function that falls and then rises is least: a golden-section search down to a bracket of `width`,
-/// with at most `steps` steps. One call of `f` a step, and two before.
+/// Minimum of a function that decreases and then increases: a golden-section search down to a bracket of
+/// `width`, with at most `steps` steps. One call of `f` per step, and two before.
 template <class Function>
 Least least_place(Bracket bracket, double width, int steps, Function f) {
   constexpr double golden = 0.6180339887498949;

@@ -11,7 +11,7 @@
 namespace feedscope {
 namespace {
 
-constexpr double nanometre = 1e-6;  // [mm]; less is shown as none
+constexpr double nanometre = 1e-6;  // [mm]; less is shown as zero
 
 /// Three significant figures without a power of ten: "2.00", "48.5", "1250".
 std::string three_figures(double value) {

@@ -5,17 +5,17 @@
 
 namespace feedscope {
 
-// What the system knows of this process: tried on Linux; the parts for macOS and Windows are untested.
+// System data of this process: tested on Linux; the parts for macOS and Windows are untested.
 
 int process_id();
 
-/// Of the running program; empty where the system does not tell it.
+/// Path of the running program; empty if the system does not provide it.
 std::filesystem::path executable_path();
 
-/// Whether somebody reads `stream` (stdout, stderr) as it is written.
+/// Whether `stream` (stdout, stderr) is a terminal.
 bool is_terminal(std::FILE* stream);
 
-/// Whether the user may write to a file that is there; if not, errno says why.
+/// Whether the user may write to an existing file; if not, errno has the reason.
 bool may_write(const std::filesystem::path& file);
 
 }  // namespace feedscope

@@ -8,32 +8,31 @@ namespace feedscope {
 /// Round values of a scale.
 struct Ticks {
   double step = 0;
-  std::vector<double> values;       ///< multiples of step, rising
+  std::vector<double> values;       ///< multiples of step, ascending
   std::vector<std::string> labels;  ///< as many decimals as the step needs, decimal point
-  double count = 0;                 ///< multiples of step in all of the scale
+  double count = 0;                 ///< number of multiples of step in the whole scale
 };
 
-/// The smallest of 1, 2 and 5 times a power of ten that is at least `step`; step > 0.
+/// Smallest 1, 2 or 5 times a power of ten that is at least `step`; step > 0.
 double round_up_125(double step);
 
-/// The largest round step of which at least two multiples lie between `low` and `high` > `low`: as far apart
-/// as round numbers allow.
+/// Largest round step with at least two multiples between `low` and `high` > `low`.
 double step_of_two(double low, double high);
-/// How many decimals the multiples of `step` > 0 have, 12 at most.
+/// Number of decimals of the multiples of `step` > 0, at most 12.
 int step_decimals(double step);
 
 /// Multiples of a round step in [minimum, maximum], at most `most` of them; none if the range is empty or not
-/// finite or `most` is 0.
+/// finite, or if `most` is 0.
 Ticks round_ticks(double minimum, double maximum, int most);
-/// The same scale, its values from `low` to `high` alone: for a scale of which a small part is shown. At most
-/// 1000 values; beyond, the step is larger.
+/// Same scale with only the values from `low` to `high`, for a scale of which a small part is shown. At most
+/// 1000 values; beyond that the step is larger.
 Ticks round_ticks_between(double minimum, double maximum, double most, double low, double high);
 
-/// Multiples of `step` from `low` to `high`, rising; where they are more than 1000, of a larger round step.
-/// None of a step that is not above 0.
+/// Multiples of `step` from `low` to `high`, ascending; with a larger round step if there are more than 1000.
+/// None unless the step is above 0.
 std::vector<double> multiples(double step, double low, double high);
 
-/// A multiple of `step`, as labels have it.
+/// Label of a multiple of `step`.
 std::string tick_label(double value, double step);
 
 }  // namespace feedscope

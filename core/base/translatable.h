@@ -1,5 +1,5 @@
 #pragma once
 
-// Marks a text that people see where it stands: translators find it, the text itself stays as it is. The name
-// is the one that Qt and its tools know; source files only include this, since Qt defines it too.
+// Marks a displayed text in place for translators; the text itself does not change. The name is the one known
+// to Qt and its tools; only source files include this, since Qt also defines it.
 #define QT_TRANSLATE_NOOP(scope, x) x

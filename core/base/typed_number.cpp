@@ -31,7 +31,8 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-/// "1,000": one to three digits, the first of them not 0, then exactly three.
+/// Whether the comma may group thousands as in "1,000": one to three digits that do not begin with 0, then
+/// exactly three.
 bool may_group_thousands(std::string_view text) {
   const std::string_view digits = text.substr(text.find_first_not_of("+-"));
   const std::size_t comma = digits.find(',');

@@ -6,18 +6,18 @@
 
 namespace feedscope {
 
-/// A number as people type it, on the command line, in a setting or a field.
+/// A typed number, on the command line, in a setting or a field.
 struct TypedNumber {
-  std::optional<double> value;  ///< none: it cannot be read
-  std::string problem;          ///< why there is none and what to write instead; "" if it is not a number
+  std::optional<double> value;  ///< none if it cannot be read
+  std::string problem;          ///< reason and advice without a value; "" if it is not a number
 };
 
-/// Reads one finite number, with an exponent too ("1e-3"). A point is always the decimal sign. A single comma
-/// is the decimal sign where it can be nothing else ("0,05", "12,5"); "1,000" could be one or one thousand
-/// and is refused, as is every number with several commas, or a comma and a point.
+/// Reads one finite number, possibly with an exponent ("1e-3"). A point is always the decimal sign. A single
+/// comma is the decimal sign if it cannot be anything else ("0,05", "12,5"); "1,000" could be one or one
+/// thousand and is refused, as is every number with several commas, or a comma and a point.
 TypedNumber typed_number(std::string_view text);
-/// "1000.5" for "1.000,5" and "1,000.5": of points and commas, the last one is the decimal sign where both
-/// are there, and all others go.
+/// Removes thousands separators: "1000.5" for "1.000,5" and "1,000.5". If there are both points and commas,
+/// the last one is the decimal sign; all others are removed.
 std::string without_thousands_separators(std::string_view text);
 
 /// Reads one number of a list. Lists are separated by blanks or semicolons; a comma could be the decimal sign

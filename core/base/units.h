@@ -1,6 +1,6 @@
 #pragma once
 
-/// The one place where units are converted. Inside the core: mm, s, mm/s, mm/s2, mm/s3, rad.
+/// The only place where units are converted. Internal units: mm, s, mm/s, mm/s2, mm/s3, rad.
 namespace feedscope::units {
 
 inline constexpr double pi = 3.14159265358979323846;
@@ -37,7 +37,7 @@ constexpr double to_ms(double v) {
 }  ///< s -> ms
 constexpr double as_it_is(double v) {
   return v;
-}  ///< where file and core have the same unit
+}  ///< for equal units in file and core
 constexpr double from_inch(double v) {
   return v * 25.4;
 }  ///< inch -> mm

@@ -24,7 +24,7 @@ CurvePoint ElementCurve::at(double s) const {
     case ElementKind::dwell:
       break;
   }
-  // From the nearer end, so that both ends are met exactly.
+  // From the nearer end, so that both ends are exact.
   const Vec3 position = s <= length / 2 ? Vec3(start + s * direction) : Vec3(end - (length - s) * direction);
   return {position, direction, Vec3::Zero(), Vec3::Zero()};
 }

@@ -7,13 +7,13 @@
 namespace feedscope {
 namespace {
 
-/// Which lines may be taken together.
+/// Rule for lines that may be merged.
 class ChordRule {
  public:
   ChordRule(double longest, const PathRules& rules) : longest_(longest), rules_(&rules) {}
   ChordRule(const Toolpath& toolpath, double tolerance) : toolpath_(&toolpath), tolerance_(tolerance) {}
 
-  double longest() const { return longest_; }  ///< a chord, and more than any of its blocks [mm]
+  double longest() const { return longest_; }  ///< of a chord and of any of its blocks [mm]
   double tolerance(std::size_t first) const {
     return rules_ != nullptr ? rules_->tolerance(first) : tolerance_;
   }
@@ -39,7 +39,7 @@ class Compactor {
   Compactor(const Toolpath& toolpath, const ChordRule& rule)
       : toolpath_(toolpath), longest_(rule.longest()), rule_(rule) {}
 
-  /// How many segments from `first` on become one; 1 for none.
+  /// Number of segments from `first` on to merge into one; 1 for none.
   std::size_t count_from(std::size_t first) const {
     if (!is_short(first)) {
       return 1;
@@ -57,8 +57,8 @@ class Compactor {
     return fits;
   }
 
-  /// Largest distance of the points between `count` segments from their chord [mm]; none where they must not
-  /// be replaced by it.
+  /// Largest distance of the points between `count` segments from their chord [mm]; none if the chord must
+  /// not replace them.
   std::optional<double> deviation(std::size_t first, std::size_t count) const {
     constexpr double rounding = 1 + 1e-9;
     constexpr double min_cosine = 0.5;

@@ -4,7 +4,7 @@
 
 namespace feedscope {
 
-/// A circular arc laid into a corner of two lines, tangent to both.
+/// A circular arc in a corner of two lines, tangent to both.
 ///
 ///            corner
 ///       T  .-'| `-.  T       turn b between the directions, T from the corner to both ends,
@@ -17,12 +17,12 @@ struct ConnectingArc {
   Arc arc;
 };
 
-/// R = min(TIT / tan(b/2), L / (2 tan(b/2)) - TIT) (Msaddek 2011, eq 1), TIT being `tolerance` and L the
-/// `shorter` of the two blocks [mm].
+/// R = min(TIT / tan(b/2), L / (2 tan(b/2)) - TIT) (Msaddek 2011, eq 1), where TIT is `tolerance` and L the
+/// `shorter` one of the two blocks [mm].
 ///
-/// The second term subtracts a length along the block from a radius. It is kept as printed, but on blocks of
-/// a few TIT it leaves no arc at all: T is at least an eighth of the shorter block. T never exceeds half of
-/// it. `in`, `out`: unit directions, turning by more than straight_angle and less than a reversal.
+/// The second term subtracts a length along the block from a radius. It is used as printed, but on blocks of
+/// a few TIT it would leave no arc at all, so T is at least an eighth of the shorter block. T never exceeds
+/// half of it. `in`, `out`: unit directions, turning by more than straight_angle and less than a reversal.
 ConnectingArc connecting_arc(const Vec3& corner, const Vec3& in, const Vec3& out, double shorter,
                              double tolerance);
 

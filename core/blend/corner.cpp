@@ -6,7 +6,7 @@
 namespace feedscope {
 
 double used_tolerance(const Vec3& in, const Vec3& out, const CornerRule& rule) {
-  // A part as small as what counts as straight on is rounding of the coordinates, not a motion of the axis.
+  // A component below the limit for straight is rounding of the coordinates, not a motion of the axis.
   bool reverses = false;
   for (int j = 0; j < 3; ++j) {
     reverses =
@@ -65,7 +65,7 @@ BlendShape::BlendShape(const Vec3& in, const Vec3& out, double transition, doubl
 }
 
 BlendShape::Point BlendShape::at(double u) const {
-  // S = P + T (p(u) U + q(u) V) with the Hermite basis; p and q derived once, twice, three times.
+  // S = P + T (p(u) U + q(u) V) with the Hermite basis; first, second and third derivatives of p and q.
   const double w = 1 - u;
   const double p1 = 6 * u * w + alpha_ * (1 - 4 * u + 3 * u * u);
   const double q1 = 6 * u * w + alpha_ * (3 * u * u - 2 * u);

@@ -7,7 +7,7 @@ namespace feedscope {
 namespace {
 
 /// Nodes on [0, 1] and weights of the 5-point Gauss-Legendre rule: spans turn little, their speed by the
-/// parameter is 1 within a thousandth, and of that the rule leaves nothing.
+/// parameter is 1 within a thousandth, and the rule has no error for that.
 constexpr std::array<std::array<double, 2>, 5> gauss_rule{{{0.046910077030668004, 0.11846344252809454},
                                                            {0.23076534494715845, 0.23931433524968324},
                                                            {0.5, 0.28444444444444444},
@@ -16,7 +16,7 @@ constexpr std::array<std::array<double, 2>, 5> gauss_rule{{{0.046910077030668004
 
 constexpr int max_steps = 30;
 constexpr double rounding = 1e-15;
-/// What a step of Newton leaves goes with its square, times how much the speed by the parameter changes.
+/// The error of a Newton step is its square times the change of the speed by the parameter.
 constexpr double square_is_rounding = 1e-7;
 
 }  // namespace

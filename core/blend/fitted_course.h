@@ -7,32 +7,32 @@
 
 namespace feedscope {
 
-/// A place of a course that is given by places: what the polynomials between them meet.
+/// A point of a course, interpolated by polynomials.
 struct CourseKnot {
   double s = 0;    ///< path length from the start of the course [mm]
   Vec3 position;   ///< [mm]
   Vec3 tangent;    ///< unit
-  Vec3 curvature;  ///< vector, across the tangent [1/mm]
+  Vec3 curvature;  ///< vector, perpendicular to the tangent [1/mm]
 };
 
-/// The quintic Hermite polynomial between two knots, by path length. Position, tangent and curvature are
-/// those of the knots, so that a course through many has no jumps up to the second derivative.
+/// Quintic Hermite polynomial between two knots, by path length. Position, tangent and curvature match the
+/// knots, so a course through many has no jumps up to the second derivative.
 class CourseSpan {
  public:
-  /// `to.s` - `from.s` as course_length() says.
+  /// `to.s` - `from.s` must be course_length().
   CourseSpan(const CourseKnot& from, const CourseKnot& to);
 
   double length() const { return length_; }  ///< [mm]
-  /// At path length `s` from its beginning, clamped to the span [mm].
+  /// Point at path length `s` from the beginning, clamped to the span [mm].
   CurvePoint at(double s) const;
-  /// Derivatives by the parameter, the first to the fourth, at path length `s` as at().
+  /// First to fourth derivatives by the parameter, at path length `s` as in at().
   std::array<Vec3, 4> derivatives(double s) const;
-  /// With derivatives by path length, at share `x` in [0, 1] of the parameter, which is nearly that of the
-  /// length: cheaper.
+  /// Point with derivatives by path length, at share `x` in [0, 1] of the parameter, which is nearly that of
+  /// the length: cheaper than at().
   CurvePoint by_share(double x) const { return by_path_length(by_parameter(x)); }
-  /// Path length by the parameter, as a share of their mean, at share `x`.
+  /// Derivative of path length by the parameter relative to its mean, at share `x`.
   double stretch(double x) const { return by_parameter(x).d1.norm() / whole_; }
-  /// Distance of `point` from the span near path length `s` [mm]; `s` becomes where that is.
+  /// Distance of `point` from the span near path length `s` [mm]; sets `s` to the nearest place.
   double distance(const Vec3& point, double& s) const;
 
  private:
@@ -49,11 +49,11 @@ class CourseSpan {
   double whole_;                      ///< covered(1)
 };
 
-/// Length of the polynomial between two knots whose derivatives by the parameter are those by path length: it
-/// is as long as its parameter [mm]. `s` of the knots is not used.
+/// Length of the polynomial between two knots whose derivatives by the parameter equal those by path length:
+/// its length equals the range of its parameter [mm]. `s` of the knots is not used.
 double course_length(const CourseKnot& from, const CourseKnot& to);
 
-/// On a course of at least two knots, at path length `s` from its start, clamped to it [mm].
+/// Point of a course with at least two knots, at path length `s` from its start, clamped to it [mm].
 CurvePoint course_at(std::span<const CourseKnot> course, double s);
 
 }  // namespace feedscope

@@ -10,7 +10,8 @@ double turn_angle(const Vec3& in, const Vec3& out) {
 
 namespace {
 
-/// turn_angle(in, out) <= angle, without its arc tangent. `difference`, `sum`: |out - in|^2, |out + in|^2.
+/// Whether turn_angle(in, out) <= angle, without an arc tangent. `difference`, `sum`: |out - in|^2, |out +
+/// in|^2.
 bool turns_at_most(double difference, double sum, double tan_of_half) {
   return difference <= sum * (tan_of_half * tan_of_half);
 }

@@ -13,41 +13,40 @@ struct MotionTolerance {
   bool by_program = false;  ///< else by the setting contour_tolerance_mm
 };
 
-/// The program's contour tolerance, else its blend distance, which a blend strays from the corner by less
-/// than, else the setting; the setting always where program_tolerance is off.
+/// Contour tolerance of the program, else its blend distance, which exceeds the distance of a blend from the
+/// corner, else the setting; always the setting if program_tolerance is off.
 MotionTolerance tolerance_of(const PathControl& control, const Settings& settings);
 
-/// What rules the corners of a path: the path control that the program itself asks for, and the settings of
-/// the run where it says nothing. Exact stops that the program asks for are not here: they are
-/// JunctionKind::stop for every model.
+/// Rules for the corners of a path: the path control of the program, and the settings of the run where it has
+/// none. Exact stops of the program are not included: they are JunctionKind::stop for every model.
 class PathRules {
  public:
-  /// Reads contour_tolerance_mm, and program_tolerance: whether the program's own tolerances and blend
-  /// distances count, which they do if nothing is set. `toolpath` outlives it.
+  /// Reads contour_tolerance_mm, and program_tolerance, which enables the program's own tolerances and blend
+  /// distances (default: on). `toolpath` outlives this.
   PathRules(const Toolpath& toolpath, const Settings& settings);
-  /// Every corner is an exact stop, whatever the program says.
+  /// Rules with an exact stop at every corner, whatever the program requests.
   static PathRules exact_corners(const Toolpath& toolpath);
 
   /// Contour tolerance [mm]; 0: no corner is blended.
   double tolerance(std::size_t segment) const { return rule(segment).tolerance; }
-  /// Of the corner where `segment` ends: the smaller one of the two that meet there.
+  /// Tolerance of the corner at the end of `segment`: the smaller one of the two segments.
   double corner_tolerance(std::size_t segment) const;
-  /// Distance from that corner at which its blend may begin at the earliest [mm]; infinite if nobody says.
+  /// Largest distance from that corner at which its blend may begin [mm]; infinite without a limit.
   double longest_blend(std::size_t segment) const;
-  /// Whether the acceleration along the path may jump on the segment: BRISK, whatever program_tolerance says.
-  /// SOFT, and DRIVE whose falling acceleration is in the machine data of the control, may not.
+  /// Whether the acceleration along the path may jump on the segment: for BRISK, whatever program_tolerance
+  /// is. Not for SOFT, nor for DRIVE, whose decreasing acceleration is in the machine data of the control.
   bool acceleration_jumps(std::size_t segment) const { return rule(segment).acceleration_jumps; }
-  /// On any segment at all.
+  /// Whether it may jump on any segment.
   bool has_acceleration_jumps() const;
-  /// Whether the tip stops where the segment ends, since rotary axes let it pass no sooner
+  /// Whether the tip stops at the end of the segment because rotary axes cannot pass it in motion
   /// (TurnJoint::stops).
   bool stops_at_joint(std::size_t segment) const;
-  /// For a control that passes all such places.
+  /// For a control that does not stop at such places.
   void pass_joints() { passes_joints_ = true; }
   /// Whether the segment may be merged with `next`.
   bool may_compact(std::size_t segment, std::size_t next) const;
-  /// Whether a compressor may smooth the junction between them: where the program asks for one, or,
-  /// `everywhere`, wherever it does not ask for exact stops.
+  /// Whether a compressor may smooth the junction between them: if the program requests one, or with
+  /// `everywhere` unless it requests exact stops.
   bool may_compress(std::size_t segment, std::size_t next, bool everywhere) const;
 
  private:
@@ -65,7 +64,7 @@ class PathRules {
 
   const Toolpath* toolpath_;
   bool passes_joints_ = false;
-  std::vector<Rule> rules_;  ///< by Toolpath::path_controls
+  std::vector<Rule> rules_;  ///< in the order of Toolpath::path_controls
 };
 
 }  // namespace feedscope

@@ -139,7 +139,7 @@ void Compressor::lay(const SmoothingRun& run, std::vector<SmoothCurve>& curves,
   }
   SmoothCourse course = smoother_.smooth(polyline_, rule, progress);
   for (const std::size_t point : course.corners) {
-    if (!run.on_curve) {  // else it stays arcs
+    if (!run.on_curve) {  // otherwise it remains arcs
       corners.push_back(segments_[point]);
     }
   }

@@ -11,8 +11,8 @@ namespace {
 constexpr std::array<std::array<double, 2>, 3> gauss{
     {{0.1127016653792583, 5.0 / 18}, {0.5, 8.0 / 18}, {0.8872983346207417, 5.0 / 18}}};
 
-/// Cholesky factors of a symmetric matrix of half band width 3, in place: band[i][d] is element (i, i - d).
-/// Solves for `right`.
+/// Cholesky factorisation of a symmetric matrix of half band width 3, in place: band[i][d] is element (i, i -
+/// d). Solves for `right`.
 void solve_band(std::span<std::array<double, 4>> band, std::span<Vec3> right) {
   const std::size_t count = band.size();
   for (std::size_t i = 0; i < count; ++i) {
@@ -147,7 +147,7 @@ void CubicSplineFit::set_basis() {
   }
 }
 
-/// The normal equations: of control points, of which each interval has four.
+/// Normal equations for the control points, four per interval.
 void CubicSplineFit::set_equations() {
   const std::size_t count = intervals_.size() + 3;
   band_.assign(count, {});
@@ -157,7 +157,7 @@ void CubicSplineFit::set_equations() {
     const Interval& interval = intervals_[k];
     const double h = interval.length();
     for (std::size_t i = 0; i < 4; ++i) {
-      std::array<double, 4> weighted{};  // the Gram matrix of powers times basis function i
+      std::array<double, 4> weighted{};  // Gram matrix of powers times basis function i
       for (std::size_t a = 0; a < 4; ++a) {
         for (std::size_t b = 0; b < 4; ++b) {
           weighted[a] += interval.rows[b][i] / static_cast<double>(a + b + 1);
@@ -175,7 +175,7 @@ void CubicSplineFit::set_equations() {
   }
 }
 
-/// Gives a free end its position, by a weight that it meets.
+/// Fixes the position of a free end by a large weight.
 void CubicSplineFit::hold(const Interval& interval, bool at_end, const Vec3& point) {
   constexpr double met = 1e5;  // in intervals
   const std::size_t row = at_end ? right_.size() - 4 : 0;
@@ -193,7 +193,7 @@ void CubicSplineFit::hold(const Interval& interval, bool at_end, const Vec3& poi
   }
 }
 
-/// The three control points at an end that make its position, direction and no curvature.
+/// Three control points at an end for its position, its direction and zero curvature.
 std::array<Vec3, 3> CubicSplineFit::control_points(const Interval& interval, bool at_end, const Vec3& point,
                                                    const Vec3& direction) {
   Eigen::Matrix3d basis;
@@ -210,7 +210,7 @@ std::array<Vec3, 3> CubicSplineFit::control_points(const Interval& interval, boo
   return {control.row(0).transpose(), control.row(1).transpose(), control.row(2).transpose()};
 }
 
-/// Takes known control points out of the equations of the others.
+/// Eliminates known control points from the equations of the others.
 void CubicSplineFit::take_out_first(const std::array<Vec3, 3>& known) {
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t d = 3 - i; d <= 3 && i + d < right_.size(); ++d) {
@@ -293,7 +293,7 @@ double CubicSplineFit::deviation(std::size_t k) const {
       const Vec3 there = c[0] + x * (c[1] + x * (c[2] + x * c[3]));
       const Vec3 way = polyline_.points[line] + (t - polyline_.places[line]) * direction - there;
       const double whole = way.squaredNorm();
-      if (whole > largest) {  // what lies across is less
+      if (whole > largest) {  // its component across is less
         const Vec3 slope = c[1] + x * (2 * c[2] + 3 * x * c[3]);
         const double along = way.dot(slope);
         largest = std::max(largest, whole - along * along / slope.squaredNorm());

@@ -10,35 +10,34 @@
 
 namespace feedscope {
 
-/// Points joined by lines, by the length along them.
+/// Points connected by lines, by the length along them.
 struct Polyline {
   std::vector<Vec3> points;    ///< [mm]
   std::vector<double> places;  ///< of each point, from the first [mm]
-  Vec3 start_direction;        ///< of the curve along it, unit; not used where it is free
+  Vec3 start_direction;        ///< of the curve along it, unit; unused if free
   Vec3 end_direction;
-  bool free_start = false;  ///< direction and curvature are where the curve begins as the fit wants them
+  bool free_start = false;  ///< direction and curvature at the start result from the fit
   bool free_end = false;
 
   void clear();
-  void add(const Vec3& point);  ///< not equal to the last one
+  void add(const Vec3& point);  ///< must differ from the last one
   double length() const { return places.back(); }
   Vec3 direction(std::size_t line) const {
     return (points[line + 1] - points[line]) / (places[line + 1] - places[line]);
   }
 };
 
-/// The cubic spline c(t) with two continuous derivatives that least squares lay along a polyline P(t), t the
-/// length along it: least
+/// Least-squares cubic spline c(t) with two continuous derivatives along a polyline P(t), t the length along
+/// it: minimises
 ///
 ///   integral |c - P|^2 dt + sum over intervals (smoothing h)^6 integral |c'''|^2 dt,   h their lengths,
 ///
-/// with position, direction and no curvature given at both ends, or the position alone where one is free (a
+/// with position, direction and zero curvature given at both ends, or only the position of a free end (a
 /// P-spline with derivatives as penalty, Eilers and Marx 1996; basis on uneven intervals by Qin 2000). The
-/// integrals are exact, so that points added on the lines change nothing. Cost linear in points and
-/// intervals.
+/// integrals are exact, so points added on the lines change nothing. Cost linear in points and intervals.
 class CubicSplineFit {
  public:
-  /// `polyline` outlives the fit. `smoothing`: waves shorter than about 2 pi times it, in intervals, are
+  /// `polyline` outlives the fit. `smoothing`: in intervals; waves shorter than about 2 pi times it are
   /// damped.
   CubicSplineFit(const Polyline& polyline, double smoothing) : polyline_(polyline), smoothing_(smoothing) {}
 
@@ -50,14 +49,14 @@ class CubicSplineFit {
   std::size_t interval_count() const { return intervals_.size(); }
   double begin(std::size_t k) const { return intervals_[k].begin; }
   double end(std::size_t k) const { return intervals_[k].end; }
-  /// Line of the polyline on which interval `k` begins.
+  /// Line of the polyline at the start of interval `k`.
   std::size_t first_line(std::size_t k) const { return intervals_[k].line; }
-  /// By t, at share `x` of interval `k`.
+  /// Point with derivatives by t, at share `x` of interval `k`.
   CurvePoint at(std::size_t k, double x) const;
   /// Difference of the unit tangents at both ends of interval `k`.
   double turn(std::size_t k) const { return (at(k, 1).d1.normalized() - at(k, 0).d1.normalized()).norm(); }
-  /// Largest distance, across the curve, of the polyline from interval `k`, looked for at its points and at
-  /// least half way between them and at every eighth of the interval [mm].
+  /// Largest distance, across the curve, of the polyline from interval `k` [mm], sampled at its points, at
+  /// least half way between them and at every eighth of the interval.
   double deviation(std::size_t k) const;
 
  private:
@@ -89,9 +88,9 @@ class CubicSplineFit {
   const Polyline& polyline_;
   double smoothing_;
   std::vector<Interval> intervals_;
-  std::vector<Interval> before_;  ///< of the fit before, whose moments hold where an interval stays
+  std::vector<Interval> before_;  ///< of the previous fit; moments are reused for unchanged intervals
   std::vector<std::array<double, 4>> band_;
-  std::vector<Vec3> right_;  ///< of the equations, then the control points
+  std::vector<Vec3> right_;  ///< right side of the equations, then the control points
 };
 
 }  // namespace feedscope

@@ -6,15 +6,15 @@
 namespace feedscope {
 namespace {
 
-/// What second-order terms of the looks at a deviation, and the step from the cubic spline to polynomials by
-/// path length, may add.
+/// Margin for second-order terms of a sampled deviation, and for the step from the cubic spline to
+/// polynomials by path length.
 constexpr double slack = 0.97;
 
-/// Sagitta of the arc that an interval bends along, in tolerances: a cubic follows it closer by far.
+/// Sagitta of the arc of an interval, in tolerances: a cubic follows it far more closely.
 constexpr double first_sagitta = 8;
 
-/// Largest turn of the curve on one interval, as a length of unit vectors' difference: quadratures by path
-/// length are made for little.
+/// Largest turn of the curve in one interval, as the difference of unit vectors: quadratures by path length
+/// require small turns.
 constexpr double largest_turn = 0.3;
 
 constexpr int max_rounds = 14;
@@ -24,7 +24,7 @@ CourseKnot knot_at(const CurvePoint& point) {
   return {0, by_length.position, by_length.d1, by_length.d2};
 }
 
-/// The point of the polyline that keeps interval `k` from a smooth curve.
+/// Point of the polyline that prevents a smooth curve in interval `k`.
 std::size_t corner_of(const Polyline& polyline, const CubicSplineFit& fit, std::size_t k) {
   const std::size_t line = fit.first_line(k);
   const bool at_start = fit.begin(k) - polyline.places[line] < polyline.places[line + 1] - fit.end(k);
@@ -49,7 +49,7 @@ void set_knots(const Polyline& polyline, const CubicSplineFit& fit, SmoothCourse
   }
 }
 
-/// Whether the parameter of a span goes about as its length does, as its quadrature takes for granted.
+/// Whether the parameter of a span is nearly proportional to its length, as its quadrature assumes.
 bool is_even(const CourseSpan& span) {
   constexpr int places = 5;
   constexpr double uneven = 0.002;

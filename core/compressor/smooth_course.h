@@ -9,28 +9,27 @@
 
 namespace feedscope {
 
-/// How closely and how smoothly a curve follows a polyline.
+/// Accuracy and smoothness of a curve along a polyline.
 struct SmoothingRule {
-  double tolerance = 0;  ///< largest distance from each other [mm]
-  double smoothing = 0;  ///< as of CubicSplineFit, in intervals
+  double tolerance = 0;  ///< largest distance between them [mm]
+  double smoothing = 0;  ///< as for CubicSplineFit, in intervals
 };
 
-/// A smooth curve along a polyline, or why there is none.
+/// A smooth curve along a polyline, or the reason why there is none.
 struct SmoothCourse {
   std::vector<CourseKnot> knots;     ///< s from 0
-  std::vector<std::size_t> lines;    ///< line of the polyline under each knot but the last
+  std::vector<std::size_t> lines;    ///< line of the polyline at each knot except the last
   std::vector<std::size_t> corners;  ///< points that no smooth curve passes closely enough; then no knots
   double deviation = 0;              ///< largest distance found [mm]
 };
 
-/// The cubic spline of as few intervals as keep it within the tolerance of the polyline, as quintic Hermite
-/// polynomials by path length between its borders (position, direction and curvature are those of the
-/// spline).
+/// Finds the cubic spline with the fewest intervals within the tolerance of the polyline, as quintic Hermite
+/// polynomials by path length between its borders (with position, direction and curvature of the spline).
 ///
-/// The first intervals are as long as a cubic can bend along the turns of the polyline; those that lie too
-/// far off are halved until none does, neighbours of very different lengths along with them. An interval of
-/// two tolerances that is still too far off gives its points up as corners. Cost linear in points: a bounded
-/// number of fits.
+/// The first intervals are as long as a cubic can bend along the turns of the polyline; those outside of the
+/// tolerance are halved until none is, with neighbours of very different lengths. An interval of two
+/// tolerances that is still outside reports its points as corners. Cost linear in points: a bounded number of
+/// fits.
 class CourseSmoother {
  public:
   SmoothCourse smooth(const Polyline& polyline, const SmoothingRule& rule,

@@ -5,7 +5,7 @@
 namespace feedscope {
 namespace {
 
-/// Points on the curve keep at least this share of their programmed distance.
+/// Smallest share of their programmed distance that points on the curve keep.
 constexpr double least_share = 0.1;
 
 /// Walks along a curve from point to point.
@@ -14,8 +14,8 @@ class NearestPlaces {
   explicit NearestPlaces(const SmoothCurve& curve)
       : curve_(curve), here_(curve.knots[0], curve.knots[1]), position_(curve.knots[0].position) {}
 
-  /// The place of the curve nearest to `point`, the end of `segment`, at least `ahead` [mm] behind the place
-  /// before.
+  /// Place of the curve nearest to `point`, the end of `segment`, at least `ahead` [mm] after the previous
+  /// place.
   Vec3 next(std::uint32_t segment, const Vec3& point, double ahead) {
     const std::size_t spans = curve_.blocks.size();
     const double least = s_ + ahead;
@@ -29,7 +29,7 @@ class NearestPlaces {
     position_ = here_.at(s_ - begin).position;
     return position_;
   }
-  double left() const { return curve_.knots.back().s - s_; }  ///< of the curve behind the place [mm]
+  double left() const { return curve_.knots.back().s - s_; }  ///< length of the curve after the place [mm]
 
  private:
   void go_to(std::size_t span) {
@@ -40,7 +40,7 @@ class NearestPlaces {
   const SmoothCurve& curve_;
   std::size_t span_ = 0;
   CourseSpan here_;
-  double s_ = 0;  ///< of the place found last [mm]
+  double s_ = 0;  ///< of the last place [mm]
   Vec3 position_;
 };
 

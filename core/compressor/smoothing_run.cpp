@@ -46,7 +46,7 @@ class RunFinder {
   }
 
  private:
-  /// The last segment of the curve of the program that `i` begins, or is in the middle of; `i` if none.
+  /// Last segment of the program's curve that begins with `i` or contains it; `i` if there is none.
   std::size_t end_of_curve(std::size_t i) const {
     std::size_t end = i;
     while (end + 1 < last_ && toolpath_.segments[end].on_curve && toolpath_.segments[end + 1].on_curve &&
@@ -58,10 +58,10 @@ class RunFinder {
 
   bool is_long(std::size_t i) const { return toolpath_.segments[i].length > rule_.longest_block; }
 
-  /// Whether its direction says nothing about that of the path.
+  /// Whether it is too short for its direction to be that of the path.
   bool is_tiny(std::size_t i) const { return toolpath_.segments[i].length < 2 * rules_.tolerance(i); }
 
-  /// Whether the junction before segment `i` is smoothed; `bends` becomes true where it turns.
+  /// Whether the junction before segment `i` is smoothed; sets `bends` if it turns.
   bool is_smoothed(std::size_t i, bool& bends) {
     const Segment& before = toolpath_.segments[i - 1];
     const Segment& after = toolpath_.segments[i];

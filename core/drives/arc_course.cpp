@@ -6,13 +6,12 @@
 namespace feedscope {
 namespace {
 
-/// n over k for the sums that the product rule makes of phi', phi'' and phi'''.
+/// n over k, for the sums of the product rule over phi', phi'' and phi'''.
 constexpr double binomial(std::size_t n, std::size_t k) {
   const auto m = static_cast<double>(n);
   return k == 0 ? 1 : k == 1 ? m : m * (m - 1) / 2;
 }
 
-/// n!
 constexpr double factorial(std::size_t n) {
   double product = 1;
   for (std::size_t k = 2; k <= n; ++k) {
@@ -22,7 +21,7 @@ constexpr double factorial(std::size_t n) {
 }
 
 constexpr std::size_t short_degree = 4;
-/// Above it differences of positions would lose the digits that a span needs which meets both ends [mm].
+/// Above it, differences of positions would lose the digits needed for spans that match both ends [mm].
 constexpr double largest_radius = 1e4;
 
 }  // namespace
@@ -52,7 +51,7 @@ ArcCourse::Phase ArcCourse::phase_at(double tau) const {
   return {at.q, at.v, at.a, at.j};
 }
 
-/// Of the derivatives of exp(i phi) on the part.
+/// Bounds of the derivatives of exp(i phi) on the part.
 std::array<double, ArcCourse::order + 2> ArcCourse::bounds() const {
   const Phase end = phase_at(part_duration_);
   double speed = std::max(std::abs(start_[1]), std::abs(end[1]));

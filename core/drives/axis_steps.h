@@ -6,7 +6,7 @@
 
 namespace feedscope {
 
-/// The steps of three drives over one time. Equal drives share one, and one that is asked for again is kept.
+/// Steps of three drives over one time. Equal drives share one, and a repeated step is cached.
 class AxisSteps {
  public:
   /// `laws`: the same in every call; `time` [s].
@@ -15,8 +15,8 @@ class AxisSteps {
 
  private:
   bool known_ = false;
-  std::array<std::size_t, 3> first_like_{};  ///< the first axis with an equal drive
-  std::array<DriveStep, 3> steps_;           ///< of those
+  std::array<std::size_t, 3> first_like_{};  ///< first axis with an equal drive
+  std::array<DriveStep, 3> steps_;           ///< of those axes
 };
 
 }  // namespace feedscope

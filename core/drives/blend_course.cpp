@@ -19,7 +19,7 @@ alignas(Rule) constexpr std::array<double, 8> gauss_weights{
     0.10122853629037626, 0.22238103445337447, 0.31370664587788729, 0.36268378337836198,
     0.36268378337836198, 0.31370664587788729, 0.22238103445337447, 0.10122853629037626};
 
-/// Of lengths: closer to an end than this share of the blend is the end.
+/// Share of the blend: lengths closer to an end count as the end.
 constexpr double rounding = 1e-12;
 
 }  // namespace
@@ -51,7 +51,7 @@ bool BlendCourse::is_reached(double s) const {
   return std::abs(s - reached_.s) <= same * length_;
 }
 
-/// Series in time: |S'|^2 = q0 + q1 w + ... + q4 w^4 with w = u - u0, to the power -1/2, times s'.
+/// Series in time: s' times |S'|^2 = q0 + q1 w + ... + q4 w^4 to the power -1/2, with w = u - u0.
 BlendCourse::Place BlendCourse::place_at(double u, const LawPoint& law) const {
   const CurvePoint at = blend_.at(u);
   const double q0 = at.d1.squaredNorm();
@@ -105,7 +105,7 @@ double BlendCourse::parameter_at(const LawPoint& law, const Place& from, double 
   const double target = law.q - from.s;
   double u = std::clamp(p[0] + h * (p[1] + h * (p[2] + h * (p[3] + h * p[4]))), p[0], 1.0);
   constexpr int most_steps = 8;
-  constexpr double small = 1e-3;  // the error that is left is in the order of its cube
+  constexpr double small = 1e-3;  // the remaining error is of the order of its cube
   for (int i = 0; i < most_steps; ++i) {
     const double square = speed_squared(u);
     const double w = u - 0.5;
@@ -120,7 +120,7 @@ double BlendCourse::parameter_at(const LawPoint& law, const Place& from, double 
   return u;
 }
 
-/// By how much the middle of `span` is off [mm].
+/// Error in the middle of `span` [mm].
 double BlendCourse::error_of(const SetSpan& span, const Place& start, double from) const {
   const double h = span.duration / 2;
   const double u = parameter_at(law_at(part_, from + h), start, h);

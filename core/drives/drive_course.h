@@ -11,7 +11,7 @@ class DriveCourse {
   DriveCourse(const DriveLaw& law, const SetCourse& set, const MotorMotion& start)
       : law_(law), set_(set), start_(start) {}
 
-  /// `h` [s] after the start, 0 <= h <= duration.
+  /// Motion at `h` [s] after the start, 0 <= h <= duration.
   MotorMotion at(double h) const { return DriveStep(law_, h, set_.degree).answer(set_, start_).motor(); }
   /// Motion at the end, as the start of the next course.
   MotorMotion at_end() const {

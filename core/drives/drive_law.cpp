@@ -41,15 +41,15 @@ void DriveLaw::find_poles() {
   }
 }
 
-/// The derivatives of S_0 at the start follow from each other: Tv S'' = -S' - Kv S, once more for each order.
-/// That of order j adds to S_m its t^(m+j)/(m+j)!.
+/// The derivatives of S_0 at the start follow from each other: Tv S'' = -S' - Kv S, differentiated once more
+/// for each order. The one of order j contributes t^(m+j)/(m+j)! to S_m.
 DriveLaw::Series DriveLaw::integrated_impulse(std::size_t m) const {
   Series series{};
   double inverse_factorial = 1;
   for (std::size_t k = 2; k <= m; ++k) {
     inverse_factorial /= static_cast<double>(k);
   }
-  double here = 0;  // over fastest_^j
+  double here = 0;  // divided by fastest_^j
   double next = 1 / (lag_ * fastest_);
   for (std::size_t j = 0; j < terms; ++j) {
     series[j] = here * inverse_factorial;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t spans_per_start = 32;
 
-/// First instant at which the motor is within `window` [mm] of a set position that rests [s].
+/// First time at which the motor is within `window` [mm] of a set position at rest [s].
 double settling_time_of(const DriveLaw& law, const MotorMotion& motor, double window) {
   const auto within = [&](double time) {
     return std::abs(DriveStep(law, time, 1).answer(SetCourse(), motor).error) <= window;
@@ -16,7 +16,7 @@ double settling_time_of(const DriveLaw& law, const MotorMotion& motor, double wi
   if (law.follows_exactly() || within(0)) {
     return 0;
   }
-  constexpr double part = 0.2;  // of a time constant, so that no swing through the window is missed
+  constexpr double part = 0.2;  // of a time constant, so that no oscillation through the window is missed
   const double step = part / law.settling_rate();
   double late = step;
   while (!within(late)) {
@@ -45,7 +45,7 @@ AxisDrives::AxisDrives(const Machine& machine) {
 
 bool has_drives(const Machine& machine) {
   return std::any_of(machine.drives.begin(), machine.drives.end(), [](AxisDrive drive) {
-    drive.steps_per_mm.reset();  // says where it may stand, not how it follows
+    drive.steps_per_mm.reset();  // affects where the motor may stop, not how it follows
     return drive != AxisDrive();
   });
 }
@@ -107,7 +107,7 @@ void ActualWalk::next_span() {
   }
   set_.next();
   if (set_.done()) {
-    seen_ = duration;  // what comes is asked of the last span
+    seen_ = duration;  // later instants use the last span
     return;
   }
   seen_ = 0;

@@ -12,39 +12,39 @@
 
 namespace feedscope {
 
-/// What the slides do at one instant.
+/// Actual motion of the slides at one instant.
 struct ActualMotion {
   Vec3 position;         ///< [mm]
   Vec3 velocity;         ///< of the motors [mm/s]
-  Vec3 following_error;  ///< set position less actual position [mm]
+  Vec3 following_error;  ///< set minus actual position [mm]
 };
 
-/// The drives of the axes that move X, Y and Z, in this order.
+/// Drives of the axes that move X, Y and Z, in this order.
 struct AxisDrives {
   std::array<DriveLaw, 3> laws;
   std::array<Reversal, 3> slides;
 
   AxisDrives() = default;
-  /// Throws InputError as drive_problem() says.
+  /// Throws InputError with drive_problem().
   explicit AxisDrives(const Machine& machine);
 };
 
 /// Whether any axis of the machine does not follow its set values exactly.
 bool has_drives(const Machine& machine);
 
-/// Where the axes are where a trajectory asks them to be elsewhere, from standstill on: the answer of the
-/// linear drives in closed form, span by span. Keeps the state of every 32nd span, so that any instant costs
-/// as many steps at most; for many in order use an ActualWalk.
+/// Actual positions of the axes along a trajectory, from standstill: response of the linear drives in closed
+/// form, span by span. Stores the state at every 32nd span, so any instant costs at most as many steps; use
+/// an ActualWalk for many instants in order.
 class DriveResponse {
  public:
-  /// One pass over the trajectory, which this shares. Throws Cancelled, and InputError as AxisDrives.
+  /// Passes over the trajectory once and shares it. Throws Cancelled, and InputError as AxisDrives does.
   DriveResponse(std::shared_ptr<const Trajectory> trajectory, const Machine& machine,
                 Progress* progress = nullptr);
 
   const Trajectory& trajectory() const { return *trajectory_; }
   /// Whether no axis has backlash or friction at reversals.
   bool is_rigid() const;
-  /// At `time`, clamped to the trajectory [s].
+  /// Motion at `time`, clamped to the trajectory [s].
   ActualMotion at(double time) const;
 
  private:
@@ -61,40 +61,39 @@ class DriveResponse {
   std::vector<Start> starts_;
 };
 
-/// Actual motion at instants that never fall: each takes constant time on average.
+/// Actual motion at instants that never decrease, in constant time on average.
 class ActualWalk {
  public:
   /// `from`: the first instant [s]. `response` must outlive this.
   explicit ActualWalk(const DriveResponse& response, double from = 0);
-  /// From the start of a trajectory; both must outlive this.
+  /// Starts at the beginning of a trajectory; both must outlive this.
   ActualWalk(const Trajectory& trajectory, const AxisDrives& drives);
-  /// `time` [s]: not before that of the last call.
+  /// `time` [s]: not before that of the previous call.
   ActualMotion at(double time);
-  /// The same without going on to another span.
+  /// As at(), within the current span.
   ActualMotion within_span(double time);
 
-  /// State between motors and slides at the instant that was asked for last.
+  /// State between motors and slides at the last requested instant.
   struct Slides {
     std::array<Reversal, 3> slides;
-    double seen = 0;  ///< after the start of the span [s]
+    double seen = 0;  ///< time after the start of the span [s]
   };
   Slides slides() const { return {slides_, seen_}; }
-  /// Goes back to an earlier instant of the span.
+  /// Returns to an earlier instant of the span.
   void go_back(const Slides& to) {
     slides_ = to.slides;
     seen_ = to.seen;
   }
 
-  /// How long the motors take until each has been within `window` [mm] of its set position, if these stay as
-  /// they are at the start of the span, or at the end of the last one [s].
+  /// Time until each motor has been within `window` [mm] of its set position, if these stay as at the start
+  /// of the span, or at the end of the last one [s].
   double settling_time(double window) const;
-  /// Holds the set positions there for `time` [s]; does nothing after the last span.
+  /// Keeps the set positions there for `time` [s]; does nothing after the last span.
   void rest(double time);
 
   bool done() const { return set_.done(); }
-  /// The span that is under way.
+  /// Current span.
   const SetSpan& span() const { return set_.span(); }
-  /// Goes on to the next span.
   void next_span();
 
  private:
@@ -103,9 +102,9 @@ class ActualWalk {
   const AxisDrives& drives_;
   SetWalk set_;
   std::array<MotorMotion, 3> motors_;  ///< at the start of the span
-  std::array<Reversal, 3> slides_;     ///< `seen_` after its start
+  std::array<Reversal, 3> slides_;     ///< at `seen_` after its start
   AxisSteps whole_;                    ///< to the end of the span
-  AxisSteps within_;                   ///< to the instant asked for last
+  AxisSteps within_;                   ///< to the last requested instant
   double seen_ = 0;                    ///< [s]
 };
 

@@ -6,17 +6,17 @@
 namespace feedscope {
 namespace {
 
-/// In time constants of a pole: up to here the power series is used.
+/// In time constants of a pole: up to here the power series applies.
 constexpr double series_up_to = 1;
-/// Up to here half of its terms do, to 1e-12 of the highest integrals, which count least.
+/// Up to here half of its terms suffice, to 1e-12 of the highest integrals, which count least.
 constexpr double few_terms_up_to = 1.0 / 4;
-/// Of two real poles; those nearer to each other would lose digits as a difference.
+/// Ratio of two real poles; closer ones would lose digits in the difference.
 constexpr double far_apart = 4;
 
 constexpr std::size_t most = SetCourse::order;
 template <std::size_t count>
 double sum_of(const std::array<double, 16>& series, double x) {
-  // Even and odd powers, which a processor sums at the same time.
+  // Even and odd powers can be summed in parallel.
   const double square = x * x;
   double even = 0;
   double odd = 0;
@@ -133,7 +133,7 @@ DriveStep::Integrals DriveStep::of_pole(double rate) const {
 }
 
 DriveStep::Integrals DriveStep::from_exponentials(const DriveLaw& law) const {
-  // exp(-half t) times cosh(b t) and sinh(b t)/b, or cos and sin; b = sqrt(|square|).
+  // Terms exp(-half t) times cosh(b t) and sinh(b t)/b, or cos and sin; b = sqrt(|square|).
   const double decay = std::exp(-law.half_ * time_);
   const double b = std::sqrt(std::abs(law.square_));
   const double x = b * time_;

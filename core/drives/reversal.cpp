@@ -8,8 +8,8 @@
 namespace feedscope {
 namespace {
 
-/// The motor is looked at this often: in steps of half the drive's fastest time while it settles, then in
-/// some parts of the set course, within which it turns round once at most.
+/// Sampling of the motor: in steps of half the drive's fastest time while it settles, then in several parts
+/// of the set course, within each of which it reverses at most once.
 constexpr double step_in_rates = 0.5;
 constexpr int settling_steps = 40;
 constexpr double parts_of_course = 8;
@@ -40,7 +40,7 @@ void Reversal::move(double distance, double time) {
   }
 }
 
-/// The motor goes from `from` to `to` in one direction.
+/// Follows the motor from `from` to `to` in one direction.
 void Reversal::follow_straight(const DriveCourse& course, double from, double to) {
   const double start = course.at(from).offset;
   const double end = course.at(to).offset;
@@ -51,7 +51,7 @@ void Reversal::follow_straight(const DriveCourse& course, double from, double to
     move(end - start, to - from);
     return;
   }
-  // Where it is noticed, from where on the spike decays.
+  // Time of detection; the spike decays from there.
   constexpr int halvings = 40;
   const Bracket noticed = halve({from, to}, halvings, [&](double t) {
     return std::abs(course.at(t).offset - start) < std::abs(to_reversal);

@@ -17,7 +17,7 @@ double SetCourse::velocity(double h) const {
   return sum;
 }
 
-/// With u = t/h, c5 u^5 + ... + c9 u^9 must make up for what the Taylor polynomial of the start misses.
+/// With u = t/h, c5 u^5 + ... + c9 u^9 must correct the error of the Taylor polynomial from the start.
 void meet_end(SetCourse::Derivatives& derivative, const std::array<double, SetCourse::met + 1>& end,
               double h) {
   const double square = h * h;

@@ -14,16 +14,16 @@ struct SetSpan {
   double duration = 0;  ///< [s]
   std::array<SetCourse, 3> axes;
   Vec3 start = Vec3::Zero();  ///< [mm]
-  std::uint32_t element = 0;  ///< of the path, under way
-  /// The motion starts again here, at rest: at the start of the program, and behind a move whose way is not
-  /// known.
+  std::uint32_t element = 0;  ///< current one of the path
+  /// The motion restarts from rest here: at the start of the program, and after a move of unknown path.
   bool begins = false;
 
   double end() const { return time + duration; }         ///< [s]
   Vec3 at(double h) const;                               ///< set position `h` [s] after the start [mm]
   std::size_t degree() const { return axes[0].degree; }  ///< of all axes
 
-  /// Makes the courses polynomials of this degree and time [s] from `position` [mm] on, their derivatives 0.
+  /// Sets the courses to polynomials of this degree and duration [s] from `position` [mm] on, with
+  /// derivatives 0.
   void begin(const Vec3& position, std::size_t degree, double lasting);
   void set_derivative(std::size_t order, const Vec3& value) {
     for (std::size_t axis = 0; axis < axes.size(); ++axis) {

@@ -6,11 +6,11 @@
 namespace feedscope {
 namespace {
 
-/// Farther apart than rounding leaves the ends of two spans [mm].
+/// Larger distances between the ends of two spans are not rounding [mm].
 constexpr double jump = 1e-4;
 
-/// By which share of a span that is off by `error` [mm] a span is shorter that is off by the tolerance:
-/// errors rise with the eighth power of the duration.
+/// Factor on the duration of a span with `error` [mm] to bring its error within the tolerance: errors rise
+/// with the eighth power of the duration.
 double fitting_share(double error) {
   constexpr double cautious = 0.9;
   constexpr double nothing = 1e-3;  // of the tolerance
@@ -100,7 +100,7 @@ void SetWalk::make_span() {
   first_ = false;
 }
 
-/// The law of a line, or standstill.
+/// Law of a line, or standstill.
 void SetWalk::make_line_span() {
   const Part& part = walk_.part();
   span_.begin(curve_.at(part.q).position, 3, part.duration);
@@ -109,7 +109,7 @@ void SetWalk::make_line_span() {
   span_.set_derivative(3, part.j * curve_.direction);
 }
 
-/// The blend is of third degree in u, and u of third degree at most in time: with w = u - u0 from the start
+/// The blend is of third degree in u, and u of at most third degree in time: with w = u - u0 from the start
 /// of the part on, S is S0 + d1 w + d2/2 w^2 + d3/6 w^3.
 void SetWalk::make_blend_span() {
   const Part& part = walk_.part();
@@ -127,13 +127,13 @@ void SetWalk::make_blend_span() {
   }
 }
 
-/// Up to where the pulses that the filters see change next.
+/// Extends to the next change of the pulses within the filters.
 void SetWalk::make_filtered_span() {
   const Part& part = walk_.part();
   const FilteredMotion& motion = trajectory_.motion_of(part.element);
   const PulseTrain& train = motion.train();
   const double at = part.time - motion.start() + from_;
-  // Knots that rounding alone keeps apart are one.
+  // Knots separated only by rounding count as one.
   const double rounding = 1e-9 * train.filter_time;
   double duration = pulses_.next_knot(train, at + rounding) - at;
   if (part.duration - from_ < duration + rounding) {
@@ -157,7 +157,7 @@ void SetWalk::make_filtered_span() {
   meet(pulses_.continued(at), pulses_.continued(at + duration), duration);
 }
 
-/// On a circle at constant speed, from `at` of its motion on.
+/// Circle at constant speed, from `at` of its motion on.
 void SetWalk::make_settled_span(const CommandPart& turn, double at, double duration) {
   const double radius = turn.cosine.norm();
   Arc arc{turn.position - turn.cosine,
@@ -181,7 +181,7 @@ void SetWalk::make_fitted_span() {
   const double end = walk_.part().duration;
   double to = std::min(end, from_ + guess_);
   if (end - to < 0.1 * guess_) {
-    to = end;  // no sliver behind
+    to = end;  // no sliver after it
   }
   constexpr int most_tries = 40;
   double share = 0;
@@ -199,8 +199,8 @@ void SetWalk::make_fitted_span() {
   guess_ = std::clamp(share, 0.5, 4.0) * span_.duration;
 }
 
-/// The polynomial with the derivatives up to the third of both ends. Beyond the Taylor polynomial of the
-/// start, c4 u^4 + ... + c7 u^7 with u = t/h must make up for what that misses of the end.
+/// Polynomial with the derivatives up to the third of both ends. With u = t/h, c4 u^4 + ... + c7 u^7 must
+/// correct the error of the Taylor polynomial from the start.
 void SetWalk::meet(const Kinematics& a, const Kinematics& b, double h) {
   const double square = h * h;
   const double cube = square * h;

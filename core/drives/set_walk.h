@@ -9,18 +9,17 @@
 
 namespace feedscope {
 
-/// The set positions of a trajectory as polynomials in time, one span after the other.
+/// Set positions of a trajectory as polynomials in time, span by span.
 ///
 /// Lines, blends by their own parameter, and filtered motion between two knots of its straight pulses are
-/// exact; arcs are cut as ArcCourse says. Other curves, and filtered arcs, are polynomials of degree seven
-/// with position, velocity, acceleration and jerk of both ends: filtered arcs are cut by a bound of their
-/// eighth derivative, other curves until the middle, where a polynomial is farthest off, is within
-/// `tolerance`.
+/// exact; arcs are divided as in ArcCourse. Other curves, and filtered arcs, are polynomials of degree seven
+/// with position, velocity, acceleration and jerk of both ends: filtered arcs are divided by a bound of their
+/// eighth derivative, other curves until the error in the middle, where it is largest, is within `tolerance`.
 class SetWalk {
  public:
   static constexpr double tolerance = 3e-9;  ///< [mm]
 
-  /// From `time` on, clamped to the trajectory, which must outlive this [s].
+  /// Starts at `time`, clamped to the trajectory, which must outlive this [s].
   explicit SetWalk(const Trajectory& trajectory, double time = 0);
 
   bool done() const { return done_; }
@@ -40,13 +39,13 @@ class SetWalk {
   const Trajectory& trajectory_;
   PartWalk walk_;
   ElementCurve curve_;                    ///< of the part, unless it is filtered
-  std::optional<std::uint32_t> element_;  ///< whose curve that is
-  std::optional<PartMotion> motion_;      ///< of a part on another curve than lines, arcs and blends
-  std::optional<ArcCourse> arc_;          ///< of a part on an arc
-  BlendCourse blend_{tolerance};          ///< of a part on a blend by path length
+  std::optional<std::uint32_t> element_;  ///< element of that curve
+  std::optional<PartMotion> motion_;      ///< for parts on curves other than lines, arcs and blends
+  std::optional<ArcCourse> arc_;          ///< for parts on an arc
+  BlendCourse blend_{tolerance};          ///< for parts on a blend by path length
   FilterWalk pulses_;
-  double from_ = 0;   ///< where the span begins in the part [s]
-  double guess_ = 0;  ///< duration to be tried first [s]
+  double from_ = 0;   ///< start of the span in the part [s]
+  double guess_ = 0;  ///< duration to try first [s]
   Vec3 reached_ = Vec3::Zero();
   bool first_ = true;
   bool done_ = false;

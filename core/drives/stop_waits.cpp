@@ -10,7 +10,7 @@ namespace feedscope {
 namespace {
 
 struct Wait {
-  std::size_t piece = 0;  ///< at whose end
+  std::size_t piece = 0;  ///< the wait follows it
   double begin = 0;       ///< on the clock without waits [s]
   double duration = 0;    ///< [s]
 };
@@ -21,7 +21,7 @@ bool stops_exactly(const Toolpath& path, std::size_t segment) {
          control.exact_stop_window != ExactStopWindow::interpolation_end;
 }
 
-/// Whether the control waits at the end of a piece for its axes; there is motion before.
+/// Whether the control waits for its axes at the end of a piece, after motion.
 bool waits_behind(const Trajectory& motion, std::size_t piece) {
   const BlendedPath& path = motion.path();
   const std::uint32_t last = motion.last_element(piece);
@@ -73,7 +73,7 @@ Trajectory with_stop_waits(Trajectory motion, const Machine& machine, double win
   if (waits.empty()) {
     return motion;
   }
-  std::vector<std::uint32_t> elements;  // at whose ends they are
+  std::vector<std::uint32_t> elements;  // the waits are at their ends
   for (const Wait& wait : waits) {
     elements.push_back(motion.last_element(wait.piece));
   }

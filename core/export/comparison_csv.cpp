@@ -15,11 +15,11 @@
 namespace feedscope {
 namespace {
 
-/// Of every axis of known_axes; without values where a machine does not have it.
+/// For every axis of known_axes; empty values if a machine lacks it.
 constexpr std::array<const char*, 6> axis_columns{"v{}_mm_min", "a{}_m_s2",  "j{}_m_s3",
                                                   "v{}_share",  "a{}_share", "j{}_share"};
 
-/// Positions in all_causes() of the causes that any of the runs has.
+/// Indices in all_causes() of the causes of any run.
 template <typename Runs>
 std::vector<std::size_t> causes_of(const Runs& runs) {
   std::vector<std::size_t> causes;
@@ -34,7 +34,7 @@ std::vector<std::size_t> causes_of(const Runs& runs) {
   return causes;
 }
 
-constexpr std::size_t name_columns = 3;  // machine, model and tolerance in front of the figures
+constexpr std::size_t name_columns = 3;  // machine, model and tolerance before the figures
 
 std::vector<std::string> header(const std::vector<std::size_t>& causes) {
   std::vector<std::string> row{"machine",
@@ -63,7 +63,7 @@ std::vector<std::string> header(const std::vector<std::size_t>& causes) {
   return row;
 }
 
-/// Without the figures where the control refuses the program.
+/// Row of a run, without figures if the control refuses the program.
 std::vector<std::string> row_of(const ComparedRun& run, const std::vector<std::size_t>& causes) {
   const Summary& summary = run.summary;
   const std::optional<ToleranceInForce>& tolerance = run.tolerance;
@@ -129,7 +129,7 @@ std::string bound_text(std::optional<double> within, double error) {
   return within ? (error <= *within + rounding ? "1" : "0") : "";
 }
 
-/// The columns of study_columns() up to the operations.
+/// Columns of study_columns() up to the operations.
 std::vector<std::string> study_cells(const Study& study, const StudyRun& run, bool is_fastest) {
   std::vector<std::string> cells;
   for (const double value : run.swept) {
@@ -144,7 +144,7 @@ std::vector<std::string> study_cells(const Study& study, const StudyRun& run, bo
   return cells;
 }
 
-/// A row of one operation, from that of its run.
+/// Row of one operation, based on that of its run.
 std::vector<std::string> operation_row(const Study& study, const StudyRun& run, std::size_t i,
                                        const std::vector<std::string>& titles, std::vector<std::string> row) {
   const Operation& operation = study.operations[i];

@@ -7,15 +7,13 @@
 
 namespace feedscope {
 
-/// The worst places of feed motions as CSV, the largest error first:
-/// rank,line,block,time_s,path_mm,error_mm,side_mm,
+/// Worst places of feed motions as CSV, largest error first: rank,line,block,time_s,path_mm,error_mm,side_mm,
 /// tolerance_mm,at,length_mm,turn_deg,radius_mm,inside,x_mm,y_mm,z_mm,programmed_x_mm,programmed_y_mm,
-/// programmed_z_mm,feed_mm_min,programmed_feed_mm_min,cause.
-/// `side_mm` as ContourErrors; `at`: line, arc or corner; `inside`: 1 on the inner side of arc or corner, 0
-/// on the outer one. What a place has not is empty.
+/// programmed_z_mm,feed_mm_min,programmed_feed_mm_min,cause. `side_mm`: as in ContourErrors; `at`: line, arc
+/// or corner; `inside`: 1 on the inner side of arc or corner, 0 on the outer one. Missing values are empty.
 std::string contour_places_csv(const ContourReport& report);
 
-/// The histogram of one run among several.
+/// Histogram of one of several runs.
 struct NamedHistogram {
   std::string run;
   ContourHistogram histogram;

@@ -4,7 +4,7 @@
 
 namespace feedscope {
 
-/// As files name it.
+/// Name in files.
 inline const char* contour_word(ContourSpot::Kind kind) {
   switch (kind) {
     case ContourSpot::Kind::arc:

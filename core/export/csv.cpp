@@ -14,17 +14,16 @@
 namespace feedscope {
 namespace {
 
-constexpr double max_rows = 1e9;              // about 300 GB; a step that small is a slip of the pen
+constexpr double max_rows = 1e9;              // about 300 GB; so small a step is a typing error
 constexpr std::size_t buffer_size = 1 << 20;  // bytes
 constexpr std::size_t rows_per_report = 4096;
 
-/// Collects text and hands it to the stream in large parts.
+/// Collects text and passes it to the stream in large blocks.
 class TextSink {
  public:
   explicit TextSink(std::ostream& out) : out_(out) { buffer_.reserve(buffer_size + 1024); }
 
-  /// Enough digits for a nanometre on ten metres; no minus before zero.
-  /// Nothing where it is not a number.
+  /// Enough digits for a nanometre in ten metres; no negative zero. An empty field for NaN.
   void number(double value) {
     if (std::isnan(value)) {
       buffer_.push_back(',');
@@ -68,15 +67,15 @@ std::vector<std::string> cause_keys() {
   return keys;
 }
 
-/// A column of motion: a quantity in the unit of files.
+/// A column of motion: a quantity in file units.
 struct Column {
   std::string_view name;
   double (*of)(const Instant&) = nullptr;
   double factor = 1;
 };
 
-/// Those before the limiting cause, which once was the last, and those behind it; of the drives only where a
-/// machine has any.
+/// Columns before and after the limiting cause, formerly the last column; those of the drives only for
+/// machines with drives.
 struct Columns {
   std::vector<Column> before_cause;
   std::vector<Column> behind_cause;
@@ -94,7 +93,7 @@ Columns columns_of(const RunSources& sources) {
   return columns;
 }
 
-/// Rows of samples at instants that never fall.
+/// Rows of samples at instants that never decrease.
 class SampleRows {
  public:
   /// `from`: the first instant [s].
@@ -169,7 +168,7 @@ void write_csv(std::ostream& out, const Trajectory& trajectory, double step, Pro
         "a step of {} s gives more than a billion rows for a cycle time of {:.6g} s; use a larger step", step,
         duration));
   }
-  // A row whose time prints like that of the end would repeat it: 11 digits tell 1e-10 apart.
+  // A row whose printed time equals that of the end would repeat it: 11 digits distinguish 1e-10.
   const auto count = static_cast<std::size_t>(std::ceil(duration / step * (1 - 1e-10)));
   SampleRows rows(out, trajectory, sources, 0, count, progress);
   for (std::size_t row = 0; row < count; ++row) {

@@ -4,10 +4,10 @@
 
 namespace feedscope {
 
-/// Quoted where a comma, a quote or a line end would break the row.
+/// Quotes a text with a comma, a quote or a line end, which would break the row.
 std::string csv_field(const std::string& text);
 
-/// Eleven digits, and no minus before zero; nothing where it is not a number.
+/// Eleven digits, no negative zero; empty for NaN.
 std::string csv_number(double value);
 
 }  // namespace feedscope

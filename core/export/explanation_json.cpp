@@ -62,7 +62,7 @@ Json place_json(const SlowPlace& place) {
           {"cause", cause_key(place.cause)}};
 }
 
-/// Null for a shape without one; the unit is part of the key, as everywhere.
+/// Null for a shape without a measure; the unit is part of the key, as everywhere.
 Json measure_json(const SlowGroup& group) {
   const PlaceShapeInfo& info = info_of(group.shape);
   if (info.measure.empty()) {

@@ -13,48 +13,48 @@ struct ContourReport;
 struct ProgramDifference;
 struct TimeReport;
 
-/// Samples as CSV, columns of README.md beside this file; one row each `step` [s] and one for the very end.
-/// `sources`: of the trajectory's run, whose columns stand behind those of the motion; those of the cutting
-/// load are empty where nothing is cut.
+/// Samples as CSV, columns as in README.md next to this file; one row every `step` [s] and one at the very
+/// end. `sources`: of the trajectory's run, with columns after those of the motion; those of the cutting load
+/// are empty without a cut.
 void write_csv(std::ostream& out, const Trajectory& trajectory, double step, Progress* progress = nullptr,
                const RunSources& sources = {});
-/// The same with a row at each of `times` [s], ascending, clamped to the run.
+/// As CSV with a row at each of `times` [s], ascending, clamped to the run.
 void write_csv(std::ostream& out, const Trajectory& trajectory, std::span<const double> times,
                Progress* progress = nullptr, const RunSources& sources = {});
-/// Corner blends as CSV, columns of README.md beside this file.
+/// Corner blends as CSV, columns as in README.md next to this file.
 void write_blends(std::ostream& out, const Trajectory& trajectory, const Progress* progress = nullptr);
 
-// JSON, indented, newline at the end; every key is listed in core/export/README.md. Two files of equal
-// commands differ in `elapsed` alone.
+// JSON, indented, newline at the end; every key is listed in core/export/README.md. Files of two equal
+// commands differ only in `elapsed`.
 
-/// A run. With a contour report also its places and histogram.
+/// A run; with a contour report also its places and histogram.
 std::string simulation_json(const LoadedProgram& program, const ComparedRun& run,
                             const ContourReport* contour = nullptr);
-/// A run, where its time goes and what would help.
+/// A run, the breakdown of its time and effective changes.
 std::string explanation_json(const LoadedProgram& program, const ComparedRun& run, const TimeReport& report);
 /// Several runs of a program.
 std::string comparison_json(const LoadedProgram& program, std::span<const ComparedRun> runs);
-/// What `check` found.
+/// Results of `check`.
 std::string check_json(const LoadedProgram& program);
 
 /// Two programs on one setup, matched by their paths.
 std::string program_difference_json(const Run& old, const Run& now, const ProgramDifference& difference);
 
-/// Several runs as CSV, one row each: machine,model,tolerance_mm (in force; empty where the model follows
-/// none or the program has several), cycle_time_s,programmed_time_s,against_cam,mean_feed_mm_min,
+/// Several runs as CSV, one row each: machine,model,tolerance_mm (in force; empty if the model follows none
+/// or the program has several), cycle_time_s,programmed_time_s,against_cam,mean_feed_mm_min,
 /// peak_feed_mm_min,max_contour_error_mm,blends,tolerance_min_mm,tolerance_max_mm,tolerance_set_by,
-/// max_contour_error_cutting_mm (of feed motions, which bounds are about), for every axis its peaks
+/// max_contour_error_cutting_mm (of feed motions, to which bounds apply), for every axis its peaks
 /// (vx_mm_min,ax_m_s2,jx_m_s3) and their share of the limits (vx_share,...), and time_CAUSE_s for every cause
-/// that any run has. `names`: of the runs, as a last column `run`; empty: no such column.
+/// of any run. `names`: of the runs, as a last column `run`; empty: no such column.
 std::string comparison_csv(std::span<const ComparedRun> runs, std::span<const std::string> names = {});
 
-/// What comparison_json writes, and what was swept.
+/// Contents of comparison_json, and the sweeps.
 std::string study_json(const LoadedProgram& program, const Study& study);
 /// A study as CSV: the columns of comparison_csv, then setting_KEY for every sweep, within_bound (0, 1, empty
-/// without a bound), fastest (0, 1), limiting_cause, limiting_share; where operations were asked for also
-/// operation, operation_line, cutting_length_mm: every run has a row of its own, in which these are empty,
-/// and one for each operation, in which cycle_time_s, mean_feed_mm_min, max_contour_error_mm and limiting_
-/// are those of the operation and the other figures are empty.
+/// without a bound), fastest (0, 1), limiting_cause, limiting_share; for a study of operations also
+/// operation, operation_line, cutting_length_mm: every run has its own row, in which these are empty, and one
+/// for each operation, in which cycle_time_s, mean_feed_mm_min, max_contour_error_mm and limiting_ are those
+/// of the operation and the other figures are empty.
 std::string study_csv(const Study& study);
 
 }  // namespace feedscope

@@ -8,8 +8,8 @@
 
 namespace feedscope {
 
-/// What identification found, by model, as JSON: keys of README.md beside this file. `parameters` and
-/// `agreement` at the top are those of the first. `unfitted`: models that were asked for and failed.
+/// Results of an identification, by model, as JSON: keys in README.md next to this file. `parameters` and
+/// `agreement` at the top are those of the first model. `unfitted`: requested models that failed.
 std::string identification_json(std::span<const Identification> models,
                                 const std::vector<std::string>& traces,
                                 std::span<const UnfittedModel> unfitted = {});

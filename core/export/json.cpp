@@ -111,7 +111,7 @@ Json not_counted_json(const NotCounted& counts) {
   return list;
 }
 
-/// The same keys whichever command read the program.
+/// The same keys for all commands.
 Json program_json(const Program& program, const Toolpath& toolpath) {
   const ProgramFacts facts = facts_of(program, toolpath);
   return {{"file", program.source->name()},
@@ -177,7 +177,7 @@ Json peaks(const Summary& summary) {
   return json;
 }
 
-/// Null for a run that leaves the programmed path nowhere.
+/// Null for a run that never leaves the programmed path.
 Json contour_place(const Summary& summary) {
   if (!(summary.max_contour_error > 0)) {
     return nullptr;
@@ -189,7 +189,7 @@ Json contour_place(const Summary& summary) {
           {"side_mm", rounded_length(place.side)}};
 }
 
-/// `seconds` by cause_index(); those without time are omitted.
+/// `seconds` in the order of cause_index(); causes without time are omitted.
 Json by_cause(const std::vector<double>& seconds) {
   Json times = Json::object();
   for (std::size_t i = 0; i < seconds.size(); ++i) {
@@ -214,7 +214,7 @@ Json axis_limits(const Machine& machine) {
   return axes;
 }
 
-/// Limits and travel of the rotary axes; null for an axis without end.
+/// Limits and travel of the rotary axes; null for an axis that turns without end.
 Json rotary_limits(const Machine& machine) {
   Json axes = Json::object();
   for (const RotaryAxis& axis : machine.kinematics.rotary) {
@@ -230,7 +230,7 @@ Json rotary_limits(const Machine& machine) {
   return axes;
 }
 
-/// Of a machine; those of rotary axes only where it has some.
+/// Limits of a machine; rotary ones only if it has rotary axes.
 Json machine_limits(const Machine& machine) {
   Json limits{{"axes", axis_limits(machine)}};
   if (!machine.kinematics.empty()) {
@@ -239,7 +239,7 @@ Json machine_limits(const Machine& machine) {
   return limits;
 }
 
-/// Null where all axes follow their set values exactly.
+/// Null if all axes follow their set values exactly.
 Json actual_json(const Summary& summary) {
   if (!summary.actual) {
     return nullptr;
@@ -269,8 +269,8 @@ std::vector<std::string> notes_of(const LoadedProgram& program, const ComparedRu
   return notes;
 }
 
-/// What a run is and what came out of it: the same keys whichever command ran it, null for times, feeds and
-/// errors of a run without `figures`.
+/// Setup and results of a run: the same keys for all commands, null for times, feeds and errors of a run
+/// without `figures`.
 Json run_json(const LoadedProgram& program, const ComparedRun& run, bool figures) {
   const Machine& machine = run.setup.machine;
   const ModelInfo& model = run.setup.model->info();
@@ -353,7 +353,7 @@ Json contour_json(const ContourReport& report) {
             {"side", histogram_json(report, ContourBins::sides)}}}};
 }
 
-/// Of the reader, then what the machine that the path is for cannot do.
+/// Messages of the reader, then faults of the machine that the path is for.
 std::vector<Diagnostic> messages_of(const LoadedProgram& program) {
   std::vector<Diagnostic> all = program.program->diagnostics;
   const std::vector<Diagnostic>& faults = program.toolpath->machine_faults;
@@ -390,7 +390,7 @@ std::string simulation_json(const LoadedProgram& program, const ComparedRun& run
 
 namespace {
 
-/// `runs` as run_json().
+/// `runs`: from run_json().
 Json with_runs(const char* kind, const LoadedProgram& program, Json runs) {
   Json json = with_format(kind);
   json["program"] = program_json(*program.program, *program.toolpath);
@@ -422,7 +422,7 @@ Json operations_json(const Study& study, const StudyRun& run) {
   return list;
 }
 
-/// `run` and `against`: places in the list of runs.
+/// `run` and `against`: indices into the list of runs.
 Json slower_json(std::span<const ToleranceRun> runs) {
   Json list = Json::array();
   for (const SlowerTolerance& slower : slower_with_wider_tolerance(runs)) {
@@ -438,7 +438,7 @@ Json slower_json(std::span<const ToleranceRun> runs) {
   return list;
 }
 
-/// `run` and `against`: places in the list of runs. null: there is none.
+/// `run` and `against`: indices into the list of runs; null without a recommendation.
 Json recommendation_json(std::span<const ComparedRun> runs, std::optional<double> within) {
   const std::optional<Recommendation> taken = recommend(runs, within);
   if (!taken) {

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A value of a file, which knows where it stands.
+/// A value of a file, with its place.
 class Place {
  public:
   Place(const std::string& file, const Json& json, std::string path = "")
@@ -78,7 +78,7 @@ std::string setting_of(const Place& run) {
   }
   const Json& settings = run.at("settings").json();
   if (parts.empty() && settings.is_object() && settings.contains("contour_tolerance_mm")) {
-    // Where programs have their own, one setting stands for many tolerances.
+    // If programs have their own tolerances, one setting represents several.
     const bool own = json.contains("tolerance_set_by") && json["tolerance_set_by"] != "setting" &&
                      json["tolerance_set_by"].is_string();
     parts.push_back(own ? std::string("tolerance=program")
@@ -95,7 +95,7 @@ std::size_t errors_of(const Place& whole) {
   return count;
 }
 
-/// The bound that a study was made with.
+/// Bound used for a study.
 std::optional<double> bound_of(const Place& whole) {
   const Json& json = whole.json();
   return json.contains("within_mm") && !json["within_mm"].is_null()
@@ -111,7 +111,7 @@ MergedRun run_of(const Place& run) {
   merged.key = fmt::format("{}\n{}\n{}\n{}", merged.machine, merged.model, run.at("settings").json().dump(),
                            run.at("limits").json().dump());
   merged.refused = run.at("cycle_time_s").json().is_null();
-  if (run.json().contains("lines_not_run")) {  // files of before have none
+  if (run.json().contains("lines_not_run")) {  // absent in older files
     merged.lines_not_run = run.at("lines_not_run").count();
   }
   if (merged.refused) {
@@ -120,21 +120,21 @@ MergedRun run_of(const Place& run) {
   merged.cycle_time = run.at("cycle_time_s").number();
   merged.mean_feed = run.at("mean_feed_mm_min").number();
   merged.max_contour_error = run.at("max_contour_error_mm").number();
-  const char* const cutting = "max_contour_error_cutting_mm";  // files of before have none
+  const char* const cutting = "max_contour_error_cutting_mm";  // absent in older files
   merged.cutting_contour_error =
       run.json().contains(cutting) ? run.at(cutting).number() : merged.max_contour_error;
   return merged;
 }
 
-/// "line 3, column 7" of a byte in a text; bytes count from 1.
+/// Place of a byte in a text as "line 3, column 7"; bytes count from 1.
 std::string place_of_byte(std::string_view text, std::size_t byte) {
   const std::string_view before = text.substr(0, std::min(byte > 0 ? byte - 1 : 0, text.size()));
-  const std::size_t line_begin = before.rfind('\n') + 1;  // 0 where there is none
+  const std::size_t line_begin = before.rfind('\n') + 1;  // 0 without one
   return fmt::format("line {}, column {}", std::ranges::count(before, '\n') + 1,
                      before.size() - line_begin + 1);
 }
 
-/// Throws InputError; what works on JSON calls itself level by level.
+/// Throws InputError; also for deep nesting, since functions on JSON are recursive.
 Json parsed(const NamedText& file) {
   constexpr int deepest = 64;
   const auto check_depth = [&](int depth, Json::parse_event_t, const Json&) {
@@ -177,7 +177,7 @@ MergedProgram program_of(const NamedText& file, std::optional<double>& within) {
   return program;
 }
 
-/// Null where the control refuses the program.
+/// Null if the control refuses the program.
 Json figure_json(const MergedRun& run, double value) {
   return run.refused ? Json() : Json(value);
 }
@@ -190,7 +190,7 @@ Json figures_json(const MergedRun& run) {
           {"max_contour_error_mm", figure_json(run, run.max_contour_error)}};
 }
 
-/// within_bound and fastest of a row; null without a bound.
+/// Sets within_bound and fastest of a row; null without a bound.
 void add_marks(Json& row, const MergedComparison& merged, const MergedRun& run, bool fastest) {
   row["within_bound"] = merged.within && !run.refused ? Json(merged.keeps(run)) : Json();
   row["fastest"] = merged.within ? Json(fastest) : Json();

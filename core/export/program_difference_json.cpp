@@ -46,7 +46,7 @@ Json sums_json(const ProgramDifference& difference) {
   return list;
 }
 
-/// Those with the largest differences, in the order of the programs.
+/// Stretches with the largest differences, in the order of the programs.
 Json stretches_json(const ProgramDifference& difference) {
   Json list = Json::array();
   for (const std::size_t i : largest_changes(difference, most_stretches)) {

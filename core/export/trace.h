@@ -6,9 +6,9 @@
 
 namespace feedscope {
 
-/// A trace that was read, as JSON: keys of README.md beside this file.
+/// A trace as JSON: keys in README.md next to this file.
 std::string trace_json(const Trace& trace);
-/// The same beside a run of its program.
+/// A trace compared with a run of its program, likewise.
 std::string trace_json(const Trace& trace, const TraceOnProgram& found, const Agreement& agreement,
                        const Run& run);
 

@@ -13,11 +13,11 @@ namespace {
 
 using Outcome = NodePlanner::Outcome;
 
-/// What is planned in one go, in elements: what of it is looked at again and again stays in a fast cache.
+/// Size of a part that is planned at once, in elements: small enough for its data to stay in a fast cache.
 constexpr std::uint32_t part_elements = 1024;
 
-/// Plans the parts of a stretch one after the other. Ends of parts are places that probably keep their
-/// ceiling; where one does not, the part is planned again with the one beside it.
+/// Plans the parts of a stretch one by one. Parts end at places that probably keep their ceiling; where one
+/// does not, the part is planned again together with its neighbour.
 class PartsPlanner {
  public:
   PartsPlanner(std::span<const PlanElement> elements, std::span<const SpeedBound> ceiling)
@@ -31,8 +31,8 @@ class PartsPlanner {
     return finish();
   }
 
-  /// As plan_nodes_again(): between two nodes that part what lies before from what lies behind, the level
-  /// ones alone are nodes again if an element is `changed` there, else all are as they were.
+  /// As plan_nodes_again(): between two nodes that separate the plan, only the level ones remain nodes if an
+  /// element in between is `changed`, else all do.
   std::vector<PlanNode> plan_again(std::span<const std::uint32_t> level, std::span<const PlanNode> before,
                                    std::span<const std::uint32_t> changed) {
     const std::vector<Section> sections = sections_of(level, before, changed);
@@ -67,10 +67,10 @@ class PartsPlanner {
   }
 
  private:
-  /// A part of the plan before, from one parting node to another.
+  /// A part of the previous plan, from one separating node to another.
   struct Section {
-    std::span<const PlanNode> nodes;       ///< both ends included
-    std::span<const std::uint32_t> level;  ///< inside it
+    std::span<const PlanNode> nodes;       ///< including both ends
+    std::span<const std::uint32_t> level;  ///< junctions inside it
     bool changed = false;
   };
 
@@ -101,7 +101,7 @@ class PartsPlanner {
     return sections;
   }
 
-  /// Sections of one kind that follow each other become one, those that are changed up to a part.
+  /// Merges consecutive sections of one kind; changed ones up to the size of a part.
   static void add_section(std::vector<Section>& sections, const Section& section) {
     if (!sections.empty() && sections.back().changed == section.changed) {
       Section& before = sections.back();
@@ -115,7 +115,7 @@ class PartsPlanner {
     sections.push_back(section);
   }
 
-  /// Plans between the first and the last of `junctions` and keeps the nodes but the last.
+  /// Plans between the first and the last of `junctions` and keeps all nodes except the last.
   Outcome add(std::vector<std::uint32_t> junctions) {
     const std::uint32_t elements = junctions.back() - junctions.front();
     if (elements <= part_elements + part_elements / 2) {
@@ -157,7 +157,7 @@ class PartsPlanner {
     return longest;
   }
 
-  /// Which of `junctions` are ends of parts: about every part_elements the slowest of some.
+  /// Indices of the `junctions` at which parts end: about every part_elements, the slowest one nearby.
   std::vector<std::size_t> ends_of_parts(std::span<const std::uint32_t> junctions) const {
     constexpr std::uint32_t choice = part_elements / 4;
     std::vector<std::size_t> ends{0};
@@ -181,18 +181,18 @@ class PartsPlanner {
     return ends;
   }
 
-  /// The parts from part `first` on, and how many nodes lie before them.
+  /// Parts from part `first` on, and the number of nodes before them.
   struct Planned {
     std::size_t first;
     std::size_t nodes;
   };
 
-  /// Calls plan(first, last), which keeps nodes, for parts [first, last) that together are all `count`: at
-  /// first for each by itself, then for more where an end between two is slower. An end of the whole that is
-  /// slower is what it returns. `begin_of(i)`: junction where part i begins.
+  /// Calls plan(first, last), which keeps nodes, for parts [first, last) that cover all `count`: first for
+  /// each part, then for several together if an end between two is slower. Returns whether an end of the
+  /// whole is slower. `begin_of(i)`: junction at the start of part i.
   ///
-  /// Cost linear in `count`: what is planned together is parted again at ends that keep their ceilings, and
-  /// where none does, as much again is added to what has to be planned once more.
+  /// Cost linear in `count`: parts planned together are divided again at ends that keep their ceilings, and
+  /// where none does, the part to be planned again doubles.
   template <class Plan, class BeginOf>
   Outcome in_turn(std::size_t count, const Plan& plan, const BeginOf& begin_of) {
     std::vector<Planned> planned;
@@ -226,7 +226,7 @@ class PartsPlanner {
     return Outcome::planned;
   }
 
-  /// Parts the last of `planned` where `part` begins, at `junction`, if that keeps its ceiling.
+  /// Divides the last of `planned` at the start of `part`, at `junction`, if that keeps its ceiling.
   void add_parting(std::vector<Planned>& planned, std::size_t part, std::uint32_t junction) const {
     const auto begin = nodes_.begin() + static_cast<std::ptrdiff_t>(planned.back().nodes);
     const auto node = std::lower_bound(begin, nodes_.end(), junction,
@@ -299,7 +299,7 @@ std::size_t first_too_fast(std::span<const PlanElement> elements,
 
 void apply_lookahead_horizon(std::span<const PlanElement> elements, std::uint32_t horizon,
                              std::span<SpeedBound> junction_ceiling) {
-  // Least acceleration and jerk of the elements ahead, each by a queue of rising values.
+  // Smallest acceleration and jerk of the elements ahead, each as a queue of ascending values.
   std::deque<std::size_t> by_acceleration;
   std::deque<std::size_t> by_jerk;
   const auto push = [](std::deque<std::size_t>& queue, std::size_t e, auto value) {

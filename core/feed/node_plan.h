@@ -9,14 +9,14 @@
 
 namespace feedscope {
 
-/// What a plan lets the speed be above a ceiling, as a factor: what rounding may do to it.
+/// Factor by which rounding may raise the planned speed above a ceiling.
 inline constexpr double plan_slack = 1 + 1e-7;
 
 /// One element of a stretch between two standstills, for planning: 40 bytes.
 class PlanElement {
  public:
   PlanElement() = default;
-  /// `limits`: ceiling over the whole element, ramps along it.
+  /// `limits`: ceiling over the whole element, and ramps along it.
   PlanElement(double length, const MotionLimits& limits) : length(length) { set_limits(limits); }
 
   SpeedBound speed() const { return {speed_, speed_cause_}; }
@@ -41,32 +41,32 @@ class PlanElement {
   }
 
   double length = 0;        ///< > 0 [mm]
-  std::uint32_t order = 0;  ///< number of the block as a look-ahead counts
+  std::uint32_t order = 0;  ///< number of the block for the look-ahead
 
  private:
-  /// AxisBound::by_jerk in the number of the axis.
+  /// Encodes AxisBound::by_jerk in the axis number.
   static constexpr std::int8_t by_jerk_step = 64;
   static constexpr std::int8_t by_jerk_from = by_jerk_step - 1;  // no axis
 
   Cause speed_cause_;
-  std::int8_t acceleration_axis_ = -1;  ///< and by_jerk_step more if its jerk says so
+  std::int8_t acceleration_axis_ = -1;  ///< plus by_jerk_step if limited by its jerk
   std::int8_t jerk_axis_ = -1;
   double speed_ = 0;
   double acceleration_ = 0;
   double jerk_ = 0;
 };
 
-/// A junction where the law touches its planned speed with zero acceleration.
+/// A junction with its planned speed and zero acceleration.
 struct PlanNode {
   std::uint32_t junction = 0;  ///< before element `junction`; elements.size() is the end
   double speed = 0;            ///< [mm/s]
-  Cause cause;  ///< what sets it: the junction itself, or the slower place behind that it leads to
+  Cause cause;                 ///< the junction itself, or the slower place after it that determines it
 };
 
-/// Limits of ramps over elements [first, last): the least of them.
+/// Limits of ramps over elements [first, last): the smallest of each.
 struct SpanLimits {
   double length = 0;   ///< [mm]
-  double ceiling = 0;  ///< highest speed ceiling of them [mm/s]
+  double ceiling = 0;  ///< largest speed ceiling of them [mm/s]
   AxisBound acceleration{std::numeric_limits<double>::infinity(), -1};
   AxisBound jerk{std::numeric_limits<double>::infinity(), -1};
 
@@ -75,37 +75,36 @@ struct SpanLimits {
 };
 SpanLimits span_limits(std::span<const PlanElement> elements, std::size_t first, std::size_t last);
 
-/// Junction speeds from standstill to standstill, so that ramps may run over many short elements.
+/// Plans junction speeds from standstill to standstill, with ramps over many short elements.
 ///
 ///   speed ^        ceiling ---.      .--------
 ///         |   nodes o    .-o  |_o__o_|  .-o    Between neighbouring nodes the law is plan_profile();
 ///         |        /      \     ....            every element keeps its ceiling, every junction its own.
 ///         +------------------------------- path
 ///
-/// Starts with the two standstills, adds the slowest places that the law between them passes too fast, sets
-/// every node to what can be reached from its neighbours, and repeats until nothing is too fast.
-/// `junction_ceiling`: elements.size() + 1 values, the first and last taken as 0 [mm/s].
-/// `level`: junctions, in order and not the ends, that are nodes whatever their speed.
-/// Cost linear in the number of elements: a bounded number of passes. Long stretches are planned part by
-/// part, with the same result.
+/// Starts with the two standstills, adds the slowest places that the law in between passes too fast, sets
+/// every node to the speed reachable from its neighbours, and repeats until nothing is too fast.
+/// `junction_ceiling`: elements.size() + 1 values, of which the first and last count as 0 [mm/s]. `level`:
+/// inner junctions, in order, that are nodes at any speed. Cost linear in the number of elements: a bounded
+/// number of passes. Long stretches are planned part by part, with the same result.
 std::vector<PlanNode> plan_nodes(std::span<const PlanElement> elements,
                                  std::span<const SpeedBound> junction_ceiling,
                                  std::span<const std::uint32_t> level = {});
 
-/// plan_nodes() where `before` is a plan of the same elements and ceilings, and only the limits of elements
-/// `changed`, in order, and level junctions beside them are others now: what lies between level nodes that
-/// stand at their ceilings is planned again where something in it is changed.
+/// Plans again, given a plan `before` of the same elements and ceilings of which only the limits of elements
+/// `changed`, in order, and neighbouring level junctions are different: sections between level nodes at their
+/// ceilings are planned again if something in them is changed.
 std::vector<PlanNode> plan_nodes_again(std::span<const PlanElement> elements,
                                        std::span<const SpeedBound> junction_ceiling,
                                        std::span<const std::uint32_t> level, std::span<const PlanNode> before,
                                        std::span<const std::uint32_t> changed);
 
-/// Lowers `junction_ceiling` so that from every junction standstill is reached within `horizon` blocks, by
+/// Lowers `junction_ceiling` so that standstill is possible within `horizon` blocks from every junction, by
 /// the `order` of the elements: the look-ahead of core/models/README.md.
 void apply_lookahead_horizon(std::span<const PlanElement> elements, std::uint32_t horizon,
                              std::span<SpeedBound> junction_ceiling);
 
-/// First element, or junction, of [first, last) that `profile` passes faster than allowed; `last` if none.
+/// First element or junction of [first, last) that `profile` passes too fast; `last` if there is none.
 std::size_t first_too_fast(std::span<const PlanElement> elements,
                            std::span<const SpeedBound> junction_ceiling, std::size_t first, std::size_t last,
                            const SpeedProfile& profile);

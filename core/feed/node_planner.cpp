@@ -8,8 +8,8 @@
 namespace feedscope {
 namespace {
 
-/// Places whose ceilings differ by less are equally slow: which of them becomes a node must not depend on
-/// the rounding of coordinates, and in short blocks curvatures of a few values come again and again.
+/// Ratio up to which ceilings are equally slow: the choice of nodes must not depend on the rounding of
+/// coordinates, and in short blocks a few values of curvature recur.
 constexpr double equal = 1 + 1e-3;
 
 }  // namespace
@@ -75,7 +75,7 @@ bool NodePlanner::any_unchecked() const {
   return std::ranges::any_of(gaps_, [](const Gap& gap) { return gap.unchecked; });
 }
 
-/// Fills found_ with junctions that have to become nodes, in order.
+/// Fills found_ with the junctions that must become nodes, in order.
 void NodePlanner::find_too_fast(bool careful) {
   found_.clear();
   for (std::size_t g = 0; g < gaps_.size(); ++g) {
@@ -87,8 +87,8 @@ void NodePlanner::find_too_fast(bool careful) {
   found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
 }
 
-/// Of neighbouring places that are too fast only the slowest of a few, the first of equals, does when
-/// `careful`, so that ramps still run over the others.
+/// Of consecutive places that are too fast, takes only the slowest of a few (the first of equals) if
+/// `careful`, so that ramps can still run over the others.
 void NodePlanner::find_too_fast(const Gap& gap, const PlanNode& from, const PlanNode& to, bool careful) {
   constexpr std::size_t together = 8;
   const std::size_t first = from.junction;
@@ -124,7 +124,7 @@ void NodePlanner::find_too_fast(const Gap& gap, const PlanNode& from, const Plan
     const bool after = e + 1 < last && speeds.is_above(ceiling_[e + 1].value * plan_slack, s, s);
     const bool only_inside = inside && !after && !before;
     before = after;
-    if (only_inside) {  // hold the element by its two ends
+    if (only_inside) {  // limit the element by its two ends
       take();
       if (e > first) {
         found_.push_back(static_cast<std::uint32_t>(e));
@@ -148,7 +148,7 @@ void NodePlanner::find_too_fast(const Gap& gap, const PlanNode& from, const Plan
   take();
 }
 
-/// From the back, so that every node behind moves once and the others not at all.
+/// Backwards, so that every later node moves once and the others do not move.
 void NodePlanner::insert_found() {
   std::size_t left = found_.size();
   std::size_t g = gaps_.size();
@@ -176,8 +176,8 @@ void NodePlanner::insert_found() {
   }
 }
 
-/// Every node to its ceiling, or to what its neighbours let it reach: the same whatever order the nodes
-/// were found in. Only what new gaps change is computed again.
+/// Sets every node to its ceiling, or to the speed reachable from its neighbours: independent of the order in
+/// which the nodes were found. Recomputes only what new gaps change.
 NodePlanner::Outcome NodePlanner::make_reachable() {
   const std::size_t last = gaps_.size() - 1;
   for (std::size_t g = 0; g < last; ++g) {
@@ -192,7 +192,7 @@ NodePlanner::Outcome NodePlanner::make_reachable() {
   if (through(last, forward_[last].speed, end) != end) {
     return Outcome::end_slower;
   }
-  bool changed = false;  // the node behind the gap
+  bool changed = false;  // the node after the gap
   for (std::size_t g = last; g > 0; --g) {
     changed = (gaps_[g].is_new || changed || forward_[g].changed) && settle(g);
     gaps_[g].is_new = forward_[g].changed = false;
@@ -202,7 +202,7 @@ NodePlanner::Outcome NodePlanner::make_reachable() {
   return through(0, nodes_[1].speed, begin) == begin ? Outcome::planned : Outcome::begin_slower;
 }
 
-/// Sets node `g` by the one behind it; whether that changes it.
+/// Sets node `g` from the next one; returns whether that changes it.
 bool NodePlanner::settle(std::size_t g) {
   PlanNode& node = nodes_[g];
   const PlanNode before = node;
@@ -215,7 +215,7 @@ bool NodePlanner::settle(std::size_t g) {
   return node.speed != before.speed || node.cause != before.cause;
 }
 
-/// The speed, at most `wanted`, that gap `g` lets reach from `other` at its far end.
+/// Speed, at most `wanted`, reachable through gap `g` from `other` at its far end.
 double NodePlanner::through(std::size_t g, double other, double wanted) const {
   const double length = gaps_[g].length;
   const RampLimits ramp = gaps_[g].ramp;

@@ -4,24 +4,24 @@
 
 namespace feedscope {
 
-/// Walks along a speed profile by path length; each call goes on from the last place. Values in, no copies.
+/// Walks along a speed profile by path length; each call continues from the last place. Copies nothing.
 class ProfileWalk {
  public:
   explicit ProfileWalk(const SpeedProfile& profile);
 
-  /// Moves on to path length `s` (not before the current place) or to the profile's end, whichever comes
-  /// first; returns the state there and remembers the largest speed on the way.
+  /// Advances to path length `s` (not before the current place) or to the profile's end, whichever comes
+  /// first; returns the state there and records the largest speed on the way.
   const Motion1d& move_to(double s);
   const Motion1d& at() const { return at_; }
   double largest_speed() const { return largest_; }  ///< during the last move [mm/s]
 
-  /// The phase under way, and the time left in it; phase 7: the end.
+  /// Current phase, and the time left in it; phase 7: the end.
   std::size_t phase() const { return phase_; }
   double phase_left() const { return phase_ < 7 ? profile_.phases[phase_].duration - tau_ : 0; }
   double jerk() const { return phase_ < 7 ? profile_.phases[phase_].jerk : 0; }
-  /// Moves on by `time`, at most to the end of the phase.
+  /// Advances by `time`, at most to the end of the phase.
   void move_by(double time);
-  /// Time within the phase under way until path length `s` is reached; phase_left() if later [s].
+  /// Time within the current phase until path length `s` is reached; phase_left() if later [s].
   double time_to(double s) const;
 
  private:

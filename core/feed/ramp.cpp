@@ -34,14 +34,14 @@ double ramp_length(double v0, double v1, const RampLimits& limits) {
 
 double reachable_speed(double v0, double length, const RampLimits& limits) {
   const auto [A, J] = limits;
-  const double full = A * A / J;  // the smallest step that reaches A
+  const double full = A * A / J;  // smallest step that reaches A
   if (ramp_length(v0, v0 + full, limits) < length) {
     // (v1^2 - v0^2) / (2 A) + (v0 + v1) A / (2 J) = length
     const double b = full / 2;
     return -b + std::sqrt((v0 - b) * (v0 - b) + 2 * A * length);
   }
-  // x^3 + 2 v0 x = length sqrt(J) with x = sqrt(v1 - v0): convex, so that Newton's steps from above only
-  // fall. Each of the two terms alone gives an upper bound.
+  // x^3 + 2 v0 x = length sqrt(J) with x = sqrt(v1 - v0): convex, so Newton's steps from above only decrease.
+  // Each of the two terms alone gives an upper bound.
   const double rhs = length * std::sqrt(J);
   double x = 8 * v0 * v0 * v0 > rhs * rhs ? rhs / (2 * v0) : std::cbrt(rhs);
   for (int i = 0; i < 60; ++i) {
@@ -56,13 +56,13 @@ double reachable_speed(double v0, double length, const RampLimits& limits) {
 
 std::array<Phase, 3> speed_change(double v, double a, double target, const RampLimits& limits) {
   const auto [A, J] = limits;
-  // With the acceleration simply taken back to 0 the speed becomes v + a|a| / (2 J).
+  // If the acceleration is simply reduced to 0 the speed becomes v + a|a| / (2 J).
   const double sign = target >= v + a * std::abs(a) / (2 * J) ? 1 : -1;
   const double step = sign * (target - v);
   const double start = sign * a;
   const double crest = std::sqrt(std::max(J * step + start * start / 2, 0.0));
   const double top = std::max(std::min(crest, A), 0.0);
-  if (start > top) {  // faster than allowed: back to `top` first
+  if (start > top) {  // above the limit: back to `top` first
     const double back = (start - top) / J;
     const double rest = step - (start * start - top * top) / (2 * J) - top * top / (2 * J);
     return {{{back, -sign * J}, {top > 0 ? std::max(rest / top, 0.0) : 0, 0}, {top / J, -sign * J}}};
@@ -91,7 +91,7 @@ double SpeedProfile::length() const {
 
 namespace {
 
-/// Takes a rounding error out of the length: all speeds changed by the same share, all times kept.
+/// Removes a rounding error from the length: changes all speeds by the same share and keeps all times.
 void fit_length(SpeedProfile& profile, double length) {
   constexpr double rounding = 1e-6;
   const double factor = length / profile.length();
@@ -106,16 +106,16 @@ void fit_length(SpeedProfile& profile, double length) {
   }
 }
 
-/// The peak above both `v0` and `v1` from and to which ramps are `length` long in all, at most `high`, with
-/// which they are longer; `room`: what the ramp from the one to the other leaves of the length. By q, the
-/// root of the step from the faster end: the length is convex in it, so that Newton's steps from above only
-/// fall. Each of its terms alone gives an upper bound.
+/// Peak above both `v0` and `v1` whose ramps have the total length `length`, at most `high`, for which they
+/// are longer; `room`: length left by the ramp between the two. Solved for q, the root of the step from the
+/// faster end: the length is convex in it, so Newton's steps from above only decrease. Each of its terms
+/// alone gives an upper bound.
 double peak_between(double v0, double v1, double length, double room, double high, const RampLimits& limits) {
   const auto [A, J] = limits;
   const double fast = std::max(v0, v1);
   const double slow = std::min(v0, v1);
   const double apart = fast - slow;
-  const double full = A * A / J;  // the smallest step that reaches A
+  const double full = A * A / J;  // smallest step that reaches A
   const double root_of_jerk = std::sqrt(J);
   const double scaled = length * root_of_jerk;
   const double wide = std::min(scaled / (3 * fast + slow), room * root_of_jerk / (2 * fast));
@@ -151,7 +151,7 @@ SpeedProfile plan_unfitted(double v0, double a0, double v1, double length, doubl
                            const RampLimits& limits) {
   constexpr double rounding = 1e-12;
   if (a0 == 0 && std::abs(v1 - v0) <= rounding * v0) {
-    v0 = v1;  // a ramp would take the root of it in time
+    v0 = v1;  // a ramp would take the root of the difference in time
   }
   SpeedProfile profile;
   profile.v0 = v0;
@@ -177,7 +177,8 @@ SpeedProfile plan_unfitted(double v0, double a0, double v1, double length, doubl
     profile.phases[3] = {-above / high, 0};
     return profile;
   }
-  // From the settled speed the length grows with the peak; below it braking needs more and more of it.
+  // From the settled speed on the length increases with the peak; below it braking takes more and more
+  // length.
   double low = std::max(settled, v1);
   const double at_low = low <= high ? excess(low) : tolerance;
   const bool above_both = low <= high && at_low <= tolerance;
@@ -192,7 +193,7 @@ SpeedProfile plan_unfitted(double v0, double a0, double v1, double length, doubl
   if (above_both && a0 == 0) {
     double peak = peak_between(v0, v1, length, std::max(-at_low, 0.0), high, limits);
     double rest = -excess(peak);
-    for (double ulps = 1; rest < 0 && peak > low; ulps *= 4) {  // rounding of the peak alone
+    for (double ulps = 1; rest < 0 && peak > low; ulps *= 4) {  // rounding of the peak only
       peak = std::max(low, peak * (1 - ulps * std::numeric_limits<double>::epsilon()));
       rest = -excess(peak);
     }
@@ -227,8 +228,8 @@ SpeedProfile plan_unfitted(double v0, double a0, double v1, double length, doubl
       side = 1;
     }
   }
-  // A peak next to v0 or v1 is too coarse a measure of the length, which goes with its root: the rest is run
-  // at the peak.
+  // A peak close to v0 or v1 does not determine the length accurately, which depends on its root: the rest is
+  // run at the peak.
   build(low);
   profile.phases[3] = {low > 0 ? std::max(-excess(low), 0.0) / low : 0, 0};
   return profile;

@@ -27,7 +27,7 @@ constexpr std::string_view style =
     "table { border-collapse: collapse; } th, td { padding: 4px 8px; vertical-align: top; }\n"
     "nav { font-size: 13px; border-bottom: 1px solid #c8ccd0; padding-bottom: 8px; }\n";
 
-/// Where a page has the list of all messages.
+/// Placeholder for the list of all messages.
 constexpr std::string_view all_message_codes = "{all message codes}\n";
 
 std::string lower_case(std::string_view text) {
@@ -44,8 +44,8 @@ std::string title_of(const std::string& markdown) {
   return std::regex_search(markdown, match, heading) ? match[1].str() : "";
 }
 
-/// "Times and positions" is "times-and-positions"; of other signs only letters beyond ASCII stay, not the
-/// typographic apostrophe.
+/// Anchor of a heading: "Times and positions" is "times-and-positions"; of other characters only letters
+/// beyond ASCII are kept, not the typographic apostrophe.
 std::string anchor_of(const std::string& heading) {
   static const std::regex markup("<[^>]*>|&[a-z]+;|\u2019");
   std::string anchor;

@@ -8,24 +8,23 @@
 namespace feedscope {
 
 struct HandbookPage {
-  std::string name;   ///< of its file without ending: "first-steps"
+  std::string name;   ///< file name without extension: "first-steps"
   std::string title;  ///< its first heading
   std::string markdown;
 };
 
-/// The user's handbook in one language: pages of resources/handbook, in the order of the index.
+/// User's handbook in one language: pages of resources/handbook, in the order of the index.
 class Handbook {
  public:
-  /// `language`: "en", "fr"; English where there is no folder for it. Throws InputError if a page cannot be
+  /// `language`: "en", "fr"; English if there is no folder for it. Throws InputError if a page cannot be
   /// read.
   explicit Handbook(const std::string& language);
 
-  /// The index first, then the pages in the order in which it links them.
+  /// The index first, then the pages in the order of its links.
   const std::vector<HandbookPage>& pages() const { return pages_; }
-  /// nullptr for a name that no page has.
+  /// Page with this name; nullptr if there is none.
   const HandbookPage* find(std::string_view name) const;
-  /// Pages that hold every word of `words`, upper and lower case being the same; those that hold them as they
-  /// stand first.
+  /// Pages with every word of `words`, ignoring case; those with the exact phrase first.
   std::vector<const HandbookPage*> search(std::string_view words) const;
 
  private:
@@ -34,14 +33,14 @@ class Handbook {
   std::vector<HandbookPage> pages_;
 };
 
-/// Names of the pages that the links of a page lead to, in written order, without repeats.
+/// Names of the pages linked from a page, in order, without repeats.
 std::vector<std::string> linked_pages(const std::string& markdown);
 
-/// The inside of a body. Links to pages end with `ending`; headings have anchors, as GitHub makes them.
+/// HTML inside the body. Links to pages end with `ending`; headings have anchors as on GitHub.
 std::string page_html(const HandbookPage& page, std::string_view ending);
 
-/// A page as a file of its own, with head, style and the way back to the index; links lead to NAME.html.
-/// `language` is that of its text: "en", "fr".
+/// A page as a complete file, with head, style and a link to the index; links lead to NAME.html. `language`:
+/// of its text, "en", "fr".
 std::string whole_page_html(const HandbookPage& page, std::string_view language);
 
 }  // namespace feedscope

@@ -9,7 +9,7 @@
 namespace feedscope {
 namespace {
 
-constexpr unsigned draws_seed = 20261127;  // any: the same search gives the same result
+constexpr unsigned draws_seed = 20261127;  // arbitrary: the same search gives the same result
 
 /// Constants of the tutorial, table 1.
 struct Rates {
@@ -34,7 +34,7 @@ struct Rates {
   double one = 0;
   double mu = 0;
   double damping = 0;
-  double expected = 0;  ///< length of a normal vector
+  double expected = 0;  ///< expected length of a normal vector
 };
 
 }  // namespace
@@ -55,7 +55,7 @@ Eigen::VectorXd CovarianceSearch::best_from(const Eigen::VectorXd& begin,
   const double dimensions = static_cast<double>(n);
   const std::size_t size = 10 + 2 * static_cast<std::size_t>(std::floor(1.5 * std::log(dimensions)));
   const Rates rates(size / 2, dimensions);
-  Eigen::VectorXd scale(n);  // numbers are searched in units of their spread
+  Eigen::VectorXd scale(n);  // numbers are scaled by their spread
   for (Eigen::Index k = 0; k < n; ++k) {
     scale[k] = spread[used[static_cast<std::size_t>(k)]];
   }

@@ -15,20 +15,20 @@ namespace feedscope {
 namespace {
 
 constexpr std::size_t most_samples = 400'000;
-constexpr std::size_t first_samples = 30'000;  // for the first look
+constexpr std::size_t first_samples = 30'000;  // for the first search
 constexpr double least_reach = 0.5;            // [mm] that the axis must move
 constexpr double most_left = 1.0 / 3;          // of the following error
-constexpr double lasting = 12;                 // change of the sum of squares that is more than noise
-constexpr double clearly_better = 100;         // the same where several alternatives are tried
-constexpr int most_evaluations = 200;          // of a search
+constexpr double lasting = 12;                 // significant change of the sum of squares
+constexpr double clearly_better = 100;         // likewise, if several alternatives are tried
+constexpr int most_evaluations = 200;          // per search
 constexpr double told_deviations = 2;          // standard deviations
-constexpr double coarsest_value = 0.2;         // a larger share of the value as uncertainty: not told
-constexpr double coarsest_share = 0.05;        // a larger uncertainty of the feed-forward: not told
-/// Shares of gain and lag, of the feed-forward itself: less is never claimed.
+constexpr double coarsest_value = 0.2;   // share of the value: with a larger uncertainty it is not determined
+constexpr double coarsest_share = 0.05;  // with a larger uncertainty the feed-forward is not determined
+/// Smallest uncertainty claimed: shares of gain and lag, absolute for the feed-forward.
 constexpr std::array least_error{2e-3, 2e-3, 1e-2};
 constexpr std::size_t left_out_parts = 12;  // of the record; each is omitted once
-/// What the guess of the set position between samples leaves over, of one sign for long [mm], and as a share
-/// of the following error.
+/// Residual of the guessed set position between samples, of one sign over long times [mm], and as a share of
+/// the following error.
 constexpr double guessed = 2e-6;
 constexpr double guessed_share = 1e-5;
 
@@ -65,7 +65,7 @@ double root_mean_square(const Eigen::VectorXd& values) {
   return values.size() > 0 ? std::sqrt(values.squaredNorm() / static_cast<double>(values.size())) : 0;
 }
 
-/// How many independent residuals there are, those one after the other being correlated.
+/// Number of independent residuals; consecutive ones are correlated.
 double independent(const Eigen::VectorXd& residuals) {
   constexpr double most_correlated = 0.9999;
   const Eigen::Index n = residuals.size();
@@ -75,7 +75,7 @@ double independent(const Eigen::VectorXd& residuals) {
   return std::max(1.0, static_cast<double>(n) * (1 - correlation) / (1 + correlation));
 }
 
-/// Residuals by the free numbers of a place.
+/// Derivatives of the residuals by the free numbers of a drive.
 Eigen::MatrixXd slopes_at(const DriveRecord& record, const DrivePlace& place,
                           const std::vector<Eigen::Index>& free) {
   constexpr double place_step = 1e-3;
@@ -92,13 +92,13 @@ Eigen::MatrixXd slopes_at(const DriveRecord& record, const DrivePlace& place,
   return slopes;
 }
 
-/// What the guess of the set position between samples may leave over [mm].
+/// Possible residual of the guessed set position between samples [mm].
 double guess_error(const DriveRecord& record) {
   return guessed + guessed_share * root_mean_square(record.following_errors());
 }
 
-/// Up to which sum of squares a record is explained as well as by the drive at `place`. `more`: change of the
-/// sum, in units of noise, that chance does not make.
+/// Sum of squares up to which a record is explained as well as by the drive at `place`. `more`: significant
+/// change of the sum, in units of noise.
 double as_well(const DriveRecord& record, const DrivePlace& place, double more, double delay = 0) {
   const Eigen::VectorXd residuals = record.residuals(drive_at(place), delay);
   const double guess = guess_error(record);
@@ -106,7 +106,7 @@ double as_well(const DriveRecord& record, const DrivePlace& place, double more, 
                   guess * guess * static_cast<double>(record.size()));
 }
 
-/// Standard deviations of the numbers of a place, 0 for those that are held.
+/// Standard deviations of the numbers of a drive, 0 for fixed ones.
 DrivePlace deviations_at(const DriveRecord& record, const DrivePlace& place,
                          const FreeDriveNumbers& is_free) {
   std::vector<Eigen::Index> free;
@@ -147,16 +147,16 @@ DrivePlace deviations_at(const DriveRecord& record, const DrivePlace& place,
   return found;
 }
 
-/// In the unit of the key.
+/// Value in the unit of the key.
 double value_at(const DrivePlace& place, std::size_t parameter) {
   return parameter == 0 ? std::exp(place[0]) : parameter == 1 ? std::clamp(place[1], 0.0, 1.0) : place[2];
 }
 
-/// What the drive would be if the actual positions had been recorded later or earlier than the set ones.
+/// Drives if the actual positions had been recorded later or earlier than the set ones.
 struct Delayed {
-  double delay = 0;                ///< of the actual positions that explains the record best [s]
-  bool is_certain = false;         ///< none explains the record clearly worse
-  std::vector<DrivePlace> places;  ///< of all delays that explain it about as well, without one among them
+  double delay = 0;                ///< delay of the actual positions that explains the record best [s]
+  bool is_certain = false;         ///< without a delay the record is explained clearly worse
+  std::vector<DrivePlace> places;  ///< for all delays that explain it about as well, including none
 };
 
 Delayed with_delays(const DriveRecord& record, const DriveSearch& search, const DrivePlace& found) {
@@ -172,7 +172,7 @@ Delayed with_delays(const DriveRecord& record, const DriveSearch& search, const 
     fits.push_back({delay, place, drive_cost(record, place, delay)});
     return place;
   };
-  // By whole samples: between two of them the rounding of the set positions would be smoothed.
+  // By whole samples: in between, rounding of the set positions would be smoothed.
   DrivePlace at = try_one(0, found);
   for (const double samples : {1.0, 2.0, 3.0, 4.0, 6.0, 8.0}) {
     at = try_one(samples, at);
@@ -192,7 +192,7 @@ Delayed with_delays(const DriveRecord& record, const DriveSearch& search, const 
   return delayed;
 }
 
-/// What nothing is told of, and why.
+/// Marks all parameters as not determined, with the reason.
 void leave(DriveFit& fit, const char* reason) {
   for (IdentifiedParameter& one : fit.parameters) {
     one.value = one.start;
@@ -200,7 +200,7 @@ void leave(DriveFit& fit, const char* reason) {
   }
 }
 
-/// Tells nothing of what was told.
+/// Withdraws all determined values.
 void distrust(DriveFit& fit, const char* reason) {
   fit.of_first_order = false;
   for (IdentifiedParameter& one : fit.parameters) {
@@ -210,8 +210,8 @@ void distrust(DriveFit& fit, const char* reason) {
   leave(fit, reason);
 }
 
-/// The guess of the set position between samples that explains a record best, with its drive, and the drive
-/// of the other guess where that explains it as well. The curve, where neither is better.
+/// Guess of the set position between samples that explains a record best, with its drive; also the drive of
+/// the other guess if that explains it as well. The curve if neither is better.
 struct OnRecord {
   DriveRecord record;
   DrivePlace place;
@@ -224,7 +224,8 @@ OnRecord on_the_better_record(DriveRecord curve, DriveRecord line, const DriveSe
   OnRecord lined{std::move(line), guess, {}};
   curved.place = search.refined(curved.record, guess, most_evaluations);
   lined.place = search.refined(lined.record, curved.place, most_evaluations);
-  // Rounding of the set positions favours one of the guesses by up to some percent: less decides nothing.
+  // Rounding of the set positions favours one of the guesses by up to some percent: smaller differences are
+  // not significant.
   constexpr double by_rounding = 1.05;
   const double on_curve = drive_cost(curved.record, curved.place);
   const double on_line = drive_cost(lined.record, lined.place);
@@ -237,7 +238,7 @@ OnRecord on_the_better_record(DriveRecord curve, DriveRecord line, const DriveSe
   return curved;
 }
 
-/// With a feed-forward within 0 to 1, where that explains the record as well as `found`.
+/// Drive with a feed-forward within 0 to 1, if it explains the record as well as `found`.
 DrivePlace within_bounds(const DriveRecord& record, const DriveSearch& search, const DrivePlace& found) {
   DrivePlace held = found;
   held[1] = std::clamp(found[1], 0.0, 1.0);
@@ -248,7 +249,8 @@ DrivePlace within_bounds(const DriveRecord& record, const DriveSearch& search, c
   return drive_cost(record, bounded) <= as_well(record, found, lasting) ? bounded : found;
 }
 
-/// Tells the free numbers that noise and `others`, drives that explain the record as well, leave no doubt of.
+/// Accepts the free numbers that are certain in spite of noise and of `others`, drives that explain the
+/// record as well.
 void judge(DriveFit& fit, const DrivePlace& found, const DrivePlace& deviation,
            const std::vector<DrivePlace>& others) {
   for (std::size_t p = 0; p < drive_parameter_count; ++p) {
@@ -276,9 +278,9 @@ void judge(DriveFit& fit, const DrivePlace& found, const DrivePlace& deviation,
   }
 }
 
-/// Of drives that explain the record as well as the one that was found the simplest is used for what is not
-/// told: without lag and feed-forward where nothing is told, without lag, or itself. A drive whose
-/// feed-forward makes up for a part of its lag can move as one without either.
+/// Uses the simplest drive that explains the record as well for values that are not determined: without lag
+/// and feed-forward if nothing is determined, without lag, or the drive itself. A drive whose feed-forward
+/// compensates part of its lag may move like one without either.
 void use_simplest(DriveFit& fit, const DriveRecord& record, const DriveSearch& search,
                   const DrivePlace& found) {
   const double allowed = as_well(record, found, lasting);
@@ -286,7 +288,7 @@ void use_simplest(DriveFit& fit, const DriveRecord& record, const DriveSearch& s
   const bool all_free = std::ranges::find(fit.free, false) == fit.free.end();
   DrivePlace in_use = found;
   if (!any_told && all_free) {
-    constexpr double least_time = 1e-4;  // [s], time constant of the highest gain that is tried
+    constexpr double least_time = 1e-4;  // [s], time constant of the highest gain tried
     const double gain = std::exp(found[0]);
     const DrivePlace start(-std::log(std::max((1 - found[1]) / gain, least_time)), 0, 0);
     const DrivePlace alone =
@@ -364,7 +366,7 @@ DriveFit fit_drive(const std::vector<const Trace*>& traces, char axis, const Axi
   fit.left = root_mean_square(record.residuals(drive_at(found)));
   fit.explains = fit.left <= most_left * fit.following_error;
   if (!fit.explains) {
-    constexpr double noise = 2e-3;  // [mm]: steps of encoders
+    constexpr double noise = 2e-3;  // [mm]: encoder steps
     leave(fit, fit.following_error <= noise ? reason_follows : reason_unexplained);
     return fit;
   }
@@ -378,7 +380,7 @@ DriveFit fit_drive(const std::vector<const Trace*>& traces, char axis, const Axi
   std::vector<DrivePlace> others = best.others;
   others.insert(others.end(), delayed.places.begin(), delayed.places.end());
   judge(fit, found, deviations_at(record, found, free), others);
-  // Then gain and lag stand in for an effect that a linear drive does not have.
+  // Gain and lag then account for an effect that a linear drive does not have.
   if (fit.parameters[1].reason == reason_beyond) {
     fit.explains = false;
     distrust(fit, reason_beyond);

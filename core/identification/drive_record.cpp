@@ -12,19 +12,19 @@ namespace feedscope {
 namespace {
 
 constexpr std::size_t degree = 3;
-constexpr std::size_t around = 4;      // samples that make a cubic
-constexpr double gap_share = 1.75;     // of the period, as TraceBuilder has it
+constexpr std::size_t around = 4;      // samples per cubic
+constexpr double gap_share = 1.75;     // of the period, as in TraceBuilder
 constexpr double same_time = 1e-3;     // share of the period: rounding of written times
-constexpr double settling_time = 0.3;  // [s]: several time constants of the softest drives
-constexpr double window_time = 8;      // [s] of the parts that are taken of long traces
+constexpr double settling_time = 0.3;  // [s]: several time constants of the slowest drives
+constexpr double window_time = 8;      // [s] of the parts taken from long traces
 constexpr double standing = 1e-9;      // [mm]
 constexpr std::size_t standing_samples = 5;
 constexpr std::size_t least_samples = 50;  // of a stretch
 constexpr double most_shift = 9.5;         // periods; actual positions may be nine late or early
 
-/// Derivatives at `t[at]` of the cubic through four places.
+/// Derivatives at `t[at]` of the cubic through four points.
 std::array<double, 3> cubic_derivatives(const double* t, const double* x, std::size_t at) {
-  // Newton's form about the samples in their order, then expanded at t[at].
+  // Newton's form for the samples in order, then expanded at t[at].
   std::array<double, around> c{x[0], x[1], x[2], x[3]};
   for (std::size_t order = 1; order < around; ++order) {
     for (std::size_t i = around - 1; i >= order; --i) {
@@ -39,12 +39,12 @@ std::array<double, 3> cubic_derivatives(const double* t, const double* x, std::s
 }
 
 struct MotorPlace {
-  double time = 0;      ///< since a stretch began [s]
+  double time = 0;      ///< since the start of a stretch [s]
   double place = 0;     ///< [mm]
   double velocity = 0;  ///< [mm/s]
 };
 
-/// The steps of a drive within cubics. Where samples are missing, a few lengths of time alternate.
+/// Steps of a drive within cubics. Between missing samples a few durations alternate.
 class StepsByTime {
  public:
   explicit StepsByTime(const DriveLaw& law) : law_(law) {}
@@ -67,7 +67,7 @@ class StepsByTime {
   std::size_t oldest_ = 0;
 };
 
-/// Hermite's cubic, which goes on beyond both.
+/// Hermite's cubic, extrapolated beyond both ends.
 double place_between(const MotorPlace& from, const MotorPlace& to, double time) {
   const double h = to.time - from.time;
   const double u = (time - from.time) / h;
@@ -111,7 +111,7 @@ void DriveRecord::add(const Trace& trace, std::size_t axis, std::size_t number, 
   reach_ = std::max(reach_, *high - *low);
   const std::size_t window =
       std::max(least_samples, static_cast<std::size_t>(window_time / std::max(trace.period, 1e-6)));
-  const std::size_t pitch =  // of the windows: all of a short trace
+  const std::size_t pitch =  // of the windows; covers all of a short trace
       most == 0 || trace.size() <= most ? window : window * trace.size() / most;
   std::size_t begin = 0;
   for (std::size_t i = 1; i <= trace.size(); ++i) {
@@ -232,7 +232,7 @@ Eigen::VectorXd DriveRecord::residuals(const AxisDrive& drive, double delay) con
   for (const Stretch& stretch : stretches_) {
     MotorMotion motor;
     if (stretch.begins_in_motion) {
-      // As if the set position had gone on like this for ever.
+      // As if the set position had always continued like this.
       const auto& [v, a, j] = steps_[stretch.first].derivative;
       const double gain = *drive.gain;
       const double slow = (1 - drive.feedforward.value_or(0)) / gain;

@@ -14,12 +14,12 @@ namespace {
 
 constexpr double least_gain = 1;    // [1/s]
 constexpr double most_gain = 3000;  // [1/s]
-constexpr double least_lag = 5e-4;  // [ms]: less moves nothing, and is none
+constexpr double least_lag = 5e-4;  // [ms]: less has no effect, and counts as none
 constexpr double most_lag = 100;    // [ms]
 constexpr double place_step = 1e-3;
 
-/// The task as Eigen's Levenberg-Marquardt asks for it: the free numbers alone. The lag may be searched below
-/// 0, which stands for the same above it.
+/// The task in the interface of Eigen's Levenberg-Marquardt, with only the free numbers. The lag may be
+/// searched below 0; its sign does not matter.
 class DriveTask {
  public:
   DriveTask(const FreeDriveNumbers& free, const DrivePlace& held, const DriveRecord& record, double delay,
@@ -123,7 +123,7 @@ DrivePlace DriveSearch::refined(const DriveRecord& record, const DrivePlace& sta
   if (found[2] > small) {
     return found;
   }
-  // Steps that come beyond none are mirrored, which may end the search beside it.
+  // Steps beyond zero lag are mirrored, which may end the search next to it.
   const DrivePlace none(found[0], found[1], 0);
   const DrivePlace without = holding(2, none).minimised(record, none, most, delay);
   return drive_cost(record, without, delay) <= drive_cost(record, found, delay) ? without : found;
@@ -143,8 +143,8 @@ DrivePlace DriveSearch::minimised(const DriveRecord& record, const DrivePlace& s
   return task.place_from(at);
 }
 
-/// Drives of all kinds that lag behind by `lag_time` at constant velocity [s], which the record tells at
-/// once; their held numbers are those that are held.
+/// Drives of all kinds with the lag `lag_time` at constant velocity [s], which follows directly from the
+/// record; fixed numbers keep their values.
 std::vector<DrivePlace> DriveSearch::drives_that_lag(double lag_time) const {
   std::vector<double> lags{0.1, 0.7, 2.0, 4.0, 8.0, 20.0};  // [ms]
   std::vector<double> feedforwards{0.0, 0.15, 0.3, 0.45, 0.6, 0.7, 0.8, 0.87, 0.93, 0.97, 0.99, 1.0};
@@ -175,7 +175,7 @@ std::vector<DrivePlace> DriveSearch::drives_that_lag(double lag_time) const {
 
 DrivePlace DriveSearch::first_guess(const DriveRecord& record) const {
   constexpr std::size_t refined_ones = 7;
-  const std::size_t most_of_a_share = free_[1] ? 2 : refined_ones;  // starts with one feed-forward
+  const std::size_t most_of_a_share = free_[1] ? 2 : refined_ones;  // start values with one feed-forward
   constexpr int most = 60;
   const std::vector<DrivePlace> places = drives_that_lag(record.lag_time());
   std::vector<std::pair<double, std::size_t>> costs(places.size());

@@ -10,25 +10,25 @@
 
 namespace feedscope {
 
-/// Numbers of a drive while they are looked for: logarithm of the gain [1/s], feed-forward, lag [ms]. The
+/// Numbers of a drive during the search: logarithm of the gain [1/s], feed-forward, lag [ms]. The
 /// feed-forward may leave 0 to 1 meanwhile.
 using DrivePlace = Eigen::Vector3d;
 
 AxisDrive drive_at(const DrivePlace& place);
 DrivePlace place_of(const AxisDrive& drive);
 
-/// Looks for the drive that explains a record best, while some of its numbers are held.
+/// Searches the drive that explains a record best, with some of its numbers fixed.
 class DriveSearch {
  public:
-  /// `free`: which numbers are looked for; `held`: values of the others. The search throws Cancelled.
+  /// `free`: searched numbers; `held`: values of the others. The search throws Cancelled.
   DriveSearch(const FreeDriveNumbers& free, const DrivePlace& held, Progress* progress)
       : free_(free), held_(held), progress_(progress) {}
 
-  /// The same, while number `which` is held, too, at its value in `place`.
+  /// Same search with number `which` also fixed, at its value in `place`.
   DriveSearch holding(std::size_t which, const DrivePlace& place) const;
-  /// The best of many drives, a few of them, of different shares of feed-forward, refined.
+  /// Best of many drives; some of them, of different shares of feed-forward, are refined.
   DrivePlace first_guess(const DriveRecord& record) const;
-  /// Where the sum of squares is least, from `start` on: `most` evaluations. `delay`: as of
+  /// Minimises the sum of squares from `start` in `most` evaluations. `delay`: as for
   /// DriveRecord::residuals().
   DrivePlace refined(const DriveRecord& record, const DrivePlace& start, int most, double delay = 0) const;
 

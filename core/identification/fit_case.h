@@ -9,24 +9,24 @@
 
 namespace feedscope {
 
-/// Time of a section of a program, as a control took it and as a run has it.
+/// Time of a section of a program, measured and simulated.
 struct SectionAgreement {
-  std::string section;        ///< as the table names it
+  std::string section;        ///< name in the table
   double measured_time = 0;   ///< [s]
   double simulated_time = 0;  ///< [s]
 };
 
-/// How well a run says what was recorded.
+/// Agreement of a run with a recording.
 struct FitResult {
-  Agreement agreement;     ///< of section times only the times
-  bool time_known = true;  ///< false where samples are missing without a gap in the times
-  double resolution = 0;   ///< of these times [s]
-  double feed_error = 0;   ///< root mean square, as a share of the mean feed, less what jittering times make
-  std::vector<SectionAgreement> sections;  ///< of section times
+  Agreement agreement;     ///< of section times only their times
+  bool time_known = true;  ///< false if samples are missing without a gap in the times
+  double resolution = 0;   ///< of the times [s]
+  double feed_error = 0;   ///< root mean square, as a share of the mean feed, less the effect of jitter
+  std::vector<SectionAgreement> sections;  ///< if section times were recorded
 };
 
-/// What a machine recorded of a program, prepared for many simulations. Residuals are in units of what noise,
-/// sampling and rounding make of them.
+/// Recording of a program on a machine, prepared for many simulations. Residuals are in units of noise,
+/// sampling and rounding.
 class FitCase {
  public:
   virtual ~FitCase() = default;
@@ -34,15 +34,15 @@ class FitCase {
   virtual const std::string& name() const = 0;  ///< of the file
   virtual const LoadedProgram& program() const = 0;
   virtual std::size_t size() const = 0;  ///< residuals
-  /// Simulated less measured, of a setup; a run that leaves the path altogether gets large ones. Throws
-  /// Cancelled when stopped.
+  /// Simulated minus measured values for a setup; large ones for a run that leaves the path altogether.
+  /// Throws Cancelled when stopped.
   virtual std::vector<double> residuals(const Setup& setup, Progress* progress) const = 0;
-  /// Number of the short stretch that a residual belongs to, of `stretches()`; blocks of them are left out to
-  /// see how much a value depends on a part of what was recorded.
+  /// Index of the short stretch of a residual, of `stretches()`; blocks of them are omitted to find how much
+  /// a value depends on a part of the recording.
   virtual std::size_t stretch_of(std::size_t residual) const = 0;
-  virtual bool is_short(std::size_t residual) const = 0;  ///< the time of one short stretch
+  virtual bool is_short(std::size_t residual) const = 0;  ///< time of one short stretch
   virtual std::size_t stretches() const = 0;
-  virtual AxisVector<AxisReach> reach() const = 0;  ///< what the axes reach, in mm; zeros: not known
+  virtual AxisVector<AxisReach> reach() const = 0;  ///< reach of the axes, in mm; zeros: unknown
   virtual FitResult result(const Run& run, Progress* progress) const = 0;
 };
 

@@ -33,7 +33,7 @@ bool is_of_machine(const SettingSpec& spec) {
                              [&](const SettingSpec& other) { return other.key == spec.key; });
 }
 
-/// Which blocks are merged is no number of the motion.
+/// The merging of blocks is no number of the motion.
 bool can_be_fitted(const SettingSpec& spec) {
   return is_number(spec) && !is_of_machine(spec) && spec.key != merge_collinear_key;
 }
@@ -64,7 +64,7 @@ std::vector<FitParameter> usual_fit_parameters(const Setup& setup) {
     }
     SettingSpec spec;
     spec.key = parameter.key;
-    // Zero stands for something else than a small value: no limit, say, and is kept.
+    // Zero has a special meaning, such as no limit, and is kept.
     return parameter.unit.empty() || is_period(spec) || !(fit_value(setup, parameter) > 0);
   });
   return all;

@@ -19,7 +19,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double pause = 0.25;               // [s]
-constexpr std::size_t first_variable = 100;  // of a Fanuc: the time of section 1 is in the one behind it
+constexpr std::size_t first_variable = 100;  // of a Fanuc: the time of section 1 is in the next one
 constexpr std::array feed_shares{0.2, 0.5, 1.0};
 
 void check(const IdentificationProgramRequest& request) {
@@ -33,7 +33,7 @@ void check(const IdentificationProgramRequest& request) {
   within("feed-max", units::to_mm_min(request.feed_max), 100, 100'000, "mm/min");
 }
 
-/// Blocks of one control.
+/// Writes blocks for one control.
 class MotionWriter {
  public:
   explicit MotionWriter(const IdentificationProgramRequest& request) : dialect_(request.dialect) {}
@@ -93,7 +93,7 @@ class MotionWriter {
     line(is_klartext() ? fmt::format("L Z{} R0{}", number(z), feed > 0 ? word : " FMAX")
                        : fmt::format("G{} Z{}{}", feed > 0 ? 1 : 0, number(z), word));
   }
-  /// A full circle, counter-clockwise, about `center`.
+  /// Writes a full circle, counter-clockwise, about `center`.
   void circle(const Vector2d& center, double feed) {
     if (is_klartext()) {
       line("CC " + place(center));
@@ -109,7 +109,7 @@ class MotionWriter {
     }
     feed_ = 0;
   }
-  /// Before and behind the control's own statements nothing is read ahead.
+  /// The control's own statements stop the reading ahead before and after them.
   void start_time(std::size_t section) {
     if (dialect_ == Dialect::fanuc) {
       line("G53");
@@ -159,7 +159,7 @@ class MotionWriter {
   std::string text_;
   std::uint32_t count_ = 0;
   Vector2d at_ = Vector2d::Zero();
-  double feed_ = 0;  ///< that holds [mm/s]; 0: none
+  double feed_ = 0;  ///< in force [mm/s]; 0: none
 };
 
 class ProgramMaker {
@@ -174,7 +174,7 @@ class ProgramMaker {
     writer_.comment("ZERO POINT: MIDDLE OF A FREE SQUARE, TOOL WHERE NOTHING IS BELOW OR AROUND IT");
     writer_.comment(
         fmt::format("KEEPS TO X AND Y +-{:.4g} MM, Z FROM 0 UP TO {:.4g} MM", size_ / 2, made_.height));
-    writer_.rapid(Vector2d::Zero());  // as high as the tool stands, then down
+    writer_.rapid(Vector2d::Zero());  // at the present height, then down
     writer_.upright(0, 0);
     for (const int axis : {0, 1}) {
       single_moves(axis);
@@ -194,7 +194,7 @@ class ProgramMaker {
   void part(const std::string& title, const char* tells) {
     made_.parts.push_back({title, tells, writer_.comment(title)});
   }
-  /// Between pauses, its time taken by the control.
+  /// Writes motions between pauses, timed by the control.
   template <class Motions>
   void timed(const Motions& motions) {
     ++made_.sections;

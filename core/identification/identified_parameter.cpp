@@ -29,7 +29,7 @@ Provenance undetermined_source(const IdentifiedParameter& parameter, const std::
   if (parameter.value != parameter.start) {
     return {text + "this explains them as well as others", true};
   }
-  const auto kept = before.source.find(kept_from);  // of an identification before
+  const auto kept = before.source.find(kept_from);  // of an earlier identification
   const std::string origin = kept == std::string::npos
                                  ? before.source
                                  : before.source.substr(kept + std::string_view(kept_from).size());

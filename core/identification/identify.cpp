@@ -22,9 +22,9 @@ namespace {
 constexpr double most_feed_error = 0.05;
 constexpr double most_time_error = 0.01;
 
-constexpr double beyond_reach = 1.05;  // samples fall a little short of a velocity
+constexpr double beyond_reach = 1.05;  // samples miss a velocity slightly
 
-/// Where the stages begin that people are told of.
+/// Progress at the start of the reported stages.
 constexpr double alone_from = 0.02;
 constexpr double together_from = 0.4;
 constexpr double refined_from = 0.7;
@@ -41,7 +41,7 @@ constexpr std::array stage_titles{
 constexpr const char* unexplained = QT_TRANSLATE_NOOP(
     "core", "The model does not explain the traces: a value of it would say nothing of the machine.");
 
-/// The setup with velocities, accelerations and jerks as far as the traces reach.
+/// Setup with velocities, accelerations and jerks as reached in the traces.
 Setup begun_with_reach(const FitCases& cases, Setup setup, const std::vector<FitParameter>& parameters) {
   AxisVector<AxisReach> most(setup.machine.axes.axes());
   for (const auto& one : cases) {
@@ -68,9 +68,9 @@ Setup begun_with_reach(const FitCases& cases, Setup setup, const std::vector<Fit
   return setup;
 }
 
-/// Several limits of the speed can each stand for another one: releases one after the other, lets each other
-/// one take its part in turn, fits all again, and stays where that explains the traces better. Returns by
-/// parameter the least cost of an explanation without it; infinite where none was looked for.
+/// Resolves ambiguities between speed limits: releases each in turn, lets each other one take its place, fits
+/// all again, and keeps the result if it explains the traces better. Returns the smallest cost without each
+/// parameter; infinite where none was tried.
 std::vector<double> release_speeds(ParameterSearch& search, std::vector<bool> free) {
   constexpr double out_of_the_way = 3;
   constexpr double better = 0.999;
@@ -96,7 +96,7 @@ std::vector<double> release_speeds(ParameterSearch& search, std::vector<bool> fr
       released[static_cast<Eigen::Index>(p)] += std::log(out_of_the_way);
       if (ParameterSearch::cost(search.evaluate(released)) <= cost_before) {
         search.move_to(before);
-        break;  // it limits nothing
+        break;  // limits nothing
       }
       search.move_to(released);
       search.scan_one(q, 2, 1.09);
@@ -114,9 +114,9 @@ std::vector<double> release_speeds(ParameterSearch& search, std::vector<bool> fr
   return without;
 }
 
-/// A limit a little below what a motion takes, that is beyond what it reaches, looks told while the others
-/// stand for it: releases each acceleration and jerk, looks for the velocity of its axis, which may have
-/// been out of the way, fits the others again, and stays where that explains the traces better. Lowers
+/// Resolves limits slightly below the need of a motion but beyond its reach, which look determined while
+/// others replace them: releases each acceleration and jerk, searches the velocity of its axis, which may
+/// have been too high, fits the others again, and keeps the result if it explains the traces better. Lowers
 /// `without` as release_speeds() does.
 void release_ramps(ParameterSearch& search, const std::vector<bool>& free, std::vector<double>& without) {
   constexpr double out_of_the_way = 1.5;
@@ -156,18 +156,18 @@ std::vector<bool> all_but(std::vector<bool> some) {
   return some;
 }
 
-/// Adds `others`, and none of `without`.
+/// Adds `others`, except `without`.
 void add(std::vector<bool>& some, const std::vector<bool>& others, const std::vector<bool>& without) {
   for (std::size_t i = 0; i < some.size(); ++i) {
     some[i] = (some[i] || others[i]) && !without[i];
   }
 }
 
-/// Evaluations of a joint search: as many as short programs allow, fewer of long ones.
+/// Evaluations of a joint search: as many as short programs allow, fewer for long ones.
 std::size_t searched_together(const FitCases& cases, const Setup& start, std::size_t most,
                               Progress* progress) {
   constexpr double few = 300;
-  constexpr double of_all = 8000;  // [s] of programs
+  constexpr double of_all = 8000;  // [s] of programs in total
   double seconds = 0;
   for (const auto& one : cases) {
     Progress unwatched;
@@ -179,9 +179,9 @@ std::size_t searched_together(const FitCases& cases, const Setup& start, std::si
   return static_cast<std::size_t>(std::clamp(of_all / std::max(seconds, 1e-3), std::min(few, limit), limit));
 }
 
-/// Searches all numbers together from where the search stands and from what the traces reach: several numbers
-/// at once away from their start make hollows that no search of one after the other leaves. Unless both lead
-/// to noise alone, then near the better one, as long as that helps.
+/// Searches all numbers together, from the present values and from the reach of the traces: several wrong
+/// numbers create local minima that no successive search leaves. Unless both searches end in noise alone,
+/// continues near the better one as long as that helps.
 void search_jointly(ParameterSearch& search, const std::vector<bool>& free, const Eigen::VectorXd& reached,
                     std::size_t most) {
   constexpr double spread = 0.4;  // of the logarithms
@@ -189,7 +189,7 @@ void search_jointly(ParameterSearch& search, const std::vector<bool>& free, cons
   constexpr double better = 0.98;
   constexpr int most_rounds = 3;
   if (std::ranges::count(free, true) < 2) {
-    return;  // nothing stands for another one
+    return;  // nothing can replace another number
   }
   const auto cost_here = [&] { return ParameterSearch::cost(search.evaluate(search.logarithms())); };
   search.search_widely(free, spread, most);
@@ -203,7 +203,7 @@ void search_jointly(ParameterSearch& search, const std::vector<bool>& free, cons
   }
   if (leaves_noise_alone(search) &&
       better * std::max(first_cost, second_cost) < std::min(first_cost, second_cost)) {
-    return;  // both ways lead there
+    return;  // both searches lead there
   }
   for (int round = 0; round < most_rounds; ++round) {
     const double least = cost_here();
@@ -226,10 +226,9 @@ void search_jointly(ParameterSearch& search, const std::vector<bool>& free, cons
   }
 }
 
-/// Tries values that a number may well have after all: the one it began with, where that is close, and of a
-/// velocity the largest one that the traces show. A number that acts by steps, and others that make up for
-/// it, lie in a hollow of their own, as a limit does that is beyond everything. `begun`, `reached`:
-/// logarithms.
+/// Tries likely values: the start value of a number if it is close, and for a velocity the largest one in the
+/// traces. A number that acts in steps, and others that compensate for it, have their own local minimum, as
+/// has a limit beyond all motion. `begun`, `reached`: logarithms.
 void try_likely(ParameterSearch& search, const std::vector<bool>& free, const Eigen::VectorXd& begun,
                 const Eigen::VectorXd& reached, std::size_t most) {
   const double close = std::log(1.5);
@@ -280,9 +279,8 @@ std::string names_of(const FitCases& cases) {
   return names;
 }
 
-/// Leaves a hollow that is not the deepest: a control that lays blends or not, by its tolerance, makes
-/// several, some percent wide. Each number is tried to its double and half with the others as they have
-/// become.
+/// Leaves a local minimum: whether a control inserts blends depends on its tolerance, which creates several
+/// minima some percent wide. Varies each number from half to double, with the others at their present values.
 void leave_hollow(ParameterSearch& search, const std::vector<bool>& free, int most_steps) {
   constexpr double reach = 2;
   constexpr double ratio = 1.06;
@@ -304,7 +302,8 @@ void leave_hollow(ParameterSearch& search, const std::vector<bool>& free, int mo
   }
 }
 
-/// Where the machine has other limits than those of the traces, another program shows more.
+/// Finds the parts of the test program that would determine the remaining numbers: its limits may differ from
+/// those of the traces.
 void say_what_tells(const Setup& setup, std::vector<IdentifiedParameter>& parameters) {
   std::vector<FitParameter> untold;
   for (const IdentifiedParameter& one : parameters) {
@@ -321,7 +320,7 @@ void say_what_tells(const Setup& setup, std::vector<IdentifiedParameter>& parame
   }
 }
 
-/// `start`: what was begun with, whose sources stay with the values that stay.
+/// `start`: the original setup, whose sources remain with unchanged values.
 void write_sources(Setup& setup, const Setup& start, const std::vector<IdentifiedParameter>& parameters,
                    bool explains, const std::string& from) {
   setup.machine.model = setup.model->info().id;
@@ -350,7 +349,7 @@ void write_sources(Setup& setup, const Setup& start, const std::vector<Identifie
   }
 }
 
-/// Simulates what was found, and lays it beside what was recorded.
+/// Simulates the result and compares it with the recordings.
 void lay_beside(const FitCases& cases, Identification& found, Progress* progress) {
   found.explains = true;
   for (const auto& one : cases) {
@@ -369,7 +368,7 @@ void lay_beside(const FitCases& cases, Identification& found, Progress* progress
   }
 }
 
-/// What is left over by the setup where the search stands.
+/// Residual of the present setup of the search.
 double residual_of(ParameterSearch& search) {
   const Eigen::VectorXd residuals = search.evaluate(search.logarithms());
   return std::sqrt(residuals.squaredNorm() / static_cast<double>(residuals.size()));
@@ -426,7 +425,7 @@ Identification identify(const FitCases& cases, const Setup& start,
   free = influences(search);
   constexpr int most_steps = 10;
   search.stage(refined_from, 0.8, 2 * static_cast<std::size_t>(most_steps) * (2 * count + 5) + count * 18);
-  for (const double reach : {1.05, 1.01}) {  // out of the kinks that limits make, into the bottom
+  for (const double reach : {1.05, 1.01}) {  // away from the kinks at limits, to the minimum
     search.refine(free, most_steps);
     search.scan(reach, std::sqrt(std::sqrt(reach)));
   }

@@ -15,21 +15,21 @@
 namespace feedscope {
 namespace {
 
-constexpr double seen = 12;  // change of the sum of squares that is more than noise
-// Rise over the optimum that is no chance: a part of the trace that is off by chance is in the times of its
-// stretch and of those of eight and 64 together, and pulls all that depends on it.
+constexpr double seen = 12;  // significant change of the sum of squares
+// Certain rise over the optimum: a part of the trace that is off by chance affects the times of its stretch
+// and of those of eight and 64 together, and all numbers that depend on it.
 constexpr double certain = 50;
-constexpr double coarsest = 0.2;  // share of the value beyond which its uncertainty makes it no answer
-// Rise of the sum of squares, in units of what is left over, of what explains as well: neighbours are in
-// several residuals.
+constexpr double coarsest = 0.2;  // uncertainty as a share of the value from which it is no result
+// Rise of the sum of squares, in units of the residual, of equally good explanations: neighbours contribute
+// to several residuals.
 constexpr double no_worse = 45;
-constexpr double beyond_tried = 2;   // the search has not been at all places that explain as well
+constexpr double beyond_tried = 2;   // the search has not visited all equally good points
 constexpr double least_cost = 0.25;  // units of noise and sampling are rather too large
-constexpr double most_excess = 5;    // beyond which a search may have ended in a wrong hollow
+constexpr double most_excess = 5;    // from here on a search may have ended in a wrong local minimum
 constexpr double most_in_one_block = 0.85;
-constexpr double model_error = 1e-3;  // share below which no uncertainty is claimed
+constexpr double model_error = 1e-3;  // smallest share claimed as uncertainty
 constexpr double sureness = 2;        // standard deviations
-constexpr double least_slope = 1e-3;  // of all residuals together, by the logarithm
+constexpr double least_slope = 1e-3;  // of all residuals together, per logarithm
 
 constexpr const char* without_influence =
     QT_TRANSLATE_NOOP("core", "It changes nothing that these traces show.");
@@ -46,14 +46,14 @@ constexpr const char* more_than_noise =
 constexpr const char* not_apart =
     QT_TRANSLATE_NOOP("core", "It cannot be told apart from the others by these traces.");
 
-/// How much worse than at the optimum, in units of its own mean square.
+/// Excess over the optimum, in units of its own mean square.
 double rise(const Eigen::VectorXd& there, double cost_here, Eigen::Index stretches) {
   return (ParameterSearch::cost(there) - cost_here) * static_cast<double>(stretches) /
          std::max(cost_here, 1.0);
 }
 
-/// Standard deviations of the logarithms by what is left over, and by leaving out a twelfth after the other;
-/// of parameters without slope infinite.
+/// Standard deviations of the logarithms from the residuals, and from omitting each twelfth in turn; infinite
+/// for parameters without slope.
 std::vector<double> deviations(const ParameterSearch& search, const Eigen::MatrixXd& derivatives,
                                const Eigen::VectorXd& residuals) {
   std::vector<Eigen::Index> used;
@@ -105,8 +105,7 @@ std::vector<double> deviations(const ParameterSearch& search, const Eigen::Matri
   return found;
 }
 
-/// The value below which the traces would show it: where a smaller one begins to make them worse. `low`: the
-/// logarithm of one that does.
+/// Lower bound visible in the traces: a smaller value makes them worse. `low`: logarithm of such a value.
 double bound_below(ParameterSearch& search, Eigen::Index parameter, double low, double cost_here,
                    Eigen::Index stretches) {
   constexpr int halvings = 7;
@@ -119,7 +118,7 @@ double bound_below(ParameterSearch& search, Eigen::Index parameter, double low, 
   return std::exp(bracket.low);
 }
 
-/// Largest share of what a parameter does that lies in one twelfth of the traces.
+/// Largest share of a parameter's effect in one twelfth of the traces.
 double share_of_one_block(const ParameterSearch& search, const Eigen::VectorXd& slopes) {
   std::array<double, ParameterSearch::block_count> sums{};
   double all = 0;
@@ -137,13 +136,13 @@ Eigen::Index stretches_of(const ParameterSearch& search) {
   return static_cast<Eigen::Index>(search.stretches());
 }
 
-/// What nine of ten residuals stay below, of short stretches and of the rest: single places where a stop lies
-/// on one side of a border here and on the other one there are not what is asked for.
+/// 90 % quantiles of the residuals, of short stretches and of the others: single places where a stop falls on
+/// different sides of a border do not count.
 struct LeftOver {
   double of_short = 0;
   double of_others = 0;
 
-  /// How many times as much as noise would the long stretches leave: it adds nothing there, a wrong number
+  /// Residual of long stretches relative to noise: noise does not add up there, the effect of a wrong number
   /// does.
   double excess() const {
     constexpr double as_much = 1.2;
@@ -252,7 +251,7 @@ std::vector<IdentifiedParameter> judge_parameters(ParameterSearch& search, const
     if (one.told) {
       one.uncertainty = share * one.value;
     } else if (!above && !below) {
-      // Its half changes nothing, but the value that was begun with may.
+      // Its half has no effect, but the start value may.
       Eigen::VectorXd begun = at;
       begun[static_cast<Eigen::Index>(p)] =
           one.start > 0 ? std::log(one.start) : begun[static_cast<Eigen::Index>(p)];

@@ -76,7 +76,7 @@ void ParameterSearch::move_to(const Eigen::VectorXd& at) {
 
 namespace {
 
-/// To ten digits: 75 stays 75 through its logarithm.
+/// Rounds to ten digits: 75 remains 75 through its logarithm.
 double without_dirt(double value) {
   return std::stod(fmt::format("{:.10g}", value));
 }
@@ -186,7 +186,7 @@ void ParameterSearch::scan_one(std::size_t parameter, double reach, double ratio
   std::size_t best = 0;
   double least = cost(all[0]);
   for (std::size_t i = 1; i < all.size(); ++i) {
-    if (cost(all[i]) < least * (1 - 1e-6)) {  // what makes no difference stays as it is
+    if (cost(all[i]) < least * (1 - 1e-6)) {  // values without effect do not change
       least = cost(all[i]);
       best = i;
     }
@@ -223,7 +223,7 @@ struct Together {
 
 double together_cost(unsigned count, const double* x, double* /*gradient*/, void* data) {
   auto& together = *static_cast<Together*>(data);
-  try {  // not through the library, which is C
+  try {  // no exceptions through the C library
     Eigen::VectorXd at = together.at;
     for (unsigned i = 0; i < count; ++i) {
       at[(*together.free)[i]] = x[i];
@@ -245,7 +245,7 @@ void ParameterSearch::search_together(const std::vector<bool>& free, double reac
       indices.push_back(static_cast<Eigen::Index>(p));
     }
   }
-  if (indices.size() < 2) {  // BOBYQA wants two; the steps that follow do for one
+  if (indices.size() < 2) {  // BOBYQA needs two; for one the following steps suffice
     return;
   }
   const std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> handle(

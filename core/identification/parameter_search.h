@@ -8,12 +8,12 @@
 
 namespace feedscope {
 
-/// Share of a search's progress that one simulation reports: it is cancelled with the search, which counts
-/// simulations and not how far one is.
+/// Share of a search's progress reported by one simulation: it is cancelled with the search, which counts
+/// simulations, not their progress.
 inline constexpr double unseen_share = 1e-9;
-/// Residuals beyond it count by their absolute value in ParameterSearch::cost().
+/// Larger residuals count by their absolute value in ParameterSearch::cost().
 inline constexpr double robust_from = 3;
-/// Of a residual in a least-squares step that lowers ParameterSearch::cost().
+/// Weight of a residual in a least-squares step that lowers ParameterSearch::cost().
 double weight_of(double residual);
 
 /// Residuals of all cases as a function of the logarithms of some parameters.
@@ -24,39 +24,39 @@ class ParameterSearch {
 
   std::size_t size() const { return parameters_.size(); }
   const std::vector<FitParameter>& parameters() const { return parameters_; }
-  Eigen::VectorXd logarithms() const { return at_; }  ///< where the search stands
+  Eigen::VectorXd logarithms() const { return at_; }  ///< present point of the search
   void move_to(const Eigen::VectorXd& at);
   Setup setup() const { return setup_at(at_); }
   std::size_t simulations() const { return simulations_; }
-  std::size_t stretches() const { return stretches_; }  ///< short ones of all cases
-  /// Share of the work that the next calls are, for the progress.
+  std::size_t stretches() const { return stretches_; }  ///< short stretches of all cases
+  /// Share of the following calls in the total work, for the progress.
   void stage(double begin, double end, std::size_t evaluations);
 
   Eigen::VectorXd evaluate(const Eigen::VectorXd& at);
-  /// Of several places, on several threads.
+  /// Residuals at several points, on several threads.
   std::vector<Eigen::VectorXd> evaluate_all(const std::vector<Eigen::VectorXd>& places);
   /// Robust sum: squares of small residuals, absolute values of large ones.
   static double cost(const Eigen::VectorXd& residuals);
   /// Derivatives of the residuals by the logarithms, by central differences.
   Eigen::MatrixXd jacobian(const Eigen::VectorXd& at);
-  /// By these alone, which are all that is simulated; the others are 0.
+  /// Derivatives by the parameters with `of`, using only simulations for these; the others are 0.
   Eigen::MatrixXd jacobian(const Eigen::VectorXd& at, const std::vector<bool>& of);
 
-  /// Looks for a better value of each parameter alone among those of a factor of up to `reach` either way, a
-  /// factor of `ratio` apart.
+  /// Searches a better value of each parameter alone within a factor of `reach` either way, in steps of a
+  /// factor of `ratio`.
   void scan(double reach, double ratio);
-  void scan(double reach, double ratio, const std::vector<bool>& of);  ///< of these alone
+  void scan(double reach, double ratio, const std::vector<bool>& of);  ///< only of these
   void scan_one(std::size_t parameter, double reach, double ratio);
-  /// CovarianceSearch over the parameters with `free`, whose logarithms are spread by `spread` at the begin.
+  /// CovarianceSearch over the parameters with `free`, with the initial spread `spread` of their logarithms.
   void search_widely(const std::vector<bool>& free, double spread, std::size_t most);
-  /// NLopt's BOBYQA over the parameters with `free`.
+  /// BOBYQA of NLopt over the parameters with `free`.
   void search_together(const std::vector<bool>& free, double reach, std::size_t most);
-  /// Gauss-Newton steps with halving over the parameters with `free`.
+  /// Gauss-Newton steps with step halving over the parameters with `free`.
   void refine(const std::vector<bool>& free, int most);
-  /// Largest change of each logarithm to a place that was evaluated and whose cost is at most `cost`: what
-  /// explains as well, in the valleys and hollows that the search has come through.
+  /// Largest change of each logarithm to an evaluated point with a cost of at most `cost`: the range of
+  /// equally good explanations along the search.
   Eigen::VectorXd reach_of_places(double cost) const;
-  /// Number of the twelfth of its trace that a residual belongs to.
+  /// Index of the twelfth of its trace for each residual.
   const std::vector<std::size_t>& blocks() const { return blocks_; }
   bool is_short(std::size_t residual) const { return short_[residual]; }  ///< FitCase::is_short()
   static constexpr std::size_t block_count = 12;
@@ -79,7 +79,7 @@ class ParameterSearch {
   std::size_t count_ = 0;
   std::size_t stretches_ = 0;
   std::size_t simulations_ = 0;
-  std::vector<Place> places_;  ///< all that were evaluated
+  std::vector<Place> places_;  ///< all evaluated ones
   std::vector<std::size_t> blocks_;
   std::vector<bool> short_;
   double begin_ = 0;

@@ -7,7 +7,7 @@
 
 namespace feedscope {
 
-/// What each part of a test program takes in a run of it.
+/// Time of each part of a test program in a run of it.
 std::vector<LineTime> part_times(const IdentificationProgram& program, const Trajectory& run);
 
 }  // namespace feedscope

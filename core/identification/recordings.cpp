@@ -26,7 +26,7 @@ AxisDrive drive_of(const Machine& machine, char axis) {
   return held == nullptr ? AxisDrive() : *held;
 }
 
-/// What was found with a tolerance of zero says so. `before`: its value that was begun with.
+/// Adds the tolerance of zero that the result is based on. `before`: its start value.
 void add_zero(Identification& found, const FitParameter& tolerance, double before, const std::string& date) {
   IdentifiedParameter one;
   one.parameter = tolerance;
@@ -39,7 +39,7 @@ void add_zero(Identification& found, const FitParameter& tolerance, double befor
   found.parameters.push_back(std::move(one));
 }
 
-/// What was found with the feed override that traces show says so, and its machine does not keep it.
+/// Adds the feed override of the traces that the result is based on, and removes it from the machine.
 void add_override(Identification& found, const Setup& start, double before) {
   IdentifiedParameter one;
   one.parameter = {feed_override_key, "%", 0, 0};
@@ -67,7 +67,7 @@ void add_override(Identification& found, const Setup& start, double before) {
 
 constexpr std::string_view steps_key = "steps_per_mm";
 
-/// Whether the model counts steps of motors, and how many make a millimetre is an assumption.
+/// Whether the model counts motor steps while the steps per millimetre are assumed.
 bool assumes_steps(const Setup& start) {
   const std::string timing = "step_timing";
   if (!start.settings.has(timing) || start.settings.text(timing) != "on") {
@@ -88,9 +88,9 @@ Setup with_steps(Setup setup, double factor) {
   return setup;
 }
 
-/// Steps that are assumed change what is found: takes half or double as many where that explains the
-/// recordings much better, and doubts the numbers as far as they change from there to the next best. `from`:
-/// names of the recordings and the date, for sources; `fit`: with a start.
+/// Assumed steps affect the result: tries half and double as many and uses them if they explain the
+/// recordings much better; increases the uncertainty of the numbers by their change to the next best. `from`:
+/// names of the recordings and the date, for sources; `fit`: fits a start setup.
 void doubt_steps(Identification& found, const Setup& start, const std::string& from,
                  const std::function<Identification(const Setup&)>& fit) {
   constexpr double better = 0.8;
@@ -142,8 +142,8 @@ void doubt_steps(Identification& found, const Setup& start, const std::string& f
   }
 }
 
-/// The tolerance among `parameters` for which zero stands for no limit, which no search of logarithms comes
-/// to; null: none.
+/// Tolerance among `parameters` for which zero means no limit, unreachable for a search of logarithms; null
+/// if none.
 const FitParameter* that_may_be_zero(const Setup& start, const std::vector<FitParameter>& parameters) {
   for (const SettingSpec& spec : settings_of(*start.model)) {
     const auto one = std::ranges::find(parameters, spec.key, &FitParameter::key);
@@ -186,7 +186,7 @@ std::vector<FitParameter> Recordings::usual_parameters(const Setup& start) const
   return usual;
 }
 
-/// Of the axes that a drive parameter is of, put into the machine of `setup`.
+/// Identifies the drives of the axes with a drive parameter and stores them in the machine of `setup`.
 std::vector<DriveFit> Recordings::fit_drives(const std::vector<FitParameter>& parameters, Setup& setup,
                                              Progress* progress) {
   std::vector<DriveFit> drives;
@@ -219,7 +219,7 @@ std::vector<DriveFit> Recordings::fit_drives(const std::vector<FitParameter>& pa
   return drives;
 }
 
-/// Found once for all models.
+/// Cached for all models.
 const DriveFit& Recordings::drive_of_axis(char axis, const AxisDrive& start, const FreeDriveNumbers& free,
                                           Progress* progress) {
   const auto known = std::ranges::find_if(drives_, [&](const FoundDrive& drive) {
@@ -232,7 +232,7 @@ const DriveFit& Recordings::drive_of_axis(char axis, const AxisDrive& start, con
   return drives_.back().fit;
 }
 
-/// With the sources of its values.
+/// Adds a drive with the sources of its values.
 void Recordings::add_drive(Identification& found, const DriveFit& drive, const std::string& date) const {
   std::string from;
   for (const Trace* trace : traces()) {
@@ -260,10 +260,10 @@ void Recordings::add_drive(Identification& found, const DriveFit& drive, const s
   found.drives.push_back(drive);
 }
 
-/// At which share of the programmed feed all of them run; none where one does not, or at another.
+/// Share of the programmed feed common to all recordings; none if one differs or has none.
 std::optional<double> Recordings::feed_share() const {
   constexpr double same = 0.01;
-  constexpr double least = 0.02;  // smaller and larger ones are those of times in another unit
+  constexpr double least = 0.02;  // smaller and larger ones come from times in another unit
   constexpr double most = 5;
   if (feed_shares_.empty() || !std::ranges::all_of(feed_shares_, &std::optional<double>::has_value)) {
     return std::nullopt;
@@ -304,7 +304,7 @@ Identification Recordings::fit(const Setup& start, const std::vector<FitParamete
   constexpr double whole = 100;
   const double override_before = feed_override(start).value_or(whole);
   if (const std::optional<double> share = feed_share()) {
-    constexpr double as_well = 1.2;  // a limit that stands for the override explains the traces, too
+    constexpr double as_well = 1.2;  // a limit in place of the override also explains the traces
     Setup slowed = start;
     slowed.settings.set(feed_override_key, override_before * *share);
     Identification other = again(slowed, parameters);
@@ -408,7 +408,7 @@ bool explains_roughly(const Identification& found, const Identification& best) {
 Machine identified_machine(const Identification& found, const std::filesystem::path& file) {
   Setup setup = found.setup;
   for (const IdentifiedParameter& one : found.parameters) {
-    if (!found.explains && !one.told && one.value != one.start) {  // it says nothing of the machine
+    if (!found.explains && !one.told && one.value != one.start) {  // no information about the machine
       set_fit_value(setup, one.parameter, one.start);
       if (one.parameter.key.find('.') == std::string::npos) {
         setup.machine.settings.set(one.parameter.key, setup.settings.value(one.parameter.key));

@@ -13,30 +13,30 @@
 
 namespace feedscope {
 
-/// What a machine recorded, each with the program that ran: traces and tables of section times, to be
-/// explained by one control model after the other.
+/// Recordings of a machine, each with its program: traces and tables of section times, to be explained by one
+/// control model after the other.
 class Recordings {
  public:
-  /// What the next stage of the work is reported to, by its title for people: "matching", "fitting"; null for
-  /// nobody.
+  /// Returns the progress for the next stage of the work, with its title for display: "matching", "fitting";
+  /// null for none.
   using Stage = std::function<Progress*(const char* title)>;
 
   void add(std::shared_ptr<const Trace> trace, const LoadedProgram& program);
   void add(std::vector<SectionTime> times, const std::string& name, const LoadedProgram& program);
   std::size_t size() const { return items_.size(); }
-  /// What is looked for without being asked for: usual_fit_parameters(), and the drives of the axes whose set
-  /// and actual positions are recorded.
+  /// Default parameters: usual_fit_parameters(), and the drives of axes with recorded set and actual
+  /// positions.
   std::vector<FitParameter> usual_parameters(const Setup& start) const;
 
-  /// The `parameters` of `start` with which its model explains all of them best; those of drives by
-  /// fit_drive(). If its model does not explain them, a tolerance that may be zero, for no limit, is tried
-  /// so. If all traces run at one share of the programmed feed, that is taken as the feed override. Throws
-  /// InputError for a recording that is not of its program, holds too little of it or has a wrong rate, for
-  /// section times that no machine takes (SectionCase::check_times()), for a drive without set and actual
-  /// positions, and what identify() throws.
+  /// Finds the `parameters` of `start` with which its model explains all recordings best; those of drives by
+  /// fit_drive(). If the model does not explain them, a tolerance for which zero means no limit is tried at
+  /// zero. If all traces run at one share of the programmed feed, it is assumed to be the feed override.
+  /// Throws InputError for a recording that does not belong to its program, covers too little of it or has a
+  /// wrong rate, for impossible section times (SectionCase::check_times()), for a drive without set and
+  /// actual positions, and as identify() does.
   Identification fit(const Setup& start, const std::vector<FitParameter>& parameters,
                      const IdentifyOptions& options = {}, const Stage& stage = {});
-  /// What is wrong with each of them on its program: known after fit(), of tables nothing.
+  /// Problems of each recording on its program: available after fit(); none for tables.
   const std::vector<std::vector<Diagnostic>>& remarks() const { return remarks_; }
 
  private:
@@ -57,7 +57,7 @@ class Recordings {
                                 Progress* progress);
   void add_drive(Identification& found, const DriveFit& drive, const std::string& date) const;
 
-  /// A drive that was found: no model of the control changes it.
+  /// An identified drive: independent of the control model.
   struct FoundDrive {
     AxisDrive start;
     FreeDriveNumbers free;
@@ -67,32 +67,32 @@ class Recordings {
   std::vector<Item> items_;
   std::deque<FoundDrive> drives_;
   std::vector<std::vector<Diagnostic>> remarks_;
-  std::vector<std::optional<double>> feed_shares_;  ///< of each; of tables none
+  std::vector<std::optional<double>> feed_shares_;  ///< by recording; none for tables
 };
 
-/// Numbers that usual_fit_parameters() would have looked for and that were held, by their keys: where a model
-/// does not explain recordings, they may be what is wrong.
+/// Keys of usual_fit_parameters() that were fixed: if a model does not explain the recordings, they may be
+/// the cause.
 std::vector<std::string> held_parameters(const Identification& found);
 
-/// Whether a file is a table of section times; false for one that cannot be read.
+/// Whether a file is a table of section times; false if it cannot be read.
 bool is_section_times_file(const std::filesystem::path& file);
-/// Reads one. Throws InputError, as parse_section_times().
+/// Reads a table. Throws InputError, as parse_section_times() does.
 std::vector<SectionTime> read_section_times(const std::filesystem::path& file);
 
-/// A shipped machine of three axes whose control a model is of; default_machine if there is none.
+/// A shipped three-axis machine whose control the model describes; default_machine if there is none.
 std::string usual_machine_of(const std::string& model);
 
-/// The model that explains the recordings best first.
+/// Sorts models by agreement with the recordings, best first.
 void sort_by_explanation(std::vector<Identification>& models);
-/// Whether a model comes near the recordings that `best` explains much better: it leaves more than twice as
-/// much over.
+/// Whether a model roughly explains recordings that `best` explains much better: its residuals are more than
+/// twice as large.
 bool explains_roughly(const Identification& found, const Identification& best);
 
-/// What was found as a machine, with the source of every number, named after the file that it goes to; "-"
-/// for none. Of a model that does not explain the recordings it keeps the values that were begun with.
+/// Result as a machine, with the source of every number, named after its file; "-" for none. If the model
+/// does not explain the recordings, the start values are kept.
 Machine identified_machine(const Identification& found, const std::filesystem::path& file);
 
-/// "2026-11-25", for IdentifyOptions::date.
+/// Date such as "2026-11-25", for IdentifyOptions::date.
 std::string date_of_today();
 
 }  // namespace feedscope

@@ -12,12 +12,12 @@
 namespace feedscope {
 namespace {
 
-constexpr double clock_share = 5e-4;  // of a time: clocks of controls and the override
+constexpr double clock_share = 5e-4;  // of a time: accuracy of control clocks and the override
 constexpr std::size_t rounds = 12;    // neighbours go to different ones
 
-constexpr double most_apart = 20;  // times as long as simulated, or as short, no machine is
+constexpr double most_apart = 20;  // largest possible ratio to a simulated time, either way
 
-/// What times are that are `ratio` times those of a simulation, and what to do.
+/// Interpretation of times that are `ratio` times the simulated ones, with advice.
 const char* remedy_of(double ratio) {
   constexpr double milliseconds = 1000;
   constexpr double minutes = 60;
@@ -84,7 +84,7 @@ std::vector<double> SectionCase::residuals(const Setup& setup, Progress* progres
 }
 
 std::size_t SectionCase::stretch_of(std::size_t residual) const {
-  // The first rounds have one more where the sections do not divide evenly.
+  // The first rounds have one more if the sections do not divide evenly.
   const std::size_t round = residual % rounds;
   return round * (times_.size() / rounds) + std::min(round, times_.size() % rounds) + residual / rounds;
 }

@@ -8,22 +8,22 @@
 
 namespace feedscope {
 
-/// Times of sections of a program, without a trace. Each is compared by itself, in units of what the clock
-/// leaves open at both of its ends and 0.05 % of the time.
+/// Times of sections of a program, without a trace. Each is compared separately, in units of the clock's
+/// resolution at both ends and 0.05 % of the time.
 class SectionCase : public FitCase {
  public:
-  /// `name`: of the table. Throws InputError for sections that the program does not have.
+  /// `name`: of the table. Throws InputError for sections missing in the program.
   SectionCase(std::vector<SectionTime> times, std::string name, const LoadedProgram& program);
 
-  /// Throws InputError if the times are far from what the program takes by `start`, saying what they seem to
-  /// be: a search would take them for a machine that is a thousand times as slow.
+  /// Throws InputError if the times are far from those of the program on `start`, with a likely explanation:
+  /// a search would find a machine that is a thousand times as slow.
   void check_times(const Setup& start) const;
 
   const std::string& name() const override { return name_; }
   const LoadedProgram& program() const override { return program_; }
   std::size_t size() const override { return times_.size(); }
   std::vector<double> residuals(const Setup& setup, Progress* progress) const override;
-  /// Sections are measured independently: each is a stretch of its own.
+  /// Sections are measured independently: each is its own stretch.
   std::size_t stretch_of(std::size_t residual) const override;
   bool is_short(std::size_t) const override { return true; }
   std::size_t stretches() const override { return times_.size(); }

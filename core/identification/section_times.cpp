@@ -37,7 +37,7 @@ bool says_nothing(std::string_view line) {
   return line.empty() || line.front() == '#';
 }
 
-/// Which columns a head has.
+/// Columns found in a header.
 struct TimeColumns {
   char separator = ',';
   std::size_t section = 0;
@@ -80,13 +80,13 @@ std::optional<std::uint32_t> whole_number(std::string_view text) {
   return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
 }
 
-/// The place of the last digit of a number: 0.01 for "1.25".
+/// Value of the last digit of a number: 0.01 for "1.25".
 double last_digit(std::string_view number, char decimal) {
   const auto point = number.find(decimal);
   return point == std::string_view::npos ? 1 : std::pow(10, -static_cast<double>(number.size() - point - 1));
 }
 
-/// The clock may count in steps of several of the last digit: as many as all times have in common.
+/// Determines the step of the clock, possibly several of the last digit: the common divisor of all times.
 void find_resolution(std::vector<SectionTime>& times) {
   double digit = times.front().resolution;
   for (const SectionTime& time : times) {
@@ -103,7 +103,7 @@ void find_resolution(std::vector<SectionTime>& times) {
 
 constexpr std::string_view mark_word = "section ";
 
-/// The number that `text` begins with, which is taken off it.
+/// Removes the number at the start of `text` and returns it.
 std::optional<std::uint32_t> take_number(std::string_view& text) {
   std::uint32_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

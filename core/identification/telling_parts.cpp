@@ -9,10 +9,10 @@
 namespace feedscope {
 namespace {
 
-constexpr double clear_change = 0.002;  // of the time of a part: what a clock of 1 ms shows of it
-constexpr double clear_share = 0.25;  // of the largest change: simple parts, which come first, are preferred
+constexpr double clear_change = 0.002;  // of the time of a part: visible with a clock of 1 ms
+constexpr double clear_share = 0.25;  // of the largest change: simple parts, which come first, have priority
 
-/// The test program with the times of its parts.
+/// Test program with the times of its parts.
 class TimedProgram {
  public:
   TimedProgram() {
@@ -24,7 +24,7 @@ class TimedProgram {
   }
 
   const std::string& title(std::size_t part) const { return made_.parts[part].title; }
-  /// In motion [s].
+  /// Times in motion [s].
   std::vector<double> times(const Setup& setup) const {
     std::vector<double> times;
     for (const LineTime& part :
@@ -59,7 +59,7 @@ std::vector<std::string> telling_parts(const Setup& setup, const std::vector<Fit
           first == changes.end() ? "" : program.title(static_cast<std::size_t>(first - changes.begin()));
     }
   } catch (const InputError&) {
-    // A machine that lacks a limit of an axis that the test program moves: nothing is known.
+    // A machine without a limit of an axis that the test program moves: unknown.
   }
   return parts;
 }

@@ -7,10 +7,10 @@
 
 namespace feedscope {
 
-/// By parameter the title of the first part of the test program (identification_program()) whose time in
-/// motion half of its value at `setup` changes by a quarter as much as that of any other part, and clearly;
-/// "" where there is none: the model does not use it, or not there. The test program is simulated once for
-/// each.
+/// For each parameter, the title of the first part of the test program (identification_program()) that would
+/// determine it: halving its value at `setup` changes the time in motion clearly, and by at least a quarter
+/// of the largest change of any part. "" if there is none: the model does not use it, or not there. Simulates
+/// the test program once for each.
 std::vector<std::string> telling_parts(const Setup& setup, const std::vector<FitParameter>& parameters);
 
 }  // namespace feedscope

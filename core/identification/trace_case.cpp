@@ -15,15 +15,15 @@ namespace {
 
 constexpr double most_stretches = 1500;
 constexpr double samples_a_stretch = 4;
-constexpr double least_length = 5e-3;    // [mm]
-constexpr double finest_step = 5e-4;     // [s]
-constexpr double coarsest_step = 1e-3;   // [s]
-constexpr double freedom = 0.5;          // [mm]: how far another tolerance may take a control from the path
-constexpr double sampling_share = 0.03;  // of the period: what the places of samples leave open of a time
+constexpr double least_length = 5e-3;   // [mm]
+constexpr double finest_step = 5e-4;    // [s]
+constexpr double coarsest_step = 1e-3;  // [s]
+constexpr double freedom = 0.5;  // [mm]: change of a control's distance from the path with another tolerance
+constexpr double sampling_share = 0.03;  // of the period: uncertainty of a time due to sampling
 constexpr double clear_distance = 6;     // times the noise
 constexpr double least_distance = 3e-3;  // [mm]
 constexpr double distance_unit = 1e-3;   // [mm]
-constexpr double hopeless = 1e4;         // residual where there is nothing to compare
+constexpr double hopeless = 1e4;         // residual without anything to compare
 
 }  // namespace
 
@@ -56,7 +56,7 @@ TraceCase::TraceCase(std::shared_ptr<const Trace> trace, const LoadedProgram& pr
     feed_share_ = feedscope::feed_share(agreement, *course_, *run.input.toolpath);
     add_feed_remark(found_, agreement, *course_, *run.input.toolpath);
   } catch (const InputError&) {
-    // The machine to begin with does not come along the path: the search tells more.
+    // The initial machine does not complete the path: the search continues.
   }
   if (const Diagnostic* wrong = wrong_rate_of(*trace_, found_)) {
     throw InputError(fmt::format("{}: no limits can be found from this trace: {}; {}", trace_->name,
@@ -164,7 +164,7 @@ FitResult TraceCase::result(const Run& run, Progress* progress) const {
   result.agreement = agreement_of(found_, *course_, run, progress);
   const TimeLaw& law = found_.law;
   const TimeLaw& simulated = result.agreement.simulated;
-  for (const HeldStretch& one : held_) {  // as if the control had passed there as the run does
+  for (const HeldStretch& one : held_) {  // as if the control had passed there like the run
     result.agreement.measured_time -= law.at(one.to_s) - law.at(one.from_s);
     result.agreement.measured_time += simulated.at(one.to_s) - simulated.at(one.from_s);
   }

@@ -8,16 +8,16 @@
 
 namespace feedscope {
 
-/// A trace and the program that it is of.
+/// A trace and its program.
 ///
-/// What is compared are the times over stretches of the programmed path, each ending where a sample of the
-/// trace lies: short ones, eight, and 64 together, and the whole; and the distance from the path in each,
-/// where it is clearly above the noise. Where the trace stands still and a run of `start` does not, as in a
-/// feed hold, nothing is compared, and the time is taken off; found().remarks say so. Residuals are in units
-/// of what noise and sampling make of them.
+/// Compares the times over stretches of the programmed path, each ending at a sample of the trace: short
+/// ones, eight and 64 together, and the whole; also the distance from the path in each, where it is clearly
+/// above the noise. Where the trace stops and a run of `start` does not, as in a feed hold, nothing is
+/// compared, and the time is subtracted; found().remarks report it. Residuals are in units of noise and
+/// sampling.
 class TraceCase : public FitCase {
  public:
-  /// `start`: a setup of the model. Throws InputError if the trace is nowhere on the path or its rate is
+  /// `start`: a setup of the model. Throws InputError if no part of the trace is on the path or its rate is
   /// wrong (wrong_rate_of()).
   TraceCase(std::shared_ptr<const Trace> trace, const LoadedProgram& program, const Setup& start,
             Progress* progress = nullptr);
@@ -34,7 +34,7 @@ class TraceCase : public FitCase {
 
   const ProgrammedCourse& course() const { return *course_; }
   const TraceOnProgram& found() const { return found_; }
-  /// At which share of the programmed feed it runs, feed_share(); none where that says nothing.
+  /// Share of the programmed feed from feed_share(); none without one.
   std::optional<double> feed_share() const { return feed_share_; }
 
  private:
@@ -51,17 +51,17 @@ class TraceCase : public FitCase {
   std::shared_ptr<const ProgrammedCourse> course_;
   TraceOnProgram found_;
   std::optional<double> feed_share_;
-  std::vector<HeldStretch> held_;  ///< where the trace stands longer than the program has it stand
+  std::vector<HeldStretch> held_;  ///< where the trace stops longer than the program does
   double step_ = 1e-3;             ///< of sampling a run [s]
   std::vector<double> borders_;    ///< programmed path length [mm]
   std::vector<double> times_;      ///< measured there [s]
   std::vector<double> time_noise_;
-  std::vector<Span> spans_;  ///< without those that the trace has left the path in
-  std::size_t short_ = 0;    ///< of them, short ones, which come first
-  /// Where the trace is farthest from the path, by short stretches whose distance counts. A run is compared
-  /// at the same places: between its samples a trace has been farther away than it says.
+  std::vector<Span> spans_;  ///< without those in which the trace has left the path
+  std::size_t short_ = 0;    ///< number of short ones, which come first
+  /// Largest distance of the trace from the path, for short stretches whose distance counts. A run is
+  /// compared at the same places: between its samples a trace may have been farther away than recorded.
   std::vector<TimeLaw::Farthest> farthest_;
-  std::vector<double> scale_;  ///< one unit of each residual [s], [mm]
+  std::vector<double> scale_;  ///< unit of each residual [s], [mm]
   std::vector<std::size_t> stretch_;
 };
 

@@ -7,10 +7,9 @@
 namespace feedscope {
 namespace {
 
-constexpr double share_reached = 0.995;  // of the samples stay below: single ones are no measure
-constexpr double shortest = 8e-3;        // [s] over which is differenced
+constexpr double share_reached = 0.995;  // quantile of the samples: single ones are not representative
+constexpr double shortest = 8e-3;        // [s] used for differences
 
-/// Value that a share of the values stay below.
 double quantile(std::vector<double>& values, double share) {
   if (values.empty()) {
     return 0;
@@ -38,7 +37,7 @@ AxisVector<AxisReach> reach_of(const Trace& trace, double noise) {
       const double c = x[i - 2 * width];
       const double d = x[i - 3 * width];
       if (std::abs(a - d) <= 6 * noise + 1e-4) {
-        continue;  // it stands
+        continue;  // at rest
       }
       velocity.push_back(std::abs(a - b) / span);
       acceleration.push_back(std::abs(a - 2 * b + c) / (span * span));

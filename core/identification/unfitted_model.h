@@ -4,11 +4,11 @@
 
 namespace feedscope {
 
-/// A model that could not be fitted while others are compared.
+/// A model that could not be fitted when several were compared.
 struct UnfittedModel {
   std::string title;   ///< of the model
   std::string reason;  ///< of an InputError
-  std::string id;      ///< of the model; "" where a session kept the title alone
+  std::string id;      ///< of the model; "" if a session stored only the title
 
   bool operator==(const UnfittedModel&) const = default;
 };

@@ -14,14 +14,14 @@ namespace {
 template <class T>
 using Vector = Eigen::Matrix<T, 3, 1>;
 
-constexpr double parallel = 1e-9;  // sine of an angle below which directions are one
+constexpr double parallel = 1e-9;  // sine of an angle below which directions are equal
 
 template <class T>
 Vector<T> constant(const Vec3& v) {
   return {T(v.x()), T(v.y()), T(v.z())};
 }
 
-/// Part of `v` along a constant direction.
+/// Component of `v` along a constant direction.
 template <class T>
 T along(const Vec3& direction, const Vector<T>& v) {
   return direction.x() * v[0] + direction.y() * v[1] + direction.z() * v[2];
@@ -42,7 +42,7 @@ Vector<T> scaled(const T& factor, const Vector<T>& v) {
   return {factor * v[0], factor * v[1], factor * v[2]};
 }
 
-/// `v` turned by `angle` about the unit vector `axis`.
+/// `v` rotated by `angle` about the unit vector `axis`.
 template <class T>
 Vector<T> turned(const Vector<T>& v, const Vec3& axis, const T& angle) {
   using std::cos;
@@ -55,7 +55,7 @@ Vector<T> turned(const Vector<T>& v, const Vec3& axis, const T& angle) {
           c * v[2] + s * (axis.x() * v[1] - axis.y() * v[0]) + axis.z() * kept};
 }
 
-/// The angle by which a turn about `axis` takes `from` to `to`, both at the same height along it.
+/// Angle of the rotation about `axis` that takes `from` to `to`, both at the same height along it.
 template <class T>
 T angle_between(const Vector<T>& from, const Vector<T>& to, const Vector<T>& axis) {
   using std::atan2;
@@ -133,8 +133,8 @@ ToolPose KinematicChain::pose(std::span<const double> places, double tool_length
   return pose;
 }
 
-/// The tip is affine in the linear axes: b + sum of their directions, each turned by the rotary axes between
-/// it and the first linear axis; those between that one and the part are taken off the tip.
+/// The tip is affine in the linear axes: b + the sum of their directions, each rotated by the rotary axes
+/// between it and the first linear axis; those between that one and the part are removed from the tip.
 template <class T>
 std::vector<T> KinematicChain::solve(const Eigen::Matrix<T, 3, 1>& tip, std::span<const T> angles,
                                      double tool_length) const {
@@ -189,7 +189,7 @@ std::vector<T> KinematicChain::solve(const Eigen::Matrix<T, 3, 1>& tip, std::spa
 
 /// With u1, u2 the rotary directions, t the tool at zero and d the wanted direction: d = R(u1) z, z = R(u2)
 /// t, where z has the height of t along u2 and that of d along u1. z = a u1 + b u2 + c u1 x u2; `side` is the
-/// sign of c. Angles with their senses.
+/// sign of c. Angles include their senses.
 template <class T>
 std::vector<T> KinematicChain::angles_of(const Eigen::Matrix<T, 3, 1>& direction, double side) const {
   using std::sqrt;

@@ -6,8 +6,8 @@
 
 namespace feedscope {
 
-/// A quantity with its first three derivatives by one parameter, as Taylor coefficients f, f', f''/2, f'''/6:
-/// what is computed of them carries its own derivatives along.
+/// A quantity with its first three derivatives by one parameter, as Taylor coefficients f, f', f''/2, f'''/6;
+/// computations propagate the derivatives.
 class Series {
  public:
   static constexpr int order = 3;
@@ -79,14 +79,14 @@ class Series {
     }
     return r;
   }
-  /// f(x), with the derivatives of `f` by x and those of x by the parameter that the result has.
+  /// f(x), from the derivatives of `f` by x and those of x by the parameter of the result.
   friend Series chained(const Series& f, const Series& x) {
     return Series(f.value(), f.d1() * x.d1(), f.d2() * x.d1() * x.d1() + f.d1() * x.d2(),
                   f.d3() * x.d1() * x.d1() * x.d1() + 3 * f.d2() * x.d1() * x.d2() + f.d1() * x.d3());
   }
   friend Series sin(const Series& a) { return of_angle(a, std::sin(a.value()), std::cos(a.value())); }
   friend Series cos(const Series& a) { return of_angle(a, std::cos(a.value()), -std::sin(a.value())); }
-  /// Not at y = x = 0.
+  /// Undefined at y = x = 0.
   friend Series atan2(const Series& y, const Series& x) {
     // d atan2 = (x dy - y dx)/(x^2 + y^2)
     const Series slope = (x * y.derivative() - y * x.derivative()) / (x * x + y * y);
@@ -100,7 +100,7 @@ class Series {
  private:
   double& at(int i) { return c_[static_cast<std::size_t>(i)]; }
   double at(int i) const { return c_[static_cast<std::size_t>(i)]; }
-  /// Without the third derivative, which is not known.
+  /// Derivative without its third one, which is unknown.
   Series derivative() const {
     Series r;
     for (int i = 0; i < order; ++i) {

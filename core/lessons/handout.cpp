@@ -13,7 +13,7 @@
 namespace feedscope {
 namespace {
 
-// Lengths in px, which are 1/96 inch on paper: page layouts that know no mm read this as well.
+// Lengths in px, 1/96 inch on paper: page layouts that do not support mm read this as well.
 constexpr const char* style = R"(
 @page { size: A4; margin: 20mm 18mm; }
 body { font-family: "DejaVu Sans", "Noto Sans", Arial, sans-serif; font-size: 14px; line-height: 145%; color: #22262a; max-width: 660px; margin: 0; }
@@ -107,7 +107,7 @@ std::string empty_lines(int count) {
   return html + "</table>\n";
 }
 
-/// `written` with its line breaks; if it is empty, `lines` blank lines to write on.
+/// `written` with its line breaks; if empty, `lines` blank lines to write on.
 std::string written_or_lines(const std::string& written, int lines) {
   if (written.empty()) {
     return empty_lines(lines);
@@ -119,7 +119,7 @@ std::string written_or_lines(const std::string& written, int lines) {
   return fmt::format("<p class=\"written\">{}</p>\n", html);
 }
 
-/// A text to be answered or completed by hand; "" without one. `written`: what a learner has answered.
+/// A text to answer or complete by hand; "" without one. `written`: a learner's answer.
 std::string written_part(const char* heading, const std::string& text, int lines, const Lesson& lesson,
                          const HandoutContents& contents, const std::string& written = {}) {
   if (text.empty()) {
@@ -133,7 +133,6 @@ std::string written_part(const char* heading, const std::string& text, int lines
                    written_or_lines(written, lines) + "</td></tr></table>\n";
 }
 
-/// What is asked, and what to do for it.
 std::string task_html(const Question& question, std::size_t number, const HandoutContents& contents,
                       const std::string& language) {
   const WrittenNumbers& numbers = contents.numbers;
@@ -160,7 +159,7 @@ std::string task_html(const Question& question, std::size_t number, const Handou
   return html;
 }
 
-/// A row of the values to try: the value, and what it comes to or room for that.
+/// A row of the values to try: the value, and its result or room for it.
 std::string try_row(const std::string& value, const LessonTry* one, const Question& question, bool of_time,
                     const std::string& language) {
   const auto cell = [&](double number, const MeasureSpec& spec) {
@@ -176,7 +175,7 @@ std::string try_row(const std::string& value, const LessonTry* one, const Questi
                      of_time ? std::string() : fmt::format("<td>{}</td>", watched));
 }
 
-/// The values to try, then those of the learner's own or a row for one.
+/// Table of the values to try, followed by the learner's own values or a row for one.
 std::string table_of_tries(const Question& question, const std::vector<LessonTry>& tries,
                            const HandoutContents& contents, const std::string& language) {
   const auto word = [&](const std::string& english) { return lesson_word(english, language); };
@@ -222,7 +221,7 @@ std::string learners_question(const Lesson& lesson, std::size_t index, const Han
   return html + "</td></tr></table>\n";
 }
 
-/// What the answer builds on, with what the simulation gives for it.
+/// Table of the claims that the answer builds on, with the simulated values.
 std::string claims_table(const Lesson& lesson, std::size_t index, const HandoutContents& contents) {
   const std::vector<Claim>& claims = lesson.questions[index].claims;
   if (index >= contents.claims.size() || claims.empty()) {
@@ -236,7 +235,7 @@ std::string claims_table(const Lesson& lesson, std::size_t index, const HandoutC
   for (std::size_t i = 0; i < std::min(claims.size(), contents.claims[index].size()); ++i) {
     const ClaimResult& result = contents.claims[index][i];
     LessonQuantity quantity = claims[i].quantity;
-    quantity.decimals += 1;  // so that what is close to a bound can be told from it
+    quantity.decimals += 1;  // to distinguish values close to a bound
     std::string computed = value_text(quantity, result.value, lesson.language);
     if (std::holds_alternative<Changes>(claims[i].bound)) {
       computed += fmt::format(" ({})", value_text(quantity, result.bound, lesson.language));
@@ -264,7 +263,7 @@ std::string answer_html(const Lesson& lesson, std::size_t index, const HandoutCo
          claims_table(lesson, index, contents) + "</div>\n";
 }
 
-/// Where a lesson is from, and its numbers.
+/// Sources of a lesson and of its numbers.
 std::string sources_html(const Lesson& lesson) {
   std::string html = fmt::format("<h2>{}</h2>\n<ul>\n", lesson_word("Sources", lesson.language));
   for (const std::string& source : lesson.sources) {

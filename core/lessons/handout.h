@@ -12,48 +12,49 @@
 
 namespace feedscope {
 
-/// Whom a hand-out is for: prediction and questions with room to write, on two pages; hints and answers with
-/// the numbers that they build on; the learners' pages, then answers from a page of their own on.
+/// Reader of a hand-out. Learners: prediction and questions with room to write, on two pages. Teacher: hints
+/// and answers with the numbers that they build on. Everybody: the learners' pages with hints, then the
+/// answers from a new page on.
 enum class HandoutReader : std::uint8_t { everybody, learners, teacher };
-/// "everybody", "learners", "teacher", in the order of HandoutReader.
+/// Names "everybody", "learners", "teacher", in the order of HandoutReader.
 const std::vector<std::string>& handout_readers();
-/// Throws InputError for a name that is none of them.
+/// Throws InputError for any other name.
 HandoutReader handout_reader(const std::string& name);
 
-/// A value that a learner has given the control of a question, and what the run with it measures.
+/// A value that a learner has set in the control of a question, with the result of the run.
 struct LessonTry {
   std::string value;               ///< as in Changes
   double cycle_time = 0;           ///< [s]
-  std::optional<double> measured;  ///< what the question watches, in its unit; none: there is nothing of it
+  std::optional<double> measured;  ///< watched quantity, in its unit; none if it does not exist
   bool operator==(const LessonTry&) const = default;
 };
 
-/// What a learner has written and tried in a lesson. It is printed in place of blank lines and cells.
+/// Texts and tries of a learner in a lesson, printed in place of blank lines and cells.
 struct LearnersWork {
   struct Answer {
     std::string text;              ///< may be empty
-    std::vector<LessonTry> tries;  ///< of the control of the question
+    std::vector<LessonTry> tries;  ///< with the control of the question
   };
   std::string prediction;       ///< may be empty
-  std::vector<Answer> answers;  ///< of each question; may be shorter
+  std::vector<Answer> answers;  ///< per question; may be shorter
 };
 
-/// What a lesson on paper holds beside its texts.
+/// Contents of a lesson on paper in addition to its texts.
 struct HandoutContents {
   HandoutReader reader = HandoutReader::everybody;
-  WrittenNumbers numbers;                        ///< as LessonRuns::numbers()
-  std::vector<std::vector<ClaimResult>> claims;  ///< of each question's claims; may be shorter
-  std::string figures;                           ///< HTML of pictures of what the lesson begins with
-  std::vector<std::string> question_figures;     ///< for the teacher, of each question; may be shorter
+  WrittenNumbers numbers;                        ///< from LessonRuns::numbers()
+  std::vector<std::vector<ClaimResult>> claims;  ///< per question; may be shorter
+  std::string figures;                           ///< HTML of pictures of the initial situation
+  std::vector<std::string> question_figures;     ///< for the teacher, per question; may be shorter
   SettingWords words = {};                       ///< titles with their units, in the language of the lesson
   LearnersWork work = {};                        ///< not for the teacher
 };
 
-/// Numbers, and for the teacher what the claims come to; no pictures. Throws as LessonRuns.
+/// Numbers, and for the teacher the results of the claims; no pictures. Throws as LessonRuns does.
 HandoutContents handout_contents(const Lesson& lesson, LessonRuns& runs, HandoutReader reader,
                                  Progress* progress = nullptr);
 
-/// A lesson on paper: one HTML file with everything inside, laid out for A4.
+/// A lesson on paper: one self-contained HTML file, laid out for A4.
 std::string handout_html(const Lesson& lesson, const HandoutContents& contents);
 
 }  // namespace feedscope

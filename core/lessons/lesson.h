@@ -13,23 +13,23 @@
 
 namespace feedscope {
 
-/// Changes against what a lesson begins with, each KEY=VALUE: a setting or axis limit as of --set,
-/// `tolerance` (mm, as of --tolerance), `machine`, `model` or `program`.
+/// Changes to the start of a lesson, each KEY=VALUE: a setting or axis limit as for --set, `tolerance` (mm,
+/// as for --tolerance), `machine`, `model` or `program`.
 using Changes = std::vector<std::string>;
 
-/// How a quantity of one run is put against that of another.
+/// How a quantity of one run is compared with that of another.
 enum class Relation : std::uint8_t { ratio, difference, percent_more, percent_less };
 
-/// A measure of the run with some changes, alone or against the run with others.
+/// A measure of the run with some changes, alone or compared with another run.
 struct LessonQuantity {
   Measure measure;
   Changes with;
   std::optional<Changes> against;
   Relation relation = Relation::ratio;  ///< to `against`
-  int decimals = 0;                     ///< when it is written
+  int decimals = 0;                     ///< for display
 };
 
-/// A number that texts of the lesson take from somewhere else.
+/// A number from another source, used in texts of the lesson.
 struct GivenNumber {
   double value = 0;
   std::string unit;     ///< may be ""
@@ -37,29 +37,29 @@ struct GivenNumber {
   std::string source;   ///< "Tapie 2007, table 3"
 };
 
-/// What must hold of a quantity, so that a text that builds on it is right.
+/// Condition on a quantity that makes a text based on it correct.
 struct Claim {
   enum class Kind : std::uint8_t { less_than, more_than, about, between };
   LessonQuantity quantity;
   Kind kind = Kind::less_than;
-  /// A number, or the run whose quantity it is compared with; of `between` the lower bound.
+  /// A number, or the run for comparison; for `between` the lower bound.
   std::variant<double, Changes> bound = 0.0;
-  double upper = 0;             ///< of `between`
-  double within = 0;            ///< of `about`: allowed difference [unit of the quantity]
+  double upper = 0;             ///< for `between`
+  double within = 0;            ///< for `about`: permitted difference [unit of the quantity]
   bool within_percent = false;  ///< `within` is in percent of the bound
   std::string place;            ///< FILE:LINE:COLUMN
 };
 
-/// The one setting that a question moves.
+/// The one setting that a question changes.
 struct Control {
-  std::string key;                  ///< as of Changes
-  std::vector<std::string> values;  ///< suggested, or both ends of a range
+  std::string key;                  ///< as in Changes
+  std::vector<std::string> values;  ///< suggested ones, or both ends of a range
   bool range = false;
 };
 
 struct Question {
-  std::string text;  ///< Markdown with {numbers}, as hint and answer
-  Changes with;      ///< what to set before the control is moved
+  std::string text;  ///< Markdown with {numbers}, like hint and answer
+  Changes with;      ///< applied before the control is moved
   Control control;
   Measure watch;
   std::string hint;  ///< may be ""
@@ -67,53 +67,53 @@ struct Question {
   std::vector<Claim> claims;
 };
 
-/// What the window shows when the lesson begins, beyond program, machine, model and settings.
+/// Initial state of the window, besides program, machine, model and settings.
 struct LessonWindow {
   std::string colouring = "feed";                        ///< one of lesson_colourings()
   std::string camera = "top";                            ///< one of lesson_cameras()
   std::optional<std::pair<double, double>> chart_range;  ///< [s]
-  std::vector<Changes> runs;                             ///< shown beside the first one
+  std::vector<Changes> runs;                             ///< shown together with the first one
 };
 
-/// A lesson for a course: a text, and questions that are answered by moving one control.
+/// A lesson for a course: a text, and questions to answer by moving one control.
 struct Lesson {
   std::filesystem::path file;
-  std::string id;               ///< file name without ending
+  std::string id;               ///< file name without extension
   std::string language = "en";  ///< of the texts and their numbers
-  /// What the language asked for has no text for, which is English: "'hint' of question 2".
+  /// Texts missing in the requested language, shown in English: "'hint' of question 2".
   std::vector<std::string> untranslated;
   std::string title;
-  std::string learn;  ///< what one learns, a sentence or two
+  std::string learn;  ///< learning goal, one or two sentences
   double minutes = 0;
-  bool half_day = false;  ///< of the course of half a day; all are of that of two days
-  /// Ids of earlier lessons that this one answers for.
+  bool half_day = false;  ///< part of the half-day course; the two-day course has all lessons
+  /// Ids of earlier lessons that this one replaces.
   std::vector<std::string> replaces;
   std::vector<std::string> sources;
-  std::string text;      ///< Markdown with {numbers}, as the next two
-  std::string predict;   ///< to be written down before anything is shown; may be ""
-  std::string transfer;  ///< a sentence about one's own control, to be completed; may be ""
-  Changes start;         ///< program, machine, perhaps model, settings
-  LoadSetup load;        ///< how the tools are engaged in the program of the start; may be empty
+  std::string text;      ///< Markdown with {numbers}, like the next two
+  std::string predict;   ///< prediction to write down beforehand; may be ""
+  std::string transfer;  ///< a sentence about the learner's own control to complete; may be ""
+  Changes start;         ///< program, machine, possibly model, settings
+  LoadSetup load;        ///< engagement of the tools in the initial program; may be empty
   LessonWindow window;
   std::map<std::string, LessonQuantity> numbers;
   std::map<std::string, GivenNumber> given;
   std::vector<Question> questions;
 };
 
-/// Valid names of LessonWindow; the window knows all of them.
+/// Valid names in LessonWindow; the window supports all of them.
 const std::vector<std::string>& lesson_colourings();
 const std::vector<std::string>& lesson_cameras();
 
-/// A program and what it runs on.
+/// A program and its setup.
 struct LessonSetup {
   std::filesystem::path program;
-  Setup file;   ///< machine and model as their files have them
+  Setup file;   ///< machine and model as in their files
   Setup setup;  ///< with all settings of the lesson
 };
-/// The start of a lesson with `changes`. A setting of the start that another model does not know is omitted,
-/// one of `changes` is not. Throws InputError naming key, value, bounds and the nearest valid name.
+/// Start of a lesson with `changes`. A setting of the start that another model does not have is omitted,
+/// unlike one in `changes`. Throws InputError with key, value, bounds and the nearest valid name.
 LessonSetup set_up(const Lesson& lesson, const Changes& changes);
-/// The same again and again: each machine file is read once.
+/// set_up() with cached machine files.
 class LessonSetups {
  public:
   LessonSetup set_up(const Lesson& lesson, const Changes& changes);
@@ -121,23 +121,23 @@ class LessonSetups {
  private:
   std::map<std::pair<std::string, std::string>, Setup> files_;  ///< by machine and model
 };
-/// A load file beside the lesson, or else the one of resources/examples.
+/// Load file next to the lesson, else the one in resources/examples.
 std::filesystem::path find_load_file(const Lesson& lesson, const std::string& name);
 
-/// Reads a lesson; resources/lessons/README.md says what is in it. A program is looked for beside the file,
-/// then in resources/programs. Throws InputError naming file, line, key, value and the nearest valid name:
-/// unknown or missing key, program, machine, model, setting, measure, cause or number, value out of bounds.
+/// Reads a lesson in the format of resources/lessons/README.md. A program is searched next to the file, then
+/// in resources/programs. Throws InputError with file, line, key, value and the nearest valid name: unknown
+/// or missing key, program, machine, model, setting, measure, cause or number, value out of bounds.
 /// `language`: one of lesson_languages(); texts without translation are English, and so is a lesson without
 /// any. Mistakes in all languages are found.
 Lesson read_lesson(const std::filesystem::path& file, const std::string& language = "en");
-/// The same of a text; `file` is where it belongs, for messages, id and program.
+/// Reads a text; `file` is its place, for messages, id and program.
 Lesson parse_lesson(const std::string& text, const std::filesystem::path& file,
                     const std::string& language = "en");
 
-/// The lessons of resources/lessons in the data folder, sorted by file name.
+/// Lessons of resources/lessons in the data folder, sorted by file name.
 std::vector<std::filesystem::path> shipped_lessons();
-/// The file of a lesson: by id, by the number or the name in an id, by those of a lesson that it replaces, or
-/// an existing file. Throws InputError with the nearest id.
+/// File of a lesson: by id, by number or name in an id, by those of a lesson that it replaces, or an existing
+/// file. Throws InputError with the nearest id.
 std::filesystem::path find_lesson(const std::string& id_or_file);
 
 }  // namespace feedscope

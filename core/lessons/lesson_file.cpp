@@ -29,7 +29,7 @@ Names joined(Names first, const std::vector<Names>& more) {
   return first;
 }
 
-/// Runs `work` on something that stands at `node`: what it throws gets the node's place.
+/// Runs `work` for `node` and adds the node's place to an exception.
 template <typename Work>
 auto at(const ConfigNode& node, Work work) {
   try {
@@ -154,7 +154,7 @@ class LessonReader {
     }
   }
 
-  /// That the lesson can be set up with `changes`.
+  /// Checks that the lesson can be set up with `changes`.
   void check(const ConfigNode& node, const Changes& changes) {
     at(node, [&] { return setups_.set_up(lesson_, changes); });
   }
@@ -168,7 +168,7 @@ class LessonReader {
     return list;
   }
 
-  /// Numbers follow the language of the texts, which is known when all of them are read.
+  /// Writes numbers in the language of the texts, which is known once all of them are read.
   void finish_language() {
     lesson_.language = texts_.language();
     lesson_.untranslated = texts_.untranslated();
@@ -211,7 +211,7 @@ class LessonReader {
     return {from, to};
   }
 
-  /// The keys of measure_keys in `table`.
+  /// Reads the keys of measure_keys in `table`.
   static Measure measure(const ConfigNode& table, const std::string& where) {
     Measure measure;
     const ConfigNode& key = table.need("measure", where);
@@ -326,7 +326,7 @@ class LessonReader {
     }
   }
 
-  /// A number, or the name of a given one.
+  /// Reads a number or the name of a given one.
   double bound(const ConfigNode& node, const std::string& name) const {
     if (!node.is_text()) {
       return finite_number(node, name + " (or the name of a number in [given], or a list of changes)");

@@ -204,7 +204,7 @@ std::string plain_number(const std::string& typed, const std::string& language) 
     return typed;
   }
   if (const auto points = std::ranges::count(typed, '.'); points > 0) {
-    return points > 1 ? typed : "";  // more than one: the number of a section
+    return points > 1 ? typed : "";  // several points: the number of a section
   }
   std::string plain = typed;
   std::ranges::replace(plain, ',', '.');

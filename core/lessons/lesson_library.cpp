@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* lessons_folder = "resources/lessons";
 
-/// "04_small_circle" is also 4, 04 and small_circle.
+/// Whether `name` denotes a lesson: "04_small_circle" is also 4, 04 and small_circle.
 bool is_called(const std::string& id, const std::string& name) {
   const std::size_t underscore = id.find('_');
   if (id == name || underscore == std::string::npos || id.substr(underscore + 1) == name) {
@@ -32,7 +32,7 @@ bool is_called(const std::string& id, const std::string& name) {
   return number(name) >= 0 && number(name) == number(id.substr(0, underscore));
 }
 
-/// The lesson that each id stands for: that of a shipped one, or of an earlier one that it replaces.
+/// Lesson file for each id: of a shipped lesson, or of an earlier one that it replaces.
 std::map<std::string, fs::path> files_by_id() {
   std::map<std::string, fs::path> files;
   for (const fs::path& file : shipped_lessons()) {
@@ -47,7 +47,7 @@ std::map<std::string, fs::path> files_by_id() {
   return files;
 }
 
-/// A number that no lesson has is near to none of them.
+/// Nearest id; none for an unknown number.
 std::string nearest_id(const std::string& word, const std::vector<std::string>& ids) {
   if (word.find_first_not_of("0123456789") == std::string::npos) {
     return "";

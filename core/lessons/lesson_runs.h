@@ -12,31 +12,30 @@
 
 namespace feedscope {
 
-/// What a claim comes to.
 struct ClaimResult {
   double value = 0;  ///< of its quantity, in its unit
-  double bound = 0;  ///< what it was compared with; of `between` the lower bound
+  double bound = 0;  ///< value compared with; for `between` the lower bound
   bool holds = false;
 };
 
-/// The simulations that a lesson asks for, each made once when it is first needed.
+/// Simulations of a lesson, each made once on first use.
 class LessonRuns {
  public:
   /// `lesson` must outlive this.
   explicit LessonRuns(const Lesson& lesson) : lesson_(lesson) {}
 
-  /// The start of the lesson with `changes`. Throws InputError if the program has errors, Cancelled, and what
-  /// simulate_run throws.
+  /// Run of the start of the lesson with `changes`. Throws InputError if the program has errors, Cancelled,
+  /// and as simulate_run does.
   const Run& run(const Changes& changes, Progress* progress = nullptr);
-  /// In the quantity's unit. Throws as run(), and InputError where there is no ratio because the other run
-  /// measures 0.
+  /// Value in the quantity's unit. Throws as run(), and InputError if a ratio is undefined because the other
+  /// run measures 0.
   double value(const LessonQuantity& quantity, Progress* progress = nullptr);
   ClaimResult check(const Claim& claim, Progress* progress = nullptr);
-  /// All {numbers} of the lesson. Throws as value().
+  /// All {numbers} of the lesson. Throws as value() does.
   WrittenNumbers numbers(Progress* progress = nullptr);
 
  private:
-  /// As it is read on a machine: with its rotary axes and work offsets.
+  /// Program as read on a machine: with its rotary axes and work offsets.
   const LoadedProgram& program(const std::filesystem::path& file, const Machine& machine, Progress* progress);
 
   const Lesson& lesson_;

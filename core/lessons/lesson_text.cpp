@@ -30,7 +30,7 @@ std::string title_in(const SettingWords& words, const std::string& key) {
   return words.title ? words.title(key) : key;
 }
 
-/// As in lesson files, unless `words` call settings otherwise.
+/// Changes as in lesson files, unless `words` rename settings.
 std::string changes_text(const Changes& changes, const std::string& language, const SettingWords& words) {
   if (changes.empty()) {
     return lesson_word("as the lesson begins", language);
@@ -45,7 +45,7 @@ std::string changes_text(const Changes& changes, const std::string& language, co
   return in_words("with {}", language, fmt::format("{}", fmt::join(texts, "; ")));
 }
 
-/// Calls `found` for every number in `text` that is not part of a word, with what follows it.
+/// Calls `found` for every number in `text` that is not part of a word, with the text after it.
 template <typename Found>
 void each_number(const std::string& text, Found found) {
   static const std::regex pattern(

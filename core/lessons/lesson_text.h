@@ -9,45 +9,46 @@
 
 namespace feedscope {
 
-/// What the {numbers} of a lesson's texts stand for, ready to be printed: "1.267 s".
+/// Values of the {numbers} in a lesson's texts, ready for printing: "1.267 s".
 using WrittenNumbers = std::map<std::string, std::string>;
 
-/// `text` with every {name} put in; {{ is a brace. Throws InputError with the nearest valid name for one that
-/// `numbers` do not hold, and for a brace that is not closed.
+/// Replaces every {name} in `text`; {{ is a brace. Throws InputError with the nearest valid name for one
+/// missing in `numbers`, and for an unclosed brace.
 std::string filled(const std::string& text, const WrittenNumbers& numbers);
-/// Throws as filled() for the numbers of `lesson`, measured or not.
+/// Throws as filled() does for the numbers of `lesson`, measured or not.
 void check_numbers(const std::string& text, const Lesson& lesson);
 
-/// What people call the settings of a lesson. Without a function, keys and values are as in lesson files.
+/// Titles of the settings of a lesson. Without a function, keys and values are as in lesson files.
 struct SettingWords {
   std::function<std::string(const std::string& key)> title = {};
-  /// Of values that are not numbers.
+  /// For values that are not numbers.
   std::function<std::string(const std::string& key, const std::string& value)> value = {};
 };
 
-/// "less than that with tolerance=0.1", "about 2.01 m/min, within 1 %".
+/// Text such as "less than that with tolerance=0.1", "about 2.01 m/min, within 1 %".
 std::string expectation_text(const Claim& claim, const std::string& language = "en",
                              const SettingWords& words = {});
-/// "cycle time with tolerance=0.05 against that with tolerance=0.1"; "as it stands" for no changes.
+/// Text such as "cycle time with tolerance=0.05 against that with tolerance=0.1"; "as it stands" without
+/// changes.
 std::string quantity_text(const LessonQuantity& quantity, const std::string& language = "en",
                           const SettingWords& words = {});
-/// "s"; "%" or "" for a quantity that is put against another.
+/// Unit such as "s"; "%" or "" for a quantity compared with another.
 std::string unit_of(const LessonQuantity& quantity);
-/// A value of a quantity with its unit: "1.267 s", "12 %", "1.59".
+/// Value of a quantity with its unit: "1.267 s", "12 %", "1.59".
 std::string value_text(const LessonQuantity& quantity, double value, const std::string& language = "en");
-/// A value of a control: "0.01", "on".
+/// Value of a control: "0.01", "on".
 std::string written_value(const Control& control, const std::string& value,
                           const std::string& language = "en", const SettingWords& words = {});
-/// "contour_tolerance_mm: 0.01, 0.05, 0.1".
+/// Control with its values: "contour_tolerance_mm: 0.01, 0.05, 0.1".
 std::string control_text(const Control& control, const std::string& language = "en",
                          const SettingWords& words = {});
-/// "contour_tolerance_mm=0.1" as "contour_tolerance_mm: 0.1".
+/// Change as text: "contour_tolerance_mm=0.1" is "contour_tolerance_mm: 0.1".
 std::string change_text(const std::string& change, const std::string& language = "en",
                         const SettingWords& words = {});
 
-/// Numbers that texts of a lesson state but no simulation, claim, control or source holds, each with the text
-/// it stands in: those that could become wrong without anybody being told. Not looked at: whole numbers below
-/// ten without unit, and what is part of a word ("840D").
+/// Numbers in the texts of a lesson that are in no simulation, claim, control or source, each with its text:
+/// they could become wrong unnoticed. Ignores whole numbers below ten without unit, and parts of words
+/// ("840D").
 std::vector<std::string> unchecked_numbers(const Lesson& lesson);
 
 }  // namespace feedscope

@@ -48,7 +48,7 @@ enum What : std::uint8_t {
 constexpr double mm_min = units::from_mm_min(1);
 constexpr double m_min = units::from_m_min(1);
 
-/// The largest value along the path of every acceleration, jerk and error, in its unit:
+/// Adds the largest value along the path of every acceleration, jerk and error, in its unit:
 /// "peak_acceleration_across_m_s2", "peak_following_error_um".
 void add_peaks(std::vector<MeasureSpec>& measures) {
   for (const QuantityInfo& quantity : all_quantities()) {
@@ -131,7 +131,7 @@ struct Range {
   double largest = -std::numeric_limits<double>::infinity();
 };
 
-/// Calls `use(walk)` for every part on the lines of `measure`, of all lines if it names none; dwells apart.
+/// Calls `use(walk)` for every part on the lines of `measure`, or of all lines if it has none, except dwells.
 template <typename Use>
 void for_parts_on_lines(const Measure& measure, const Trajectory& trajectory, Use use) {
   for (PartWalk walk(trajectory); !walk.done(); walk.next()) {
@@ -146,12 +146,12 @@ void for_parts_on_lines(const Measure& measure, const Trajectory& trajectory, Us
 
 constexpr int looks_a_part = 17;
 
-/// The least of `value(tau)` between the neighbours of the look where it is least. `before`: found elsewhere;
-/// parts that cannot be below it by their looks are not searched.
+/// Minimum of `value(tau)` between the neighbours of the smallest sample. `before`: minimum elsewhere; parts
+/// whose samples cannot be below it are not searched.
 template <typename Value>
 double least_near_looks(const std::array<double, looks_a_part>& looks, double duration, double before,
                         Value value) {
-  constexpr double width = 1e-6;  // of the distance of looks
+  constexpr double width = 1e-6;  // of the distance between samples
   constexpr int most_steps = 40;
   const auto at = static_cast<int>(std::ranges::min_element(looks) - looks.begin());
   const int low = std::max(at - 1, 0);
@@ -166,7 +166,7 @@ double least_near_looks(const std::array<double, looks_a_part>& looks, double du
   return std::min({look(at), found, before});
 }
 
-/// Of `value(motion, tau)` on the lines of `measure`: narrowed down between looks at equal distances.
+/// Range of `value(motion, tau)` on the lines of `measure`, narrowed down between equally spaced samples.
 template <typename Value>
 Range range_of(const Measure& measure, const Trajectory& trajectory, Value value) {
   Range range;
@@ -211,7 +211,7 @@ double largest_feed_on_lines(const Measure& measure, const Trajectory& trajector
   return search.speed();
 }
 
-/// Of the absolute value; 0 where nothing moves.
+/// Largest absolute value; 0 without motion.
 double peak(const Measure& measure, const Trajectory& trajectory) {
   const auto of = info_of(*measure.spec->quantity).of;
   const Range range = range_of(measure, trajectory, [of](const PartMotion& motion, double tau) {
@@ -220,7 +220,7 @@ double peak(const Measure& measure, const Trajectory& trajectory) {
   return std::max(0.0, range.largest);
 }
 
-/// Of the drives, at the borders of SpanLooks; contour errors of cuts only, as in the summary.
+/// Peak of the drives, at the borders of SpanLooks; contour errors of cuts only, as in the summary.
 double peak_of_drives(const Measure& measure, const Run& run) {
   if (run.sources.actual == nullptr) {
     throw InputError(fmt::format("the machine {} has no drives, so that there is no {}; give its axes kv_1_s",
@@ -265,7 +265,7 @@ const RunLoad& load_of(const Measure& measure, const Run& run) {
   return *run.sources.load;
 }
 
-/// Of the cutting load, where there is one.
+/// Range of the cutting load where there is one.
 Range load_on_lines(const Measure& measure, const Run& run) {
   LoadSampler sampler(load_of(measure, run));
   const auto of = info_of(*measure.spec->quantity).of;
@@ -285,7 +285,7 @@ Range load_on_lines(const Measure& measure, const Run& run) {
   return range;
 }
 
-/// Below the least chip thickness of its operation [s].
+/// Time below the least chip thickness of the operation [s].
 double time_of_rubbing(const Measure& measure, const Run& run) {
   load_of(measure, run);
   for (const LimitFigures& limit : run.summary.load->limits) {
@@ -299,14 +299,14 @@ double time_of_rubbing(const Measure& measure, const Run& run) {
                   measure.spec->title));
 }
 
-/// Where a block lies on the executed path.
+/// Stretch of the executed path on one line.
 struct LineStretch {
   double from = 0;       ///< [mm]
   double to = 0;         ///< [mm]
-  std::size_t next = 0;  ///< first element behind it
+  std::size_t next = 0;  ///< first element after it
 };
 
-/// The first elements from `begin` on that belong together on one line.
+/// First consecutive elements from `begin` on with one line.
 LineStretch stretch_from(const Trajectory& trajectory, std::size_t begin) {
   const BlendedPath& path = trajectory.path();
   LineStretch stretch{path.s(begin), path.s(begin), begin};
@@ -317,7 +317,7 @@ LineStretch stretch_from(const Trajectory& trajectory, std::size_t begin) {
   return stretch;
 }
 
-/// Feed where the executed path is nearest to the programmed end of a line, when it runs for the first time.
+/// Feed where the executed path is nearest to the programmed end of a line, at its first run.
 double feed_in_corner(const Measure& measure, const Trajectory& trajectory) {
   const BlendedPath& path = trajectory.path();
   const Toolpath& toolpath = *path.programmed();

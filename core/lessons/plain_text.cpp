@@ -13,7 +13,7 @@ std::string literal_of(cmark_node* node) {
   return literal == nullptr ? "" : literal;
 }
 
-/// Text of what is inside a paragraph or a heading.
+/// Text inside a paragraph or a heading.
 std::string inline_text(cmark_node* node) {
   std::string text;
   for (cmark_node* child = cmark_node_first_child(node); child != nullptr; child = cmark_node_next(child)) {
@@ -77,8 +77,8 @@ class BlockReader {
     }
   }
 
-  std::string marker_;    ///< of the item that begins
-  bool in_list_ = false;  ///< the item that begins follows another closely
+  std::string marker_;    ///< of the next item
+  bool in_list_ = false;  ///< the next item directly follows another
 };
 
 }  // namespace

@@ -24,7 +24,7 @@ bool is_choice_of_run(const std::string& key) {
   return key == "program" || key == "machine" || key == "model";
 }
 
-/// The last value that `changes` give a key, else what they had before.
+/// Sets `value` to the last one for a key in `changes`, if any.
 void take(const Changes& changes, const char* key, std::string& value) {
   for (const std::string& change : changes) {
     if (assigned_key(change) == key) {
@@ -58,7 +58,7 @@ fs::path find_program(const Lesson& lesson, const std::string& name) {
                                nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)));
 }
 
-/// `tolerance` is what --tolerance does.
+/// Sets `tolerance` as --tolerance does.
 void apply_tolerance(const std::string& change, Setup& setup) {
   const auto& specs = common_settings();
   const auto spec = std::ranges::find(specs, contour_tolerance_key, &SettingSpec::key);
@@ -112,7 +112,7 @@ LessonSetup LessonSetups::set_up(const Lesson& lesson, const Changes& changes) {
   }
   LessonSetup result{std::move(file), known->second, {}};
   result.setup = result.file;
-  if (program == begins_with) {  // a load file names tools and lines of its program
+  if (program == begins_with) {  // a load file refers to tools and lines of its program
     result.setup.load = lesson.load;
   }
   apply(lesson.start, true, result.setup);

@@ -11,7 +11,7 @@
 namespace feedscope {
 namespace {
 
-/// In the order of CauseKind. Any two colours are 15 or more apart in CIELAB
+/// In the order of CauseKind. Any two colours differ by at least 15 in CIELAB
 /// (tests/ui/scene/cause_colour_test).
 constexpr std::array kinds{
     CauseInfo{CauseKind::programmed_feed, "programmed_feed", QT_TRANSLATE_NOOP("core", "programmed feed"), "",
@@ -95,13 +95,13 @@ constexpr bool in_order() {
 }
 static_assert(in_order());
 
-/// Which axes can set a cause: first of cause_axes, and how many.
+/// Axes that can set a cause: first of cause_axes, and their number.
 struct AxisRange {
   std::size_t first = 0;
   std::size_t count = 0;
 };
 
-/// Rotary axes set it, too.
+/// Whether rotary axes can also set it.
 constexpr bool turns_too(CauseKind kind) {
   return kind == CauseKind::axis_velocity || kind == CauseKind::axis_acceleration ||
          kind == CauseKind::axis_jerk || kind == CauseKind::swing;
@@ -115,7 +115,7 @@ constexpr AxisRange axes_of(const CauseInfo& info) {
                                             : AxisRange{0, linear};
 }
 
-/// Index in all_causes() of each kind without axis; its axes follow.
+/// Index in all_causes() of each kind without axis; those with an axis follow.
 constexpr std::array<std::size_t, kinds.size()> first_indices() {
   std::array<std::size_t, kinds.size()> first{};
   std::size_t next = 0;

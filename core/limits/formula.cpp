@@ -15,7 +15,7 @@ namespace {
 struct SymbolText {
   Symbol symbol;
   Dimension dimension;
-  std::string_view text;  ///< {} stands for the axis
+  std::string_view text;  ///< {} is replaced by the axis
 };
 
 /// In the order of Symbol.
@@ -85,7 +85,7 @@ struct FormulaText {
   FormulaId id;
   Dimension dimension;
   std::string_view left;
-  std::string_view right;  ///< {0}, {1} ... stand for the numbers
+  std::string_view right;  ///< {0}, {1} ... are replaced by the numbers
   double (*value)(const Values& x);
 };
 
@@ -215,7 +215,7 @@ const FormulaText& text_of(FormulaId id) {
   return formulas[static_cast<std::size_t>(id)];
 }
 
-/// `pattern` with `write(i)` for every {i}.
+/// `pattern` with {i} replaced by `write(i)`.
 template <typename Write>
 std::string filled(std::string_view pattern, const Write& write) {
   std::string text;
@@ -230,7 +230,7 @@ std::string filled(std::string_view pattern, const Write& write) {
   return text;
 }
 
-/// `pattern` with a sign between factors, which numbers need as symbols do not.
+/// `pattern` with signs between factors, which numbers need but symbols do not.
 std::string with_factor_signs(std::string_view pattern) {
   const auto ends_factor = [](char c) { return c == '}' || c == ')' || (c >= '0' && c <= '9'); };
   const auto begins_factor = [](char c) { return c == '{' || c == '(' || c == 's'; };
@@ -286,7 +286,7 @@ std::string Formula::text() const {
 
 std::string Formula::with_numbers(const std::function<std::string(const Quantity&)>& write) const {
   std::string text = with_factor_signs(text_of(id).right);
-  for (std::size_t i = 0; i < numbers.size(); ++i) {  // what is raised to a power is raised with its unit
+  for (std::size_t i = 0; i < numbers.size(); ++i) {  // a power applies to the number with its unit
     const std::string raised = fmt::format("{{{}}}^", i);
     for (auto at = text.find(raised); at != std::string::npos; at = text.find(raised, at + raised.size())) {
       text.replace(at, raised.size(), fmt::format("({{{}}})^", i));

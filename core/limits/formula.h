@@ -10,7 +10,7 @@
 
 namespace feedscope {
 
-/// The quantities that stand in formulas; of one axis where `Quantity::axis` says which.
+/// Quantities in formulas; `Quantity::axis` names the axis, if any.
 enum class Symbol : std::uint8_t {
   feed,                  ///< F, programmed
   axis_velocity,         ///< V_X
@@ -23,31 +23,31 @@ enum class Symbol : std::uint8_t {
   curvature_slope,       ///< |k'|, change of the curvature along the path
   acceleration_share,    ///< R_A, radial
   jerk_share,            ///< R_J, radial
-  speed_slope,           ///< |s'|, at constant du/dt: change of the speed along the path, v'/v^2
-  speed_bend,            ///< |s'' - k^2|, at constant du/dt: jerk along the path by v^3
+  speed_slope,           ///< s'|, at constant du/dt: change of the speed along the path, v'/v^2
+  speed_bend,            ///< s'' - k^2|, at constant du/dt: jerk along the path divided by v^3
   curvilinear_jerk,      ///< J_curv
   tangential_share,      ///< r_jct
   curvature_step,        ///< |dk_X|, of the curvature vector
   period,                ///< t_cy, interpolation period
-  block_time,            ///< t_b, that the control takes for a block
+  block_time,            ///< t_b, time of the control for a block
   block_length,          ///< L, of a block or an arc
   path_acceleration,     ///< A, along the path
   path_jerk,             ///< J, along the path
-  length_ahead,          ///< L_N, of the blocks that the control knows
-  blocks_ahead,          ///< N, blocks that the control knows
-  speed_before,          ///< V_0, where a ramp begins
-  speed_after,           ///< V_1, where it ends
+  length_ahead,          ///< L_N, of the blocks known to the control
+  blocks_ahead,          ///< N, blocks known to the control
+  speed_before,          ///< V_0, at the start of a ramp
+  speed_after,           ///< V_1, at its end
   filters,               ///< n, moving averages
   filter_time,           ///< T_1, of each filter
-  leg_before,            ///< l_1, from the corner, what the filters leave on the way in
-  leg_after,             ///< l_2, on the way out
+  leg_before,            ///< l_1, distance from the corner that the filters leave before it
+  leg_after,             ///< l_2, after it
   turn,                  ///< phi, direction change
   filter_angle,          ///< x, V T_1 / (2 R)
   acceleration_along,    ///< a_tX, part of the acceleration of an axis along the path
   acceleration_across,   ///< a_nX, across it
-  jerk_along,            ///< j_tX, the same of a jerk
-  jerk_across,           ///< j_nX
-  turning_share,         ///< S, of an axis limit, that turning takes or may take
+  jerk_along,            ///< j_tX, part of the jerk of an axis along the path
+  jerk_across,           ///< j_nX, across it
+  turning_share,         ///< S, share of an axis limit that turning takes or may take
   bend_part,             ///< |k_X|, of the curvature vector
   bend_change_part,      ///< |k'_X|, of its change along the path
   ceiling,               ///< V, the highest speed on an element
@@ -63,26 +63,26 @@ enum class Symbol : std::uint8_t {
   turn_slope,            ///< |q'_C|, turn of a rotary axis along the path of the tip
   turn_bend,             ///< |q''_C|
   turn_change,           ///< |q'''_C|
-  jump_share,            ///< R_v, of what an axis can take up within a period, that its velocity may jump
-  turn_step,             ///< |dq'_C|, jump of q'_C where blocks meet
-  axis_slope,            ///< |q'_X|, motion of a linear axis along the path of the tip
-  axis_bend,             ///< |q''_X|
-  axis_change,           ///< |q'''_X|
-  axis_step,             ///< |dq'_X|
+  jump_share,   ///< R_v, permitted velocity jump, as a share of what an axis can take up within a period
+  turn_step,    ///< |dq'_C|, jump of q'_C where blocks meet
+  axis_slope,   ///< |q'_X|, motion of a linear axis along the path of the tip
+  axis_bend,    ///< |q''_X|
+  axis_change,  ///< |q'''_X|
+  axis_step,    ///< |dq'_X|
 };
 
 struct Quantity {
   Symbol symbol = Symbol::feed;
-  std::int8_t axis = -1;  ///< place in cause_axes; -1 none
-  double value = 0;       ///< inside units
+  std::int8_t axis = -1;  ///< index in cause_axes; -1 none
+  double value = 0;       ///< internal units
 };
 
 Dimension dimension_of(Symbol symbol);
-/// "J_X", "R", "|t_Y|".
+/// Text of a symbol: "J_X", "R", "|t_Y|".
 std::string symbol_text(const Quantity& quantity);
 
-/// Which formula tells how fast at most. What a result of a dimension is: speed, acceleration or jerk along
-/// the path; length or time of what the text of the formula names.
+/// Formula of a limit. By dimension its result is speed, acceleration or jerk along the path, or a length or
+/// time named in the formula's text.
 enum class FormulaId : std::uint8_t {
   none,
   programmed_feed,
@@ -133,21 +133,21 @@ enum class FormulaId : std::uint8_t {
   turning_ramp_bend,
 };
 
-/// A formula with the numbers of one place, in the order in which its text names them.
+/// A formula with the numbers at one place, in the order of its text.
 struct Formula {
   FormulaId id = FormulaId::none;
   std::vector<Quantity> numbers;
 
   bool empty() const { return id == FormulaId::none; }
   Dimension dimension() const;  ///< of the result
-  double value() const;         ///< of the right side, inside units; 0 for none
+  double value() const;         ///< of the right side, internal units; 0 if none
   std::string left() const;     ///< "V"
-  /// The right side: "(J_X R^2 / |t_X|)^(1/3)".
+  /// Right side: "(J_X R^2 / |t_X|)^(1/3)".
   std::string text() const;
-  /// The right side with `write` of every number instead of its symbol, in UTF-8:
-  /// "(5 m/s3 · (2.5 mm)^2 / 0.8)^(1/3)".
+  /// Right side with `write` of every number in place of its symbol, in UTF-8: "(5 m/s3 · (2.5 mm)^2 /
+  /// 0.8)^(1/3)".
   std::string with_numbers(const std::function<std::string(const Quantity&)>& write) const;
-  /// The number of that symbol; null if it has none.
+  /// Number with that symbol; null if there is none.
   const Quantity* find(Symbol symbol) const;
 };
 

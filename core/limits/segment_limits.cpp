@@ -241,7 +241,7 @@ MotionLimits with_joints(MotionLimits limits, const Toolpath& toolpath, std::siz
 
 namespace {
 
-/// Calls use(limit, ramp) of what turns on either side of a corner within `transition` of it [mm].
+/// Calls use(limit, ramp) for the turns on both sides of a corner within `transition` of it [mm].
 template <typename Use>
 void for_turns_in_corner(const Toolpath& toolpath, std::size_t i, double transition, const Use& use) {
   const double whole = toolpath.segments[i].length;
@@ -265,7 +265,7 @@ MotionLimits with_turns_in_corner(MotionLimits limits, const Toolpath& toolpath,
   if (toolpath.segment_turns.empty() || !(length > 0)) {
     return limits;
   }
-  const double faster = std::max(1.0, 2 * transition / length);  // than along the way that is replaced
+  const double faster = std::max(1.0, 2 * transition / length);  // ratio to the replaced path
   const MotionLimits unturned = limits;
   for_turns_in_corner(toolpath, i, transition,
                       [&](const TurnLimit& /*limit*/, const TurnRamp& ramp) { lower_ramp(limits, ramp); });
@@ -290,7 +290,7 @@ MotionLimits with_turns_in_corner(MotionLimits limits, const Toolpath& toolpath,
 
 SpeedBound turning_speed_in_corner(const BlendedPath& path, std::size_t element) {
   constexpr int least = 4;
-  constexpr double step = 0.1;  // of the tip's turn [rad]
+  constexpr double step = 0.1;  // of the tip's rotation [rad]
   if (path.base().turn_ceiling == nullptr || !(path.length(element) > 0)) {
     return {std::numeric_limits<double>::infinity(), {}};
   }

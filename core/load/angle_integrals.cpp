@@ -9,14 +9,14 @@
 namespace feedscope {
 namespace {
 
-/// Gauss and Legendre with ten points on [-1, 1]: half of the symmetric points.
+/// Gauss-Legendre rule with ten points on [-1, 1]: half of the symmetric points.
 constexpr std::array<double, 5> points{0.1488743389816312, 0.4333953941292472, 0.6794095682990244,
                                        0.8650633666889845, 0.9739065285171717};
 constexpr std::array<double, 5> weights{0.2955242247147529, 0.2692667193099964, 0.2190863625159820,
                                         0.1494513491505806, 0.0666713443086881};
 
-/// Of sin^exponent from 0 to `angle`, at most pi/2. With x = t^4 the integrand begins as t^(4 exponent + 3),
-/// without the singular derivative of sin^exponent at 0.
+/// Integral of sin^exponent from 0 to `angle`, at most pi/2. With x = t^4 the integrand begins as t^(4
+/// exponent + 3), without the singular derivative of sin^exponent at 0.
 double quadrature(double exponent, double angle) {
   constexpr int parts = 4;
   const double end = std::sqrt(std::sqrt(angle));

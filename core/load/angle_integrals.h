@@ -2,7 +2,8 @@
 
 namespace feedscope {
 
-/// Integrals from 0 to an angle of a tooth in [0, pi], for a chip whose force goes with sin^q of the angle.
+/// Integrals from 0 to an angle of a tooth in [0, pi], for a cutting force proportional to sin^q of the
+/// angle.
 class AngleIntegrals {
  public:
   /// `exponent` q: in (0, 1]; 1 in closed form, others by quadrature to 1e-10.
@@ -11,7 +12,7 @@ class AngleIntegrals {
   double of_power(double angle) const;               ///< of sin^q
   double of_power_times_sine(double angle) const;    ///< of sin^(q + 1)
   double of_power_times_cosine(double angle) const;  ///< of sin^q cos
-  /// sin^q itself; 0 outside the immersion of any tool.
+  /// sin^q itself; 0 outside of the immersion of any tool.
   double power(double angle) const;
 
  private:

@@ -9,11 +9,11 @@
 namespace feedscope {
 namespace {
 
-constexpr double straight = 1e-6;          // [rad]; below, the lag of a helix changes no digit that is shown
-constexpr double step = units::pi / 1440;  // of the rotation [rad]; a smooth peak is within 1e-6 of it
-constexpr double beside = 1e-9;            // [rad]; to either side of where a tooth enters or leaves
+constexpr double straight = 1e-6;          // [rad]; below it, the lag of a helix affects no displayed digit
+constexpr double step = units::pi / 1440;  // of the rotation [rad]; a smooth peak is accurate to 1e-6
+constexpr double beside = 1e-9;            // [rad]; to either side of the entry or exit of a tooth
 
-/// Values of f_z^q between which the rotation of the peak moves little [mm^q].
+/// Values of f_z^q between which the rotation of the peak hardly changes [mm^q].
 constexpr double least_power = 1e-5;
 constexpr double largest_power = 10;
 constexpr int powers = 96;
@@ -41,7 +41,7 @@ CuttingForce::CuttingForce(const Engagement& operation, const Material& material
   find_peaks();
 }
 
-/// Of a tooth at `angle`, by width of cut.
+/// Force of a tooth at `angle`, per width of cut.
 CuttingForce::Parts CuttingForce::density(double angle) const {
   const double sine = std::sin(angle);
   const double cosine = std::cos(angle);
@@ -51,7 +51,7 @@ CuttingForce::Parts CuttingForce::density(double angle) const {
   return {integrals_.power(angle) * turned(law_.chip), turned(law_.edge)};
 }
 
-/// Of density() over the angle.
+/// Integral of density() over the angle.
 CuttingForce::Parts CuttingForce::integral(double from, double to) const {
   const auto turned = [](const std::array<double, 3>& k, double one, double sine, double cosine) {
     return Vec3(-k[0] * cosine - k[1] * sine, k[0] * sine - k[1] * cosine, k[2] * one);
@@ -93,8 +93,8 @@ Vec3 CuttingForce::force_at(double feed_per_tooth, double rotation) const {
   return power_of(feed_per_tooth) * parts.chip + parts.edge;
 }
 
-/// Looks at rotations over one pitch and to both sides of where a tooth enters or leaves, and keeps those
-/// that have the largest force at any of many feeds.
+/// Samples rotations over one pitch and on both sides of the entry or exit of a tooth, and keeps those with
+/// the largest force at any of many feeds.
 void CuttingForce::find_peaks() {
   std::vector<double> rotations;
   const int count = static_cast<int>(std::ceil(pitch_ / step));

@@ -73,7 +73,7 @@ std::vector<ProgramLines> ranges_at(const ConfigNode& node) {
   return *std::move(ranges);
 }
 
-/// A number or a name in quotes.
+/// A number or a quoted name.
 std::string tool_of(const ConfigNode& node) {
   std::string tool;
   if (node.is_text()) {

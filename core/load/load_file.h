@@ -9,7 +9,7 @@
 
 namespace feedscope {
 
-/// What a load file holds: how the tools of a program are engaged, and materials of one's own.
+/// Contents of a load file: engagement of the tools of a program, and custom materials.
 struct LoadSetup {
   std::vector<Engagement> operations;
   std::vector<Material> materials;
@@ -18,21 +18,19 @@ struct LoadSetup {
   bool operator==(const LoadSetup&) const = default;
 };
 
-/// Reads a load file (TOML; keys in README.md beside this file). Throws InputError naming file, line, key,
-/// value and bound: wrong syntax, unknown keys, missing or wrong values, ranges that overlap, an unknown
+/// Reads a load file (TOML; keys in README.md next to this file). Throws InputError with file, line, key,
+/// value and bound: wrong syntax, unknown keys, missing or wrong values, overlapping ranges, an unknown
 /// material, no operation at all.
 LoadSetup read_load_file(const std::filesystem::path& file);
-/// The same of a text; `name` stands for the file in messages. `overlaps`: operations may overlap, as while
-/// someone edits them.
+/// Reads a text; `name` replaces the file in messages. `overlaps`: operations may overlap, as during editing.
 LoadSetup parse_load(const std::string& text, const std::string& name, bool overlaps = false);
-/// The text of a load file that read_load_file() reads as this, to the last digit where a number came from a
-/// file.
+/// Text that read_load_file() reads back, to the last digit if a number came from a file.
 std::string load_file_text(const LoadSetup& setup);
 
-/// Reads the [[material]] tables of a file without operations. Throws InputError as above.
+/// Reads the [[material]] tables of a file without operations. Throws InputError likewise.
 std::vector<Material> read_materials(const std::filesystem::path& file);
 
-/// Two operations that apply to the same tool and lines, and what to do; empty if there are none.
+/// Two operations for the same tool and lines, with advice; empty if there are none.
 std::string overlap_problem(const std::vector<Engagement>& operations);
 
 }  // namespace feedscope

@@ -8,16 +8,16 @@
 #include "core/load/engagement.h"
 #include "core/machine/key_unit.h"
 
-/// The numbers of an operation as load files have them.
+/// Numbers of an operation in load files.
 namespace feedscope {
 
-/// One number of an operation: `needed` or `optional` is set.
+/// One number of an operation: either `needed` or `given` (optional) is set.
 struct OperationKey {
   const char* key;
   double Engagement::*needed;
   std::optional<double> Engagement::*given;
   KeyConversion unit;
-  double least;  ///< in the unit of the file; not allowed itself unless `least_allowed`
+  double least;  ///< in the unit of the file; itself permitted only if `least_allowed`
   double most;   ///< in the unit of the file
   bool least_allowed;
 };

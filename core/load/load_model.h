@@ -9,27 +9,27 @@
 
 namespace feedscope {
 
-/// An operation with what its material makes of it.
+/// An operation with its material and forces.
 struct LoadedOperation {
   Engagement operation;
   Material material;
   CuttingForce force;
 };
 
-/// Which operation applies to which motion of a program.
+/// Assigns operations to the motions of a program.
 class LoadModel {
  public:
-  /// `toolpath`: of `program`. Throws InputError for an operation of a tool that the program never changes
-  /// to, of lines that it does not have, of an unknown material, and for operations that overlap.
+  /// `toolpath`: of `program`. Throws InputError for an operation with a tool that the program never loads,
+  /// lines that it does not have or an unknown material, and for operations that overlap.
   LoadModel(LoadSetup setup, const Program& program, const Toolpath& toolpath);
 
   const LoadSetup& setup() const { return setup_; }
   const std::vector<LoadedOperation>& operations() const { return operations_; }
-  /// Position in operations(), -1 where none applies: one with lines before one without, one of the tool
-  /// before one of all tools. `spindle`: index into Toolpath::spindles.
+  /// Index in operations(), -1 if none applies: one with lines precedes one without, one of the tool precedes
+  /// one of all tools. `spindle`: index into Toolpath::spindles.
   int operation_of(std::uint16_t spindle, std::uint32_t line) const;
-  /// Spindle speed of a motion of this operation [1/s]: the program's, else the operation's; 0 where the
-  /// spindle stands or its speed is not known.
+  /// Spindle speed of a motion of this operation [1/s]: the program's, else the operation's; 0 if the spindle
+  /// is at rest or its speed is unknown.
   double speed_of(int operation, std::uint16_t spindle) const;
 
  private:
@@ -37,15 +37,15 @@ class LoadModel {
     ProgramLines lines;
     int operation = -1;
   };
-  /// What applies to a tool.
+  /// Operations of a tool.
   struct ByTool {
-    std::vector<Range> ranges;  ///< by line, apart from each other
+    std::vector<Range> ranges;  ///< sorted by line, disjoint
     int elsewhere = -1;
   };
 
   LoadSetup setup_;
   std::vector<LoadedOperation> operations_;
-  std::vector<ByTool> by_tool_;         ///< by SpindleState::tool + 1
+  std::vector<ByTool> by_tool_;         ///< index: SpindleState::tool + 1
   std::vector<SpindleState> spindles_;  ///< of the toolpath
 };
 

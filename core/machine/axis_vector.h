@@ -8,10 +8,10 @@
 
 namespace feedscope {
 
-/// What the numbers of an axis are: mm and mm/s, or rad and rad/s.
+/// Unit of an axis: mm and mm/s, or rad and rad/s.
 enum class AxisKind : std::uint8_t { linear, rotary };
 
-/// An axis of a machine: the letter that programs, files and people call it by.
+/// An axis of a machine, with its letter in programs, files and on screen.
 struct AxisInfo {
   char name = ' ';
   AxisKind kind = AxisKind::linear;
@@ -35,7 +35,7 @@ class AxisList {
   constexpr const AxisInfo& operator[](std::size_t i) const { return axes_[i]; }
   constexpr const AxisInfo* begin() const { return axes_.data(); }
   constexpr const AxisInfo* end() const { return axes_.data() + size_; }
-  /// Place of the axis with this name; none if there is none.
+  /// Index of the axis with this name; none if there is none.
   constexpr std::optional<std::size_t> find(char name) const {
     for (std::size_t i = 0; i < size_; ++i) {
       if (axes_[i].name == name) {
@@ -51,15 +51,14 @@ class AxisList {
   std::size_t size_ = 0;
 };
 
-/// The linear axes that machines can have: they move the coordinates X, Y and Z.
+/// Linear axes that machines can have: they move the coordinates X, Y and Z.
 inline constexpr AxisList known_axes{{'X'}, {'Y'}, {'Z'}};
-/// The axes that can limit a motion. The axis of a limiting cause is a place in this list, whose first are
+/// Axes that can limit a motion. The axis of a limiting cause is an index of this list, which begins with
 /// known_axes.
 inline constexpr AxisList cause_axes{
     {'X'}, {'Y'}, {'Z'}, {'A', AxisKind::rotary}, {'B', AxisKind::rotary}, {'C', AxisKind::rotary}};
 
-/// One value for each axis of a machine. The names go with the values, so that whoever lists them needs
-/// nothing else: tables, files, charts.
+/// One value for each axis of a machine, together with the names that tables, files and charts need.
 template <class T>
 class AxisVector {
  public:
@@ -71,7 +70,7 @@ class AxisVector {
   char name(std::size_t i) const { return axes_[i].name; }
   T& operator[](std::size_t i) { return values_[i]; }
   const T& operator[](std::size_t i) const { return values_[i]; }
-  /// Of the axis with this name; null if there is none.
+  /// Value of the axis with this name; null if there is none.
   const T* find(char name) const {
     const auto place = axes_.find(name);
     return place ? &values_[*place] : nullptr;

@@ -19,7 +19,7 @@ constexpr std::size_t largest_file = 1;  // MiB; a machine file is a few thousan
 
 }  // namespace
 
-/// Turns what the TOML library read into nodes.
+/// Converts the result of the TOML library to nodes.
 class ConfigBuilder {
  public:
   explicit ConfigBuilder(std::shared_ptr<const std::string> file) : file_(std::move(file)) {}

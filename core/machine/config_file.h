@@ -8,8 +8,8 @@
 
 namespace feedscope {
 
-/// A value of a TOML file that knows where it stands, so that its reader can say what is wrong where.
-/// `where` of the functions below names the table in messages: "[axes.X]", "the file".
+/// A value of a TOML file with its place, for precise error messages. `where` in the functions below names
+/// the table in messages: "[axes.X]", "the file".
 class ConfigNode {
  public:
   enum class Kind : std::uint8_t { text, number, truth, list, table, other };
@@ -20,18 +20,18 @@ class ConfigNode {
   bool is_list() const { return kind_ == Kind::list; }
   const std::string& text() const { return text_; }
   double number() const { return number_; }
-  const std::vector<ConfigNode>& items() const { return items_; }  ///< of a list, values of a table
-  const std::vector<std::string>& keys() const { return keys_; }   ///< of a table, one an item, sorted
+  const std::vector<ConfigNode>& items() const { return items_; }  ///< of a list; values of a table
+  const std::vector<std::string>& keys() const { return keys_; }   ///< of a table, one per item, sorted
 
   std::string place() const;  ///< "FILE:LINE:COLUMN"
-  /// Throws InputError with the place in front.
+  /// Throws InputError that begins with the place.
   [[noreturn]] void fail(const std::string& message) const;
 
-  /// The value of a key, nullptr if this table has none.
+  /// Value of a key, nullptr if this table has none.
   const ConfigNode* find(const std::string& key) const;
-  /// Throws InputError with the nearest valid name for a key that is not known.
+  /// Throws InputError with the nearest valid name for an unknown key.
   void check_keys(const std::vector<std::string>& known, const std::string& where) const;
-  /// These throw InputError if the key is missing or its value of another kind.
+  /// These throw InputError if the key is missing or its value is of another kind.
   const ConfigNode& need(const std::string& key, const std::string& where) const;
   const ConfigNode& need_table(const std::string& key, const std::string& where) const;
   const std::string& need_text(const std::string& key, const std::string& where) const;
@@ -55,10 +55,10 @@ class ConfigNode {
   std::shared_ptr<const std::string> file_;
 };
 
-/// Reads a TOML file of at most 1 MiB. `what` for messages: "machine file". Throws InputError naming file and
-/// reason, for wrong syntax line and column too.
+/// Reads a TOML file of at most 1 MiB. `what` for messages: "machine file". Throws InputError with file and
+/// reason, for wrong syntax also line and column.
 ConfigNode read_config_file(const std::filesystem::path& file, const std::string& what);
-/// The same of a text; `name` stands for the file in messages.
+/// Reads a text; `name` replaces the file in messages.
 ConfigNode parse_config(const std::string& text, const std::string& name);
 
 }  // namespace feedscope

@@ -13,7 +13,7 @@
 namespace feedscope {
 namespace {
 
-/// A unit that a value may be written in where its key has the unit `of`; `factor` converts it.
+/// An alternative unit for values of a key with the unit `of`; `factor` converts it.
 struct WrittenUnit {
   std::string_view of;
   std::string_view name;
@@ -54,7 +54,7 @@ std::string_view without_blanks_behind(std::string_view text) {
   return text;
 }
 
-/// The number in front of a unit; empty where the text does not end with it.
+/// Number before a unit; empty if the text does not end with that unit.
 std::string_view number_in_front(std::string_view text, std::string_view unit) {
   if (!text.ends_with(unit)) {
     return {};
@@ -126,7 +126,7 @@ double shortest_in_unit(double internal, const KeyConversion& conversion) {
       return rounded;
     }
   }
-  // Converting there and back may miss by one unit in the last place.
+  // A round trip of the conversion may be off by one unit in the last place.
   for (const double neighbour : {std::nextafter(plain, 0.0), std::nextafter(plain, 2 * plain)}) {
     if (conversion.to_internal(neighbour) == internal) {
       return neighbour;

@@ -40,7 +40,7 @@ RotaryAxis read_limits(const ConfigNode& table, char name, Machine& machine) {
   return axis;
 }
 
-/// One of direction and point, with its source.
+/// Reads a direction or a point, with its source.
 Vec3 read_place(const ConfigNode& table, const char* key, const std::array<const char*, 3>& keys, char axis,
                 Machine& machine) {
   const std::string where = table_name(axis);

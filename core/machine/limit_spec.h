@@ -7,8 +7,8 @@
 
 namespace feedscope {
 
-/// Of a limit of an axis; its bounds are far beyond any machine, and further out the units of the models
-/// overflow.
+/// Specification of an axis limit; its bounds are far beyond any machine, and beyond them the units of the
+/// models would overflow.
 inline SettingSpec limit_spec(std::string key, std::string title, std::string unit, std::string explanation) {
   return {
       .key = std::move(key),

@@ -30,7 +30,7 @@ constexpr std::array<LimitField, 4> limit_fields{{
     {&AxisLimits::blend_jerk, {units::from_m, units::to_m}},
 }};
 
-/// "X, Y and Z".
+/// Axes as text: "X, Y and Z".
 std::string list_of(std::string_view axes) {
   std::string list;
   for (std::size_t i = 0; i < axes.size(); ++i) {
@@ -46,7 +46,7 @@ void check_axis(const Machine& machine, char axis) {
   }
 }
 
-/// Place of `key` in `specs`.
+/// Index of `key` in `specs`.
 std::size_t place_of(const std::vector<SettingSpec>& specs, char axis, std::string_view key) {
   std::vector<std::string> keys;
   for (const SettingSpec& spec : specs) {
@@ -68,7 +68,7 @@ SettingSpec spec_of_axis(const SettingSpec& spec, char axis) {
   return named;
 }
 
-/// `drives` as a list of these axes; those that they lack follow exactly.
+/// `drives` for these axes; axes without one follow exactly.
 AxisVector<AxisDrive> for_axes(const AxisVector<AxisDrive>& drives, const AxisList& axes) {
   AxisVector<AxisDrive> all(axes);
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -83,7 +83,7 @@ void note_set_by_hand(Machine& machine, const std::string& key) {
   machine.provenance.insert_or_assign(key, Provenance{"set by hand", false});
 }
 
-/// A limit or an end of the travel of a rotary axis that the machine has.
+/// Sets a limit or an end of the travel of a rotary axis that the machine has.
 void set_rotary(Machine& machine, char axis, std::string_view key, const SettingValue& value) {
   const std::size_t place = place_of(rotary_axis_specs(), axis, key);
   RotaryAxis& target = *std::ranges::find(machine.kinematics.rotary, axis, &RotaryAxis::name);

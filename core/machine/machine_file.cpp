@@ -48,7 +48,7 @@ class MachineReader {
   }
 
  private:
-  /// With where it comes from under `provenance_key`.
+  /// Reads a value and stores its source under `provenance_key`.
   SettingValue value(const ConfigNode& table, const SettingSpec& spec, const std::string& where,
                      const std::string& provenance_key) {
     return read_sourced_value(table, spec, where, machine_.provenance[provenance_key]);
@@ -104,7 +104,7 @@ class MachineReader {
     }
   }
 
-  /// G55 = { x_mm = 100, y_mm = 0, z_mm = 0, source = "..." }; the table may be missing.
+  /// Reads G55 = { x_mm = 100, y_mm = 0, z_mm = 0, source = "..." }; the table is optional.
   void read_work_offsets(const ConfigNode& root) {
     if (root.find("work_offsets") == nullptr) {
       return;

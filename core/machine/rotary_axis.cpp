@@ -152,14 +152,14 @@ void set_rotary_value(RotaryAxis& axis, std::size_t i, const SettingValue& value
 
 namespace {
 
-/// Rest to rest over D with limits V, A, J: the speed v that is reached is the largest whose two ramps fit, v
-/// t(v) <= D with the ramp's time t(v) = 2 sqrt(v/J) up to v = A^2/J, v/A + A/J above; the rest of D runs at
-/// v.
+/// Motion over D from rest to rest with limits V, A, J: the speed v reached is the largest whose two ramps
+/// fit, v t(v) <= D with the ramp's time t(v) = 2 sqrt(v/J) up to v = A^2/J, v/A + A/J above; the rest of D
+/// is run at v.
 struct RestToRest {
   double reached = 0;     ///< v
   double ramp = 0;        ///< t(v) [s]
-  double jerk_phase = 0;  ///< of the two jerks of a ramp, each [s]
-  double duration = 0;    ///< of all [s]
+  double jerk_phase = 0;  ///< each of the two jerk phases of a ramp [s]
+  double duration = 0;    ///< total [s]
 
   RestToRest(double way, double velocity, double acceleration, double jerk) {
     const double knee = acceleration * acceleration / jerk;
@@ -173,7 +173,7 @@ struct RestToRest {
     duration = ramp + way / reached;
   }
 
-  /// On the first ramp: jerk, constant acceleration, jerk back.
+  /// On the first ramp: jerk, constant acceleration, negative jerk.
   RestToRestPlace on_ramp(double time, double jerk) const {
     const double t1 = std::min(time, jerk_phase);
     const double a = jerk * t1;

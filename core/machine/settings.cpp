@@ -232,7 +232,7 @@ std::string with_unit(double value, const SettingSpec& spec) {
   return spec.unit.empty() ? plain_text(value) : fmt::format("{} {}", plain_text(value), spec.unit);
 }
 
-/// "above 0 s and at most 1 s"; "0, or at least 0.000001 mm and at most 10 mm".
+/// Bounds as text: "above 0 s and at most 1 s"; "0, or at least 0.000001 mm and at most 10 mm".
 std::string bounds_text(const SettingSpec& spec) {
   if (!std::isfinite(spec.minimum)) {
     return std::isfinite(spec.maximum) ? fmt::format("at most {}", with_unit(spec.maximum, spec)) : "finite";

@@ -6,9 +6,9 @@
 
 namespace feedscope {
 
-/// What `assumed` of a number begins with that recordings were searched for and do not determine; the names
-/// of the recordings follow. So a machine file lists them: identification writes it, a run whose time such a
-/// number limits says so.
+/// Prefix of `assumed` for a number that recordings were searched for but do not determine; the names of the
+/// recordings follow. Identification writes it into a machine file; a run whose time such a number limits
+/// reports it.
 inline constexpr std::string_view undetermined_by = "not determined by ";
 
 inline bool is_undetermined(const Provenance& provenance) {

@@ -9,7 +9,7 @@ namespace feedscope {
 
 namespace {
 
-/// Takes a number without a sign, with one decimal at most, off the front of `text`.
+/// Removes an unsigned number with at most one decimal from the start of `text`.
 std::optional<std::string> take_number(std::string_view& text) {
   constexpr std::size_t max_digits = 4;
   std::size_t end = 0;

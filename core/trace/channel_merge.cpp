@@ -5,7 +5,7 @@
 namespace feedscope {
 namespace {
 
-/// Reads a channel at rising times.
+/// Reads a channel at ascending times.
 class ChannelWalk {
  public:
   explicit ChannelWalk(const TraceChannel& channel) : channel_(channel) {}

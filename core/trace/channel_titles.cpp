@@ -16,7 +16,7 @@ std::vector<UsedChannel> used_channels(const std::vector<std::string>& titles, c
   TraceColumns wanted = asked;
   wanted.of(TraceQuantity::time).reset();
   wanted.of(TraceQuantity::number).reset();
-  wanted.period = 1;  // these formats have times of their own
+  wanted.period = 1;  // these formats have their own times
   const FoundColumns found = find_columns(head, wanted, name, builder);
   std::vector<UsedChannel> used;
   for (std::size_t q = 0; q < trace_quantity_count; ++q) {

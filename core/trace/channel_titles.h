@@ -10,15 +10,15 @@
 
 namespace feedscope {
 
-/// A channel of a file that is used, and as what.
+/// A used channel of a file, with its quantity.
 struct UsedChannel {
   FoundColumn channel;
   TraceQuantity quantity = TraceQuantity::x;
 };
 
-/// Which of the channels with these titles are what: those that `asked` names by number or title, else as
-/// their titles say. Tells `builder`. Throws InputError if a channel that is asked for is missing, or none is
-/// a position.
+/// Quantities of the channels with these titles: as assigned in `asked` by number or title, else from the
+/// titles. Notes them in `builder`. Throws InputError if a requested channel is missing, or none is a
+/// position.
 std::vector<UsedChannel> used_channels(const std::vector<std::string>& titles, const TraceColumns& asked,
                                        const std::string& name, TraceBuilder& builder);
 

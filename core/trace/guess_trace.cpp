@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t least_rows = 10;
 
-/// Rows of numbers one behind the other.
+/// Whether there are consecutive rows of numbers.
 bool is_table(const TableHead& table) {
   const auto numeric = [](const std::vector<std::optional<double>>& row) {
     const auto numbers = std::ranges::count_if(row, [](const auto& field) { return field.has_value(); });

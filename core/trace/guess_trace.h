@@ -5,20 +5,20 @@
 
 namespace feedscope {
 
-/// What the beginning of a file looks like.
+/// Result of a look at the beginning of a file.
 enum class TraceGuess {
   none,            ///< no trace: no rows of numbers
-  readable,        ///< a trace that says itself what its columns are, or whose values say it
-  columns_wanted,  ///< a table of numbers, but what its columns are must be told
+  readable,        ///< a trace whose columns are evident from titles or values
+  columns_wanted,  ///< a table of numbers whose columns must be specified
 };
 
 struct GuessedTrace {
   TraceGuess guess = TraceGuess::none;
-  std::string problem;  ///< why the columns must be told, for people; else empty
+  std::string problem;  ///< reason why the columns must be specified, for display; else empty
 };
 
-/// Looks at the first mebibyte of a file, packed by gzip or not. Does not throw: a file that cannot be read
-/// is none.
+/// Examines the first mebibyte of a file, with or without gzip. Does not throw: an unreadable file is no
+/// trace.
 GuessedTrace guess_trace(const std::filesystem::path& file);
 
 }  // namespace feedscope

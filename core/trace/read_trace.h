@@ -11,13 +11,12 @@
 namespace feedscope {
 
 /// Reads a trace of LinuxCNC's halsampler, a SINUMERIK trace (XML), an export of TwinCAT Scope or any table
-/// of samples; packed by gzip or not. `columns`: what of a table is not to be found from its head and its
-/// values. Linear in the size of the file. What is wrong or was assumed is in Trace::notes.
-/// Throws InputError naming file, line and what to do: unreadable file, columns that are missing or that
-/// nothing says what they are, fewer than ten samples; Cancelled.
+/// of samples, with or without gzip. `columns`: data of a table that its header and values do not show.
+/// Linear in the size of the file. Problems and assumptions are in Trace::notes. Throws InputError with file,
+/// line and advice: unreadable file, missing or unidentified columns, fewer than ten samples; Cancelled.
 Trace read_trace(const std::filesystem::path& file, const TraceColumns& columns = {},
                  Progress* progress = nullptr);
-/// The same of a text; `name` stands for the file in messages.
+/// Reads a text; `name` replaces the file in messages.
 Trace parse_trace(std::string_view text, const std::string& name, const TraceColumns& columns = {});
 
 }  // namespace feedscope

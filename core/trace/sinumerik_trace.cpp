@@ -15,9 +15,9 @@
 namespace feedscope {
 namespace {
 
-constexpr double not_a_value = 9.2e18;  // the bits of a missing 64-bit number, written as a whole number
+constexpr double not_a_value = 9.2e18;  // bits of a missing 64-bit number, written as a whole number
 
-// Expat 2.9 deprecates the functions whose width depends on how it was built.
+// Expat 2.9 deprecates the functions whose width depends on the build.
 #if XML_MAJOR_VERSION > 2 || (XML_MAJOR_VERSION == 2 && XML_MINOR_VERSION >= 9)
 std::uint64_t current_line(XML_Parser parser) {
   return XML_GetCurrentLineNumber64(parser);
@@ -35,7 +35,7 @@ std::string attribute(const Attributes& attributes, std::string_view name) {
   return found == attributes.end() ? "" : found->second;
 }
 
-/// Takes the elements of a file one after the other.
+/// Processes the elements of a file in order.
 class SinumerikReader {
  public:
   SinumerikReader(TraceText& text, const TraceColumns& asked)
@@ -68,12 +68,12 @@ class SinumerikReader {
   }
 
  private:
-  /// False where nothing more can be parsed.
+  /// Returns false if parsing cannot continue.
   bool parse(std::string_view piece, bool last) {
     if (XML_Parse(parser_.get(), piece.data(), static_cast<int>(piece.size()), last ? 1 : 0) ==
             XML_STATUS_ERROR &&
         !error_) {
-      if (used_) {  // a file that was cut off: what came before counts
+      if (used_) {  // a truncated file: the samples so far count
         builder_.note(Severity::warning, line(), "trace-xml",
                       fmt::format("the XML ends early: {}", XML_ErrorString(XML_GetErrorCode(parser_.get()))),
                       "the records before it are used");
@@ -90,7 +90,7 @@ class SinumerikReader {
     auto& reader = *static_cast<SinumerikReader*>(self);
     try {
       reader.element(name, attributes);
-    } catch (...) {  // through the parser, which is C
+    } catch (...) {  // not through the parser, which is C
       reader.error_ = std::current_exception();
       XML_StopParser(reader.parser_.get(), XML_FALSE);
     }
@@ -114,7 +114,7 @@ class SinumerikReader {
       return;
     }
     if (used_) {
-      return;  // of a further frame
+      return;  // of another frame
     }
     const std::string key = attribute(all, "key");
     const auto known = signals_.find(key);
@@ -163,10 +163,10 @@ class SinumerikReader {
   std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> parser_;
   std::exception_ptr error_;
   Attributes signals_;               ///< title by key
-  std::vector<std::string> fields_;  ///< attribute of `rec` by signal
+  std::vector<std::string> fields_;  ///< attribute of `rec` per signal
   std::vector<std::string> titles_;
   std::optional<std::vector<UsedChannel>> used_;
-  std::vector<std::string> names_;  ///< attributes of the used ones
+  std::vector<std::string> names_;  ///< attributes of the used signals
 };
 
 }  // namespace

@@ -58,7 +58,7 @@ bool is_unit(std::string_view text) {
          trace_unit(TraceQuantity::x, bare).has_value() || trace_unit(TraceQuantity::feed, bare).has_value();
 }
 
-/// Of a column in the first rows; not a number where there is none.
+/// Values of a column in the first rows; NaN where missing.
 std::vector<double> values_of(const TableHead& head, std::size_t place) {
   std::vector<double> values;
   for (const auto& row : head.rows) {
@@ -86,7 +86,7 @@ double median_step(const std::vector<double>& values) {
   return *middle;
 }
 
-/// As times do, and positions for a while alone.
+/// Whether values rise evenly, as times do, and positions only for a while.
 bool rises_evenly(const std::vector<double>& values) {
   constexpr double about = 0.5;
   constexpr double nearly_all = 0.9;
@@ -125,7 +125,7 @@ class ColumnFinder {
   }
 
  private:
-  /// A rate that is given stands for the times of the file.
+  /// Whether a given rate replaces the times of the file.
   bool is_replaced(TraceQuantity quantity) const {
     return quantity == TraceQuantity::time && asked_.period > 0;
   }
@@ -147,7 +147,7 @@ class ColumnFinder {
     builder_.note_column(text + std::string(why));
   }
 
-  /// Of x, y or z.
+  /// Axis of x, y or z.
   static std::size_t axis_of(TraceQuantity place) {
     return static_cast<std::size_t>(place) - static_cast<std::size_t>(TraceQuantity::x);
   }
@@ -227,7 +227,7 @@ class ColumnFinder {
     note_actual();
   }
 
-  /// Where the only positions of an axis are those that were reached.
+  /// Notes axes whose only positions are the actual ones.
   void note_actual() {
     std::vector<std::string> axes;
     for (const char axis : used_actual_) {
@@ -269,9 +269,9 @@ class ColumnFinder {
                   "say what they are: --columns time=1:s,x=2:mm,y=3:mm,z=4:mm");
   }
 
-  /// A time without a unit, or no time.
+  /// Handles a time without a unit, or no time.
   void settle_time() {
-    constexpr double coarsest = 0.1;  // [s]: beyond, the unit must be another
+    constexpr double coarsest = 0.1;  // [s]: beyond it, the unit must be another one
     auto& time = found_.columns[static_cast<std::size_t>(TraceQuantity::time)];
     if (time) {
       const bool said = asked_.of(TraceQuantity::time)
@@ -314,7 +314,7 @@ class ColumnFinder {
   FoundColumns found_;
   std::array<bool, trace_quantity_count> unit_known_{};
   std::array<bool, actual_quantities.size()> only_actual_{};  ///< by axis
-  std::string used_actual_;                                   ///< axes of which these are used: "xy"
+  std::string used_actual_;                                   ///< axes that use these: "xy"
 };
 
 }  // namespace

@@ -10,17 +10,16 @@
 
 namespace feedscope {
 
-/// Where in a row a quantity stands, and in what unit.
+/// Place of a quantity in a row, and its unit.
 struct FoundColumn {
-  std::size_t place = 0;  ///< from 0 on
-  double factor = 1;      ///< inside units a unit of the file
-  double offset = 0;      ///< of a position, inside units
+  std::size_t place = 0;  ///< 0-based
+  double factor = 1;      ///< internal units per unit of the file
+  double offset = 0;      ///< of a position, internal units
 
-  /// A number of the file in inside units.
+  /// Converts a number of the file to internal units.
   double inside(double number) const { return number * factor + offset; }
 };
 
-/// Which column of a table is what.
 struct FoundColumns {
   std::array<std::optional<FoundColumn>, trace_quantity_count> columns;
   double period = 0;  ///< of tables whose times are not used [s]
@@ -31,20 +30,20 @@ struct FoundColumns {
   }
 };
 
-/// The first lines of a table.
+/// First lines of a table.
 struct TableHead {
   RowStyle style;
-  std::size_t first_row = 0;                             ///< lines in front of the first row of numbers
-  std::vector<std::string> titles;                       ///< of the columns; empty: there are none
+  std::size_t first_row = 0;                             ///< lines before the first row of numbers
+  std::vector<std::string> titles;                       ///< of the columns; empty without titles
   std::vector<std::vector<std::optional<double>>> rows;  ///< the first ones
 };
 
-/// Looks at the first lines. Throws InputError naming the file if there is no row of at least two numbers.
+/// Examines the first lines. Throws InputError with the file if there is no row of at least two numbers.
 TableHead find_table(std::string_view text, const std::string& name, const TraceColumns& columns);
 
-/// Matches what was asked for, the titles, and where there are neither, the values: a first column of whole
-/// numbers that rise by one, then up to three columns of numbers, one of whole numbers (line), one (feed).
-/// Notes in `builder` what was assumed. Throws InputError naming a column that is not there.
+/// Matches requested columns, titles, and without both, the values: a first column of whole numbers that rise
+/// by one, then up to three columns of numbers, one of whole numbers (line), one (feed). Notes assumptions in
+/// `builder`. Throws InputError with the name of a missing column.
 FoundColumns find_columns(const TableHead& head, const TraceColumns& asked, const std::string& name,
                           TraceBuilder& builder);
 

@@ -87,7 +87,7 @@ class TableReader {
   TableHead head_;
   TraceBuilder builder_;
   FoundColumns found_;
-  std::vector<TraceQuantity> quantities_;  ///< that the table has
+  std::vector<TraceQuantity> quantities_;  ///< of the table
   std::vector<std::string_view> fields_;
   std::size_t rows_ = 0;
 };

@@ -18,14 +18,14 @@ constexpr std::size_t most_listed = 5;
 constexpr std::size_t shown_text = 60;
 constexpr double gap_share = 1.75;  // of the period: a sample is missing
 
-/// How many values that were missing are filled in.
+/// Numbers of missing values filled in.
 struct Filled {
   std::size_t between = 0;  ///< interpolated
-  std::size_t held = 0;     ///< those of the last known one
+  std::size_t held = 0;     ///< copies of the last known one
 };
 
-/// The longest distance of two known samples of a signal that has a lower rate than others, in samples. Where
-/// more are missing, the recorder has omitted them because the value did not change.
+/// Longest distance between two known samples of a signal with a lower rate than others, in samples. If more
+/// are missing, the recorder has omitted them because the value did not change.
 template <class Number>
 std::size_t longest_between(const std::vector<Number>& values) {
   constexpr std::size_t least = 10;
@@ -48,8 +48,8 @@ std::size_t longest_between(const std::vector<Number>& values) {
   return std::max(least, much_longer * *middle);
 }
 
-/// Values that are missing between two known ones, evenly; `hold`, and where many are missing, also behind
-/// the last one: those of the one before. What is ahead of the first stays.
+/// Fills missing values between two known ones by interpolation; with `hold`, if many are missing, and after
+/// the last one, by the previous value. Values before the first one stay missing.
 template <class Number>
 Filled fill_between(const std::vector<double>& time, std::vector<Number>& values, bool hold) {
   Filled filled;
@@ -77,8 +77,8 @@ Filled fill_between(const std::vector<double>& time, std::vector<Number>& values
   return filled;
 }
 
-/// The speed of the positions over the recorded feed where that is steady; 0 where it differs from place to
-/// place or hardly any place shows it. Some controls record the feed a few samples ahead of the positions.
+/// Speed of the positions over the recorded feed, where that is steady; 0 if it varies from place to place or
+/// few places show it. Some controls record the feed a few samples ahead of the positions.
 double steady_feed_ratio(const Trace& trace) {
   constexpr std::size_t reach = 8;  // samples
   constexpr float steady = 0.005F;
@@ -110,7 +110,7 @@ double steady_feed_ratio(const Trace& trace) {
   return static_cast<double>(like_it) >= nearly_all * static_cast<double>(ratios.size()) ? median : 0;
 }
 
-/// Whether it is that of two units of feeds rather than of two rates.
+/// Whether a ratio is that of two units of feed rather than of two rates.
 bool is_ratio_of_units(double ratio) {
   constexpr double same = 0.03;
   constexpr std::array factors{60.0, 25.4, 1000.0, 1000.0 / 60, 25.4 * 60};
@@ -186,7 +186,7 @@ void TraceBuilder::skip(std::uint32_t source_line, std::string_view row) {
 
 void TraceBuilder::add(const TraceSample& sample, std::uint32_t source_line) {
   constexpr double longest = 1e12;   // [s]
-  constexpr double farthest = 1e12;  // [mm]: no axis is there; the number stands for a missing value
+  constexpr double farthest = 1e12;  // [mm]: beyond any axis; such a number marks a missing value
   if (!(std::abs(sample.time) < longest)) {
     skip(source_line, "a row without a time");
     return;
@@ -238,7 +238,8 @@ void TraceBuilder::add(const TraceSample& sample, std::uint32_t source_line) {
   }
 }
 
-/// By which a time that jitters may lie before that of the sample ahead [s]; 0 while too little is known.
+/// How far the time of a sample with jitter may be before that of the previous one [s]; 0 while too little is
+/// known.
 double TraceBuilder::longest_jitter() const {
   constexpr double periods = 3;
   const std::size_t begin = parts_.back().begin;
@@ -385,10 +386,10 @@ void TraceBuilder::look_at_times() {
   }
 }
 
-/// Positions that no machine goes through between two samples.
+/// Finds position jumps that no machine makes between two samples.
 void TraceBuilder::look_at_jumps() {
   constexpr double least = 1;       // [mm]
-  constexpr double much_more = 10;  // times the steps beside it
+  constexpr double much_more = 10;  // times the neighbouring steps
   std::size_t count = 0;
   const auto step = [&](std::size_t from, std::size_t to) {
     return (trace_.place_at(to) - trace_.place_at(from)).norm();
@@ -427,7 +428,7 @@ void TraceBuilder::look_at_jumps() {
   }
 }
 
-/// Of traces without times: whether the feed that the control says is that of the positions.
+/// For traces without times: checks the feed reported by the control against that of the positions.
 void TraceBuilder::look_at_feed() {
   constexpr double about_one = 0.05;
   const bool all_axes = std::ranges::none_of(trace_.place, &std::vector<double>::empty);
@@ -490,7 +491,7 @@ Trace TraceBuilder::finish() {
   }
   if (is_there(TraceQuantity::line)) {
     trace_.line.reserve(lines_.size());
-    constexpr float largest = 16'777'216;  // whole numbers of a float end there
+    constexpr float largest = 16'777'216;  // largest float with exact whole numbers
     for (const float line : lines_) {
       trace_.line.push_back(line >= 0 && line < largest ? static_cast<std::uint32_t>(line) : 0);
     }

@@ -12,7 +12,7 @@
 
 namespace feedscope {
 
-/// One sample as a file has it, in inside units; what is not there is not a number.
+/// One sample from a file, in internal units; missing values are NaN.
 struct TraceSample {
   static constexpr double missing = std::numeric_limits<double>::quiet_NaN();
   double time = missing;
@@ -21,26 +21,26 @@ struct TraceSample {
   double feed = missing;
   double line = missing;
 
-  /// Of all quantities but the number of a sample.
+  /// Sets any quantity except the number of a sample.
   void set(TraceQuantity quantity, double value);
 };
 
-/// Makes a trace of samples in the order of a file: times that go back part it (the longest part is kept),
-/// values that are missing here and there are interpolated, gaps and jitter are found.
+/// Makes a trace from samples in the order of a file: where times go back it is divided (the longest part is
+/// kept), occasional missing values are interpolated, gaps and jitter are detected.
 class TraceBuilder {
  public:
   TraceBuilder(std::string name, std::string format);
 
-  /// Which of the quantities the file has.
+  /// Declares a quantity of the file.
   void has(TraceQuantity quantity) { has_[static_cast<std::size_t>(quantity)] = true; }
-  /// Whether a position of any axis is among them.
+  /// Whether there is a position of any axis.
   bool has_place() const;
   void set_clock(TraceClock clock) { trace_.clock = clock; }
   void note_column(std::string text) { trace_.columns.push_back(std::move(text)); }
 
-  /// `source_line`: of the file, for messages. Throws InputError beyond 200 million samples.
+  /// `source_line`: in the file, for messages. Throws InputError beyond 200 million samples.
   void add(const TraceSample& sample, std::uint32_t source_line);
-  /// A row that holds no sample; counted and reported once.
+  /// Skips a row without a sample; such rows are counted and reported once.
   void skip(std::uint32_t source_line, std::string_view row);
   void note(Severity severity, std::uint32_t source_line, std::string code, std::string message,
             std::string hint);
@@ -56,7 +56,7 @@ class TraceBuilder {
   };
 
   void keep_longest_part();
-  /// Forgets the samples outside of [begin, end).
+  /// Drops the samples outside of [begin, end).
   void keep(std::size_t begin, std::size_t end);
   bool is_there(TraceQuantity quantity) const { return has_[static_cast<std::size_t>(quantity)]; }
   void fill_missing();
@@ -69,9 +69,9 @@ class TraceBuilder {
 
   Trace trace_;
   std::array<bool, trace_quantity_count> has_{};
-  std::vector<float> lines_;  ///< as they stand in the file
+  std::vector<float> lines_;  ///< as in the file
   std::vector<Part> parts_;
-  std::vector<std::pair<std::size_t, std::uint32_t>> lines_of_samples_;  ///< where rows and samples part
+  std::vector<std::pair<std::size_t, std::uint32_t>> lines_of_samples_;  ///< where rows and samples diverge
   std::uint32_t last_source_line_ = 0;
   std::size_t repeated_ = 0;
   std::uint32_t first_repeated_ = 0;

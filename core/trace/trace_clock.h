@@ -5,22 +5,21 @@
 
 namespace feedscope {
 
-/// Where the times of the samples of a trace come from, the first of these that there is.
+/// Source of the sample times of a trace; the first available one is used.
 enum class TraceClock : std::uint8_t {
   times,    ///< the file has a time for each sample, and no rate was given
   option,   ///< a rate or period was given
   machine,  ///< the servo period of the machine
-  assumed,  ///< nothing says it
+  assumed,  ///< no source
 };
 
-/// "times", "option", "machine", "assumed": for files.
+/// Keys for files: "times", "option", "machine", "assumed".
 std::string_view to_string(TraceClock clock);
-/// For people, translatable: "servo period of the machine".
+/// Title for display, translatable: "servo period of the machine".
 std::string_view title_of(TraceClock clock);
 
-/// How often a trace was sampled.
 struct SamplingRate {
-  double period = 0;  ///< between two samples: the median [s]; 0: there are none
+  double period = 0;  ///< median between two samples [s]; 0 without samples
   TraceClock clock = TraceClock::times;
 };
 

@@ -90,7 +90,7 @@ char decimal_of(std::string_view word) {
   return word == "point" ? '.' : ',';
 }
 
-/// Takes ":12.5" off the end of "2:mm:12.5"; 0 where there is none.
+/// Removes ":12.5" from the end of "2:mm:12.5" and returns the offset; 0 if there is none.
 double take_offset(TraceQuantity quantity, std::string_view& value) {
   const auto last = value.rfind(':');
   if (last == std::string_view::npos || value.substr(0, last).find(':') == std::string_view::npos) {
@@ -98,7 +98,7 @@ double take_offset(TraceQuantity quantity, std::string_view& value) {
   }
   const TypedNumber number = typed_number(trimmed(value.substr(last + 1)));
   if (!number.value) {
-    return 0;  // the colon is one of the column's name
+    return 0;  // the colon belongs to the column's name
   }
   if (!is_position(quantity)) {
     throw InputError(fmt::format("column specification: {} cannot have an offset, {}; positions of axes can",
@@ -161,7 +161,7 @@ void apply(TraceColumns& columns, std::string_view key, std::string_view value) 
   }
 }
 
-/// Puts them into `columns`.
+/// Reads assignments into `columns`.
 TraceColumns parse_assignments(std::string_view specification, TraceColumns columns = {}) {
   while (!specification.empty()) {
     const auto end = specification.find(',');
@@ -176,7 +176,7 @@ TraceColumns parse_assignments(std::string_view specification, TraceColumns colu
   return columns;
 }
 
-/// "X_mm" and "Pos. X1 [mm]" as words: x, mm; pos, x1, mm.
+/// Words of "X_mm" and "Pos. X1 [mm]": x, mm; pos, x1, mm.
 std::vector<std::string> words_of(std::string_view title) {
   std::vector<std::string> words{""};
   for (const char c : lower(title)) {
@@ -198,7 +198,7 @@ bool any_of(const std::vector<std::string>& words, std::initializer_list<std::st
   });
 }
 
-/// "mm" of "X [mm]", "X (mm)" and "x_mm", "mm/min" of "feed_mm_min".
+/// Unit in a title: "mm" of "X [mm]", "X (mm)" and "x_mm", "mm/min" of "feed_mm_min".
 std::string unit_of(std::string_view title) {
   for (const auto& [open, close] : {std::pair{'[', ']'}, std::pair{'(', ')'}}) {
     const auto begin = title.find(open);

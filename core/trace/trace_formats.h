@@ -6,17 +6,17 @@
 
 namespace feedscope {
 
-/// Whether the head of a text is that of the format.
+/// Whether a text begins like this format.
 bool is_sinumerik_trace(std::string_view head);
 bool is_twincat_scope(std::string_view head);
 
-/// XML of SINUMERIK Operate: `signal` elements name the signals, `dataSignal` elements say which field of a
-/// `rec` is which; a field that a `rec` lacks was not sampled then. Throws InputError naming file and line.
+/// Reads XML of SINUMERIK Operate: `signal` elements name the signals, `dataSignal` elements assign them to
+/// fields of `rec`; a field missing in a `rec` was not sampled then. Throws InputError with file and line.
 Trace read_sinumerik_trace(TraceText& text, const TraceColumns& columns);
-/// Text of TwinCAT Scope View: a head of rows by channel ("Name", "SampleTime[ms]"), then rows of times and
-/// values; several channels may share the times in front of them. Throws as the above.
+/// Reads text of TwinCAT Scope View: header rows by channel ("Name", "SampleTime[ms]"), then rows of times
+/// and values; several channels may share the times before them. Throws likewise.
 Trace read_twincat_scope(TraceText& text, const TraceColumns& columns);
-/// A table with or without a head. Throws as the above.
+/// Reads a table with or without a header. Throws likewise.
 Trace read_table_trace(TraceText& text, const TraceColumns& columns);
 
 }  // namespace feedscope

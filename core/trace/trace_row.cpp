@@ -17,7 +17,7 @@ std::string_view bare(std::string_view field) {
                                          : field.substr(first, field.find_last_not_of(" \t\"") - first + 1);
 }
 
-/// Behind the field in quotes that `line` begins with, which a separator or the end follows; else 0.
+/// End of a quoted field at the start of `line` that is followed by a separator or the end; else 0.
 std::size_t end_of_quotes(std::string_view line, char separator) {
   const std::string_view around = separator == '\t' ? " " : blanks;
   const auto open = line.find_first_not_of(around);

@@ -6,19 +6,19 @@
 
 namespace feedscope {
 
-/// Parts of a line between separators, without blanks and quotes around them, in which a separator may stand;
-/// ' ' as separator stands for any number of blanks and tabs.
+/// Splits a line at separators and removes surrounding blanks and quotes; quoted fields may contain
+/// separators. ' ' as separator means any number of blanks and tabs.
 void split_row(std::string_view line, char separator, std::vector<std::string_view>& fields);
 
 /// A finite number that fills the whole field; `decimal`: '.' or ','.
 std::optional<double> field_number(std::string_view field, char decimal);
 
-/// How the fields of a table are parted.
+/// Syntax of the fields in a table.
 struct RowStyle {
   char separator = ' ';
   char decimal = '.';
 };
-/// The style in which most of the fields of some lines are numbers; those given are kept (0: found).
+/// Style in which most fields of some lines are numbers; given values are kept (0: detect).
 RowStyle find_row_style(const std::vector<std::string_view>& lines, char separator, char decimal);
 
 }  // namespace feedscope

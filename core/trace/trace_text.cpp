@@ -19,7 +19,7 @@ constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 struct TraceText::File {
   gzFile handle = nullptr;
-  double size = 0;  ///< on the disk [bytes]
+  double size = 0;  ///< on disk [bytes]
 };
 
 TraceText::TraceText(const std::filesystem::path& file, Progress* progress)

@@ -10,27 +10,27 @@
 
 namespace feedscope {
 
-/// The text of a trace, line by line or piece by piece, of a file (packed by gzip or not) or from memory; it
-/// holds one piece of a mebibyte at a time.
+/// Text of a trace, line by line or in pieces, from a file (with or without gzip) or from memory; at most one
+/// piece of a mebibyte is in memory at a time.
 class TraceText {
  public:
-  /// Throws InputError naming file and reason if it cannot be opened.
+  /// Throws InputError with file and reason if it cannot be opened.
   TraceText(const std::filesystem::path& file, Progress* progress);
-  /// `name` stands for the file in messages; the text must outlive this.
+  /// `name` replaces the file in messages; the text must outlive this.
   TraceText(std::string_view text, std::string name);
   ~TraceText();
   TraceText(const TraceText&) = delete;
   TraceText& operator=(const TraceText&) = delete;
 
   const std::string& name() const { return name_; }
-  /// The first part of the text, without moving on.
+  /// First part of the text; does not advance.
   std::string_view head();
-  /// Next line without its end; false behind the last. Throws InputError for a line longer than a piece, a
-  /// damaged file, and Cancelled.
+  /// Reads the next line without its line ending; false after the last one. Throws InputError for a line
+  /// longer than a piece or a damaged file, and Cancelled.
   bool next_line(std::string_view& line);
-  /// Next piece as it comes; empty behind the last. Throws as next_line().
+  /// Next raw piece; empty after the last one. Throws as next_line() does.
   std::string_view next_piece();
-  std::uint32_t line_number() const { return line_; }  ///< of the line read last, from 1
+  std::uint32_t line_number() const { return line_; }  ///< of the last line read, 1-based
 
  private:
   bool fill();

@@ -14,13 +14,13 @@ namespace feedscope {
 namespace {
 
 constexpr double millisecond = 1e-3;
-constexpr double tick = 1e-7;         // [s] of a FILETIME
-constexpr double least_ticks = 1e15;  // of any time since 1604: times of this size are FILETIMEs
+constexpr double tick = 1e-7;         // [s], unit of a FILETIME
+constexpr double least_ticks = 1e15;  // for any time since 1604: times of this size are FILETIMEs
 
-/// Rows of the head by their first field: cells in front of values hold that word again.
+/// Rows of the header by their first field; cells before values repeat that word.
 class ScopeHead {
  public:
-  /// Whether the line belongs to the head of the channels.
+  /// Whether the line belongs to the channel header.
   bool take(const std::vector<std::string_view>& fields) {
     if (fields.empty() || fields.front().empty() || field_number(fields.front(), '.') ||
         field_number(fields.front(), ',')) {
@@ -90,7 +90,7 @@ class ScopeReader {
   }
 
  private:
-  /// Up to the first row of numbers, which is then `line_`.
+  /// Reads up to the first row of numbers, which is then `line_`.
   void read_head() {
     const std::string_view start = text_.head();
     const auto names = start.find("\nName");
@@ -113,7 +113,7 @@ class ScopeReader {
                                  text_.name(), text_.line_number()));
   }
 
-  /// A number with a comma among the first rows decides.
+  /// Decimal sign: a comma if one of the first rows has a number with one.
   char decimal_of(std::string_view start) const {
     const auto rows = start.find(line_);
     std::vector<std::string_view> fields;

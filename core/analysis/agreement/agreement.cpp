@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::size_t most_worst = 10;
 
-/// Places between the later beginning and the earlier end of the two, so that both are measured over the same
-/// stretch.
+/// Stretch from the later beginning to the earlier end of the two motions, so that both are measured over the
+/// same path.
 struct Compared {
   double from = 0;  ///< [mm]
   double to = 0;
@@ -28,7 +28,7 @@ Compared compared_part(const TraceOnProgram& trace, const TimeLaw& simulated, do
           std::min(trace.law.last_s(), simulated.last_s()) - margin};
 }
 
-/// From rest to `part.from` and from `part.to` to rest, of a run from its start to its end [s].
+/// Time of a run from rest to `part.from` and from `part.to` to rest [s].
 double ends_of(const Trajectory& trajectory, const TimeLaw& simulated, const Compared& part, double step) {
   double first = 0;
   double last = trajectory.duration();
@@ -42,7 +42,6 @@ double ends_of(const Trajectory& trajectory, const TimeLaw& simulated, const Com
   return std::max(0.0, simulated.at(part.from) - first) + std::max(0.0, last - simulated.at(part.to));
 }
 
-/// Into `found`.
 void add_operations(const Run& run, const ProgrammedCourse& course, const TimeLaw& measured,
                     const TimeLaw& simulated, const Compared& part, Agreement& found) {
   std::vector<Operation> operations;
@@ -106,7 +105,7 @@ std::vector<WorstPlace> worst_of(const std::vector<AgreementCell>& cells, const 
   return worst;
 }
 
-/// Whether the trace comes to both ends of what its axes show of the path: a program that was recorded to
+/// Whether the trace reaches both ends of the path as far as its axes show it: even a program recorded to
 /// within a millimetre of its end still slows down there.
 bool reaches_ends(const TraceOnProgram& trace, const ProgrammedCourse& course, double margin) {
   constexpr double nearly = 10;  // margins
@@ -154,7 +153,7 @@ double deviation_of(const Trajectory& trajectory, const ProgrammedCourse& course
                     Progress* progress) {
   const MotionRecord record = record_of(trajectory, step, progress);
   const double widest = (course.bounds().max - course.bounds().min).norm() / 4 + usual_deviation;
-  // With no more tolerance than it takes: a wide one lets the matching take short cuts.
+  // Use the smallest tolerance that suffices: a wide one lets the matching take shortcuts.
   MatchedRecord matched;
   for (double tolerance = usual_deviation; tolerance <= widest; tolerance *= 2) {
     matched = match_record(course, record, {tolerance, 0}, 0, progress);
@@ -237,7 +236,7 @@ Agreement agreement_of(const TraceOnProgram& trace, const ProgrammedCourse& cour
   agreement.measured_time = trace.law.at(part.to) - trace.law.at(part.from);
   agreement.simulated_time = simulated.at(part.to) - simulated.at(part.from);
   if (agreement.whole) {
-    // The trace lacks what a margin beside the ends takes, or motions of axes that it does not have.
+    // The trace lacks more than the margins at its ends, or motions of axes that it does not record.
     constexpr double short_end = 0.1;  // [s]
     const double ends = ends_of(*run.trajectory, simulated, part, step);
     bool lacks_motion = false;

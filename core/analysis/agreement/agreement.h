@@ -14,7 +14,7 @@ namespace feedscope {
 
 /// A stretch of the programmed path, run by a trace and by a simulation.
 struct AgreementCell {
-  double s = 0;              ///< programmed path length where it begins [mm]
+  double s = 0;              ///< programmed path length at its start [mm]
   double length = 0;         ///< [mm]
   double measured_time = 0;  ///< [s]
   double simulated_time = 0;
@@ -30,7 +30,7 @@ struct WorstPlace {
   Vec3 place = Vec3::Zero();
   double measured_feed = 0;  ///< over a short stretch [mm/s]
   double simulated_feed = 0;
-  double lost = 0;  ///< measured less simulated time of it [s]
+  double lost = 0;  ///< measured minus simulated time of the stretch [s]
 };
 
 /// Times of one operation of the program.
@@ -41,28 +41,28 @@ struct OperationAgreement {
   double simulated_time = 0;
 };
 
-/// How well a run says what a trace shows, over the part of the program that the trace covers.
+/// Agreement of a simulated run with a trace, over the part of the program that the trace covers.
 struct Agreement {
-  SamplingRate rate;              ///< of the trace; of section times none
-  double measured_time = 0;       ///< from the first to the last motion [s]
-  double simulated_time = 0;      ///< of the same part [s]
-  bool whole = false;             ///< the trace covers the program: the times are cycle times
-  double held_time = 0;           ///< in `measured_time`: that the trace stands still longer than the run [s]
-  double feed_rms = 0;            ///< root mean square of the difference of the feeds over the path [mm/s]
-  double distance = 0;            ///< largest of the trace from the programmed path [mm]
-  double simulated_distance = 0;  ///< the same of the simulated run [mm]
-  std::vector<AgreementCell> cells;  ///< without stretches that the trace has lost, or in which it is held
-  std::vector<WorstPlace> worst;     ///< at most ten, the largest difference of time first
-  std::vector<OperationAgreement> operations;   ///< empty: the program has one alone
-  OperationSplit split = OperationSplit::tool;  ///< of the operations; by comment where there is one tool
+  SamplingRate rate;          ///< of the trace; of section times: none
+  double measured_time = 0;   ///< from the first to the last motion [s]
+  double simulated_time = 0;  ///< of the same part [s]
+  bool whole = false;         ///< the trace covers the program: the times are cycle times
+  double held_time = 0;       ///< part of `measured_time` by which the trace stops longer than the run [s]
+  double feed_rms = 0;        ///< root mean square of the difference of the feeds over the path [mm/s]
+  double distance = 0;        ///< of the trace from the programmed path, largest [mm]
+  double simulated_distance = 0;     ///< of the simulated run, likewise [mm]
+  std::vector<AgreementCell> cells;  ///< without stretches that the trace has lost or in which it stops
+  std::vector<WorstPlace> worst;     ///< at most ten, largest difference of time first
+  std::vector<OperationAgreement> operations;   ///< empty if the program has only one
+  OperationSplit split = OperationSplit::tool;  ///< of the operations; by comment if there is only one tool
   std::vector<CornerAgreement>
-      corners;        ///< those that both pass where the trace is not held, in order of the program
-  TimeLaw simulated;  ///< of the run, on the programmed path as the trace's
-  double margin = 0;  ///< from where it stands: a motion has begun there [mm]
+      corners;        ///< that both pass and where the trace does not stop, in order of the program
+  TimeLaw simulated;  ///< of the run, on the programmed path like that of the trace
+  double margin = 0;  ///< distance from rest at which a motion counts as begun [mm]
 
   /// Root mean square of CornerAgreement::error(); 0 without corners.
   double corner_rms() const;
-  /// As time_error(), without what the trace is held.
+  /// As time_error(), without the time that the trace is stopped.
   double time_error_without_holds() const {
     const double moving = measured_time - held_time;
     return moving > 0 ? simulated_time / moving - 1 : 0;
@@ -70,20 +70,21 @@ struct Agreement {
   double time_error() const { return measured_time > 0 ? simulated_time / measured_time - 1 : 0; }
 };
 
-/// The motion of a run, sampled each `step` [s]. Throws Cancelled when stopped.
+/// Motion of a run, sampled every `step` [s]. Throws Cancelled when stopped.
 MotionRecord record_of(const Trajectory& trajectory, double step, const Progress* progress = nullptr);
 
-/// The largest distance of a run from its programmed path, as the matching measures it [mm]. Throws
-/// Cancelled when stopped.
+/// Largest distance of a run from its programmed path, as the matching measures it [mm]. Throws Cancelled
+/// when stopped.
 double deviation_of(const Trajectory& trajectory, const ProgrammedCourse& course, double step,
                     Progress* progress = nullptr);
 
-/// Compares. Throws InputError if the trace is nowhere on the path of the program, saying how far away it is.
+/// Compares a trace with a run. Throws InputError with the distance if no part of the trace is on the path of
+/// the program.
 Agreement agreement_of(const TraceOnProgram& trace, const ProgrammedCourse& course, const Run& run,
                        Progress* progress = nullptr);
 
-/// Stretches of the programmed path, none shorter in time than `least_time` [s], at whose ends the trace is
-/// known; `least_length` [mm]. None ends near a pause: on which side of the end it lies is a matter of noise.
+/// Ends of stretches of the programmed path, none shorter than `least_time` [s] or `least_length` [mm]; the
+/// trace is known at each. None is near a pause, where noise decides on which side the pause falls.
 std::vector<double> cell_borders(const TimeLaw& law, double least_time, double least_length);
 
 }  // namespace feedscope

@@ -13,7 +13,7 @@ std::optional<std::uint32_t> number_of(std::string_view line) {
     line.remove_prefix(std::min(line.find_first_not_of(what), line.size()));
   };
   skip(" \t");
-  if (line.starts_with('/')) {  // a block that can be skipped, of a level
+  if (line.starts_with('/')) {  // optional block skip, with its level
     skip("/0123456789 \t");
   }
   const bool is_marked = line.starts_with('N') || line.starts_with('n') || line.starts_with(':');

@@ -9,18 +9,18 @@
 namespace feedscope {
 
 /// Lines of a program by the block number that they begin with: N120, :120, or 120 alone as Heidenhain writes
-/// it. A number that several lines have is the number of none.
+/// it. A number that several lines share belongs to none.
 class BlockNumbers {
  public:
   explicit BlockNumbers(const SourceText& source);
 
   bool empty() const { return lines_.empty(); }
-  std::uint32_t line_of(std::uint32_t number) const;  ///< 0: of no line
-  /// By number; 0 stays 0.
+  std::uint32_t line_of(std::uint32_t number) const;  ///< 0 if no line has the number
+  /// Replaces numbers by lines; 0 stays 0.
   std::vector<std::uint32_t> lines_of(const std::vector<std::uint32_t>& numbers) const;
 
  private:
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> lines_;  ///< number and line, by number
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> lines_;  ///< number and line, sorted by number
 };
 
 }  // namespace feedscope

@@ -8,8 +8,8 @@
 
 namespace feedscope {
 
-/// How fast a corner of the program is passed: mean feeds from `reach` before it to as far behind it, without
-/// what a motion stands there.
+/// Feed through a corner of the program: mean from `reach` before it to `reach` after it, without the time of
+/// standstills.
 struct CornerAgreement {
   std::uint32_t line = 0;  ///< of the block that ends there
   double s = 0;            ///< programmed path length [mm]
@@ -22,8 +22,8 @@ struct CornerAgreement {
   double error() const { return measured_feed > 0 ? simulated_feed / measured_feed - 1 : 0; }
 };
 
-/// Corners of 5 degrees and more between `from` and `to` of the programmed path [mm], in its order: 0.5 mm to
-/// both sides, or as far as half of the shorter block. Those with less than `least_reach` are omitted [mm].
+/// Corners of at least 5 degrees between `from` and `to` of the programmed path [mm], in its order. Reach:
+/// 0.5 mm, or half of the shorter block; corners with less than `least_reach` are omitted [mm].
 std::vector<CornerAgreement> corners_of(const Toolpath& toolpath, const ProgrammedCourse& course,
                                         const TimeLaw& measured, const TimeLaw& simulated, double from,
                                         double to, double least_reach);

@@ -10,18 +10,18 @@
 namespace feedscope {
 namespace {
 
-constexpr double at_feed = 0.995;  // of the programmed feed, the run has it
+constexpr double at_feed = 0.995;  // of the programmed feed: from here the run counts as having reached it
 constexpr double above_feed = 1.02;
-constexpr double least_length = 0.1;  // of all that is compared
+constexpr double least_length = 0.1;  // share of all that is compared
 constexpr std::size_t least_cells = 5;
 constexpr double equal_share = 0.01;    // relative difference up to which two shares count as equal
-constexpr double most = 0.8;            // of the length at the programmed feed, with the same share
-constexpr double most_exceeding = 0.2;  // of the length above the programmed feed, at the top of it
+constexpr double most = 0.8;            // share of the length at the programmed feed with the common ratio
+constexpr double most_exceeding = 0.2;  // of the length above the programmed feed, near the largest ratio
 constexpr double top_quantile = 0.9;
 constexpr double about_one = 0.02;
 constexpr const char* rate_code = "trace-rate";
 
-/// Ratios, each with its weight: the length of its cell.
+/// Ratios, each weighted by the length of its cell.
 using WeightedRatios = std::vector<std::pair<double, double>>;
 
 double summed_length(const WeightedRatios& ratios) {
@@ -32,8 +32,8 @@ double summed_length(const WeightedRatios& ratios) {
   return length;
 }
 
-/// The ratio that a share `quantile` of the weight stays below, if `most_of` the weight is within `equal` of
-/// it; none of few cells or of less weight than `least`.
+/// Weighted `quantile` of the ratios, if at least `most_of` of the weight is within `equal` of it. None for
+/// few cells or a weight below `least`.
 std::optional<double> common_ratio(WeightedRatios ratios, double least, double equal, double most_of,
                                    double quantile = 0.5) {
   const double length = summed_length(ratios);
@@ -57,7 +57,7 @@ std::optional<double> common_ratio(WeightedRatios ratios, double least, double e
   return same >= most_of * length ? std::optional(middle) : std::nullopt;
 }
 
-/// Programmed along the whole cell [mm/s]; 0 where it changes, or for a rapid.
+/// Feed programmed along the whole cell [mm/s]; 0 if it changes or for a rapid.
 double programmed_feed(const AgreementCell& cell, const ProgrammedCourse& course, const Toolpath& toolpath) {
   const std::uint32_t last = course.segment_at(cell.s + cell.length);
   const double feed = toolpath.segments[last].feed;
@@ -69,8 +69,7 @@ double programmed_feed(const AgreementCell& cell, const ProgrammedCourse& course
   return feed;
 }
 
-/// By how much the simulated feed of a cell differs from those of its neighbours, as a share; none where it
-/// has none.
+/// Relative difference of the simulated feed of a cell from those of its neighbours; none without neighbours.
 std::optional<double> change_at(const std::vector<AgreementCell>& cells, std::size_t i) {
   constexpr double touching = 1e-6;  // [mm]
   const auto follows = [&](std::size_t before) {
@@ -85,7 +84,7 @@ std::optional<double> change_at(const std::vector<AgreementCell>& cells, std::si
   return feed > 0 ? std::optional(change / feed) : std::nullopt;
 }
 
-/// Feeds that are a thousandth of what they should be.
+/// Whether the feeds are a thousandth of their true values.
 bool has_milliseconds(double ratio) {
   constexpr double thousandth = 1e-3;
   return std::abs(ratio / thousandth - 1) < 0.1;
@@ -118,7 +117,7 @@ Diagnostic feed_remark(double share, const TraceOnProgram& trace) {
                         "override"};
 }
 
-/// `message`: what shows that the trace runs `ratio` times as fast as it was.
+/// `message`: shows that the trace runs `ratio` times as fast as the motion did.
 Diagnostic rate_remark(double ratio, std::string message, const TraceOnProgram& trace) {
   return {.severity = Severity::warning,
           .line = 0,
@@ -165,7 +164,7 @@ std::optional<double> pace_ratio(const Agreement& agreement) {
   constexpr double uneven = 0.01;
   constexpr double equal = 0.03;
   constexpr double clearly_one = 0.05;
-  constexpr double least_uneven = 0.01;  // of all that is compared
+  constexpr double least_uneven = 0.01;  // share of all that is compared
   WeightedRatios steady;
   WeightedRatios changing;
   double compared = 0;

@@ -9,10 +9,10 @@ namespace {
 
 constexpr double shortest_hold = 0.5;  // [s]
 constexpr double around_hold =
-    0.5;                            // [s] in which a control slows down before and comes up to its feed again
-constexpr double still_way = 0.01;  // [mm]: a shorter way counts as standing still
+    0.5;  // [s] in which a control slows down before a hold and regains its feed after it
+constexpr double still_way = 0.01;  // [mm]: less motion counts as standstill
 
-/// That a trace stands still there; `hint`: what follows from that.
+/// Remark that a trace stops there; `hint`: consequence of that.
 Diagnostic held_note(const HeldStretch& held, const ProgrammedCourse& course, const char* hint) {
   return {.severity = Severity::warning,
           .line = 0,

@@ -9,23 +9,23 @@
 
 namespace feedscope {
 
-/// A place where a trace stands still longer than a run: a feed hold, an operator, a door.
+/// A place where a trace stops longer than a run: a feed hold, an operator, a door.
 struct HeldStretch {
   double from = 0;    ///< of the trace [s]
-  double to = 0;      ///< when it goes on [s]
-  double held = 0;    ///< longer than the run is there [s]
+  double to = 0;      ///< when motion resumes [s]
+  double held = 0;    ///< excess over the stop of the run there [s]
   double from_s = 0;  ///< programmed path length, with half a second of motion on both sides [mm]
   double to_s = 0;
 };
 
-/// Those of a trace, of half a second and more, in its order. `noise`: of its places [mm]. Dwells that the
-/// run has too are none, nor is the time before the first and after the last motion.
+/// Held stretches of half a second or more, in order of the trace. `noise`: of its positions [mm]. Dwells
+/// that the run also has do not count, nor does the time before the first or after the last motion.
 std::vector<HeldStretch> held_stretches(const TimeLaw& trace, const TimeLaw& run, double noise);
 
-/// Says in the remarks of a trace where it stands still and the run, `run` on its programmed path, does not.
+/// Adds a remark for each stop of a trace that the run does not have. `run`: on the programmed path.
 void add_held_remarks(TraceOnProgram& trace, const ProgrammedCourse& course, const TimeLaw& run);
 
-/// Says it of the first few, and how many there are besides; `hint`: what follows from that.
+/// Names the first few stops and the number of the others; `hint`: consequence of that.
 void add_held_notes(std::vector<Diagnostic>& remarks, const std::vector<HeldStretch>& held,
                     const ProgrammedCourse& course, const char* hint);
 

@@ -8,24 +8,24 @@
 
 namespace feedscope {
 
-/// Where on a programmed path the samples of a trace can be, by the program lines that it holds.
+/// Where on a programmed path the samples of a trace can be, by their recorded program lines.
 class LineGuide {
  public:
-  /// `lines`: one a sample, 0 where there is none; `time`: of the samples [s]. Both outlive this.
+  /// `lines`: one per sample, 0 if unknown; `time`: of the samples [s]. Both outlive this.
   LineGuide(const ProgrammedCourse& course, const std::vector<std::uint32_t>& lines,
             const std::vector<double>& time);
 
-  /// Whether most of the lines move or dwell in the program; if not they are of another program, or block
-  /// numbers, and say nothing.
+  /// Whether most of the lines move or dwell in the program. Otherwise they belong to another program or are
+  /// block numbers, and give no information.
   bool usable() const { return usable_; }
   /// Programmed path length, from and to [mm].
   struct Range {
     double from = 0;
     double to = std::numeric_limits<double>::infinity();
   };
-  /// Of sample `i`, if it is not before `s` [mm]: the first stretch there of the lines within 0.1 s before
-  /// and behind it, since controls give lines and places of different instants. Lines that move nothing allow
-  /// all.
+  /// Range of sample `i`, provided it is not before `s` [mm]: the next stretch of the lines recorded within
+  /// 0.1 s of it, since controls record lines and positions of different instants. Lines without motion allow
+  /// the whole path.
   Range range(std::size_t i, double s) const;
 
  private:
@@ -42,15 +42,16 @@ class LineGuide {
   bool usable_ = false;
 };
 
-/// What is known of a record before it is matched.
+/// Information about a record before it is matched.
 struct MatchHints {
   const LineGuide* guide = nullptr;
-  /// It begins where it first comes onto the path, wherever that is, even if it comes to the start later.
+  /// The record may begin anywhere: it starts where it first reaches the path, even if it passes the start
+  /// later.
   bool anywhere = false;
 };
 
-/// As match_record() without hints; by a guide each sample within what that says of it, and four tolerances:
-/// so that of several passes over the same path each is found that the trace holds, and it alone.
+/// As match_record() without hints. With a guide, each sample is searched within its range and four
+/// tolerances, so that of several passes over the same path exactly those in the trace are found.
 MatchedRecord match_record(const ProgrammedCourse& course, const MotionRecord& record,
                            const MatchOptions& options, const MatchHints& hints, std::size_t from = 0,
                            Progress* progress = nullptr);

@@ -9,14 +9,14 @@
 namespace feedscope {
 namespace {
 
-constexpr double window_share = 3;       // of what was recorded
-constexpr double window_tolerances = 4;  // and as many tolerances
-constexpr double finest = 1e-3;          // [mm]: what is nearer than that is there
-constexpr double rounded_pause = 4e-3;   // [mm]: between the farthest places of a pause, rounded to 1 um
-constexpr double noise_of_a_pause = 10;  // times the noise: between the farthest places of a pause
-constexpr double noise_of_the_end = 3;   // times the noise: of the last place of the path
-constexpr double usual_growth = 0.02;    // of the way: a corner that is cut leaves the path faster
-constexpr double search_growth = 1.05;   // of the way between two searches where the path is lost
+constexpr double window_share = 3;       // times the recorded distance
+constexpr double window_tolerances = 4;  // additional tolerances
+constexpr double finest = 1e-3;          // [mm]: shorter distances are zero
+constexpr double rounded_pause = 4e-3;   // [mm]: extent of a pause whose positions are rounded to 1 um
+constexpr double noise_of_a_pause = 10;  // times the noise: extent of a pause
+constexpr double noise_of_the_end = 3;   // times the noise: of the last position from the end of the path
+constexpr double usual_growth = 0.02;    // of the distance travelled: a cut corner leaves the path faster
+constexpr double search_growth = 1.05;   // of the distance travelled between two searches for a lost path
 
 struct Found {
   std::size_t part = 0;  ///< from point `part` to the next
@@ -61,7 +61,7 @@ class Matcher {
       }
       Found found = nearest(here, allowed(i));
       if (hints_.guide != nullptr && found.distance > options_.tolerance) {
-        // A control that joins blocks names the last one of them while it is on the first.
+        // A control that joins blocks reports the last one of them while it is on the first.
         found = nearest(here, {});
       }
       matched_.distance[i] = static_cast<float>(found.distance);
@@ -106,7 +106,7 @@ class Matcher {
     return {part, share, (place - a - share * along).norm()};
   }
 
-  /// By the program lines, with what the control may be off them [mm].
+  /// By the program lines, widened by the control's deviation from them [mm].
   LineGuide::Range allowed(std::size_t sample) const {
     if (hints_.guide == nullptr) {
       return {};
@@ -116,7 +116,7 @@ class Matcher {
     return {range.from - slack, range.to + slack};
   }
 
-  /// The first of the nearest places ahead that are allowed.
+  /// First of the nearest allowed places ahead.
   Found nearest(const Vec3& place, const LineGuide::Range& range) {
     std::size_t begin = part_;
     double begin_share = share_;
@@ -143,7 +143,7 @@ class Matcher {
     for (const Found& here : ahead_) {
       const bool near_enough = best.distance <= std::max(least, usual_) + equal_;
       if (near_enough && best.share < 1) {
-        break;  // the nearest place is within its part: what is nearer behind is another pass
+        break;  // the nearest place is inside this part: a nearer one after it belongs to another pass
       }
       if (here.distance < best.distance) {
         best = here;
@@ -154,8 +154,8 @@ class Matcher {
     return best;
   }
 
-  /// From the path beside a place that was found, ahead and back: where a corner is cut, the nearest place is
-  /// on one side of it and the motion already counts as on the other, or still does.
+  /// Distance from the path around a place that was found, both ahead and back. At a cut corner the nearest
+  /// place is on one side while the motion already counts as on the other, or still does.
   double distance_around(const Found& found, const Vec3& place) const {
     constexpr double reach = 4;  // times the distance
     double least = found.distance;
@@ -215,19 +215,20 @@ class Matcher {
   const MotionRecord& record_;
   const MatchOptions& options_;
   MatchHints hints_;
-  /// Two places are equally near that differ by less [mm]. In a pause at a turning point the place found
-  /// creeps ahead with the noise, as it never goes back: it must not take a later pass through there for
-  /// nearer.
+  /// Two places whose distances differ by less are equally near [mm]. During a pause at a turning point noise
+  /// moves the found place forward, and it never goes back: without this, a later pass through there would
+  /// become the nearer one.
   double equal_;
-  /// From the path where the motion went on lately [mm]. A motion that runs beside the path, as one rounded
-  /// to steps, comes to a sharp corner nearer to the way back: so far away it is still on its way there.
+  /// Recent distance of the motion from the path [mm]. A motion parallel to the path, as one rounded to
+  /// steps, is nearer to the way back just before a sharp corner: at this distance it is still on its way
+  /// there.
   double usual_ = 0;
-  double end_reach_;  ///< the end is reached so far before it [mm]
+  double end_reach_;  ///< distance from the end within which it counts as reached [mm]
   MatchedRecord matched_;
-  std::vector<Found> ahead_;  ///< of one search, kept for its memory
-  std::size_t part_ = 0;      ///< where the last sample that fits is
+  std::vector<Found> ahead_;  ///< candidates of one search, kept for their memory
+  std::size_t part_ = 0;      ///< part of the last matching sample
   double share_ = 0;
-  double moved_ = 0;  ///< since then [mm]
+  double moved_ = 0;  ///< distance since that sample [mm]
 };
 
 }  // namespace
@@ -246,7 +247,7 @@ MatchedRecord match_record(const ProgrammedCourse& course, const MotionRecord& r
 double noise_of(const MotionRecord& record) {
   constexpr double scale = 0.6745 * 8.3666;  // median of a normal distribution; sqrt(1 + 16 + 36 + 16 + 1)
   constexpr std::size_t most_looked_at = 100'000;
-  constexpr std::size_t least_differences = 50;  // fewer are a jump, no noise
+  constexpr std::size_t least_differences = 50;  // fewer come from a jump, not from noise
   double largest = 0;
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<double> differences;

@@ -8,11 +8,11 @@
 
 namespace feedscope {
 
-/// Which of X, Y and Z a trace has.
+/// Which of X, Y and Z a trace records.
 using SeenAxes = std::array<bool, 3>;
 
-/// The programmed path as short lines, arcs within 0.5 um, to find recorded places on. Axes that are not seen
-/// have no extent.
+/// Programmed path as short lines, arcs within 0.5 um, for matching recorded positions. Axes that are not
+/// recorded have no extent.
 class ProgrammedCourse {
  public:
   ProgrammedCourse(const Toolpath& toolpath, const SeenAxes& seen);
@@ -20,19 +20,19 @@ class ProgrammedCourse {
   std::size_t size() const { return points_.size(); }                  ///< points
   const Vec3& point(std::size_t i) const { return points_[i]; }        ///< [mm]
   double s(std::size_t i) const { return s_[i]; }                      ///< programmed path length [mm]
-  double seen_length(std::size_t i) const { return seen_length_[i]; }  ///< of the axes that are seen [mm]
+  double seen_length(std::size_t i) const { return seen_length_[i]; }  ///< of the recorded axes [mm]
   double length() const { return s_.empty() ? 0 : s_.back(); }         ///< [mm]
   const SeenAxes& seen() const { return seen_; }
   const Bounds& bounds() const { return bounds_; }
-  /// Whether the program moves an axis, seen or not.
+  /// Whether the program moves an axis, recorded or not.
   bool moves(std::size_t axis) const { return moves_[axis]; }
-  /// Without the axes that are not seen.
+  /// `place` without the axes that are not recorded.
   Vec3 visible(const Vec3& place) const;
-  /// Index into the toolpath of the segment at `s` [mm]; the earlier one at a border.
+  /// Toolpath index of the segment at `s` [mm]; the earlier one at a border.
   std::uint32_t segment_at(double s) const;
-  /// Of the program, at `s` [mm]; the earlier one at a border; 0 without segments.
+  /// Program line at `s` [mm]; the earlier one at a border; 0 without segments.
   std::uint32_t line_at(double s) const { return lines_.empty() ? 0 : lines_[segment_at(s)]; }
-  std::size_t segments() const { return lines_.size(); }  ///< those without length, such as dwells, too
+  std::size_t segments() const { return lines_.size(); }  ///< including those without length, such as dwells
   std::uint32_t line_of(std::uint32_t segment) const { return lines_[segment]; }  ///< of the program
   double start_of(std::uint32_t segment) const { return starts_[segment]; }       ///< [mm]
 
@@ -43,7 +43,7 @@ class ProgrammedCourse {
   std::vector<Vec3> points_;
   std::vector<double> s_;
   std::vector<double> seen_length_;
-  std::vector<double> starts_;        ///< of the segments, and the end [mm]
+  std::vector<double> starts_;        ///< of the segments, then the end [mm]
   std::vector<std::uint32_t> lines_;  ///< of the segments
   Bounds bounds_;
   SeenAxes moves_{};

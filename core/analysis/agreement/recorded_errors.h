@@ -8,17 +8,17 @@
 
 namespace feedscope {
 
-/// Following errors of a trace with set and actual positions: set less actual position, less what they differ
-/// by in the first sample, since encoders may count from another zero point.
+/// Following errors of a trace with set and actual positions: set minus actual position, relative to the
+/// first sample, since encoders may have another zero point.
 class RecordedErrors {
  public:
   RecordedErrors() = default;
-  /// `trace` outlives this. `pose`: how it lies on the program.
+  /// `trace` outlives this. `pose`: of the trace relative to the program.
   RecordedErrors(const Trace& trace, const TracePose& pose);
 
   bool has(std::size_t axis) const { return trace_ != nullptr && trace_->has_drive(axis); }
   bool empty() const { return !has(0) && !has(1) && !has(2); }
-  /// Of sample `i`; of axes that it does not have 0 [mm].
+  /// Of sample `i` [mm]; 0 for axes without one.
   Vec3 at(std::size_t i) const;
 
  private:

@@ -17,7 +17,7 @@ TimeLaw::TimeLaw(const std::vector<double>& time, const MatchedRecord& matched) 
       last = i;
       continue;
     }
-    // The motion stood until the sample before: it comes on from there, not from when it came there.
+    // The motion stood still until the previous sample: it continues from then, not from its arrival.
     if (!s_.empty() && time[last] > t_.back()) {
       s_.push_back(s_.back());
       t_.push_back(time[last]);

@@ -6,34 +6,34 @@
 
 namespace feedscope {
 
-/// When a motion first comes to a place of the programmed path.
+/// Time at which a motion first reaches each place of the programmed path.
 class TimeLaw {
  public:
   TimeLaw() = default;
-  /// Of the samples that fit; between them the time is that of an even motion.
+  /// From the samples that match; time is interpolated linearly between them.
   TimeLaw(const std::vector<double>& time, const MatchedRecord& matched);
 
   bool empty() const { return s_.size() < 2; }
   double first_s() const { return s_.front(); }  ///< [mm]
   double last_s() const { return s_.back(); }    ///< [mm]
-  double at(double s) const;                     ///< clamped to what it covers [s]
-  /// The same at a share of the longest pause within `near` of there; at(s) where there is none [s].
+  double at(double s) const;                     ///< clamped to the covered range [s]
+  /// Time at a share of the longest pause within `near` of `s`; at(s) without a pause [s].
   double at(double s, double share, double near = 0) const;
-  /// Where the motion is.
+  /// Place of the motion at a time.
   struct Place {
     double s = 0;      ///< programmed path length [mm]
-    double share = 0;  ///< of the pause there that is over; 0 in motion
+    double share = 0;  ///< elapsed part of the pause there; 0 in motion
   };
-  Place place_at(double time) const;  ///< clamped to what it covers
-  /// Farthest distance from the path between two places [mm].
+  Place place_at(double time) const;  ///< clamped to the covered range
+  /// Largest distance from the path between two places [mm].
   double distance(double from, double to) const;
-  /// Where the motion is farthest from the path, of what is known between two places.
+  /// Place between two others with the largest known distance from the path.
   struct Farthest {
     double s = 0;         ///< [mm]
     double distance = 0;  ///< [mm]
   };
   Farthest farthest(double from, double to) const;
-  double distance_at(double s) const;  ///< clamped to what it covers; even between known places [mm]
+  double distance_at(double s) const;  ///< clamped to the covered range, linear between known places [mm]
   const std::vector<double>& places() const { return s_; }  ///< rising [mm]
   const std::vector<double>& times() const { return t_; }   ///< [s]
 

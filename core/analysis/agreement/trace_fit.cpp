@@ -11,10 +11,10 @@ constexpr double step_noises = 20;
 constexpr double least_noises = 5;
 constexpr double steps_a_path = 50;  // at least
 constexpr double unrecorded = 10;    // periods without a sample
-constexpr double least_along = 0.5;  // path by way of one step: corners are rounded
-constexpr double most_along = 4;     // a step that comes back nearly the way it went is short
+constexpr double least_along = 0.5;  // path length per distance of one step: corners are rounded
+constexpr double most_along = 4;     // a step that nearly turns back is short
 
-/// Lengths of the axes that are seen at places that never fall.
+/// Length of the recorded axes at places that never decrease.
 class SeenLength {
  public:
   explicit SeenLength(const ProgrammedCourse& course) : course_(course) {}
@@ -32,7 +32,7 @@ class SeenLength {
   std::size_t part_ = 0;
 };
 
-/// Between two samples, in steps [mm].
+/// Measures between two samples, in steps [mm].
 TraceFit measured(const ProgrammedCourse& course, const MotionRecord& record, const MatchedRecord& matched,
                   double step, double period, std::size_t first, std::size_t end) {
   TraceFit fit;

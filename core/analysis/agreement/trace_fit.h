@@ -5,17 +5,17 @@
 
 namespace feedscope {
 
-/// How much of a trace and of a program is the same motion.
+/// Shares of a trace and of a program that are the same motion.
 struct TraceFit {
-  double trace_share = 0;  ///< of the way of the trace that runs along the path; 0: it does not move
-  double path_share = 0;   ///< of the path that the trace runs along
-  double way = 0;          ///< of the trace, that of the axes that are seen [mm]
+  double trace_share = 0;  ///< of the trace's length that follows the path; 0: it does not move
+  double path_share = 0;   ///< of the path's length that the trace follows
+  double way = 0;          ///< length of the trace, over the recorded axes [mm]
 };
 
-/// Measures it in steps of some tolerances: one counts where both of its ends were matched and the path
-/// between them is about as long as the step. So a path that is merely crossed, or that the order of the
-/// search runs through, does not count. Before a start at the begin of the path, behind the arrival at its
-/// end, and in gaps between samples nothing is measured. `period`: of the record [s].
+/// Measures in steps of a few tolerances. A step counts if both ends are matched and the path between them is
+/// about as long as the step; thus a path that is only crossed, or passed over by the order of the search,
+/// does not count. Nothing is measured before a start at the beginning of the path, after the arrival at its
+/// end, or in gaps between samples. `period`: of the record [s].
 TraceFit fit_of(const ProgrammedCourse& course, const MotionRecord& record, const MatchedRecord& matched,
                 const MatchOptions& options, double period);
 

@@ -13,11 +13,11 @@
 namespace feedscope {
 namespace {
 
-constexpr double extent_share = 0.03;  // share by which the extents of one shape may differ
-constexpr double shape_share = 0.01;   // of the size: mean distance of one shape from itself
+constexpr double extent_share = 0.03;  // by which the extents of the same shape may differ
+constexpr double shape_share = 0.01;   // of the size: mean distance within which two shapes are the same
 
 struct Likeness {
-  std::array<int, 3> order{0, 1, 2};  ///< recorded axis of each axis of the program
+  std::array<int, 3> order{0, 1, 2};  ///< recorded axis for each axis of the program
   double scale = 1;                   ///< recorded size over that of the program
   Vec3 mirror = Vec3::Ones();
   bool backwards = false;
@@ -37,7 +37,8 @@ bool same_extent(const Vec3& a, const Vec3& wanted) {
   return (a - wanted).cwiseAbs().maxCoeff() <= extent_share * wanted.norm();
 }
 
-/// The simplest way in which a recorded shape is that of the program, of equally simple ones the nearest.
+/// Simplest transformation that turns a recorded shape into that of the program; of equally simple ones the
+/// nearest.
 class LikenessSearch {
  public:
   LikenessSearch(const ProgrammedCourse& course, const MotionRecord& record) : bounds_(course.bounds()) {

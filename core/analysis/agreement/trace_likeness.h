@@ -8,11 +8,11 @@
 
 namespace feedscope {
 
-/// How a trace that does not fit a program would fit it as a whole: with its columns in another order, in
-/// another unit, with other signs, run backwards. A remark on each of these, with what to do; nothing if none
-/// lays it onto the path within a hundredth of its size. `record`: as it was recorded.
+/// Transformations with which a trace that does not fit a program would fit as a whole: columns in another
+/// order, another unit, other signs, run backwards. One remark on each, with advice; empty if none brings it
+/// within a hundredth of its size of the path. `record`: as recorded.
 std::vector<Diagnostic> likeness_remarks(const ProgrammedCourse& course, const MotionRecord& record);
-/// Whether a remark is one of these.
+/// Whether a remark comes from likeness_remarks().
 bool says_likeness(const Diagnostic& remark);
 
 }  // namespace feedscope

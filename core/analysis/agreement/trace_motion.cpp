@@ -6,24 +6,24 @@
 namespace feedscope {
 namespace {
 
-constexpr std::size_t group = 32;           // samples of one band that is kept
-constexpr double feed_noise_share = 0.005;  // of the mean feed: what noise may make of it
+constexpr std::size_t group = 32;           // samples per stored band
+constexpr double feed_noise_share = 0.005;  // of the mean feed: largest contribution of noise
 constexpr double least_feed_noise = 0.01;   // [mm/s]
 constexpr double acceleration_noise = 30;   // [mm/s2]
 constexpr double longest_half = 0.010;      // [s] on each side
-constexpr double gap = 1.6;                 // periods; what is farther from its neighbour is beyond a gap
+constexpr double gap = 1.6;                 // periods; samples farther apart have a gap between them
 
-/// Noise of the slope in the middle of 2 m + 1 even samples, of noise 1 at steps of 1.
+/// Noise of the slope in the middle of 2 m + 1 evenly spaced samples, for noise 1 at steps of 1.
 double slope_noise(double m) {
   return std::sqrt(3 / (m * (m + 1) * (2 * m + 1)));
 }
 
-/// The same of the second derivative of a parabola.
+/// Noise of the second derivative of a parabola, likewise.
 double curvature_noise(double m) {
   return std::sqrt(180 / ((2 * m - 1) * m * (m + 1) * (2 * m + 1) * (2 * m + 3)));
 }
 
-/// The fewest samples on each side whose noise is at most `allowed`, from `least` to `most`.
+/// Smallest number of samples on each side, from `least` to `most`, with a noise of at most `allowed`.
 template <typename Noise>
 std::size_t half_for(std::size_t least, std::size_t most, double allowed, Noise noise) {
   std::size_t m = least;
@@ -38,8 +38,8 @@ struct Derivatives {
   Vec3 second = Vec3::Zero();
 };
 
-/// Of the parabola that fits the samples around `i` best, at that sample; those alone that no gap parts from
-/// it. Of two samples the slope alone.
+/// Derivatives at sample `i` of the best-fitting parabola through the samples around it on its side of gaps;
+/// of two samples the slope alone.
 Derivatives fit(const MotionRecord& record, std::size_t i, std::size_t half, double period) {
   std::size_t first = i;
   while (first > 0 && i - first < half && record.time[first] - record.time[first - 1] < gap * period) {
@@ -100,7 +100,7 @@ TraceMotion::TraceMotion(const MotionRecord& record, const SeenAxes& seen, doubl
     record_ = nullptr;
     return;
   }
-  constexpr std::size_t coarse = 10;  // samples over which noise makes no length
+  constexpr std::size_t coarse = 10;  // samples apart: over these distances noise adds no length
   const double allowed = std::max(least_feed_noise, feed_noise_share * mean_feed(record, coarse));
   const auto most = static_cast<std::size_t>(longest_half / period);
   feed_half_ = half_for(1, std::max<std::size_t>(1, most), allowed * period,
@@ -198,7 +198,7 @@ Band TraceMotion::known(const MotionBand& band, const DriveBand& drives) const {
   return shown;
 }
 
-/// Of the samples [first, end): whole groups as they are kept, the others by `add`.
+/// Adds the samples [first, end): whole groups as stored, the others by `add`.
 template <typename Groups, typename AnyBand, typename Add>
 void TraceMotion::add_samples(const Groups& groups, std::size_t first, std::size_t end, AnyBand& band,
                               Add add) {

@@ -13,35 +13,35 @@
 
 namespace feedscope {
 
-/// How recorded places move: velocity and acceleration of parabolas that are fitted to short stretches of
-/// them (least squares; Savitzky, Golay 1964), at their own, not even, times.
+/// Velocity and acceleration of recorded positions, from parabolas fitted to short stretches (least squares;
+/// Savitzky, Golay 1964) at their own, possibly uneven times.
 ///
-/// A stretch has as many samples as it takes for the noise of the places to give no more than 0.5 % of the
-/// mean feed and 0.03 m/s2, but lasts no longer than 20 ms or three samples (feed), five (acceleration): what
-/// changes faster is smoothed, as is every differentiated record. Stretches do not reach across gaps.
-/// Following errors are those of the samples.
+/// A stretch has as many samples as keep the effect of position noise below 0.5 % of the mean feed and 0.03
+/// m/s2, but lasts no longer than 20 ms or three samples (feed), five (acceleration): faster changes are
+/// smoothed, as in every differentiated record. Stretches do not extend across gaps. Following errors are
+/// those of the samples.
 class TraceMotion {
  public:
   TraceMotion() = default;
-  /// `record` outlives this. `noise`: of its places [mm]; `period`: between its samples [s]; `errors`: of the
-  /// same samples. Throws Cancelled.
+  /// `record` outlives this. `noise`: of its positions [mm]; `period`: between its samples [s]; `errors`: of
+  /// the same samples. Throws Cancelled.
   TraceMotion(const MotionRecord& record, const SeenAxes& seen, double noise, double period,
               const RecordedErrors& errors = {}, Progress* progress = nullptr);
 
   bool empty() const { return record_ == nullptr || record_->time.size() < 3; }
-  /// At the nearest sample to `time` [s]: time, position, velocity, acceleration, speed and tangential
-  /// acceleration; all else, and axes that are not seen, not a number or 0.
+  /// At the sample nearest to `time` [s]: time, position, velocity, acceleration, speed and tangential
+  /// acceleration; all else, and axes that are not recorded, NaN or 0.
   State state(double time) const;
-  /// The following errors at the nearest sample to `time` [s]; none where none are recorded.
+  /// Following errors at the sample nearest to `time` [s]; none if none are recorded.
   std::optional<ActualSample> drives(double time) const;
-  /// Whether a record knows a quantity at all: feeds and accelerations of the axes that are seen, following
-  /// errors of those with actual positions.
+  /// Whether the record has a quantity: feeds and accelerations of recorded axes, following errors of axes
+  /// with actual positions.
   bool knows(QuantityId id) const;
-  /// One band for each pair of neighbours in `times` [s], of which any may be not a number: where one of a
-  /// pair is, or nothing was recorded, the band is empty. Between two samples it is that of the nearest one.
+  /// One band for each pair of neighbours in `times` [s], some of which may be NaN. Empty if one of a pair is
+  /// NaN or nothing was recorded; between two samples, the band of the nearest one.
   std::vector<Band> columns(std::span<const double> times) const;
 
-  double feed_window() const { return span_of(feed_half_); }                  ///< fitted over [s]
+  double feed_window() const { return span_of(feed_half_); }                  ///< fitted over this time [s]
   double acceleration_window() const { return span_of(acceleration_half_); }  ///< [s]
 
  private:

@@ -15,7 +15,7 @@ constexpr double whole = 0.99;
 constexpr double begun_jump = 1;    // [mm]
 constexpr double gap_share = 1.75;  // of the period: a sample is missing
 
-/// A trace laid onto the path in one way.
+/// A trace placed on the path in one way.
 struct Placement {
   TracePose pose;
   MatchedRecord matched;
@@ -34,7 +34,7 @@ Placement placed_by(const TracePose& pose, const ProgrammedCourse& course, const
                     const LineGuide* guide = nullptr) {
   constexpr double surely = 0.9;
   Placement best;
-  for (const bool anywhere : {false, true}) {  // a part of the program may come to its start later
+  for (const bool anywhere : {false, true}) {  // part of a program may pass its start later
     Placement placement;
     placement.pose = pose;
     placement.matched = match_record(course, record, options, {guide, anywhere}, 0, progress);
@@ -49,7 +49,7 @@ Placement placed_by(const TracePose& pose, const ProgrammedCourse& course, const
   return best;
 }
 
-/// Enough of a record to see where it fits: samples `step` apart [mm], at most `most`.
+/// Part of a record that suffices to see where it fits: samples `step` apart [mm], at most `most`.
 MotionRecord thinned(const ProgrammedCourse& course, const MotionRecord& record, double step,
                      std::size_t most) {
   MotionRecord kept;
@@ -62,7 +62,7 @@ MotionRecord thinned(const ProgrammedCourse& course, const MotionRecord& record,
   return kept;
 }
 
-/// Whether the way of a record is that of one straight line, which fits wherever there is one.
+/// Whether a record is one straight line, which fits wherever there is a line.
 bool is_straight(const ProgrammedCourse& course, const MotionRecord& record) {
   constexpr double detour = 1.2;
   double way = 0;
@@ -74,16 +74,15 @@ bool is_straight(const ProgrammedCourse& course, const MotionRecord& record) {
   return way < detour * (bounds.max - bounds.min).norm();
 }
 
-/// Unit, signs and zero point of a trace of a part of the program, whose reach says nothing: those where
-/// nearly all of it fits, of several the simplest. `own`: in its own coordinates; returned where none is
-/// right.
+/// Unit, signs and zero point of a trace of a part of the program, whose extent gives no information: the
+/// simplest with which nearly all of it fits. `own`: in its own coordinates; returned if no other fits.
 TracePose pose_of_a_part(const ProgrammedCourse& course, const MotionRecord& record,
                          const MatchOptions& options, const Placement& own) {
   constexpr double right = 0.9;
   constexpr double clearly = 0.05;
   constexpr std::size_t least_samples = 50;  // a tolerance apart
   constexpr std::size_t most_samples = 10'000;
-  constexpr double most_searched = 2e6;  // points while looking for each start
+  constexpr double most_searched = 2e6;  // points during each search for the start
   constexpr double inch = 25.4;
   const SeenAxes& seen = course.seen();
   const Vec3 extent = course.bounds().max - course.bounds().min;
@@ -134,7 +133,7 @@ TracePose pose_of_a_part(const ProgrammedCourse& course, const MotionRecord& rec
   return best;
 }
 
-/// Half of what was matched is farther from the path [mm].
+/// Median distance of the matched samples from the path [mm].
 double usual_distance(const MatchedRecord& matched) {
   std::vector<float> distances;
   for (std::size_t i = matched.first; i < matched.end; ++i) {
@@ -216,7 +215,7 @@ TraceOnProgram find_on_program(const Trace& trace, const ProgrammedCourse& cours
       guides.push_back(one);
     }
   }
-  guides.push_back(nullptr);  // by position alone
+  guides.push_back(nullptr);  // position alone
   const auto place = [&](const TracePose& pose) {
     found.record = posed(pose, recorded);
     const auto placed_with = [&](const LineGuide* guide) {
@@ -228,7 +227,7 @@ TraceOnProgram find_on_program(const Trace& trace, const ProgrammedCourse& cours
       if (other.fit.trace_share <= placed.fit.trace_share + (1 - surely)) {
         break;
       }
-      guides.erase(guides.begin());  // other lines than those of this program
+      guides.erase(guides.begin());  // lines of another program
       placed = std::move(other);
     }
     return placed;
@@ -238,7 +237,7 @@ TraceOnProgram find_on_program(const Trace& trace, const ProgrammedCourse& cours
     const TracePose pose = find_pose(course, recorded);
     if (!pose.plain() || !pose.offset.isZero()) {
       Placement moved = place(pose);
-      // Else its reach is that of the program by chance.
+      // Otherwise its extent agrees with that of the program by chance.
       placement = moved.fit.trace_share >= half ? std::move(moved) : place(TracePose());
     }
   }
@@ -256,8 +255,7 @@ TraceOnProgram find_on_program(const Trace& trace, const ProgrammedCourse& cours
       TracePose nearer = placement.pose;
       nearer.offset -= left;
       Placement moved = place(nearer);
-      // Corners that are cut on one side alone are no offset: with the right one most of the trace is on the
-      // path.
+      // Corners cut on one side only are no offset: with the right offset most of the trace is on the path.
       if (moved.fit.trace_share < placement.fit.trace_share - (1 - whole) ||
           usual_distance(moved.matched) > half * usual_distance(placement.matched)) {
         moved = place(placement.pose);
@@ -273,7 +271,7 @@ TraceOnProgram find_on_program(const Trace& trace, const ProgrammedCourse& cours
   if (!found.matched.empty()) {
     found.law = TimeLaw(found.record.time, found.matched);
     found.lost = lost_of(found.record, found.matched, trace.period);
-    // What comes behind the end, another pass say, is not compared.
+    // Samples after the end, such as another pass, are not compared.
     const std::size_t end = std::min(found.matched.end, found.matched.arrival + 1);
     for (std::size_t i = found.matched.first; i < end; ++i) {
       if (!std::isnan(found.matched.s[i])) {

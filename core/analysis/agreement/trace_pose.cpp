@@ -11,8 +11,8 @@ namespace feedscope {
 namespace {
 
 constexpr double inch = 25.4;
-constexpr double another_shape = 0.1;  // of the size: so far apart in the mean
-constexpr double same_size = 0.03;     // share by which the extents of one shape may differ
+constexpr double another_shape = 0.1;  // of the size: mean distance from which shapes differ
+constexpr double same_size = 0.03;     // by which the extents of the same shape may differ
 
 std::vector<Vec3> visible(const ProgrammedCourse& course, const std::vector<Vec3>& places) {
   std::vector<Vec3> seen;
@@ -55,7 +55,7 @@ TracePose find_pose(const ProgrammedCourse& course, const MotionRecord& record) 
     }
     return true;
   }();
-  if (!same_extent) {  // more or less than one run of the program: only its own coordinates can be trusted
+  if (!same_extent) {  // not exactly one run of the program: only its own coordinates can be trusted
     pose.scale = 1;
     return pose;
   }
@@ -82,20 +82,20 @@ TracePose find_pose(const ProgrammedCourse& course, const MotionRecord& record) 
       moved.push_back(candidate.apply(place));
     }
     const double off = mean_distance(shape, moved);
-    if (off < 0.5 * best) {  // clearly: the plain one comes first
+    if (off < 0.5 * best) {  // by a clear margin: the plain transformation has priority
       best = off;
       pose = candidate;
     }
   }
   if (best > another_shape * wanted.norm()) {
-    return {};  // another shape: nothing that its reach says can be trusted
+    return {};  // another shape: its extent cannot be trusted
   }
   return pose;
 }
 
 Vec3 offset_left(const ProgrammedCourse& course, const MotionRecord& record, const MatchedRecord& matched,
                  double noise) {
-  constexpr double least_offset = 5e-3;  // [mm]: below, it is as good as none
+  constexpr double least_offset = 5e-3;  // [mm]: less counts as none
   constexpr int rounds = 3;
   Vec3 offset = Vec3::Zero();
   for (int round = 0; round < rounds; ++round) {
@@ -117,7 +117,7 @@ Vec3 offset_left(const ProgrammedCourse& course, const MotionRecord& record, con
       const Vec3 t = line.normalized();
       const Vec3 off = course.visible(record.place[i]) - course.point(part);
       const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - t * t.transpose();
-      const double weight = 1 / (1e-3 + (across * (off - offset)).norm());  // the many that agree decide
+      const double weight = 1 / (1e-3 + (across * (off - offset)).norm());  // the agreeing majority decides
       sum += weight * across;
       right += weight * (across * off);
     }

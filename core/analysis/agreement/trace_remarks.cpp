@@ -21,7 +21,7 @@ Diagnostic remark(Severity severity, std::string code, std::string message, std:
           .hint = std::move(hint)};
 }
 
-/// "X", "X and Z", "X, Y and Z".
+/// Axis names as a list: "X", "X and Z", "X, Y and Z".
 std::string names_of(const SeenAxes& axes) {
   std::string names;
   std::size_t left = static_cast<std::size_t>(std::ranges::count(axes, true));
@@ -34,7 +34,7 @@ std::string names_of(const SeenAxes& axes) {
   return names;
 }
 
-/// "line 5", "lines 5 to 9".
+/// Lines as text: "line 5", "lines 5 to 9".
 std::string lines_text(const ProgrammedCourse& course, double from_s, double to_s) {
   const std::uint32_t first = course.line_at(from_s);
   const std::uint32_t last = course.line_at(to_s);
@@ -102,7 +102,7 @@ void add_lost(std::vector<Diagnostic>& remarks, const TraceOnProgram& found, con
     std::size_t count = 0;
     LostStretch longest;
     for (const LostStretch& stretch : found.lost) {
-      if (stretch.recorded == recorded && !stretch.jumps) {  // those are said of the trace itself
+      if (stretch.recorded == recorded && !stretch.jumps) {  // jumps get their own remark
         time += stretch.to - stretch.from;
         ++count;
         longest = stretch.to - stretch.from > longest.to - longest.from ? stretch : longest;

@@ -9,7 +9,7 @@ namespace feedscope {
 
 enum class CirclePlane : std::uint8_t { xy, zx, yz };
 
-/// What a plane is called, and its axes: angles count from the first towards the second.
+/// Names of a plane and its axes: angles count from the first towards the second.
 struct PlaneInfo {
   CirclePlane plane = CirclePlane::xy;
   std::string_view name;  ///< "XY"
@@ -23,7 +23,7 @@ struct PlaneInfo {
 };
 
 const PlaneInfo& info_of(CirclePlane plane);
-/// "XY", "ZX" or "YZ". Throws InputError with these names.
+/// Parses "XY", "ZX" or "YZ". Throws InputError with these names.
 CirclePlane parse_plane(const std::string& text);
 
 }  // namespace feedscope

@@ -7,7 +7,7 @@
 namespace feedscope {
 namespace {
 
-/// The time in which the block of `line` is under way.
+/// Time during which the block of `line` is under way.
 Bracket time_of(const Trajectory& trajectory, std::uint32_t line) {
   return {trajectory.time_of_line(line), trajectory.time_of_line(line + 1)};
 }
@@ -34,7 +34,7 @@ CircularTest run_circular_test(const CircularRequest& request, const Setup& setu
   const LoadedProgram loaded = load_program(
       std::make_shared<const SourceText>(SourceText("circular test", program.text)), nullptr, options);
   Setup bare = setup;
-  bare.load = {};  // of another program
+  bare.load = {};  // belongs to another program
   const Run run = simulate_motion(loaded, std::move(bare), progress);
   test.actual = run.sources.actual != nullptr;
   for (const std::uint32_t line : program.lines) {

@@ -14,17 +14,17 @@ struct CircularRequest {
   CirclePlane plane = CirclePlane::xy;
   double start = 0;  ///< angle from the first axis of the plane [rad]
   double sweep = 0;  ///< > 0, up to a full turn [rad]
-  /// Of the quarter circles that lead into the circle and out of it; 0: from rest to rest [mm].
+  /// Radius of the quarter circles that lead into and out of the circle [mm]; 0: from rest to rest.
   double entry_radius = 0;
 };
 
-/// What came out of a circular test, or of a circle of a program.
+/// Result of a circular test, or of a circle of a program.
 struct CircularTest {
   CircularRequest request;
   Vec3 center = Vec3::Zero();       ///< programmed [mm]
-  std::vector<CirclePass> passes;   ///< counter-clockwise, clockwise; of a program in its order
-  std::optional<Circularity> both;  ///< of the places of both directions; none where there is one only
-  bool actual = false;              ///< of the actual path; else of the set path: the machine has no drives
+  std::vector<CirclePass> passes;   ///< counter-clockwise, clockwise; for a program, in its order
+  std::optional<Circularity> both;  ///< for the places of both directions; none with only one
+  bool actual = false;              ///< on the actual path; else on the set path: the machine has no drives
 
   /// G(b) [mm]
   std::optional<double> g_b() const { return both ? std::optional(both->zone) : std::nullopt; }
@@ -38,11 +38,11 @@ struct CircularTest {
   }
   bool of_program() const { return !passes.empty() && passes.front().first_line > 0; }
   const char* path() const { return actual ? "actual" : "set"; }
-  /// Evaluates the places of all passes together where there are several.
+  /// Evaluates the places of all passes together if there are several.
   void join();
 };
 
-/// Simulates the test. Throws InputError naming value and bound, and as simulate_run().
+/// Simulates the test. Throws InputError with value and bound, and as simulate_run().
 CircularTest run_circular_test(const CircularRequest& request, const Setup& setup,
                                Progress* progress = nullptr);
 

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Distances of the places from a centre, the least and the largest [mm].
+/// Smallest and largest distance of the places from a centre [mm].
 Bracket radii_about(std::span<const Vector2d> places, const Vector2d& center) {
   double least = std::numeric_limits<double>::infinity();
   double largest = 0;
@@ -30,7 +30,7 @@ double separation(std::span<const Vector2d> places, const Vector2d& center) {
 }
 
 /// Centre of the circle with the least sum of squared radial distances: Gauss-Newton from the origin, whose
-/// steps shrink with the deviation over the radius.
+/// steps shrink with the deviation relative to the radius.
 Vector2d squares_center(std::span<const Vector2d> places) {
   Vector2d center = Vector2d::Zero();
   double radius = 0;
@@ -55,8 +55,8 @@ Vector2d squares_center(std::span<const Vector2d> places) {
   return center;
 }
 
-/// The separation is, but for the square of the deviations over the radius, the largest less the least of
-/// linear functions of the centre, so that it has one valley: a golden-section search in one coordinate over
+/// The separation is, up to the square of the deviations over the radius, the largest minus the smallest of
+/// linear functions of the centre, so it has a single valley: a golden-section search in one coordinate over
 /// the results of one in the other.
 Vector2d zone_center(std::span<const Vector2d> places, const Vector2d& near, double around) {
   constexpr double width = 1e-10;  // [mm]
@@ -88,7 +88,7 @@ Circularity circularity_of(std::span<const Vector2d> places, double radius) {
   result.mean_radius = sum / static_cast<double>(places.size());
   result.squares_center = squares_center(places);
   result.by_squares = separation(places, result.squares_center);
-  // A zone as narrow as that of the least squares cannot have its centre farther away than its width.
+  // A zone as narrow as that of the least squares has its centre within its width.
   const double around = std::max(result.by_squares, 1e-9);
   result.zone_center = zone_center(places, result.squares_center, around);
   result.zone = separation(places, result.zone_center);

@@ -13,18 +13,18 @@ constexpr double along_axis = 1 - 1e-9;  // cosine of the angle to the axis
 
 enum class Shape : std::uint8_t { flat, helix, tilted };
 
-/// What arcs that go on with each other have in common.
+/// Common properties of consecutive arcs.
 struct Turn {
   Shape shape = Shape::flat;
-  Vec3 axis;    ///< right-handed about it, unit
+  Vec3 axis;    ///< unit; the arcs are right-handed about it
   Vec3 center;  ///< of the first arc [mm]
   double radius = 0;
-  Vec3 sum_of_centers = Vec3::Zero();  ///< by sweep
+  Vec3 sum_of_centers = Vec3::Zero();  ///< weighted by sweep
   double sum_of_radii = 0;
   FullCircle circle;
 };
 
-/// The plane whose normal an axis is, and whether it turns counter-clockwise there.
+/// Plane whose normal is the axis, and whether the turn is counter-clockwise there.
 std::optional<std::pair<CirclePlane, bool>> plane_of(const Vec3& axis) {
   for (const CirclePlane plane : {CirclePlane::xy, CirclePlane::zx, CirclePlane::yz}) {
     const PlaneInfo& info = info_of(plane);

@@ -7,7 +7,7 @@
 namespace feedscope {
 namespace {
 
-/// First element in [0, size) for which `is_before(element)` no longer holds.
+/// First element in [0, size) for which `is_before(element)` is false.
 template <class Condition>
 std::size_t first_not(std::size_t size, Condition is_before) {
   std::size_t low = 0;
@@ -19,7 +19,7 @@ std::size_t first_not(std::size_t size, Condition is_before) {
   return low;
 }
 
-/// When an element begins: the last instant at its start, so that pauses before it are over [s].
+/// Start of an element: the last instant at its start, after any pauses before it [s].
 double begin_of(const Trajectory& trajectory, std::size_t element) {
   if (element >= trajectory.path().size()) {
     return trajectory.duration();
@@ -45,7 +45,7 @@ Bracket time_on(const Trajectory& trajectory, const FullCircle& circle) {
   return {begin_of(trajectory, element_from(circle.first)), begin_of(trajectory, end)};
 }
 
-/// About the centre of the test, which its two circles share but for roundings.
+/// Pass about the centre of the test, which both of its circles share up to rounding.
 CirclePass pass_of(const Run& run, const FullCircle& circle, const CircularTest& test) {
   CirclePass pass =
       pass_between(run, time_on(*run.trajectory, circle), {circle.plane, test.center, test.request.radius});
@@ -78,7 +78,7 @@ ProgramCircles program_circles(const Run& run, Progress* progress) {
   result.helices = found.helices;
   result.tilted = found.tilted;
   result.actual = run.sources.actual != nullptr;
-  std::vector<const FullCircle*> of_test;  // the first circle of each
+  std::vector<const FullCircle*> of_test;  // first circle of each test
   for (std::size_t i = 0; i < result.evaluated; ++i) {
     if (progress != nullptr) {
       progress->report(static_cast<double>(i) / static_cast<double>(result.evaluated));

@@ -8,26 +8,29 @@
 
 namespace feedscope {
 
-/// The full circles of a program as its run makes them.
+/// Full circles of a program as executed in its run.
 struct ProgramCircles {
-  /// In order of the program; a circle that is run in both directions at one feed is one test of two passes.
+  /// In order of the program; a circle that is run in both directions at one feed is one test with two
+  /// passes.
   std::vector<CircularTest> tests;
-  std::size_t found = 0;      ///< circles
-  std::size_t evaluated = 0;  ///< the first ones
-  std::size_t helices = 0;    ///< as FullCircles
+  std::size_t found = 0;      ///< number of circles
+  std::size_t evaluated = 0;  ///< number of circles evaluated, the first ones
+  std::size_t helices = 0;    ///< as in FullCircles
   std::size_t tilted = 0;
-  bool actual = false;  ///< as CircularTest
+  bool actual = false;  ///< as in CircularTest
 };
 
-/// Circles that are evaluated of one program, the first ones.
+/// Largest number of circles evaluated per program, the first ones.
 inline constexpr std::size_t max_program_circles = 200;
 
-/// Evaluates every circle from where the control has reached it to where it leaves it: corners that it rounds
-/// at both ends by curves of their own are not judged, CirclePass::evaluated says what is. Filters that
-/// smooth the motion have no such curves: what they draw within the turn is judged. Throws Cancelled.
+/// Evaluates every circle from the place where the control reaches it to the place where it leaves it.
+/// Corners at both ends that the control rounds by its own curves are excluded, see CirclePass::evaluated.
+/// Filters that smooth the motion have no such curves: their effect within the turn is included. Throws
+/// Cancelled.
 ProgramCircles program_circles(const Run& run, Progress* progress = nullptr);
 
-/// What of the program is not evaluated and why, or that it has no full circle; a sentence each, in English.
+/// Parts of the program that are not evaluated, with the reason, or that it has no full circle; one sentence
+/// each, in English.
 std::vector<std::string> program_circle_notes(const ProgramCircles& circles);
 
 }  // namespace feedscope

@@ -43,7 +43,7 @@ Vector2d at_angle(double radius, double angle) {
   return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
-/// Words of one control for the blocks of a test. Coordinates are those of the plane.
+/// Blocks of a test in the syntax of one control. Coordinates are those of the plane.
 class BlockWriter {
  public:
   BlockWriter(const PlaneInfo& plane, Dialect dialect, int decimals)
@@ -53,12 +53,12 @@ class BlockWriter {
   std::uint32_t count() const { return count_; }
   std::string text() const { return text_; }
 
-  /// A line as it is.
+  /// Writes a line unchanged.
   void raw(const std::string& line) {
     ++count_;
     text_ += line + "\n";
   }
-  /// A block with what the control wants before and behind it.
+  /// Writes a block with the control's block number or end mark.
   void line(const std::string& block) {
     raw(is_klartext()                         ? fmt::format("{} {}", count_, block)
         : dialect_ == Dialect::heidenhain_iso ? fmt::format("N{} {} *", 10 * count_, block)
@@ -126,10 +126,10 @@ class BlockWriter {
   int decimals_;
   std::string text_;
   std::uint32_t count_ = 0;
-  double feed_ = 0;  ///< for the next block that feeds [mm/min]; 0: none
+  double feed_ = 0;  ///< for the next feed block [mm/min]; 0: none
 };
 
-/// One direction; returns the line of the circle.
+/// Writes one direction; returns the line of the circle.
 std::uint32_t write_pass(BlockWriter& writer, const CircularRequest& request, bool counter_clockwise) {
   const double turn = counter_clockwise ? 1 : -1;
   const double end_angle = request.start + turn * request.sweep;

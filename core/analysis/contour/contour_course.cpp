@@ -19,7 +19,7 @@ void divide(double from, double to, int spans, std::vector<double>& ends) {
   }
 }
 
-/// The block that is all that the filters see meanwhile; none if there are several.
+/// The only block in the filters meanwhile; none if there are several.
 std::optional<std::size_t> only_block(const FilteredMotion& motion, double from, double to) {
   const PulseTrain& train = motion.train();
   const double rounding = 1e-9 * train.delay();
@@ -34,7 +34,7 @@ bool sees_one_line(const FilteredMotion& motion, double from, double to) {
   return block && motion.train().segment(*block).kind == SegmentKind::line;
 }
 
-/// Whether the arc that a control runs lies on the one that is programmed there: others it lays itself.
+/// Whether an executed arc is on the programmed one: others are inserted by the control.
 bool is_programmed_arc(const BlendedPath& path, std::uint32_t element, const Arc& arc) {
   constexpr double same = 1e-9;  // [mm]
   const Toolpath& programmed = *path.programmed();
@@ -105,7 +105,7 @@ void ContourCourse::nodes(std::uint32_t element, std::vector<double>& ends) {
   }
 }
 
-/// At least two spans for each block that the curve passes.
+/// At least two spans for each block on the curve.
 void ContourCourse::curve_nodes(std::uint32_t element, std::vector<double>& ends) const {
   const BlendedPath& path = trajectory_.path();
   const std::uint32_t first = path.segment(element);
@@ -139,7 +139,7 @@ void ContourCourse::filtered_nodes(std::uint32_t element, std::vector<double>& e
   }
 }
 
-/// Long parts are mostly steady: there the instants between which the motion is one polynomial are the ends.
+/// Long parts are mostly steady: there the ends are the instants between which the motion is one polynomial.
 void ContourCourse::divide_filtered(const FilteredMotion& motion, double from, double to,
                                     std::vector<double>& ends) {
   constexpr double long_delays = 4;
@@ -156,7 +156,7 @@ void ContourCourse::divide_filtered(const FilteredMotion& motion, double from, d
     divide_evenly(from, to);
     return;
   }
-  // Far from the program's start a clock cannot tell shorter steps from none.
+  // Far from the start of the program the clock does not resolve shorter steps.
   const double least = std::max(1e-9 * train.delay(), 8 * std::numeric_limits<double>::epsilon() * to);
   for (double begin = from; begin < to;) {
     const double knot = motion.start() + filters_.next_knot(train, begin - motion.start());
@@ -170,7 +170,7 @@ void ContourCourse::divide_filtered(const FilteredMotion& motion, double from, d
   }
 }
 
-/// A chord may be several elements, one for some of its blocks each; of a single block it is the block
+/// A chord may consist of several elements, each for some of its blocks; for a single block it is the block
 /// itself.
 void ContourCourse::compacted_nodes(std::uint32_t element, std::vector<double>& ends) const {
   const BlendedPath& path = trajectory_.path();
@@ -197,8 +197,8 @@ void ContourCourse::compacted_nodes(std::uint32_t element, std::vector<double>& 
   }
 }
 
-/// A line of the executed path stands for a part of a block, or for several blocks; one that is the block
-/// itself needs no nodes.
+/// A line of the executed path replaces a part of a block, or several blocks; if it is the block itself it
+/// needs no nodes.
 void ContourCourse::executed_nodes(std::uint32_t element, std::vector<double>& ends) const {
   const BlendedPath& path = trajectory_.path();
   const Toolpath& programmed = *path.programmed();
@@ -226,11 +226,11 @@ ContourCourse::Point ContourCourse::at(const CoursePlace& place) {
   return {there.position, there.d1, there.d2, false};
 }
 
-/// On filtered motion the velocities of the pulses are at most F = largest_feed, so that the filters keep
-/// |p'''| <= 4 F/T1^2 (n = 2) and |p''''| <= 8 F/T1^3 (n = 3): the acceleration leaves the chord of its
-/// values by no more than that allows. On a blend it is linear in u, on an arc its amount is constant; a
-/// fitted course lies within 1e-6 mm of filtered motion, between whose knots curvature peaks little, and that
-/// of a smooth curve is that of a cubic spline, of which a span is several steps.
+/// On filtered motion the velocities of the pulses are at most F = largest_feed, so the filters keep |p'''|
+/// <= 4 F/T1^2 (n = 2) and |p''''| <= 8 F/T1^3 (n = 3), which bounds the deviation of the acceleration from
+/// the chord of its values. On a blend it is linear in u, on an arc its amount is constant. A fitted course
+/// is within 1e-6 mm of filtered motion, whose curvature peaks little between knots; the curvature of a
+/// smooth curve is that of a cubic spline, of which a span is several steps.
 double ContourCourse::bend_between(std::uint32_t element, double from, double to, double at_ends) const {
   constexpr double between_knots = 0.25;
   switch (trajectory_.path().kind(element)) {

@@ -6,41 +6,42 @@
 
 namespace feedscope {
 
-/// A place of an executed path: `u` counts on `element` as ContourCourse says.
+/// A place of an executed path; ContourCourse defines `u` on `element`.
 struct CoursePlace {
   std::uint32_t element = 0;
   double u = 0;
 };
 
-/// The executed path where it may leave the programmed one, as smooth spans whose bending is bounded.
+/// Executed path where it may leave the programmed one, as smooth spans with bounded curvature.
 ///
-/// `u` is the clock on filtered motion [s], the parameter of a cubic blend, else the path length from the
+/// `u` is the time on filtered motion [s], the parameter of a cubic blend, else the path length from the
 /// element's start [mm].
 class ContourCourse {
  public:
   explicit ContourCourse(const Trajectory& trajectory);
 
-  /// Corners are rounded between programmed lines: what a corner deviates from these depends on it alone.
+  /// Whether corners are rounded between programmed lines: the deviation of a corner then depends on the
+  /// corner only.
   bool has_plain_corners() const { return plain_corners_; }
-  /// Ends of the spans of `element`, in order; none where it follows the programmed path exactly, and on
-  /// plain corners. Elements in order: cost in the order of their pieces and blocks.
+  /// Ends of the spans of `element`, in order; none if it follows the programmed path exactly, and on plain
+  /// corners. Cost for elements in order: of the order of their pieces and blocks.
   void nodes(std::uint32_t element, std::vector<double>& ends);
-  /// The same of one corner blend, plain or not.
+  /// Ends of the spans of one corner blend, plain or not.
   void corner_nodes(std::uint32_t element, std::vector<double>& ends) const;
   struct Point {
     Vec3 position = Vec3::Zero();  ///< [mm]
     Vec3 d1 = Vec3::Zero();        ///< derivatives by u
     Vec3 d2 = Vec3::Zero();
-    bool steady = false;  ///< filtered motion of one pulse alone
+    bool steady = false;  ///< filtered motion of a single pulse
   };
   Point at(const CoursePlace& place);
-  /// By how much the second derivative between two places of an element may exceed the larger of those at
-  /// the places, as a vector's length or as its part in any direction.
+  /// Largest excess of the second derivative between two places of an element over the larger of those at the
+  /// places, as a vector's length or as its component in any direction.
   double bend_between(std::uint32_t element, double from, double to, double at_ends) const;
-  /// The programmed segment that is all that the filters see between the two places; none if there are
-  /// several, and on other elements.
+  /// The only programmed segment in the filters between the two places; none if there are several, and on
+  /// other elements.
   std::optional<std::size_t> block_seen(std::uint32_t element, double from, double to) const;
-  /// Whether between the two places the path is exactly one programmed line.
+  /// Whether the path between the two places is exactly one programmed line.
   bool is_on_one_line(std::uint32_t element, double from, double to) const;
   double path_length(const CoursePlace& at);  ///< executed, from the start [mm]
   double time(const CoursePlace& at);         ///< [s]
@@ -55,7 +56,7 @@ class ContourCourse {
 
   const Trajectory& trajectory_;
   bool plain_corners_;
-  std::size_t piece_ = 0;  ///< first that filtered_nodes() has not passed
+  std::size_t piece_ = 0;  ///< first one after those processed by filtered_nodes()
   std::uint32_t curve_element_;
   ElementCurve curve_;
   FilterWalk filters_;

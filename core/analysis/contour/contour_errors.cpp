@@ -9,14 +9,14 @@
 namespace feedscope {
 namespace {
 
-/// The corners of a path with plain corners, one by one: in closed form where no other pass comes as near as
-/// the two legs of the corner.
+/// Corners of a path with plain corners, one by one: in closed form unless another pass is as near as the two
+/// legs of the corner.
 class PlainCorners {
  public:
   PlainCorners(const Trajectory& trajectory, ContourSearch& search)
       : path_(trajectory.path()), search_(search) {}
 
-  /// The corner whose element is the first of `element` and later ones.
+  /// First corner whose element is `element` or later.
   std::size_t first_from(std::uint32_t element) const {
     std::size_t first = 0;
     std::size_t last = path_.corner_count();
@@ -35,8 +35,8 @@ class PlainCorners {
     return laid.epsilon * std::cos(laid.turn / 2);
   }
 
-  /// The farthest place of a corner, in its middle unless another pass is nearer there; `left`: what no place
-  /// of it is farther than.
+  /// Farthest place of a corner, in its middle unless another pass is nearer there; `left`: upper bound for
+  /// all of its places.
   ContourNode farthest(std::size_t corner, double& left) const {
     ContourNode best = node(corner, 0.5);
     left = best.error;
@@ -51,7 +51,7 @@ class PlainCorners {
     return best;
   }
 
-  /// The place at `share` of the corner's parameter, or of its length.
+  /// Node at `share` of the corner's parameter, or of its length.
   ContourNode node(std::size_t corner, double share) const {
     const std::uint32_t element = path_.corner_element(corner);
     const bool is_blend = path_.kind(element) == ElementKind::blend;
@@ -67,8 +67,8 @@ bool is_rapid(const Toolpath& path, std::size_t i) {
   return i >= path.segments.size() || path.segments[i].rapid;
 }
 
-/// Whether `place` on programmed segment `i` belongs to rapids alone: that segment and the one behind its
-/// nearer end.
+/// Whether `place` on programmed segment `i` belongs only to rapids: that segment and the one at its nearer
+/// end.
 bool is_in_rapids(const Toolpath& path, std::size_t i, const Vec3& place) {
   if (!is_rapid(path, i)) {
     return false;
@@ -135,7 +135,7 @@ class Analysis {
   bool counts_length(std::uint32_t element) const {
     return !request_.cutting_only || !trajectory_.is_rapid(element);
   }
-  /// Of the executed path [mm].
+  /// Counted length of the executed path [mm].
   double length_that_counts() const {
     const BlendedPath& path = trajectory_.path();
     if (!request_.cutting_only) {

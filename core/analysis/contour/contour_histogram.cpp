@@ -8,9 +8,9 @@
 namespace feedscope {
 namespace {
 
-constexpr double least = 1e-6;  // mm; below it there is nothing to tell apart
+constexpr double least = 1e-6;  // mm; smaller errors are not distinguished
 
-/// The smallest of 1, 2 and 5 times a power of ten that is at least `value`.
+/// Smallest 1, 2 or 5 times a power of ten that is at least `value`.
 double round_up(double value) {
   const double power = std::pow(10, std::floor(std::log10(value)));
   constexpr double rounding = 1 - 1e-9;
@@ -22,7 +22,7 @@ double round_up(double value) {
   return 10 * power;
 }
 
-/// The next smaller of them; `value` is one.
+/// Next smaller such step; `value` is one.
 double step_below(double value) {
   const double lead = value / std::pow(10, std::floor(std::log10(value) + 1e-9));
   return lead > 4 ? value * 0.4 : value * 0.5;
@@ -48,7 +48,7 @@ std::vector<double> edges_of(ContourBins bins, double largest) {
     for (int i = 0; i <= count; ++i) {
       edges.push_back(i * step);
     }
-  } else if (bins == ContourBins::sides) {  // the middle bin is around 0
+  } else if (bins == ContourBins::sides) {  // the middle bin is centred on 0
     for (int i = -count; i <= count + 1; ++i) {
       edges.push_back((i - 0.5) * step);
     }
@@ -56,7 +56,7 @@ std::vector<double> edges_of(ContourBins bins, double largest) {
   return edges;
 }
 
-/// The largest power of ten that is at most 1/400 of it: a half of every width of equal bins is a multiple.
+/// Largest power of ten up to 1/400 of `largest`: half of every width of equal bins is a multiple of it.
 double spread_step(double largest) {
   constexpr double steps_to_the_top = 400;
   return std::pow(10, std::floor(std::log10(std::max(largest, least) / steps_to_the_top)));

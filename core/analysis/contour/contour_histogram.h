@@ -4,11 +4,11 @@
 
 namespace feedscope {
 
-/// Fills a histogram whose edges follow from the largest error [mm].
+/// Fills a histogram whose edges are derived from the largest error [mm].
 class HistogramCounter {
  public:
   HistogramCounter(ContourBins bins, double largest);
-  /// Path of `length` on which the error goes from one value to the other [mm].
+  /// Adds a path of `length` on which the error changes from one value to the other [mm].
   void add(double from, double to, double length);
   ContourHistogram result() const { return histogram_; }
 
@@ -18,16 +18,16 @@ class HistogramCounter {
   ContourHistogram histogram_;
 };
 
-/// Fills a spread whose step follows from the largest error [mm].
+/// Fills a spread whose step is derived from the largest error [mm].
 class SpreadCounter {
  public:
   explicit SpreadCounter(double largest);
-  /// Path of `length` on which the distance goes from one value to the other, and its side likewise [mm].
+  /// Adds a path of `length` on which distance and side change from one value to the other [mm].
   void add(double from, double to, double side_from, double side_to, double length);
   ContourSpread result() const;
 
  private:
-  /// Length by value in equal bins: what is spread evenly over many costs as much as over one.
+  /// Length by value in equal bins: an even spread costs the same over many bins as over one.
   class Line {
    public:
     Line(double first, double step, std::size_t bins);
@@ -38,7 +38,7 @@ class SpreadCounter {
     double first_;
     double step_;
     std::vector<double> single_;  ///< [mm]
-    std::vector<double> change_;  ///< of the length in each bin from one to the next [mm]
+    std::vector<double> change_;  ///< change of the length per bin from one bin to the next [mm]
   };
 
   SpreadCounter(double step, std::size_t bins);
@@ -50,8 +50,8 @@ class SpreadCounter {
   double deviation_in_xy_ = 0;  ///< [mm2]
 };
 
-/// The histogram with equal bins that `bins` names, edges fit for errors up to `largest` [mm], which is that
-/// of the spread's run or at least 200 of its steps; what is beyond counts in the outermost bins.
+/// Histogram with the equal bins of `bins` and edges for errors up to `largest` [mm], which is that of the
+/// spread's run or at least 200 of its steps. Larger errors count in the outermost bins.
 ContourHistogram histogram_of(const ContourSpread& spread, ContourBins bins, double largest);
 
 }  // namespace feedscope

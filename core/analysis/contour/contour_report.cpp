@@ -16,7 +16,7 @@
 namespace feedscope {
 namespace {
 
-/// One end of a block where it meets a neighbour.
+/// End of a block, where it meets a neighbour.
 struct Junction {
   double distance = 0;  ///< of the place's programmed point along the block [mm]
   Vec3 in = Vec3::Zero();
@@ -26,7 +26,7 @@ struct Junction {
   double turn() const { return turn_angle(in, out); }
 };
 
-/// The nearest programmed point of an evenly cut corner of `turn` is error tan(turn / 2) before its end.
+/// On an evenly cut corner of `turn` the nearest programmed point is error tan(turn / 2) before its end.
 bool is_of_corner(const Junction& junction, double error) {
   constexpr double min_turn = 1e-3;  // [rad]
   constexpr double uneven = 2;
@@ -45,7 +45,7 @@ double distance_along(const Toolpath& path, std::size_t segment, const Vec3& poi
   double angle = std::atan2(from.dot(arc.y), from.dot(arc.x));
   const double whole_turn = 2 * std::acos(-1.0);
   angle = angle < -1e-9 ? angle + whole_turn : angle;
-  if (arc.rise.squaredNorm() > 0) {  // several turns: the one whose height is nearest
+  if (arc.rise.squaredNorm() > 0) {  // several turns: choose the one nearest in height
     const double height = from.dot(arc.rise) / arc.rise.squaredNorm();
     angle += whole_turn * std::round((height - angle) / whole_turn);
   }
@@ -56,7 +56,7 @@ bool moves(const Toolpath& path, std::size_t segment) {
   return segment < path.segments.size() && path.segments[segment].kind != SegmentKind::dwell;
 }
 
-/// The tolerance of a place: in a corner the smaller one of both blocks.
+/// Contour tolerance at a place; in a corner the smaller one of both blocks.
 double tolerance_at(const PathRules& rules, const ContourPlace& place, const ContourSpot& spot) {
   const double own = rules.tolerance(place.segment);
   if (spot.kind != ContourSpot::Kind::corner) {
@@ -65,7 +65,7 @@ double tolerance_at(const PathRules& rules, const ContourPlace& place, const Con
   return std::min(own, rules.tolerance(spot.neighbour));
 }
 
-/// Places that are as bad stand in the order of the program.
+/// Sorts by error; equally bad places in order of the program.
 void order(std::vector<ContourFinding>& findings) {
   constexpr double as_bad = 1e-5;  // [mm]
   const auto key = [](const ContourFinding& finding) {
@@ -117,7 +117,7 @@ ContourReport contour_report(const Run& run, std::size_t places, Progress* progr
   report.spread = errors.spread;
   report.own_tolerances = run.setup.model->guarantees(run.setup.settings).own_tolerances;
   report.program_tolerances = follows_program_tolerance(run.setup.settings);
-  constexpr double found = 2 * ContourSearch::precision;  // searches of other numbers of places
+  constexpr double found = 2 * ContourSearch::precision;  // of searches with other numbers of places
   if (run.summary.max_contour_error > errors.largest + found) {
     report.rapids = run.summary.max_contour_error;
   }
@@ -153,7 +153,7 @@ bool ContourReport::is_flat() const {
 }
 
 bool keeps_tolerance(double error, double tolerance) {
-  constexpr double fitted = 1e-4;  // models that search for it stop there
+  constexpr double fitted = 1e-4;  // iterative models stop there
   return error <= tolerance * (1 + fitted) + ContourSearch::precision;
 }
 

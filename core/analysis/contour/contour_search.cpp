@@ -8,8 +8,7 @@
 namespace feedscope {
 namespace {
 
-/// Largest value of the lower one of two straight lines from 0 to 1; the first is the lower one at 0, the
-/// second at 1.
+/// Maximum from 0 to 1 of the lower of two straight lines; the first is the lower one at 0, the second at 1.
 double largest_of_lower(double first_from, double first_to, double second_from, double second_to) {
   const double before = std::max(second_from - first_from, 0.0);
   const double after = std::max(first_to - second_to, 0.0);
@@ -60,7 +59,7 @@ ContourNode ContourSearch::node(const CoursePlace& at) {
   return node;
 }
 
-/// How much the second derivative of the distance from a line falls below 0.
+/// Largest amount by which the second derivative of the distance from a line is below 0.
 double ContourSearch::bend_from_line(std::size_t index, const PathDeviation::Foot& at_from,
                                      const PathDeviation::Foot& at_to, const ContourSpan& span) const {
   const double from = std::sqrt(at_from.squared);
@@ -71,13 +70,14 @@ double ContourSearch::bend_from_line(std::size_t index, const PathDeviation::Foo
   if (kind == ElementKind::connecting_arc || !(cosine > min_cosine)) {
     return bend_across_line(index, at_from, at_to, span);
   }
-  // A unit vector between both is their sum with shares that add up to 1 / cos(half their angle) at most.
+  // A unit vector between the two is their sum with weights that add up to at most 1 / cos(half their angle).
   return std::max({-at_from.offset.dot(span.from.point.d2) / from, -at_to.offset.dot(span.to.point.d2) / to,
                    0.0}) /
          std::sqrt((1 + std::min(cosine, 1.0)) / 2);
 }
 
-/// The same where the offset may have any direction: across the line, if no foot in between is an end of it.
+/// As bend_from_line() for offsets of any direction: across the line, unless a foot in between is an end of
+/// it.
 double ContourSearch::bend_across_line(std::size_t index, const PathDeviation::Foot& at_from,
                                        const PathDeviation::Foot& at_to, const ContourSpan& span) const {
   const Toolpath& path = programmed_path(trajectory_);
@@ -89,8 +89,8 @@ double ContourSearch::bend_across_line(std::size_t index, const PathDeviation::F
   return std::max(across(span.from.point.d2), across(span.to.point.d2));
 }
 
-/// The largest second derivative of the distance from the axis of a flat arc; between the ends its own
-/// derivative (3 p' p'' - 3 r' r'' + (p - c) p''')/r counts, p''' the mean one.
+/// Largest second derivative of the distance from the axis of a flat arc. Between the ends its own derivative
+/// (3 p' p'' - 3 r' r'' + (p - c) p''')/r counts, with the mean p'''.
 double ContourSearch::bend_from_arc(const Arc& arc, const ContourSpan& span) const {
   const Vec3 axis = arc.x.cross(arc.y);
   const double step = span.to.place.u - span.from.place.u;
@@ -111,9 +111,9 @@ double ContourSearch::bend_from_arc(const Arc& arc, const ContourSpan& span) con
   return bend + change * step / 2;
 }
 
-/// With the offset o = p - c from the foot c(s), f = |o|^2/2 has f' = o p' and, the foot moving along,
-/// f'' = |p'|^2 + o p'' - (p' c')^2/(1 - o c''). What the second derivative of |o| changes between the ends
-/// is added for what it may do in between.
+/// With the offset o = p - c from the foot c(s), f = |o|^2/2 has f' = o p' and, since the foot moves, f'' =
+/// |p'|^2 + o p'' - (p' c')^2/(1 - o c''). The change of the second derivative of |o| between the ends is
+/// added as a margin for its values in between.
 double ContourSearch::bend_from_helix(const Arc& arc, const PathDeviation::Foot& at_from,
                                       const PathDeviation::Foot& at_to, const ContourSpan& span) const {
   const auto second_derivative = [&arc](const PathDeviation::Foot& foot, const ContourCourse::Point& at) {
@@ -145,7 +145,7 @@ double ContourSearch::rise_above_chord(std::size_t index, const PathDeviation::F
     return rise(bend_from_line(index, at_from, at_to, span));
   }
   const Arc& arc = path.arc_of(segment);
-  // From one end of an open circle to the other, or from turn to turn of a helix, the foot jumps.
+  // The foot jumps from one end of an open circle to the other, or from turn to turn of a helix.
   const bool closed = arc.rise.isZero() && arc.sweep >= 2 * std::numbers::pi * (1 - 1e-12);
   if (!closed && std::abs(at_to.s - at_from.s) > std::numbers::pi * arc.length_per_radian()) {
     return std::numeric_limits<double>::infinity();
@@ -163,9 +163,9 @@ double ContourSearch::rise_above_chord(std::size_t index, const PathDeviation::F
   return nearest > 0 ? sag + chord * chord / 8 / nearest : std::numeric_limits<double>::infinity();
 }
 
-/// Largest distance of a straight span from the flat arc on which it has its feet, if that is at one of its
-/// ends: the distance from the axis is convex along it. So it is with halves of chords; bounds by bends would
-/// ask for many halvings of each of them.
+/// Largest distance of a straight span from the flat arc that contains its feet, if it is at an end: the
+/// distance from the axis is convex along the span. That is the case for halves of chords, each of which
+/// would need many halvings with bounds by bends.
 std::optional<double> ContourSearch::largest_on_chord(const ContourSpan& span) const {
   constexpr double rounding = 1e-10;  // [mm]
   const ContourNode& from = span.from;
@@ -196,7 +196,7 @@ std::optional<double> ContourSearch::largest_on_chord(const ContourSpan& span) c
   return std::hypot(inwards, beside) <= at_ends + rounding ? std::optional(at_ends) : std::nullopt;
 }
 
-/// On one arc at a constant speed the filters draw another arc, at the same distance everywhere.
+/// On one arc at constant speed the filters produce another arc, at a constant distance.
 bool ContourSearch::is_steady(const ContourSpan& span) const {
   constexpr double same = 1e-9;
   return span.from.point.steady && span.to.point.steady && std::abs(span.from.error - span.to.error) < same &&
@@ -234,7 +234,7 @@ void ContourSearch::for_spans(std::uint32_t first, std::uint32_t last, Progress*
                               const std::function<void(const ContourSpan&)>& visit) {
   ProgressSteps steps(progress, std::max<std::size_t>(last - first, 1));
   ContourSpan span;
-  bool goes_on = false;  // from the element before, which was not exact
+  bool goes_on = false;  // continues from an element that was not exact
   for (std::uint32_t element = first; element < last; ++element) {
     steps.at(element - first);
     course_.nodes(element, ends_);
@@ -292,7 +292,7 @@ double ContourSearch::largest_in(std::vector<ContourSpan>& spans, ContourNode& b
     ContourSpan second{half, span.to, 0};
     first.bound = std::min(bound_of(first), span.bound);
     second.bound = std::min(bound_of(second), span.bound);
-    const bool second_first = second.bound > first.bound;  // the more promising half is looked at first
+    const bool second_first = second.bound > first.bound;  // process the more promising half first
     spans.push_back(second_first ? first : second);
     spans.push_back(second_first ? second : first);
   }

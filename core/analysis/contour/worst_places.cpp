@@ -46,7 +46,7 @@ void WorstPlaces::visit(const ContourSpan& span) {
   }
 }
 
-/// Keeps what may hold a farther place; where that are too many they are looked into at once.
+/// Drops spans that cannot contain a farther place; if many remain, searches them at once.
 void WorstPlaces::prune() {
   constexpr std::size_t many = 512;
   if (hopeful_.size() < many) {

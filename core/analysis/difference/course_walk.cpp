@@ -10,7 +10,7 @@ constexpr int spans_of_blend_part = 4;
 constexpr int spans_of_fitted_part = 4;
 constexpr double steps_a_filter_time = 8;
 
-/// The cubic from 0 to `length` with the speeds at both ends, which are lowered where it would fall between.
+/// Cubic from 0 to `length` with the speeds at both ends, lowered where the cubic would decrease in between.
 LawPoint rising_law(double duration, double length, double speed_from, double speed_to) {
   if (!(duration > 0) || !(length > 0)) {
     return {};
@@ -74,7 +74,7 @@ void CourseWalk::gather() {
   is_filtered(element_) ? gather_filtered() : gather_curve();
 }
 
-/// All parts of one element: what they execute together stands for what is programmed there.
+/// Gathers all parts of one element: together they correspond to the programmed length there.
 void CourseWalk::gather_curve() {
   for (; !parts_.done() && parts_.part().element == element_; parts_.next()) {
     const Part& part = parts_.part();
@@ -130,12 +130,12 @@ void CourseWalk::gather_filtered() {
   }
 }
 
-/// Short steps of the motion, each with the programmed points nearest to its ends.
+/// Divides a part into short steps, each with the programmed points nearest to its ends.
 void CourseWalk::follow_part() {
   const Part& part = parts_.part();
   const PartMotion motion = parts_.motion();
   const std::uint32_t segment = trajectory_.path().segment(part.element);
-  constexpr int max_spans = 256;  // where blocks meet a part is short
+  constexpr int max_spans = 256;  // a part is short where blocks meet
   const int count = part.law == Law::filtered
                         ? std::min(trajectory_.filtered_spans(part, steps_a_filter_time), max_spans)
                         : spans_of_fitted_part;
@@ -152,8 +152,8 @@ void CourseWalk::follow_part() {
   }
 }
 
-/// The span goes from where the one before ended to `end` [mm], or stays; `scale`: programmed length to
-/// executed.
+/// Adds a span from the end of the previous one to `end` [mm], or at rest. `scale`: programmed over executed
+/// length.
 void CourseWalk::add_span(const RawSpan& raw, double end, double scale) {
   ProgressSpan& span = spans_.emplace_back();
   span.time = raw.time;
@@ -174,7 +174,7 @@ bool CourseWalk::is_filtered(std::size_t element) const {
   return kind == ElementKind::filtered || kind == ElementKind::fitted || kind == ElementKind::curve;
 }
 
-/// Where the element ends on the programmed path [mm].
+/// End of the element on the programmed path [mm].
 double CourseWalk::end_of(std::uint32_t element) const {
   const BlendedPath& path = trajectory_.path();
   if (path.in_corner(element)) {
@@ -187,7 +187,7 @@ double CourseWalk::end_of(std::uint32_t element) const {
   }
   const bool in_between = path.kind(next) == ElementKind::curve ||
                           (path.kind(next) == ElementKind::line && path.kind(element) == ElementKind::curve);
-  if (in_between) {  // a curve begins or ends anywhere on a line
+  if (in_between) {  // a curve may begin or end anywhere on a line
     const Toolpath& programmed = *path.programmed();
     const std::uint32_t segment = path.segment(next);
     const Vec3 way = path.curve(next).start - programmed.start_of(segment);

@@ -8,43 +8,44 @@
 
 namespace feedscope {
 
-/// Length of a programmed path before each of its segments, and of all [mm].
+/// Length of a programmed path before each of its segments, then its total [mm].
 std::vector<double> lengths_before(const Toolpath& programmed);
 
-/// A short time of a run, and how far along the program it comes meanwhile.
+/// A short time of a run, and its progress along the program meanwhile.
 struct ProgressSpan {
   double time = 0;      ///< start [s]
   double duration = 0;  ///< [s]
   double begin = 0;     ///< programmed path length [mm]
   double end = 0;       ///< not before `begin`
-  LawPoint law;         ///< programmed path length from `begin`, never falling [mm]
+  LawPoint law;         ///< programmed path length from `begin`, never decreasing [mm]
   std::uint32_t segment = 0;
   bool dwell = false;
 
   double end_time() const { return time + duration; }
-  double offset_at(double tau) const;  ///< from `begin`, `tau` after the start [mm]
-  double tau_at(double offset) const;  ///< first instant, the inverse [s]
+  double offset_at(double tau) const;  ///< from `begin` at `tau` [s] after the start [mm]
+  double tau_at(double offset) const;  ///< first time at `offset`, inverse of offset_at() [s]
   bool same_law(const ProgressSpan& other) const;
 };
 
-/// A run as progress along the *programmed* path, which is the same for every control: where two runs of one
-/// program have come equally far, they are at the same place, whatever their corners cut off.
+/// A run as progress along the *programmed* path, which is the same for every control: two runs of one
+/// program with the same progress are at the same place, however they cut the corners.
 ///
-/// Lines and arcs that a control takes over count as they are. A corner curve stands for the programmed path
-/// that it replaces, in proportion to its length: its middle is at the corner. On filtered motion, whose
-/// blocks flow into each other, the place is the programmed point that is nearest on the way past it
+/// Lines and arcs that a control runs unchanged count as they are. A corner curve corresponds to the
+/// programmed path that it replaces, in proportion to its length: its middle is at the corner. On filtered
+/// motion, whose blocks merge, the place is the nearest programmed point in passing
 /// (PathDeviation::foot_near).
 class CourseWalk {
  public:
-  /// At the first span. `trajectory` has pieces; it and `lengths`, of its programmed path, outlive this.
+  /// Starts at the first span. `trajectory` has pieces; it and `lengths`, of its programmed path, outlive
+  /// this.
   CourseWalk(const Trajectory& trajectory, const std::vector<double>& lengths);
 
   const ProgressSpan& span() const { return spans_[at_]; }
-  /// False, and nothing happens, at the last one.
+  /// Advances to the next span; returns false at the last one and stays there.
   bool next();
 
  private:
-  /// A span before its place on the program is known.
+  /// A span whose place on the program is not determined yet.
   struct RawSpan {
     double time;
     double duration;
@@ -67,11 +68,11 @@ class CourseWalk {
   const std::vector<double>& lengths_;
   PartWalk parts_;
   PathDeviation deviation_;
-  std::uint32_t element_ = 0;  ///< gathered last
+  std::uint32_t element_ = 0;  ///< most recently gathered
   std::vector<RawSpan> raw_;
   std::vector<ProgressSpan> spans_;  ///< of the element
   std::size_t at_ = 0;
-  double reached_ = 0;  ///< programmed, where the next span begins [mm]
+  double reached_ = 0;  ///< programmed path length at the start of the next span [mm]
 };
 
 }  // namespace feedscope

@@ -7,11 +7,11 @@
 namespace feedscope {
 namespace {
 
-constexpr double nowhere = 1e-9;  ///< what is nearer is the same place [mm]
+constexpr double nowhere = 1e-9;  ///< nearer places are the same [mm]
 
 }  // namespace
 
-/// Newton steps from `start`, within `range`; `curve(u)` gives position, first and second derivative.
+/// Newton steps from `start` within `range`; `curve(u)` returns position, first and second derivative.
 template <typename Curve>
 void NearestPlace::descend(const Curve& curve, double start, Range range) {
   constexpr int max_steps = 12;
@@ -57,7 +57,7 @@ void NearestPlace::try_element(std::uint32_t element, Range range) {
   }
 }
 
-/// The element and its neighbours, `reach` of path length on either side of `at` [mm].
+/// Searches the element and its neighbours, `reach` of path length on either side of `at` [mm].
 void NearestPlace::search_elements(std::uint32_t element, double at, double reach) {
   const BlendedPath& path = trajectory_.path();
   const double s = path.s(element) + at;

@@ -4,17 +4,17 @@
 
 namespace feedscope {
 
-/// How far places are from the path that a run executes.
+/// Distance of places from the executed path of a run.
 ///
-/// Looked for around the place of the run that stands for the same programmed one, twice as far along the
-/// path as that is away: a pass beside it does not count, however near. Closed form on lines, Newton steps
-/// on the slope of the squared distance elsewhere.
+/// Searched around the place of the run that corresponds to the same programmed one, along the path up to
+/// twice their distance: a pass next to it does not count, however near. Closed form on lines, elsewhere
+/// Newton steps on the slope of the squared distance.
 class NearestPlace {
  public:
   /// `trajectory` outlives this.
   explicit NearestPlace(const Trajectory& trajectory) : trajectory_(trajectory) {}
 
-  /// Distance of `place` from the executed path [mm], looked for around `tau` after the start of `part` [s].
+  /// Distance of `place` from the executed path [mm], searched around `tau` after the start of `part` [s].
   double distance(const Vec3& place, const Part& part, double tau);
 
  private:
@@ -30,7 +30,7 @@ class NearestPlace {
   const Trajectory& trajectory_;
   FilterWalk filters_;
   Vec3 place_ = Vec3::Zero();
-  double squared_ = 0;  ///< the least so far [mm2]
+  double squared_ = 0;  ///< smallest so far [mm2]
 };
 
 }  // namespace feedscope

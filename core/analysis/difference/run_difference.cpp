@@ -22,17 +22,17 @@ void check(const Trajectory& run, const Trajectory& reference) {
   }
 }
 
-constexpr std::size_t places_a_chunk = 8192;  // compared by one thread; the same however many there are
-constexpr double share_of_courses = 0.4;      // of the time that a comparison takes
+constexpr std::size_t places_a_chunk = 8192;  // compared by one thread; independent of the number of threads
+constexpr double share_of_courses = 0.4;      // of the time of a comparison
 
-/// The piece before the one under way at `time`, so that at a border the earlier part is found.
+/// The piece before that at `time`, so that the earlier part is found at a border.
 std::size_t piece_before(const Trajectory& trajectory, double time) {
   const std::vector<Piece>& pieces = trajectory.pieces();
   const auto after = std::ranges::lower_bound(pieces, time, {}, &Piece::time);
   return static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, after - pieces.begin() - 2));
 }
 
-/// The parts of a run, found by times in order, `from` being the first.
+/// The parts of a run at times in order, starting with `from`.
 class PartFinder {
  public:
   PartFinder(const Trajectory& trajectory, double from)
@@ -62,7 +62,7 @@ class PartFinder {
   FilterWalk filters_;
 };
 
-/// Two runs at the same place, for places in order.
+/// Two runs at the same places, in order.
 class TwoCourses {
  public:
   TwoCourses(const Trajectory& run, const Trajectory& reference)
@@ -72,7 +72,7 @@ class TwoCourses {
         end_(run.duration()),
         reference_end_(reference.duration()) {}
 
-  /// `time` of the run.
+  /// Moves to `time` of the run.
   void go_to(double time) {
     while (time > run_.span().end_time() && run_.next()) {
     }
@@ -93,7 +93,7 @@ class TwoCourses {
     } else {
       reference_time_ += there.tau_at(here.begin == there.begin ? offset : place_ - there.begin);
     }
-    if (time >= end_) {  // both end there; at rest the place tells the time badly
+    if (time >= end_) {  // both end there; at rest a place hardly determines the time
       reference_time_ = reference_end_;
     }
   }
@@ -110,9 +110,9 @@ class TwoCourses {
   double reference_time_ = 0;
 };
 
-/// What is lost on the stretches beside each place, by their length.
+/// Time lost per length on the stretches around each place.
 std::vector<float> paces(const std::vector<double>& lost, const std::vector<double>& places) {
-  constexpr double a_jump = 1e-6;  // shorter stretches tell nothing but rounding [mm]
+  constexpr double a_jump = 1e-6;  // shorter stretches contain only rounding [mm]
   std::vector<float> pace(lost.size());
   const auto has_length = [&](std::size_t from) { return places[from + 1] - places[from] > a_jump; };
   for (std::size_t i = 0; i < lost.size(); ++i) {
@@ -125,8 +125,8 @@ std::vector<float> paces(const std::vector<double>& lost, const std::vector<doub
   return pace;
 }
 
-/// From the places of the run at `times` to the path of the reference, which is there at `then` [s]. Reports
-/// the share of `progress` that is left.
+/// Distances from the run at `times` to the path of the reference, which is at the same places at `then` [s].
+/// Reports the remaining share of `progress`.
 std::vector<float> distances(const Trajectory& run, const Trajectory& reference,
                              std::span<const double> times, std::span<const double> then,
                              Progress& progress) {

@@ -35,10 +35,10 @@ struct Extents {
   }
 };
 
-/// Extents of the quantities of one source that are drawn over time, in their order and in inside units.
+/// Extents of one source's charted quantities, in their order and in internal units.
 template <const ChartedRange& range>
 struct SourceBand : Extents<range.count> {
-  /// Of a quantity of the range.
+  /// Extent of a quantity in the range.
   const Extent& operator[](QuantityId id) const { return this->extents[charted_index(id) - range.index]; }
   using Extents<range.count>::add;
   void add(const Instant& instant) {
@@ -53,7 +53,7 @@ using DriveBand = SourceBand<charted_of_drives>;
 using LoadBand = SourceBand<charted_of_load>;
 using RotaryBand = SourceBand<charted_of_rotary>;
 
-/// Extents of all quantities that are drawn over time, in inside units; those that a run has not are empty.
+/// Extents of all charted quantities, in internal units; empty for quantities that a run does not have.
 struct Band : Extents<charted_count> {
   const Extent& operator[](QuantityId id) const { return extents[charted_index(id)]; }
   Extent& operator[](QuantityId id) { return extents[charted_index(id)]; }

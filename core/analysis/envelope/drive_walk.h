@@ -9,11 +9,11 @@
 
 namespace feedscope {
 
-/// What the drives make of a run span by span, for a SpanEnvelope.
+/// Motion of the drives in a run, span by span, for a SpanEnvelope.
 class DriveWalk {
  public:
   using Band = DriveBand;
-  /// The actual path, which this shares.
+  /// The actual path, shared.
   class Source {
    public:
     explicit Source(std::shared_ptr<const ActualPath> path) : path_(std::move(path)) {}
@@ -39,7 +39,7 @@ class DriveWalk {
   ActualWalk walk_;
   ActualErrors errors_;
   StateWalk set_;
-  double seen_ = -1;  ///< instant of `last_`: the end of a span is the beginning of the next one [s]
+  double seen_ = -1;  ///< instant of `last_`: the end of a span is the start of the next [s]
   Band last_;
 };
 

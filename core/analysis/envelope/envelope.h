@@ -13,8 +13,7 @@
 
 namespace feedscope {
 
-/// Level of detail of a run for charts: the least and the largest value of every quantity in every pixel
-/// column.
+/// Level of detail of a run for charts: minimum and maximum of every quantity in every pixel column.
 class Envelope {
  public:
   Envelope() = default;
@@ -24,15 +23,15 @@ class Envelope {
 
   /// One band for each pair of neighbours in `times` [s], ascending. Columns outside the run are empty.
   std::vector<Band> columns(std::span<const double> times) const;
-  /// The same of everything except rapids; empty where there is nothing else. Exact at their borders.
+  /// As columns(), without rapids; empty where there is nothing else. Exact at their borders.
   std::vector<Band> cutting_columns(std::span<const double> times) const;
-  /// The band of the whole run; empty for an empty trajectory.
+  /// Band of the whole run; empty for an empty trajectory.
   Band overall() const;
-  /// The band of everything except rapids.
+  /// Band of everything except rapids.
   const MotionBand& cutting() const { return motion_.cutting(); }
   const CauseTimes& causes() const { return motion_.causes(); }
   const RapidTimes& rapids() const { return motion_.rapids(); }
-  /// Whether a run has quantities of this source.
+  /// Whether the run has quantities of this source.
   bool has(QuantitySource source) const;
 
  private:

@@ -9,11 +9,11 @@
 
 namespace feedscope {
 
-/// The cutting load of a run part by part, for a SpanEnvelope.
+/// Cutting load of a run, part by part, for a SpanEnvelope.
 class LoadWalk {
  public:
   using Band = LoadBand;
-  /// The load of the run, which this shares.
+  /// The load of the run, shared.
   class Source {
    public:
     explicit Source(std::shared_ptr<const RunLoad> load) : load_(std::move(load)) {}
@@ -39,7 +39,7 @@ class LoadWalk {
 
   const Trajectory& trajectory_;
   PartWalk walk_;
-  std::optional<PartMotion> motion_;  ///< of the part under way
+  std::optional<PartMotion> motion_;  ///< of the current part
   LoadSampler sampler_;
 };
 

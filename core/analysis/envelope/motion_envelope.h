@@ -11,27 +11,27 @@
 
 namespace feedscope {
 
-/// Level of detail of a trajectory for charts: the least and the largest value in every pixel column.
+/// Level of detail of a trajectory for charts: minimum and maximum in every pixel column.
 ///
-/// A pyramid of extents over groups of motion pieces, about 37 bytes a piece, built once in linear time. A
-/// column then costs a logarithmic walk of the pyramid plus the pieces of the two groups that its borders
-/// cut, whatever the length of the program. A cut group that lasts less than 1/8 of the column counts as a
-/// whole, so a column may show what happens that much beyond its borders, never less than what is in it.
-/// Extremes on straight elements are exact; arcs are sampled every 5 degrees, blends the closer the sharper
-/// they turn: within 2 % of the largest value for turns up to 150 degrees.
+/// A pyramid of extents over groups of motion pieces, about 37 bytes per piece, built once in linear time. A
+/// column costs a logarithmic walk of the pyramid plus the pieces of the two groups cut by its borders,
+/// whatever the length of the program. A cut group shorter than 1/8 of the column counts as a whole: a column
+/// may include that much beyond its borders, and never less than its own content. Extremes on straight
+/// elements are exact; arcs are sampled every 5 degrees, blends more densely the sharper they turn: within 2
+/// % of the largest value for turns up to 150 degrees.
 class MotionEnvelope {
  public:
   MotionEnvelope() = default;
   /// Throws Cancelled if `progress` is cancelled.
   explicit MotionEnvelope(std::shared_ptr<const Trajectory> trajectory, Progress* progress = nullptr);
 
-  /// From one time to another [s]; empty outside the trajectory.
+  /// Band from one time to another [s]; empty outside the trajectory.
   MotionBand column(double from, double to) const { return column(from, to, whole_group_share); }
-  /// The same without anything beyond its borders.
+  /// As column(), without anything beyond its borders.
   MotionBand exact_column(double from, double to) const { return column(from, to, 0); }
-  /// The band of the whole trajectory; empty for an empty trajectory.
+  /// Band of the whole trajectory; empty for an empty trajectory.
   MotionBand overall() const { return pyramid_.overall(); }
-  /// The band of everything except rapids.
+  /// Band of everything except rapids.
   const MotionBand& cutting() const { return cutting_; }
   const CauseTimes& causes() const { return causes_; }
   const RapidTimes& rapids() const { return rapids_; }

@@ -9,13 +9,13 @@ namespace feedscope {
 namespace {
 
 constexpr double arc_step = units::from_deg(5);
-constexpr double samples_a_blend = 3;  // of a gentle one
+constexpr double samples_a_blend = 3;  // of a gentle blend
 constexpr double samples_a_span = 4;   // of a smooth curve
 constexpr double samples_a_filter_time = 8;
 constexpr double sharpest = 0.2;        // cosine of half the turn
-constexpr int max_inner_samples = 720;  // ten turns of a helix in one piece; beyond, turns repeat
+constexpr int max_inner_samples = 720;  // ten turns of a helix in one piece; further turns repeat
 
-/// The share of a blend in which it turns is proportional to this: |S'(1/2)| / |S'(0)| = (3/alpha - 1/2) cos.
+/// Proportional to the share of a blend in which it turns: |S'(1/2)| / |S'(0)| = (3/alpha - 1/2) cos.
 double half_turn_cosine(const CubicBlend& blend) {
   return (blend.end - blend.start).norm() / (2 * (blend.corner - blend.start).norm());
 }

@@ -6,8 +6,8 @@
 
 namespace feedscope {
 
-/// Bands of groups that follow each other in time, and of ever more of them together: the band of any number
-/// of groups costs a logarithmic number of additions.
+/// Bands of consecutive groups, and of increasing numbers of them together: the band of any range of groups
+/// costs a logarithmic number of additions.
 template <typename Band>
 class Pyramid {
  public:
@@ -51,7 +51,7 @@ class Pyramid {
 
  private:
   static constexpr std::size_t fan_out = 4;
-  std::vector<std::vector<Band>> levels_;  ///< [0]: one band a group; each next level merges a few
+  std::vector<std::vector<Band>> levels_;  ///< [0]: one band per group; each next level merges a few
 };
 
 }  // namespace feedscope

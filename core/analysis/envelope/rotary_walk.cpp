@@ -14,11 +14,11 @@ namespace {
 
 constexpr double turn_between_looks = units::from_deg(5);
 
-/// By all axes together [rad].
+/// Rotation of all axes together [rad].
 double turned_between(const std::array<double, 3>& from, const std::array<double, 3>& to) {
   double sum = 0;
   for (std::size_t i = 0; i < to.size(); ++i) {
-    sum += std::isnan(to[i]) ? 0 : std::abs(to[i] - from[i]);  // not a number: no such axis
+    sum += std::isnan(to[i]) ? 0 : std::abs(to[i] - from[i]);  // NaN: no such axis
   }
   return sum;
 }
@@ -76,7 +76,7 @@ void RotaryWalk::add(Band& band, double time) {
   band.add(Instant(state, nullptr, nullptr, &sample));
 }
 
-/// 0 where the whole segment turns less than what lies between two looks anyway.
+/// 0 if the whole segment turns less than the usual step between two samples.
 double RotaryWalk::turned() {
   const Toolpath& programmed = *course_.trajectory().path().programmed();
   const std::uint32_t segment = course_.trajectory().path().segment(walk_.part().element);

@@ -11,12 +11,12 @@
 
 namespace feedscope {
 
-/// Instants of a part at which its rotary axes are looked at: those of its motion; where the axes of an
-/// indexing machine turn, evenly spaced ones; more where they turn far, since all axes of the machine go up
-/// and down with the angles.
+/// Instants of a part at which its rotary axes are sampled: those of its motion; evenly spaced ones while the
+/// axes of an indexing machine turn; more of them over large rotations, since all axes of the machine rise
+/// and fall with the angles.
 class RotaryLooks {
  public:
-  /// `turned`: by all rotary axes together in the part [rad].
+  /// `turned`: rotation of all rotary axes together in the part [rad].
   RotaryLooks(const Trajectory& trajectory, const Part& part, const ElementCurve& curve, double turned);
   int count() const { return (waits_ ? 1 : motion_.count() - 1) * between_ + 1; }
   double at(int i) const;
@@ -29,14 +29,14 @@ class RotaryLooks {
   double start_;     ///< [s]
   double duration_;  ///< [s]
   bool waits_;
-  int between_;  ///< steps from one instant of the motion, or end of a turn of its own, to the next
+  int between_;  ///< steps between consecutive instants of the motion, or ends of a separate rotation
 };
 
-/// The rotary axes of a run part by part, for a SpanEnvelope.
+/// Rotary axes of a run, part by part, for a SpanEnvelope.
 class RotaryWalk {
  public:
   using Band = RotaryBand;
-  /// The course, which this shares.
+  /// The course, shared.
   class Source {
    public:
     explicit Source(std::shared_ptr<const RotaryCourse> course) : course_(std::move(course)) {}
@@ -55,11 +55,10 @@ class RotaryWalk {
   double end() const { return begin() + walk_.part().duration; }
   RotaryLooks looks() { return {course_.trajectory(), walk_.part(), motion().curve(), turned()}; }
   void add(Band& band, double time);
-  /// At an instant of the part [s].
+  /// Sample at an instant of the part [s].
   RotarySample sample(double time);
-  /// When the tip on a line passes, in this part, the end of the reach of a joint, where the jerk of rotary
-  /// axes jumps, a place within that reach, or the one where the tool is nearest to the first rotary axis
-  /// [s].
+  /// Times in this part at which the tip on a line passes the end of the reach of a joint, where the jerk of
+  /// rotary axes jumps, a place within that reach, or the place nearest to the first rotary axis [s].
   std::vector<double> turning_places();
   void next();
 
@@ -69,7 +68,7 @@ class RotaryWalk {
 
   const RotaryCourse& course_;
   PartWalk walk_;
-  std::optional<PartMotion> motion_;  ///< of the part under way
+  std::optional<PartMotion> motion_;  ///< of the current part
 };
 
 }  // namespace feedscope

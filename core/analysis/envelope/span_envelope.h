@@ -11,19 +11,19 @@
 
 namespace feedscope {
 
-/// Level of detail of values over time that are looked at span by span, for charts: the extents in every
-/// pixel column.
+/// Level of detail for charts, of values over time that are sampled span by span: extents in every pixel
+/// column.
 ///
-/// A pyramid of extents over groups of spans, built in one pass. A group that lasts less than 1/8 of a column
-/// counts as a whole in each column that it reaches into, so a column may show what happens that much beyond
-/// its borders, never less than what it holds; of longer groups the part within the column is looked at.
+/// A pyramid of extents over groups of spans, built in one pass. A group shorter than 1/8 of a column counts
+/// as a whole in each column that it overlaps: a column may include that much beyond its borders, and never
+/// less than its own content. Longer groups are sampled within the column.
 ///
-/// `Walk` goes through the spans in order:
-///   Walk(source, time)  begins at the first span that ends after `time` [s], at the last if none does
-///   done()              behind the last span
+/// `Walk` passes over the spans in order:
+///   Walk(source, time)  begins at the first span that ends after `time` [s], else at the last one
+///   done()              after the last span
 ///   begin(), end()      of the span [s]
-///   looks()             the instants of the span to look at, as SpanLooks
-///   add(band, time)     adds the values at an instant of the span; instants never fall
+///   looks()             the instants of the span to sample, as SpanLooks
+///   add(band, time)     adds the values at an instant of the span; instants never decrease
 ///   next()
 /// and names `Source`, which is cheap to copy and has duration() [s], and `Band`, a kind of Extents.
 template <typename Walk>
@@ -50,8 +50,8 @@ class SpanEnvelope {
     pyramid_ = Pyramid<Band>(std::move(groups));
   }
 
-  /// Calls use(column, band) for each pair of neighbours in `times` [s], ascending; columns outside the run
-  /// are omitted.
+  /// Calls use(column, band) for each pair of neighbours in `times` [s], ascending, except for columns
+  /// outside the run.
   template <typename Use>
   void columns(std::span<const double> times, Use use) const {
     if (pyramid_.empty()) {
@@ -64,7 +64,7 @@ class SpanEnvelope {
       }
     }
   }
-  /// The same for each of `stretches`, in order of time, without anything beyond their borders.
+  /// As columns() for each of `stretches`, in order of time, without anything beyond their borders.
   template <typename Use>
   void exact_columns(std::span<const ColumnStretch> stretches, Use use) const {
     if (pyramid_.empty()) {
@@ -78,16 +78,16 @@ class SpanEnvelope {
     }
   }
 
-  /// Of the whole run.
+  /// Band of the whole run.
   Band overall() const { return pyramid_.overall(); }
 
  private:
   static constexpr std::size_t spans_a_group = 8;
   static constexpr std::size_t groups_a_report = 512;
   static constexpr double whole_group_share = 1.0 / 8;
-  static constexpr double far = 64;  ///< spans; to skip more a new walk is cheaper than going on
+  static constexpr double far = 64;  ///< spans; to skip more, a new walk is cheaper than continuing
 
-  /// Looks at stretches in order, each of which begins within what was seen or behind it.
+  /// Samples stretches in order, each of which begins within the sampled time or after it.
   class Looker {
    public:
     explicit Looker(const Source& source) : source_(source) {}
@@ -116,7 +116,7 @@ class SpanEnvelope {
     double reached_ = 0;
   };
 
-  /// What of the span of `walk` lies between both [s].
+  /// Adds the part of the current span between both times [s].
   static void add_span(Walk& walk, Band& band, double from, double to) {
     walk.add(band, from);
     const auto looks = walk.looks();

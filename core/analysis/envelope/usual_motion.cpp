@@ -49,7 +49,7 @@ UsualMotion usual_motion(const Trajectory& trajectory, std::span<const double> t
   }
   usual.ranges.reserve(times.size() - 1);
   Values values;
-  double phase = 0;  // of the instant in its part
+  double phase = 0;  // of the instant within its part
   for (std::size_t i = 0; i + 1 < times.size(); ++i) {
     std::ranges::for_each(values, [](std::vector<float>& of_one) { of_one.clear(); });
     for (int k = 0; k < instants; ++k) {

@@ -16,7 +16,7 @@ std::size_t axis_of(Cause cause) {
   return static_cast<std::size_t>(cause.axis);
 }
 
-/// As ramps read it: the least of what elements [.., last) allow.
+/// Smallest limits of ramps over elements [.., last).
 struct LeastRamp {
   double acceleration = std::numeric_limits<double>::infinity();
   double jerk = std::numeric_limits<double>::infinity();
@@ -117,7 +117,7 @@ Formula ElementLimits::path_acceleration(std::uint32_t element) const {
   return min_share(id, Symbol::axis_acceleration, axes_.acceleration, parts);
 }
 
-/// The control's own limit along the path, or its limit of Z where that is lower.
+/// The control's own limit along the path, or its limit of Z if lower.
 Formula ElementLimits::acceleration_along(std::uint32_t element) const {
   constexpr std::int8_t z = 2;
   const KlipperSettings& own = limits_along(element);
@@ -129,7 +129,7 @@ Formula ElementLimits::acceleration_along(std::uint32_t element) const {
   return {FormulaId::level_acceleration, {{Symbol::largest_acceleration, -1, own.max_acceleration}}};
 }
 
-/// The same of the velocity.
+/// Velocity, likewise.
 Formula ElementLimits::velocity_along(std::uint32_t element) const {
   constexpr std::int8_t z = 2;
   const KlipperSettings& own = limits_along(element);
@@ -225,7 +225,7 @@ Formula ElementLimits::arc_speed(Cause cause, const Arc& arc) const {
   }
 }
 
-/// The ceiling that `cause` sets for a span of a smooth curve (curve_limits()).
+/// Speed ceiling that `cause` sets for a span of a smooth curve (curve_limits()).
 Formula ElementLimits::curve_speed(Cause cause, std::uint32_t element) const {
   const std::int8_t j = cause.axis;
   if (j < 0) {
@@ -252,7 +252,8 @@ Formula ElementLimits::curve_speed(Cause cause, std::uint32_t element) const {
   }
 }
 
-/// What the highest speed on a span of a smooth curve leaves of an axis' acceleration or jerk for ramps.
+/// Share of an axis' acceleration or jerk that the highest speed on a span of a smooth curve leaves for
+/// ramps.
 Formula ElementLimits::curve_ramp(bool by_jerk, std::uint32_t element) const {
   const SpanExtremes extremes(*path_.curve(element).span);
   const MotionLimits limits =
@@ -271,7 +272,7 @@ Formula ElementLimits::curve_ramp(bool by_jerk, std::uint32_t element) const {
           {limit, speed, turning, tangent}};
 }
 
-/// On a circle arc that is passed at constant speed, limits of tangent and normal (models/gassara/README.md).
+/// On a circular arc at constant speed: limits along tangent and normal (models/gassara/README.md).
 Formula ElementLimits::connecting_arc_speed(Cause cause, double radius) const {
   const Quantity r{Symbol::radius, -1, radius};
   switch (cause.kind) {
@@ -295,7 +296,7 @@ Formula ElementLimits::connecting_arc_speed(Cause cause, double radius) const {
   }
 }
 
-/// Where the cutting feed of the axis sets the feed of the block (Segment::feed_axis); none elsewhere.
+/// Formula if the cutting feed of the axis determines the feed of the block (Segment::feed_axis); else none.
 std::optional<Formula> ElementLimits::cutting_feed(Cause cause, std::uint32_t element) const {
   const std::size_t first = path_.segment(element);
   for (std::size_t i = first; i <= first + (path_.in_corner(element) ? 1 : 0); ++i) {
@@ -426,8 +427,7 @@ Formula ElementLimits::crossing(std::uint32_t element) const {
            {Symbol::curvature_step, bound.axis, std::abs(step[bound.axis])}}};
 }
 
-/// At constant acceleration over the blocks from `element` on: the mean of theirs, weighted with their
-/// lengths.
+/// Mean constant acceleration over the blocks from `element` on, weighted by their lengths.
 Formula ElementLimits::stop_within(std::uint32_t element) const {
   const auto blocks = static_cast<std::uint32_t>(setting(traits_.stops_within));
   double gained = 0;
@@ -494,7 +494,7 @@ Formula ElementLimits::horizon(std::uint32_t element) const {
   const auto blocks = static_cast<std::size_t>(setting("lookahead_blocks"));
   LeastRamp least;
   double length = 0;
-  std::size_t counted = 0;  // as Stretch::order counts blocks
+  std::size_t counted = 0;  // blocks, counted as in Stretch::order
   for (std::uint32_t e = element; e < path_.size() && counted < blocks; ++e) {
     if (path_.kind(e) == ElementKind::dwell) {
       break;

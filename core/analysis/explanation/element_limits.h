@@ -9,29 +9,29 @@
 
 namespace feedscope {
 
-/// Limits of single elements of a run as formulas, with the functions that its model took them from.
+/// Limits of single elements of a run as formulas, by the same functions that its model uses.
 class ElementLimits {
  public:
   /// `run` outlives this.
   explicit ElementLimits(const Run& run);
 
-  /// Largest acceleration and jerk of a ramp over `element`: of lines and arcs all of it, on corner blends
-  /// what the radial shares leave.
+  /// Largest acceleration and jerk of a ramp over `element`: the whole limit on lines and arcs, on corner
+  /// blends what the radial shares leave.
   Formula path_acceleration(std::uint32_t element) const;
   Formula path_jerk(std::uint32_t element) const;
 
-  /// The ceiling [mm/s] that `cause` sets for a line, an arc or a connecting arc; none if it cannot.
+  /// Speed ceiling [mm/s] that `cause` sets for a line, an arc or a connecting arc; none if it cannot.
   Formula speed(Cause cause, std::uint32_t element) const;
-  /// The same of a cubic blend at its parameter `u`, without acceleration along the path: at constant speed,
-  /// or, where `steady`, at constant du/dt.
+  /// Speed ceiling of a cubic blend at its parameter `u`, without acceleration along the path: at constant
+  /// speed, or if `steady` at constant du/dt.
   Formula blend_speed(Cause cause, const BlendShape& shape, double u, bool steady) const;
   BlendShape blend_shape(std::uint32_t element) const;
-  /// At the junction before `element`; none where the curvature does not jump.
+  /// Limit at the junction before `element`; none unless the curvature jumps there.
   Formula crossing(std::uint32_t element) const;
-  /// From the junction before `element` standstill must be reached within the look-ahead.
+  /// Limit from the junction before `element`: standstill must be possible within the look-ahead.
   Formula horizon(std::uint32_t element) const;
 
-  /// Speed limit of grbl and of Klipper in the corner before `element`; none where there is no corner.
+  /// Speed limits of grbl and of Klipper in the corner before `element`; none without a corner.
   Formula junction_deviation(std::uint32_t element) const;
   Formula square_corner(std::uint32_t element) const;
 
@@ -48,15 +48,15 @@ class ElementLimits {
   Formula curve_speed(Cause cause, std::uint32_t element) const;
   Formula curve_ramp(bool by_jerk, std::uint32_t element) const;
   std::size_t block(std::uint32_t element) const;
-  /// Of those that an element is on, where their time limits the feed [mm].
+  /// Length of the shortest block of an element, if its time limits the feed [mm].
   double shortest_block(std::uint32_t element) const;
   Formula stop_within(std::uint32_t element) const;
   Formula acceleration_along(std::uint32_t element) const;
   Formula velocity_along(std::uint32_t element) const;
   std::optional<Formula> cutting_feed(Cause cause, std::uint32_t element) const;
-  /// Klipper's limits in force at an element.
+  /// Limits of Klipper in force at an element.
   const KlipperSettings& limits_along(std::uint32_t element) const;
-  /// The arc of an element that runs on one; null for a line.
+  /// Arc of an element that runs on one; null for a line.
   const Arc* programmed_arc(std::uint32_t element) const;
   bool accelerates_by_jumps(std::uint32_t element) const;
 
@@ -64,7 +64,7 @@ class ElementLimits {
   const BlendedPath& path_;
   const LimitTraits& traits_;
   AxisVectors axes_;
-  std::optional<KlipperLimits> along_;  ///< of models that limit along the path
+  std::optional<KlipperLimits> along_;  ///< of models with limits along the path
 };
 
 }  // namespace feedscope

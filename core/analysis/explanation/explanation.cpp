@@ -8,10 +8,10 @@
 namespace feedscope {
 namespace {
 
-constexpr double no_time = 1e-9;  // what rounding leaves of a piece, long programs included [s]
+constexpr double no_time = 1e-9;  // rounding error of a piece, even in long programs [s]
 
-/// Whether a piece on the way to a slower place says nothing of its own: one that is soon over, or a
-/// sample of the law on a blend.
+/// Whether a piece on the way to a slower place is not significant by itself: it is very short, or a sample
+/// of the law on a blend.
 bool is_between(const Trajectory& trajectory, std::size_t index) {
   constexpr double brief = 1e-5;  // [s]
   const Piece& piece = trajectory.pieces()[index];
@@ -19,7 +19,7 @@ bool is_between(const Trajectory& trajectory, std::size_t index) {
   return sample || trajectory.piece_end(index) - piece.time <= brief;
 }
 
-/// A ceiling that is not the one of the place, because what limits lies further on, says nothing there.
+/// Drops the formula of a speed ceiling if the limiting place is farther along the path.
 void drop_if_far_off(Reason& reason) {
   constexpr double near = 0.05;
   const bool speed = !reason.formula.empty() && reason.formula.dimension() == Dimension::feed;
@@ -29,9 +29,9 @@ void drop_if_far_off(Reason& reason) {
   }
 }
 
-/// Follows the pieces that brake for the same place, from the one about `state.time` on.
+/// Follows the pieces that brake for the same place, starting at `state.time`.
 SlowerPlace find_slower_place(const Run& run, const ReasonFinder& reasons, const State& state) {
-  constexpr int max_looks = 64;  // boundaries that are looked at closely, where nodes lower each other
+  constexpr int max_looks = 64;  // boundaries examined closely where nodes lower each other
   const Trajectory& trajectory = *run.trajectory;
   const std::size_t count = trajectory.pieces().size();
   const auto brakes = [&](std::size_t piece) {
@@ -59,8 +59,7 @@ SlowerPlace find_slower_place(const Run& run, const ReasonFinder& reasons, const
   }
 }
 
-/// The causes of a piece one after the other: that of a ramp gives way to another while its acceleration is
-/// held.
+/// Successive causes of a piece: that of a ramp is replaced by another while its acceleration is constant.
 struct PieceCauses {
   int count = 1;
   std::array<Cause, 3> cause;
@@ -86,7 +85,7 @@ struct PieceCauses {
   }
 };
 
-/// Goes from place to place within and between pieces.
+/// Moves from cause to cause within and between pieces.
 class CauseWalk {
  public:
   CauseWalk(const Trajectory& trajectory, double time)

@@ -12,7 +12,7 @@
 namespace feedscope {
 namespace {
 
-/// Contour error of an arc, or of the corner of `block` that lies nearest in time.
+/// Contour error of an arc, or of the corner of `block` nearest in time.
 Formula filtered_corner(const FilteredMotion& motion, std::size_t block, double time) {
   const PulseTrain& train = motion.train();
   const double feed = train.blocks[block].feed;

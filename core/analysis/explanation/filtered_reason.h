@@ -5,8 +5,8 @@
 
 namespace feedscope {
 
-/// The formula behind a cause at an instant of filtered motion: the pulses are limited, and the filters draw
-/// them out; on settled stretches the pulse of the block counts. `limits` are those of `run`.
+/// Formula of a cause at an instant of filtered motion: the pulses are limited, and the filters spread them
+/// over time; on settled stretches the pulse of the block counts. `limits`: of `run`.
 Reason filtered_reason(const Trajectory& run, const Settings& settings, const ElementLimits& limits,
                        const State& state, Cause cause);
 

@@ -10,7 +10,7 @@
 namespace feedscope {
 namespace {
 
-/// The one of two formulas that gives `reached` more nearly.
+/// The formula whose value is closer to `reached`.
 Formula nearer(Formula first, Formula second, double reached) {
   const bool is_first = std::abs(first.value() - reached) <= std::abs(second.value() - reached);
   return is_first ? std::move(first) : std::move(second);

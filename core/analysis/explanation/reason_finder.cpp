@@ -15,7 +15,7 @@ namespace {
 /// Elements that are searched to both sides for the one that limits a speed.
 constexpr std::uint32_t farthest_of_speed = 3;
 
-/// The place that limits is where two elements meet.
+/// Whether the limiting place is a junction.
 bool is_of_junction(CauseKind kind) {
   return kind == CauseKind::curvature_crossing || kind == CauseKind::lookahead_horizon ||
          kind == CauseKind::junction_deviation || kind == CauseKind::square_corner_velocity ||
@@ -26,7 +26,7 @@ bool is_blend_row(CauseKind kind) {
   return kind >= CauseKind::blend_velocity && kind <= CauseKind::blend_tangential_jerk;
 }
 
-/// Rotary axes that turn along the segment set it.
+/// Whether rotary axes that turn along the segment may set the limit.
 bool is_of_turn(const Trajectory& run, const State& state, Cause cause) {
   if (cause.axis >= static_cast<std::int8_t>(known_axes.size())) {
     return true;
@@ -63,7 +63,7 @@ Reason ReasonFinder::find(const State& state, Cause cause) const {
     if (rotary || turn.sets_it()) {
       return turn;
     }
-    Reason own = without_turns(state, cause);  // the axis may hold by itself what turns hold elsewhere
+    Reason own = without_turns(state, cause);  // the axis may limit by itself here and by rotation elsewhere
     return own.sets_it() ? own : turn;
   }
   return without_turns(state, cause);
@@ -110,7 +110,7 @@ Reason ReasonFinder::find_at_start(const State& state, Cause cause) const {
              : of_speed(state, cause);
 }
 
-/// The ramp has the limits of the element that allows least; the axis tells which one that is.
+/// Finds the element whose limits the ramp takes: the one that allows least, identified by the axis.
 Reason ReasonFinder::on_ramp(const State& state, Cause cause) const {
   const bool by_jerk = cause.kind == CauseKind::axis_jerk;
   const double reached = std::abs(by_jerk ? state.tangential_jerk : state.tangential_acceleration);
@@ -131,7 +131,7 @@ Reason ReasonFinder::on_ramp(const State& state, Cause cause) const {
   return made(cause, formula_of(found), reached, found);
 }
 
-/// Length of the ramp that brakes, from the acceleration and jerk that it has.
+/// Length of the braking ramp, from its acceleration and jerk.
 Reason ReasonFinder::braking(const State& state) const {
   const Cause cause{CauseKind::ramp_down};
   const std::size_t index = run_.piece_at(state.time);
@@ -179,7 +179,7 @@ Reason ReasonFinder::at_junction(const State& state, Cause cause) const {
         return Formula();
     }
   };
-  constexpr std::uint32_t near = 2;  // the instant lies on the junction, or within rounding of it
+  constexpr std::uint32_t near = 2;  // the instant is on the junction, or within rounding of it
   Formula best;
   std::uint32_t found = state.element;
   const std::uint32_t first = state.element > near ? state.element - near : 1;
@@ -196,7 +196,7 @@ Reason ReasonFinder::at_junction(const State& state, Cause cause) const {
   return made(cause, std::move(best), state.speed, found);
 }
 
-/// Of LinuxCNC: a ramp, an arc, or the blend in a corner.
+/// Limits of LinuxCNC: on a ramp, an arc, or the blend in a corner.
 Reason ReasonFinder::of_joints(const State& state, Cause cause) const {
   if (run_.path().kind(state.element) == ElementKind::dwell) {
     return made(cause, {}, 0, state.element);
@@ -237,8 +237,8 @@ Reason ReasonFinder::of_speed(const State& state, Cause cause) const {
   return best;
 }
 
-/// A blend passed at constant speed or at constant du/dt has the speed that some place of it allows: the
-/// entry, as eq 26 of Essid 2019 has it, or where its rows are used most.
+/// A blend at constant speed or at constant du/dt has the speed that one of its places allows: the entry, by
+/// eq 26 of Essid 2019, or the place where its rows are used most.
 Reason ReasonFinder::on_blend(const State& state, Cause cause, std::uint32_t element) const {
   constexpr int intervals = 200;
   const BlendShape shape = limits_.blend_shape(element);
@@ -269,7 +269,7 @@ Reason ReasonFinder::on_blend(const State& state, Cause cause, std::uint32_t ele
   return best;
 }
 
-/// Within the law of Essid 2019 on a blend: the row that limits the jerk of the sample under way.
+/// Within the law of Essid 2019 on a blend: the row that limits the jerk of the current sample.
 Reason ReasonFinder::sampled_on_blend(const State& state, Cause cause) const {
   if (cause.axis < 0) {
     return made(cause, {}, state.speed, state.element);
@@ -304,7 +304,7 @@ Reason ReasonFinder::sampled_on_blend(const State& state, Cause cause) const {
   }
 }
 
-/// Along and across the path together, as the time-optimal law counts them.
+/// Along and across the path together, as the time-optimal law limits them.
 Reason ReasonFinder::whole_axis(const State& state, Cause cause) const {
   const bool by_jerk = cause.kind == CauseKind::axis_jerk;
   const bool blend = run_.path().in_corner(state.element);

@@ -6,7 +6,7 @@
 
 namespace feedscope {
 
-/// Finds the formula behind a cause at one instant of a run.
+/// Finds the formula of a cause at one instant of a run.
 class ReasonFinder {
  public:
   /// `run` outlives this.
@@ -16,19 +16,19 @@ class ReasonFinder {
 
   /// Why the tool is not faster at `state`.
   Reason find(const State& state, Cause cause) const;
-  /// Why the tool must be as slow as at `state`, where the place begins that `cause` limits.
+  /// Why the tool must be as slow as at `state`, where the place limited by `cause` begins.
   Reason find_at_start(const State& state, Cause cause) const;
 
  private:
-  /// On a blend that is run by the sampled law of Essid 2019.
+  /// Whether the blend is run by the sampled law of Essid 2019.
   bool is_sampled(const State& state) const;
   Reason on_ramp(const State& state, Cause cause) const;
   Reason braking(const State& state) const;
-  /// A way of even deceleration, of a piece that lasts `duration` [s].
+  /// Braking distance of even deceleration, for a piece of `duration` [s].
   Reason braking_evenly(const Piece& piece, double duration, std::uint32_t element) const;
   Reason at_junction(const State& state, Cause cause) const;
   Reason of_joints(const State& state, Cause cause) const;
-  /// As if no rotary axis turned.
+  /// The reason if no rotary axis turned.
   Reason without_turns(const State& state, Cause cause) const;
   Reason of_speed(const State& state, Cause cause) const;
   Reason on_blend(const State& state, Cause cause, std::uint32_t element) const;

@@ -9,16 +9,16 @@
 
 namespace feedscope {
 
-/// Elements that are searched to both sides for the one that limits a ramp.
+/// Number of elements searched on both sides for the one that limits a ramp.
 inline constexpr std::uint32_t farthest_of_ramp = 500;
 
-/// Whether a formula that gives the one explains the other.
+/// Whether a formula that gives one value explains the other.
 inline bool about_equal(double a, double b) {
   constexpr double rounding = 1e-5;
   return std::abs(a - b) <= rounding * std::max(std::abs(a), std::abs(b));
 }
 
-/// Calls `look` for `middle`, its neighbours, theirs and so on below `size`, until it says so.
+/// Calls `look` for `middle`, its neighbours, theirs and so on below `size`, until it returns true.
 template <typename Look>
 void look_around(std::uint32_t middle, std::uint32_t farthest, std::size_t size, const Look& look) {
   if (look(middle)) {
@@ -32,7 +32,7 @@ void look_around(std::uint32_t middle, std::uint32_t farthest, std::size_t size,
   }
 }
 
-/// How far `formula` is from giving `reached`, as a share.
+/// Relative difference between `formula` and `reached`.
 inline double mismatch(const Formula& formula, double reached) {
   return formula.empty() || !(reached > 0) ? std::numeric_limits<double>::infinity()
                                            : std::abs(formula.value() / reached - 1);

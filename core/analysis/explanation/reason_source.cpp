@@ -72,7 +72,7 @@ std::string_view source_of(FormulaId id, const LimitTraits& traits) {
     case FormulaId::braking_evenly:
     case FormulaId::path_velocity:
     case FormulaId::level_acceleration:
-      return {};  // each model has its own
+      return {};  // depends on the model
     case FormulaId::turning_velocity:
     case FormulaId::turning_acceleration:
     case FormulaId::turning_jerk:

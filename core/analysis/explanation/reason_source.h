@@ -8,7 +8,7 @@ namespace feedscope {
 /// Paper and equation of a formula as a model uses it.
 std::string_view source_of(FormulaId id, const LimitTraits& traits);
 
-/// The reason at an element of a run, with its source.
+/// Reason at an element of a run, with its source.
 Reason made_reason(const Trajectory& run, const ElementLimits& limits, Cause cause, Formula formula,
                    double reached, std::uint32_t element);
 

@@ -16,9 +16,9 @@ namespace feedscope {
 namespace {
 
 constexpr double more = 1.5;       // of limits and shares
-constexpr double more_feed = 1.2;  // as far as most controls let the feed be overridden
+constexpr double more_feed = 1.2;  // usual range of a control's feed override
 
-/// To four digits: a value that people can type.
+/// Rounds to four digits, short enough to type.
 double rounded(double value) {
   if (value == 0) {
     return 0;
@@ -28,13 +28,13 @@ double rounded(double value) {
   return decimals >= 0 ? std::round(value * power) / power : std::round(value / power) * power;
 }
 
-/// The largest blend tolerance in force.
+/// Largest blend tolerance in force.
 struct BlendTolerance {
-  double value = 0;  ///< [mm]; 0: blends go as far as the blocks allow
+  double value = 0;  ///< [mm]; 0: blends extend as far as the blocks allow
   bool by_program = false;
 };
 
-/// None where the model has no such setting.
+/// None if the model has no such setting.
 std::optional<BlendTolerance> blend_tolerance(std::span<const PathControl> feed_controls,
                                               const Setup& setup) {
   if (!setup.settings.has(blend_tolerance_key)) {
@@ -62,7 +62,7 @@ std::optional<BlendTolerance> blend_tolerance(std::span<const PathControl> feed_
   return largest;
 }
 
-/// Collects changes that have an effect, each once.
+/// Collects changes that take effect, each once.
 class Candidates {
  public:
   Candidates(const Setup& setup, std::span<const PathControl> feed_controls)
@@ -71,7 +71,7 @@ class Candidates {
         tolerance_(tolerance_in_force(feed_controls, setup)),
         blend_tolerance_(feedscope::blend_tolerance(feed_controls, setup)) {}
 
-  /// Adds nothing for an axis that the machine does not have, or a limit that the axis does not have.
+  /// Adds nothing if the machine lacks the axis or the axis lacks the limit.
   void axis(int axis, const std::string& limit) {
     const char name = cause_axes[static_cast<std::size_t>(axis)].name;
     const bool is_there = axis_names(setup_.machine).find(name) != std::string::npos;
@@ -90,7 +90,7 @@ class Candidates {
     add(std::move(remedy));
   }
 
-  /// A number of the settings times `factor`, within its bounds.
+  /// Multiplies a number of the settings by `factor`, within its bounds.
   void setting(const std::string& key, double factor) {
     const auto spec = std::ranges::find(specs_, key, &SettingSpec::key);
     if (spec != specs_.end()) {
@@ -127,14 +127,15 @@ class Candidates {
     add(std::move(remedy));
   }
 
-  /// Largest contour tolerance in force [mm]; none where the model follows none.
+  /// Largest contour tolerance in force [mm]; none if the model follows none.
   std::optional<double> tolerance() const {
     return tolerance_ ? std::optional(tolerance_->max) : std::nullopt;
   }
   const std::optional<BlendTolerance>& blend_tolerance() const { return blend_tolerance_; }
   bool has(const std::string& key) const { return setup_.settings.has(key); }
   std::string text(const std::string& key) const { return setup_.settings.text(key); }
-  /// Smooth curves take the place of dense blocks where its compressor is on; else it gains nothing.
+  /// Whether the compressor is on and replaces dense blocks by smooth curves; turning it on gains nothing
+  /// then.
   bool lays_curves() const { return setup_.model->guarantees(setup_.settings).lays_curves; }
   std::vector<Remedy> take() { return std::move(found_); }
 
@@ -173,7 +174,7 @@ void larger_tolerance(Candidates& candidates) {
   }
 }
 
-/// Smooth curves through dense short blocks, unless the program asks for them wherever it feeds.
+/// Smooth curves through dense short blocks, unless the program requests them for all feed motions.
 void compressor(Candidates& candidates, std::span<const PathControl> feed_controls) {
   const bool asked_for =
       !feed_controls.empty() && std::ranges::all_of(feed_controls, [](const PathControl& control) {
@@ -185,7 +186,7 @@ void compressor(Candidates& candidates, std::span<const PathControl> feed_contro
   }
 }
 
-/// What smoothing filters take their jerk from.
+/// Settings that determine the jerk of smoothing filters.
 void faster_filters(Candidates& candidates, const Setup& setup) {
   if (!candidates.has("filter_jerk_m_s3")) {
     return;
@@ -317,7 +318,7 @@ void add_for(Candidates& candidates, Cause cause, const Setup& setup) {
   }
 }
 
-/// The machine with its limits and settings; what is compared with must not change besides.
+/// Setup on another machine with its limits and settings; everything else in the comparison stays the same.
 Setup on_other_machine(const Setup& setup, const std::string& machine) {
   SetupRequest request;
   request.machine = machine;
@@ -384,7 +385,7 @@ std::string as_options(const Remedy& remedy, const Setup& setup) {
   for (const auto& change : remedy.changes) {
     if (change.first == contour_tolerance_key) {
       options.push_back(fmt::format("--tolerance {}", std::get<double>(change.second)));
-    } else if (!sets_tolerance || change.first != program_tolerance_key) {  // --tolerance says it too
+    } else if (!sets_tolerance || change.first != program_tolerance_key) {  // --tolerance implies it
       options.push_back("--set " + assignment_text(change.first, change.second));
     }
   }
@@ -419,14 +420,14 @@ SegmentRange segments_between(const Trajectory& trajectory, double from, double 
 double passage_time(const Trajectory& trajectory, const SegmentRange& segments) {
   const BlendedPath& path = trajectory.path();
   const auto& pieces = trajectory.pieces();
-  /// Time on curve `element`, which passes the start of `segment` between its ends.
+  /// Time on curve `element` at the start of `segment`, which it passes between its ends.
   const auto on_curve = [&](std::uint32_t element, std::uint32_t segment) {
     const ElementCurve curve = path.curve(element);
     double s = curve.length / 2;
     curve.span->distance(path.programmed()->start_of(segment), s);
     return trajectory.state_at_path(path.s(element) + s).time;
   };
-  /// Time at which the first element of `segment` or a later one begins.
+  /// Start time of the first element of `segment` or a later one.
   const auto begin = [&](std::uint32_t segment) {
     std::uint32_t low = 0;
     auto high = static_cast<std::uint32_t>(path.size());

@@ -10,8 +10,8 @@
 namespace feedscope {
 namespace {
 
-/// How a limit of a turn is written: its formula and the symbols of axis limit and derivative, for rotary
-/// and for linear axes.
+/// Notation for a limit of a turn: its formula and the symbols of axis limit and derivative, for rotary and
+/// for linear axes.
 struct TurnSymbols {
   FormulaId id;
   std::array<Symbol, 2> limit;
@@ -40,7 +40,7 @@ TurnSymbols symbols_of(TurnLimit::By by) {
           {Symbol::turn_step, Symbol::axis_step}};
 }
 
-/// Of a rotary or a linear axis.
+/// Limit of a rotary or a linear axis.
 template <typename Axis>
 double limit_of(const Axis& axis, TurnLimit::By by) {
   return by == TurnLimit::By::velocity ? axis.velocity
@@ -48,13 +48,13 @@ double limit_of(const Axis& axis, TurnLimit::By by) {
                                        : axis.acceleration;
 }
 
-/// The limit of an axis, a place in cause_axes, and its derivative by the path.
+/// Limit of an axis, an index of cause_axes, and its derivative by the path.
 struct AxisTerms {
   Quantity limit;
   Quantity slope;
 };
 
-/// None where the machine lacks the axis. `of`: which derivative `slope` is.
+/// None if the machine lacks the axis. `of`: order of the derivative `slope`.
 std::optional<AxisTerms> terms_of(std::int8_t axis, TurnLimit::By by, TurnLimit::By of, double slope,
                                   const Machine& machine) {
   if (axis < 0) {
@@ -72,7 +72,7 @@ std::optional<AxisTerms> terms_of(std::int8_t axis, TurnLimit::By by, TurnLimit:
       {symbols_of(of).slope[kind], axis, slope}};
 }
 
-/// From the limit that a ramp has along the path: what turning takes of the limit of the axis.
+/// Formula of the share of an axis limit that turning takes, derived from the limit of a ramp along the path.
 Formula formula_of_rest(FormulaId id, double along, const std::optional<AxisTerms>& terms) {
   if (!terms) {
     return {};

@@ -12,8 +12,8 @@
 namespace feedscope {
 namespace {
 
-/// How much shorter a corner makes the way that is executed: there the axes turn as much faster by the path,
-/// and derivatives of the order n are as many times its power n. 1 beside corners.
+/// Factor by which a corner shortens the executed path. The axes turn that much faster per length there;
+/// derivatives of order n grow by its power n. 1 outside corners.
 double shortening(const BlendedPath& path, std::uint32_t element) {
   if (!path.in_corner(element)) {
     return 1;
@@ -22,8 +22,8 @@ double shortening(const BlendedPath& path, std::uint32_t element) {
   return std::max(1.0, replaced / path.length(element));
 }
 
-/// The part of segment `i`, which the element runs on or meets in a corner, that the element is on or next
-/// to; null where the limits are those of all of it.
+/// The part of segment `i` on which or next to which the element is; the element runs on the segment or meets
+/// it in a corner. Null if one limit applies to all of the segment.
 const TurnPart* part_near(const BlendedPath& path, std::uint32_t element, std::size_t i) {
   if (!path.in_corner(element) && path.segment(element) == i) {
     return turn_part(path, element);
@@ -52,7 +52,7 @@ TurnRamp shortened(TurnRamp ramp, double by) {
 TurnReasons::TurnReasons(const Run& run, const ElementLimits& limits)
     : run_(*run.trajectory), machine_(run.setup.machine), settings_(run.setup.settings), limits_(limits) {}
 
-/// Without a formula yet.
+/// Reason without a formula so far.
 Reason TurnReasons::made(Cause cause, const State& state) const {
   return made_reason(run_, limits_, cause, {}, state.speed, state.element);
 }

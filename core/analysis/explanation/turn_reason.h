@@ -5,19 +5,19 @@
 
 namespace feedscope {
 
-/// Finds the formula behind a cause on blocks beside which rotary axes turn: by their limits, or by those of
-/// the linear axes that follow them.
+/// Finds the formula of a cause on blocks along which rotary axes turn: by their limits, or by those of the
+/// linear axes that follow them.
 class TurnReasons {
  public:
   /// Both outlive this; `limits` is of `run`.
   TurnReasons(const Run& run, const ElementLimits& limits);
 
-  /// The turn along the block or the one behind the corner that the tool rounds, or the joint at an end of
-  /// the block, that allows about this speed; on a ramp, about this acceleration or jerk.
+  /// The turn along the block or the one after a rounded corner, or the joint at an end of the block, that
+  /// allows about this speed; on a ramp, about this acceleration or jerk.
   Reason find(const State& state, Cause cause) const;
 
  private:
-  /// The ramp has the limits of the segment, or of the joint at its end, that allow least.
+  /// Finds the limits of the ramp: those of the segment, or of the joint at its end, that allow least.
   Reason on_ramp(const State& state, Cause cause) const;
   Reason made(Cause cause, const State& state) const;
 

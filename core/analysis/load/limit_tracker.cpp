@@ -8,8 +8,7 @@ namespace {
 
 constexpr double same_instant = 1e-9;  // [s]
 
-/// Part of the way from `a` to `b` that is above 0, when the value goes linearly: from, to; none if to <=
-/// from.
+/// Share of the range from `a` to `b` in which a linearly changing value is above 0; none if to <= from.
 struct ShareAbove {
   double from = 0;
   double to = 0;

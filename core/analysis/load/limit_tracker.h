@@ -6,19 +6,20 @@
 
 namespace feedscope {
 
-/// Collects where the load is beyond one bound, along a run.
+/// Collects the places of a run where the load is beyond one bound.
 class LimitTracker {
  public:
   explicit LimitTracker(LoadLimit limit) { figures_.limit = limit; }
 
-  /// A look at the load, in the order of time.
+  /// A sample of the load, in order of time.
   struct Look {
     double time = 0;  ///< [s]
     std::uint32_t line = 0;
     double predicted = 0;
     double programmed = 0;
   };
-  /// Between two looks of one motion, between which the load goes linearly. `bound`: that of `operation`.
+  /// Adds the time between two samples of one motion, between which the load is linear. `bound`: of
+  /// `operation`.
   void add(const Look& from, const Look& to, int operation, double bound);
   LimitFigures finish();
 
@@ -31,7 +32,7 @@ class LimitTracker {
   std::optional<LoadPlace> open_;
 };
 
-/// The bound of an operation, if it has one, in the unit of its quantity.
+/// Bound of an operation, if it has one, in the unit of its quantity.
 std::optional<double> bound_of(LoadLimit limit, const Engagement& operation);
 
 }  // namespace feedscope

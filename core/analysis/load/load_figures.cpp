@@ -12,9 +12,9 @@ namespace feedscope {
 namespace {
 
 constexpr double longest_step = 0.002;  // [s]
-constexpr double most_steps = 1e6;      // of a part
+constexpr double most_steps = 1e6;      // per part
 constexpr double feed_rounding = 1e-9;  // relative
-constexpr double same_value = 1e-9;     // relative; of equal values the first one is named
+constexpr double same_value = 1e-9;     // relative; of equal values the first one is reported
 constexpr std::size_t parts_per_report = 4096;
 
 constexpr std::array<std::string_view, load_limit_count> limit_keys{
@@ -37,13 +37,13 @@ constexpr std::array<LoadQuantity, load_quantity_count> quantities_of_load{{
     {&CuttingLoad::power, QuantityId::power},
 }};
 
-/// Sums of what becomes LoadTotals.
+/// Sums from which LoadTotals is made.
 struct Sums {
   LoadTotals totals;
-  double programmed_time = 0;  ///< that the cutting would take at the programmed feed [s]
+  double programmed_time = 0;  ///< of the same cutting at the programmed feed [s]
 };
 
-/// One look at the run.
+/// A sample of the run.
 struct LoadLook {
   double time = 0;
   double speed = 0;
@@ -191,7 +191,7 @@ class LoadCount {
   std::vector<Sums> operations_;
   std::array<double, load_state_count> time_{};
   std::vector<LoadLimit> limits_;
-  std::vector<LimitTracker> trackers_;  ///< by limits_
+  std::vector<LimitTracker> trackers_;  ///< in the order of limits_
 };
 
 }  // namespace

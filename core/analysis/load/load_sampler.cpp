@@ -8,8 +8,8 @@
 namespace feedscope {
 namespace {
 
-constexpr double at_rest = 1e-9;  // [mm/s]; below, the direction of the motion is that of its segment
-constexpr double least_across = 0.70710678118654752;  // of a motion of 45 degrees
+constexpr double at_rest = 1e-9;                      // [mm/s]; below, the direction of the segment is used
+constexpr double least_across = 0.70710678118654752;  // of a motion at 45 degrees
 
 }  // namespace
 
@@ -49,7 +49,7 @@ CuttingLoad LoadSampler::load_at(double feed) const {
   return load;
 }
 
-/// As load_at(); on most segments it is the same everywhere.
+/// As load_at(), cached: on most segments it is constant.
 CuttingLoad LoadSampler::programmed_load_at(double feed) {
   if (feed != programmed_feed_) {
     programmed_ = load_at(feed);

@@ -7,17 +7,17 @@
 
 namespace feedscope {
 
-/// The load at any state of a run.
+/// Computes the load at any state of a run.
 class LoadSampler {
  public:
   /// `load` must outlive this.
   explicit LoadSampler(const RunLoad& load) : model_(load.model()), trajectory_(load.trajectory()) {}
 
-  /// `state`: of the trajectory. Constant time; states of one segment after the other are the cheapest.
+  /// `state`: of the trajectory. Constant time; cheapest for states in order of segments.
   LoadSample at(const State& state);
 
  private:
-  /// What does not change along a segment.
+  /// Constant data of a segment.
   struct Segment {
     std::uint32_t index = 0;
     LoadState state = LoadState::dwell;
@@ -33,8 +33,8 @@ class LoadSampler {
   const LoadModel& model_;
   const Trajectory& trajectory_;
   Segment segment_;
-  double programmed_feed_ = -1;  ///< across the axis, of `programmed_`; below 0: none [mm/s]
-  CuttingLoad programmed_;       ///< of the segment
+  double programmed_feed_ = -1;  ///< across the axis, for `programmed_`; below 0: none [mm/s]
+  CuttingLoad programmed_;       ///< for the segment
   bool has_segment_ = false;
 };
 

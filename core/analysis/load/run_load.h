@@ -8,7 +8,7 @@
 
 namespace feedscope {
 
-/// How the tools of a program are engaged, along the motion of one of its runs.
+/// Engagement of the tools of a program, along the motion of one of its runs.
 class RunLoad {
  public:
   RunLoad(std::shared_ptr<const Trajectory> trajectory, LoadModel model)

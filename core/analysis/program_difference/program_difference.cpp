@@ -24,7 +24,7 @@ constexpr std::array<ChangeTexts, program_change_count> texts{{
     {"added", QT_TRANSLATE_NOOP("core", "added")},
 }};
 
-/// A run by the segments of its program.
+/// A run, by the segments of its program.
 class Side {
  public:
   explicit Side(const Trajectory& trajectory)

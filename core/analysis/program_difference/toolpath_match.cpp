@@ -12,8 +12,7 @@ constexpr double steps_a_mm = 1e4;
 constexpr double steps_a_second = 1e6;
 constexpr int most_levels = 24;
 
-/// What makes a motion the same as another one, in 64 bits: of a million motions two that differ have the
-/// same number with a probability of 3e-8.
+/// Identity of a motion in 64 bits: two different ones among a million collide with a probability of 3e-8.
 class Fingerprint {
  public:
   void add(std::int64_t value) {
@@ -56,7 +55,7 @@ std::vector<std::uint64_t> fingerprints(const Toolpath& path) {
 }
 
 using Index = std::uint32_t;
-using Pair = std::pair<Index, Index>;  // of the old path and of the new one
+using Pair = std::pair<Index, Index>;  // index in the old path and in the new one
 
 /// A part of both paths.
 struct MatchedPart {
@@ -65,9 +64,9 @@ struct MatchedPart {
   bool empty() const { return old_begin == old_end || now_begin == now_end; }
 };
 
-/// The most pairs whose second parts rise, of pairs whose first parts rise.
+/// Longest subsequence of `pairs`, which ascend in their first parts, that also ascends in the second parts.
 std::vector<Pair> longest_rise(const std::vector<Pair>& pairs) {
-  std::vector<std::size_t> last;  // [n]: the pair that ends the best rise of n + 1 pairs
+  std::vector<std::size_t> last;  // [n]: the pair that ends the best sequence of n + 1 pairs
   std::vector<std::size_t> before(pairs.size());
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const auto place = std::ranges::lower_bound(last, pairs[i].second, {},

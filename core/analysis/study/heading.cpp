@@ -24,7 +24,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// "N120 ...", "120 ..." and "/" in front are no part of what is said.
+/// Removes "N120 ...", "120 ..." and "/" at the start of a line.
 std::string_view without_number(std::string_view text) {
   text = trimmed(text);
   if (!text.empty() && text.front() == '/') {
@@ -48,8 +48,8 @@ bool is_rule(char c) {
   return std::string_view("-=*#_~+<>").find(c) != std::string_view::npos;
 }
 
-/// How much of the start of `text`, read from first to last, is decoration: two signs of a rule or more, or
-/// one that stands alone. A sign that belongs to a word ("-X side", "#1") is none.
+/// Length of the decoration at the start of `text`, read from first to last: at least two rule characters, or
+/// a single one that is separate. A character that belongs to a word ("-X side", "#1") does not count.
 template <class Iterator>
 std::ptrdiff_t decoration(Iterator first, Iterator last) {
   const auto end = std::find_if_not(first, last, is_rule);
@@ -58,7 +58,7 @@ std::ptrdiff_t decoration(Iterator first, Iterator last) {
   return count > 1 || alone ? count : 0;
 }
 
-/// A title without the dashes and stars around it, its blanks single: "--- Operation   1 ---" is "Operation
+/// A title without surrounding dashes and stars, with single blanks: "--- Operation   1 ---" is "Operation
 /// 1".
 std::string undecorated(std::string_view text) {
   text = trimmed(text);
@@ -75,8 +75,8 @@ std::string undecorated(std::string_view text) {
   return title;
 }
 
-/// Of a comment that LinuxCNC displays, as "(MSG, change the tool)", the text behind the comma; else all of
-/// it.
+/// Text after the comma of a comment that LinuxCNC displays, as "(MSG, change the tool)"; other comments
+/// unchanged.
 std::string_view without_command(std::string_view comment) {
   const std::size_t comma = comment.find(',');
   std::string word(trimmed(comment.substr(0, comma)));
@@ -85,7 +85,7 @@ std::string_view without_command(std::string_view comment) {
   return shows ? comment.substr(comma + 1) : comment;
 }
 
-/// What a comment line holds; none for a line with anything else.
+/// Content of a comment line; none for a line with anything else.
 std::optional<std::string_view> comment_of(std::string_view text) {
   if (text.starts_with(';')) {
     return text.substr(1);
@@ -104,7 +104,7 @@ std::optional<std::string_view> comment_of(std::string_view text) {
   return std::nullopt;
 }
 
-/// The line in capitals without comments.
+/// The line in capitals, without comments.
 std::string code_of(std::string_view line) {
   std::string code;
   int depth = 0;
@@ -121,7 +121,7 @@ std::string code_of(std::string_view line) {
   return code;
 }
 
-/// The number or the quoted name at the start of `text`, blanks and "=" omitted; "" if there is none.
+/// Number or quoted name at the start of `text`, after blanks and "="; "" if there is none.
 std::string name_at(std::string_view text) {
   while (!text.empty() && (is_blank(text.front()) || text.front() == '=')) {
     text.remove_prefix(1);
@@ -140,7 +140,7 @@ std::string name_at(std::string_view text) {
   return std::string(number);
 }
 
-/// Whether a word may begin at `at`: no letter in front of it.
+/// Whether a word may begin at `at`: no letter before it.
 bool begins_word(std::string_view code, std::size_t at) {
   return at == 0 || std::isalpha(static_cast<unsigned char>(code[at - 1])) == 0;
 }

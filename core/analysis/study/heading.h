@@ -6,14 +6,14 @@
 
 namespace feedscope {
 
-/// What a line says that heads an operation, without the dashes or stars around it; "" for one without a
-/// letter in it (a rule); none for every other line. Block numbers in front do not count.
+/// Text of a line that heads an operation, without surrounding dashes or stars; "" without a letter (a rule);
+/// none for every other line. Block numbers at the start are ignored.
 std::optional<std::string> operation_heading(std::string_view line);
 
-/// What a line says of tools, comments omitted: the names that "T3", "T=\"MILL\"" or "TOOL CALL 3" give, the
-/// last one counting, and whether M6 or TOOL CALL brings it in.
+/// Tool words of a line without comments: the last name in "T3", "T=\"MILL\"" or "TOOL CALL 3", and whether
+/// M6 or TOOL CALL loads the tool.
 struct ToolWords {
-  std::string tool;  ///< "" for none
+  std::string tool;  ///< "" if none
   bool comes_in = false;
 };
 ToolWords tool_words(std::string_view line);

@@ -16,13 +16,13 @@
 namespace feedscope {
 namespace {
 
-/// A line from which on another tool works.
+/// A line from which on another tool is in use.
 struct ToolLine {
   std::uint32_t line;
   std::string tool;
 };
 
-/// Where M6 brings in the tool asked for last; in a program without M6 where a tool is asked for.
+/// Lines where M6 loads the tool requested last; in a program without M6, where a tool is requested.
 std::vector<ToolLine> tool_lines(const Program& program) {
   std::vector<ToolLine> asked;
   std::vector<ToolLine> in;
@@ -57,14 +57,14 @@ std::vector<Operation> by_tool(const LoadedProgram& program) {
   return operations;
 }
 
-/// Lines with headings and what they say, in order of the lines.
+/// A line with a heading, and its text.
 struct Heading {
   std::uint32_t line;
   std::string title;
-  bool closes = false;  ///< it says that what an earlier one heads ends: "-- pocket 2 end --"
+  bool closes = false;  ///< the text ends what an earlier heading began: "-- pocket 2 end --"
 };
 
-/// What is in front of the word "end" at the end of a title; "" without it.
+/// Text before the word "end" at the end of a title; "" without it.
 std::string what_ends(const std::string& title) {
   std::size_t end = title.size();
   while (end > 0 && std::isalnum(static_cast<unsigned char>(title[end - 1])) == 0) {
@@ -92,8 +92,8 @@ std::vector<Heading> headings_of(const SourceText& text) {
   return headings;
 }
 
-/// The title of the comments (last_line_before, line): of the last run the first with a letter, but for those
-/// that only say that something ends.
+/// Title from the comments in (last_line_before, line): in the last run, the first with a letter that does
+/// not only end something.
 const Heading* title_between(const std::vector<Heading>& headings, std::uint32_t after,
                              std::uint32_t before) {
   const auto end = std::ranges::lower_bound(headings, before, {}, &Heading::line);
@@ -132,7 +132,7 @@ std::vector<Operation> by_comment(const LoadedProgram& program) {
   return operations;
 }
 
-/// Position of the largest time; the last cause for none.
+/// Index of the largest time; the last cause if there is none.
 std::size_t largest_of(const std::vector<double>& times) {
   return static_cast<std::size_t>(std::ranges::max_element(times) - times.begin());
 }

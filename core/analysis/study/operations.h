@@ -8,64 +8,64 @@
 
 namespace feedscope {
 
-/// What begins a new operation.
+/// Criterion for the start of a new operation.
 enum class OperationSplit : std::uint8_t {
   none,
-  tool,     ///< another tool comes in
-  comment,  ///< a line that holds a comment alone
+  tool,     ///< a tool change
+  comment,  ///< a line with only a comment
 };
 
-/// Title of what runs before the first tool, or before the first comment.
+/// Title of the operation before the first tool, or before the first comment.
 inline constexpr const char* before_first_tool = "start";
 
-/// Title of an operation whose comment holds no words: "line 12".
+/// Title of an operation whose comment has no words: "line 12".
 std::string title_of_line(std::uint32_t line);
 
-/// Segments of a toolpath that are one operation, [first, last).
+/// Segments of a toolpath that form one operation, [first, last).
 struct Operation {
   std::string title;
-  std::uint32_t line = 0;  ///< that it begins with
+  std::uint32_t line = 0;  ///< first line
   std::uint32_t first = 0;
   std::uint32_t last = 0;
 };
 
-/// Throws InputError with the nearest name for what is none of "tool" and "comment".
+/// Throws InputError with the nearest name unless `name` is "tool" or "comment".
 OperationSplit operation_split(const std::string& name);
 
-/// Splits a program; operations without a segment are omitted, all others together hold every segment.
+/// Splits a program. Operations without a segment are omitted; all others together contain every segment.
 ///
-/// By tool: where the tool comes in that the program asked for last ("tool 3"); what runs before the first
-/// one is "start". By comment: CAM systems head an operation with a line that holds a comment alone, (...),
-/// ;... or "* - ..." of Heidenhain, MSG("...") of Sinumerik. Of the comment lines between two motions the
-/// last run of neighbouring ones counts, and of that the first that holds a letter. A subprogram belongs to
-/// the operation that calls it unless it has headings of its own; where a loop or a return goes back, the
-/// operation of the last heading above begins again, unless it is under way.
+/// By tool: a new operation starts where the tool requested last is loaded ("tool 3"); the part before the
+/// first one is "start". By comment: CAM systems head an operation with a line that contains only a comment,
+/// (...), ;... or "* - ..." of Heidenhain, MSG("...") of Sinumerik. Of the comment lines between two motions
+/// the last run of neighbouring ones counts, and of that the first with a letter. A subprogram belongs to the
+/// calling operation unless it has headings of its own; where a loop or a return goes back, the operation of
+/// the last heading above begins again, unless it is current.
 std::vector<Operation> split_operations(const LoadedProgram& program, OperationSplit split);
 
 /// Figures of one operation in one run.
 struct OperationFigures {
-  double time = 0;                   ///< [s]; rapids and dwells included
+  double time = 0;                   ///< [s], including rapids and dwells
   double cutting_time = 0;           ///< of the motions at a programmed feed [s]
   double cutting_length = 0;         ///< executed by them [mm]
-  double contour_error = 0;          ///< largest [mm], as ContourErrors::largest
+  double contour_error = 0;          ///< largest, as ContourErrors::largest [mm]
   double cutting_contour_error = 0;  ///< of its feed motions [mm]
-  Cause cause;                       ///< that most of `time` is due to, as limiting_causes() counts
+  Cause cause;                       ///< largest share of `time`, counted as by limiting_causes()
   double cause_time = 0;             ///< [s]
 
-  /// While cutting [mm/s]; 0 if it does not cut.
+  /// Mean feed of the cutting motions [mm/s]; 0 without any.
   double mean_feed() const { return cutting_time > 0 ? cutting_length / cutting_time : 0; }
 };
 
-/// One a operation. A corner between two operations counts for the one that ends there. Linear.
+/// One per operation. A corner between two operations counts for the one that ends there. Linear.
 std::vector<OperationFigures> figures_of(const std::vector<Operation>& operations,
                                          const Trajectory& trajectory);
 
-/// Part of a time with its cause.
+/// Share of a time due to one cause.
 struct CauseShare {
   Cause cause;
   double share = 0;  ///< of the whole
 };
-/// What the cycle time of a run is due to, largest first; slowing down counts for what sets the speed of the
+/// Shares of the causes in the cycle time of a run, largest first; slowing down counts for the cause of the
 /// slower place ahead. Causes without time are omitted.
 std::vector<CauseShare> limiting_causes(const Summary& summary);
 

@@ -67,7 +67,7 @@ std::vector<std::string> models_that_know(const StudyRequest& request) {
   return models;
 }
 
-/// Those of the given setups whose model knows every swept key.
+/// Given setups whose model has every swept key.
 std::vector<Setup> setups_that_know(const StudyRequest& request) {
   StudyRequest of_models = request;
   for (const Setup& setup : request.setups) {

@@ -42,7 +42,7 @@ std::vector<std::string_view> split(std::string_view text, std::string_view at) 
   return parts;
 }
 
-/// The values between blanks and semicolons; several of them separate as one does.
+/// Values between blanks and semicolons; several separators count as one.
 std::vector<std::string_view> words_of(std::string_view values) {
   std::vector<std::string_view> words = split(values, separators);
   std::erase_if(words, [](std::string_view word) { return word.empty(); });

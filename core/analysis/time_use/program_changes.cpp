@@ -22,9 +22,9 @@ namespace feedscope {
 namespace {
 
 constexpr std::size_t most_causes = 5;
-constexpr double worth_a_change = 0.01;  // of the cycle time that a cause loses
+constexpr double worth_a_change = 0.01;  // of the cycle time lost by a cause
 
-/// Those that lose most; the override that remedies() adds serves the programmed feed.
+/// Causes that lose most. The programmed feed is covered by the override that remedies() adds.
 std::vector<Cause> causes_to_change(const TimeUse& use) {
   std::vector<Cause> causes;
   for (const CauseCost& cost : use.causes) {
@@ -56,13 +56,13 @@ bool reads_the_same(const Machine& machine, const Machine& as) {
   });
 }
 
-/// Of a work offset; none where the machine file gives none.
+/// Zero of a work offset; none if the machine file has none.
 std::optional<Vec3> zero_of(const Machine& machine, const std::string& offset) {
   const auto found = machine.work_offsets.all().find(offset);
   return found == machine.work_offsets.all().end() ? std::nullopt : std::optional(found->second);
 }
 
-/// Whether the machine's own control runs every line that is run, and the program was read as on it.
+/// Whether the machine's own control runs every line of the run, and the program was read as on it.
 bool runs_as_much(const Machine& machine, const Run& run) {
   SetupRequest request;
   request.machine = machine.id;
@@ -94,20 +94,20 @@ std::vector<Remedy> other_machines(const Run& run) {
   return found;
 }
 
-/// Both in one.
+/// Combines two changes.
 Remedy joined(Remedy first, const Remedy& second) {
   first.changes.insert(first.changes.end(), second.changes.begin(), second.changes.end());
   first.before = first.before ? first.before : second.before;
   return first;
 }
 
-/// A change with its motion; without one where it failed or is not simulated yet.
+/// A change with its motion; no motion if it failed or is not simulated yet.
 struct Trial {
   TriedChange change;
   std::optional<Trajectory> motion;
 };
 
-/// Simulates the change unless its motion is there.
+/// Simulates the change unless its motion exists.
 void complete(Trial& trial, const Run& run, bool with_error, Progress* progress) {
   TriedChange& change = trial.change;
   try {
@@ -126,11 +126,11 @@ void complete(Trial& trial, const Run& run, bool with_error, Progress* progress)
   }
 }
 
-/// Motions of the best changes so far, each of another kind. Those of best_of() are among them: a change only
-/// falls back as others come.
+/// Motions of the best changes so far, each of another kind. They include those of best_of(): a change only
+/// moves down as others come in.
 class BestMotions {
  public:
-  /// `place`: in the order of the changes; of those that take the same time the first is the better one.
+  /// `place`: index in the order of the changes; of equal times the first is better.
   void offer(std::size_t place, Trial trial) {
     if (!trial.motion) {
       return;
@@ -166,7 +166,7 @@ class BestMotions {
   std::vector<Kept> kept_;  ///< best first
 };
 
-/// The best of each kind, those that gain most.
+/// Best change of each kind, by gain.
 std::vector<std::size_t> best_of(const std::vector<TriedChange>& tried, double cycle_time) {
   std::vector<std::size_t> best;
   std::set<std::string> kinds;

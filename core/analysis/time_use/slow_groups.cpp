@@ -19,9 +19,9 @@ namespace feedscope {
 namespace {
 
 const double least_turn = units::from_deg(1);  // of a corner [rad]
-constexpr double most_of_it = 0.8;             // of a group's loss: one axis makes it
+constexpr double most_of_it = 0.8;             // of a group's loss: from here one axis is its cause
 constexpr double at_border = 1e-3;             // of an element's length
-constexpr double close_to_corner = 1 / 2.0;    // of an element's length, where filters spread a stop
+constexpr double close_to_corner = 1 / 2.0;    // of an element's length, over which filters spread a stop
 
 /// In the order of PlaceShape.
 constexpr std::array<PlaceShapeInfo, place_shape_count> shapes{{
@@ -35,7 +35,7 @@ constexpr std::array<PlaceShapeInfo, place_shape_count> shapes{{
     {"stop", QT_TRANSLATE_NOOP("core", "starts and stops"), "", Dimension::length},
 }};
 
-/// What the path is like at one instant.
+/// Shape of the path at one instant.
 struct Shape {
   PlaceShape shape = PlaceShape::line;
   double measure = 0;  ///< as SlowGroup::median
@@ -85,7 +85,7 @@ class ShapeFinder {
     return path_.base().segments[path_.base_segment_of(element)];
   }
 
-  /// Whether an open control put an arc there that the program does not have.
+  /// Whether an open control inserted an arc that the program does not have.
   bool is_corner_arc(std::uint32_t element) const {
     return path_.is_executed() && segment_of(element).kind == SegmentKind::arc &&
            path_.programmed()->segments[path_.segment(element)].kind != SegmentKind::arc;
@@ -94,7 +94,7 @@ class ShapeFinder {
     return path_.length(element) / path_.base().arc_of(segment_of(element)).length_per_radian();
   }
 
-  /// From the start of its element to the start of the part [mm].
+  /// Distance from the start of an element to the start of the part [mm].
   double place_in(PartWalk& walk) const {
     const Part& part = walk.part();
     return part.law == Law::path_length ? part.q : walk.motion().state(0).path_length - path_.s(part.element);
@@ -110,7 +110,7 @@ class ShapeFinder {
     return std::atan2(in.cross(out).norm(), in.dot(out));
   }
 
-  /// What is at the start (-1) or the end (+1) of `element`; none where the path just goes on.
+  /// Shape at the start (-1) or the end (+1) of `element`; none where the path continues smoothly.
   std::optional<Shape> junction(std::uint32_t element, int side) const {
     if ((side < 0 && element == 0) || (side > 0 && element == last_element())) {
       return Shape{PlaceShape::stop, 0};
@@ -159,8 +159,8 @@ class ShapeFinder {
   const BlendedPath& path_;
 };
 
-/// Where a place is slowest, within it: one that is cut where a rapid begins may be slowest at its end, which
-/// is the rapid's already [s].
+/// Slowest instant strictly within a place [s]: a place that ends at a rapid may be slowest at its end, which
+/// already belongs to the rapid.
 double instant_of(const SlowPlace& place) {
   constexpr double within = 1e-9;                                         // of its time
   constexpr double digits = 16 * std::numeric_limits<double>::epsilon();  // of a sum of times
@@ -168,10 +168,11 @@ double instant_of(const SlowPlace& place) {
   return std::min(place.slowest, std::max(place.from, place.to - margin));
 }
 
-/// What a place loses to each kind of cause that takes a hundredth of it or more.
+/// Splits a place by the kinds of cause that take at least a hundredth of its loss.
 class PartsByKind {
  public:
-  /// The place with that loss, and of the kind the cause that takes most; until the next call.
+  /// The place once per kind, with the loss of the kind and its most important cause; valid until the next
+  /// call.
   std::span<const SlowPlace> of(const SlowPlace& place, std::span<const std::pair<Cause, double>> losses) {
     constexpr double least_share = 0.01;
     parts_.clear();
@@ -202,10 +203,10 @@ class PartsByKind {
   }
 
   std::vector<SlowPlace> parts_;
-  std::vector<double> most_;  ///< that one cause of the kind loses [s]
+  std::vector<double> most_;  ///< largest loss of one cause of the kind [s]
 };
 
-/// What one kind of cause loses where the path has one shape, while stretches come in.
+/// Sums of the losses of one kind of cause on one shape of path, while stretches come in.
 struct GroupSums {
   SlowGroup group;
   ExactSum loss;
@@ -228,7 +229,7 @@ struct GroupSums {
     }
   }
 
-  /// Or a gain, below 0.
+  /// `lost`: below 0 for a gain.
   void add_loss(const Cause& cause, double lost) {
     loss.add(lost);
     by_axis[cause.axis] += lost;
@@ -260,15 +261,15 @@ struct GroupSums {
   }
 };
 
-/// What a cause gains where it makes no group: the feed of short segments, now above and now below what is
-/// programmed, is a loss at corners and a gain along the lines between them.
+/// Gains of causes outside of any group: the feed of short segments, alternately above and below the
+/// programmed feed, is a loss at corners and a gain along the lines between them.
 class Gains {
  public:
   void add(PlaceShape shape, CauseKind kind, double loss) {
     gains_[{shape == PlaceShape::rapid, kind}].add(loss);
   }
 
-  /// From those of the same cause, each by its share of their loss.
+  /// Subtracts the gains from the groups with the same cause, each by its share of their loss.
   void take_from(std::vector<SlowGroup>& groups) const {
     for (const auto& [key, gain] : gains_) {
       const auto is_like = [&like = key](const SlowGroup& group) {
@@ -286,7 +287,7 @@ class Gains {
   }
 
  private:
-  std::map<std::pair<bool, CauseKind>, ExactSum> gains_;  ///< by whether it is a rapid; below 0 [s]
+  std::map<std::pair<bool, CauseKind>, ExactSum> gains_;  ///< key: whether it is a rapid; below 0 [s]
 };
 
 }  // namespace

@@ -9,7 +9,7 @@ TimeReport time_report(const Run& run, OperationSplit split, Progress* progress)
   Progress& whole = progress != nullptr ? *progress : unwatched;
   TimeReport report;
   {
-    constexpr double quick = 0.02;  // beside simulating the changes
+    constexpr double quick = 0.02;  // compared with simulating the changes
     Progress part(whole, quick);
     report.use = time_use(run, split, &part);
     part.report(0);

@@ -6,15 +6,14 @@
 
 namespace feedscope {
 
-/// Where the time of a run goes, and what would help: everything that `explain`, the window and the report
-/// show of it.
+/// Time of a run by cause and the changes that reduce it, as shown by `explain`, the window and the report.
 struct TimeReport {
   TimeUse use;
   SlowGroups slow;
   ChangeTrials changes;
 };
 
-/// Of a run with its summary. `split` as of time_use(). Throws Cancelled.
+/// The run must have its summary. `split`: as for time_use(). Throws Cancelled.
 TimeReport time_report(const Run& run, OperationSplit split = OperationSplit::none,
                        Progress* progress = nullptr);
 

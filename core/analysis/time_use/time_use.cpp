@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t most_by_comment = 200;  // more headings are remarks, not operations
 
-constexpr double same_length = 1e-9;  // of the path: two lengths are one
+constexpr double same_length = 1e-9;  // of the path: up to this, two lengths are equal
 
 struct KindText {
   std::string_view key;
@@ -80,11 +80,11 @@ struct CauseSums {
   CauseCost cost(std::size_t i) const { return {all_causes()[i], time[i].value(), lost[i].value()}; }
 };
 
-/// Operations with those of one heading together, and for every segment which one it belongs to.
+/// Operations, those with equal headings merged, and the operation of every segment.
 struct Sections {
   OperationSplit split = OperationSplit::none;
   std::vector<OperationTime> operations;
-  std::vector<std::pair<std::uint32_t, std::size_t>> starts;  ///< first segment, place in `operations`
+  std::vector<std::pair<std::uint32_t, std::size_t>> starts;  ///< first segment, index into `operations`
 };
 
 Sections sections_of(const LoadedProgram& program, OperationSplit split) {
@@ -122,11 +122,11 @@ Sections usual_sections(const LoadedProgram& program, OperationSplit split) {
   return count > 1 && count <= most_by_comment ? by_comment : Sections();
 }
 
-/// Walks through sections as segments come in ascending order.
+/// Walks over sections for segments in ascending order.
 class SectionWalk {
  public:
   explicit SectionWalk(const Sections& sections) : starts_(sections.starts) {}
-  /// Which one `segment` belongs to; none without sections.
+  /// Index of the section of `segment`; none without sections.
   std::optional<std::size_t> at(std::uint32_t segment) {
     while (next_ < starts_.size() && starts_[next_].first <= segment) {
       ++next_;
@@ -139,7 +139,7 @@ class SectionWalk {
   std::size_t next_ = 0;
 };
 
-/// What a section takes while the run is walked through.
+/// Sums of a section while the run is walked through.
 struct SectionSums {
   ExactSum time, programmed, rapid, pause;
   CauseSums causes;

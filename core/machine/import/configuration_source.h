@@ -9,16 +9,16 @@ namespace feedscope {
 class MachineDraft;
 struct ImportedMachine;
 
-/// A configuration that is to be read.
+/// A configuration to read.
 struct ConfigurationSource {
   std::string_view text;
-  std::filesystem::path folder;  ///< where files that it includes are looked for; empty: nothing is included
+  std::filesystem::path folder;  ///< searched for included files; empty: nothing is included
 };
 
 /// One kind of configuration.
 struct ConfigurationFormat {
-  const char* kind;  ///< for people: "INI file of LinuxCNC"
-  /// How many lines speak for this kind; 0: it is another one.
+  const char* kind;  ///< for display: "INI file of LinuxCNC"
+  /// Number of lines typical of this kind; 0 if it is another one.
   std::size_t (*recognised)(std::string_view text);
   ImportedMachine (*read)(const ConfigurationSource& source, MachineDraft draft);
 };

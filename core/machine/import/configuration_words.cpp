@@ -27,7 +27,7 @@ void append_utf8(std::string& text, std::uint32_t code) {
   }
 }
 
-/// Bytes of the UTF-8 character that `text` begins with; 0 if it begins with none.
+/// Bytes of the UTF-8 character at the start of `text`; 0 if there is none.
 std::size_t utf8_length(std::string_view text) {
   const auto byte = [&](std::size_t i) {
     return static_cast<std::uint32_t>(static_cast<unsigned char>(text[i]));
@@ -54,7 +54,7 @@ std::size_t utf8_length(std::string_view text) {
   return code < least[length] || surrogate || code > 0x10FFFF ? 0 : length;
 }
 
-/// Of UTF-16 behind its mark; `high`: which of two bytes is the high one.
+/// Converts UTF-16 after its byte order mark; `high`: index of the high one of two bytes.
 std::string from_utf16(std::string_view bytes, std::size_t high) {
   const auto unit = [&](std::size_t i) {
     return static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i + high])) << 8 |

@@ -28,7 +28,7 @@ constexpr std::array used_parameters{rapid_traverse,     cutting_feed,        cu
                                      acceleration_limit, acceleration_change, loop_gain,
                                      axis_names,         machine_unit,        axis_kinds};
 
-/// A parameter that changes the time of a program and that no machine file has.
+/// A parameter that affects the time of a program but has no counterpart in machine files.
 struct UnmodelledParameter {
   int number;
   const char* meaning;
@@ -48,13 +48,13 @@ constexpr std::array unmodelled_parameters{
     UnmodelledParameter{1788, "change of acceleration that is passed without slowing down"},
 };
 
-/// A letter with what stands behind it.
+/// A letter with the value after it.
 struct FanucWord {
   char letter;
   std::string_view value;
 };
 
-/// Of a line of parameters; none for another one.
+/// Words of a line of parameters; none for another line.
 std::vector<FanucWord> fanuc_words(std::string_view line) {
   constexpr std::string_view letters = "NQALTSP";
   std::vector<FanucWord> words;
@@ -158,7 +158,7 @@ class FanucReader {
     }
   }
 
-  /// Bit 0 of 1001, which stands as eight digits.
+  /// Bit 0 of 1001, which is written as eight digits.
   bool is_inch_machine() {
     const NumberedParameters::Entry* unit = parameters_.find(machine_unit);
     if (unit == nullptr || std::fmod(unit->value, 10) != 1) {
@@ -172,7 +172,7 @@ class FanucReader {
     return true;
   }
 
-  /// Number of the axis with this name, by the ASCII codes of 1020; without them in the usual order.
+  /// Number of the axis with this name, by the ASCII codes of 1020; without those, in the usual order.
   int axis_number(char axis) {
     constexpr int most_axes = 32;
     for (int i = 1; i <= most_axes; ++i) {
@@ -220,7 +220,7 @@ class FanucReader {
     }
   }
 
-  /// Programs for short cycle times run under look-ahead control, so its limit comes first.
+  /// The limit under look-ahead control has precedence: programs for short cycle times run under it.
   void give_cutting_feed(char axis, int number) {
     const NumberedParameters::Entry* plain = parameters_.find(cutting_feed, number);
     const NumberedParameters::Entry* ahead = parameters_.find(cutting_feed_ahead, number);

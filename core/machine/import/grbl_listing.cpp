@@ -15,14 +15,14 @@
 namespace feedscope {
 namespace {
 
-/// "$110=5000 (x max rate)" in its parts.
+/// Parts of "$110=5000 (x max rate)".
 struct GrblSetting {
   std::string name;  ///< "110", or a path of FluidNC, "/axes/x/steps_per_mm"
   std::string value;
   std::string comment;  ///< without parentheses
 };
 
-/// Of a line that holds one, behind what a sender may write in front of it.
+/// Setting in a line, after any prefix of a sender; none without one.
 std::optional<GrblSetting> grbl_setting(std::string_view line) {
   const std::size_t begin = line.find('$');
   const std::size_t sign = line.find('=', std::min(begin, line.size()));
@@ -57,7 +57,7 @@ bool is_without_effect(int number) {
   return std::ranges::find(known, number) != known.end() || (number >= 130 && number <= 138);
 }
 
-/// "[OPT:V,15,128]": options, blocks of the planner, bytes of the line buffer.
+/// Parts of "[OPT:V,15,128]": options, blocks of the planner, bytes of the line buffer.
 std::vector<std::string> parts_of(std::string_view text) {
   std::vector<std::string> parts(1);
   for (const char c : text) {
@@ -112,7 +112,7 @@ class GrblReader {
     }
   }
 
-  /// What the control and senders write beside the settings.
+  /// Other lines written by the control and by senders.
   static bool is_chatter(std::string_view line) {
     const std::string upper = in_upper_case(line);
     return line.empty() || line.front() == '#' || line.front() == ';' || line.front() == '(' ||
@@ -125,7 +125,7 @@ class GrblReader {
 
   void read_options(std::string_view text, const ConfigurationPlace& place) {
     const std::vector<std::string> parts = parts_of(text);
-    constexpr std::size_t at = 2;  // behind OPT and the letters
+    constexpr std::size_t at = 2;  // after OPT and the letters
     const GivenValue given{place, fmt::format("[{}: blocks of the planner", text)};
     if (parts.size() > at + 1) {
       if (const std::optional<double> blocks = draft_.number(parts[at], given)) {
@@ -190,7 +190,7 @@ class GrblReader {
     return draft_.number(setting.value, given);
   }
 
-  /// `never`: motors hold always, so that nothing waits.
+  /// `never`: the motors stay energised, so there is no wait.
   void give(const char* key, const GrblSetting& setting, const GivenValue& given, bool never = false) {
     if (const std::optional<double> value = never ? std::optional(0.0) : number_of(setting, given)) {
       draft_.give(key, *value, given);
@@ -201,7 +201,7 @@ class GrblReader {
     struct Quantity {
       const char* key;
       const char* unit;
-      double (*to_unit)(double);  ///< of the key
+      double (*to_unit)(double);  ///< to the unit of the key
     };
     constexpr std::array quantities{Quantity{"steps_per_mm", "steps/mm", units::as_it_is},
                                     Quantity{"velocity", "mm/min", units::to_m},
@@ -219,7 +219,7 @@ class GrblReader {
     }
   }
 
-  /// "$/axes/x/max_rate_mm_per_min=5000"
+  /// Reads a path such as "$/axes/x/max_rate_mm_per_min=5000".
   void read_path(const GrblSetting& setting, const ConfigurationPlace& place) {
     const std::array keys{std::string_view("steps_per_mm"), std::string_view("max_rate_mm_per_min"),
                           std::string_view("acceleration_mm_per_sec2")};
@@ -246,7 +246,7 @@ class GrblReader {
     }
   }
 
-  /// Defaults of the firmware where the listing says nothing.
+  /// Fills in defaults of the firmware for settings missing in the listing.
   void complete() {
     const bool is_grbl = firmware_.starts_with("grbl ");
     const auto assume = [&](const char* key, double value, const char* setting) {

@@ -5,10 +5,10 @@
 
 namespace feedscope {
 
-/// Listing of the settings of grbl 1.1 or 0.9 ($$), with what senders write around it; of grblHAL and FluidNC
-/// as far as they name the same. The start-up message and the lines of $I tell the firmware and its buffer.
-/// Sources: grbl, wiki, "Grbl v1.1 Configuration" and "Interface"; grblHAL, wiki, "Additional or extended
-/// settings"; FluidNC, wiki, "Configuration".
+/// Settings of grbl 1.1 or 0.9 as listed by $$, with the output of senders around it; of grblHAL and FluidNC
+/// where they use the same names. The start-up message and the lines of $I identify the firmware and its
+/// buffer. Sources: grbl, wiki, "Grbl v1.1 Configuration" and "Interface"; grblHAL, wiki, "Additional or
+/// extended settings"; FluidNC, wiki, "Configuration".
 extern const ConfigurationFormat grbl_listing;
 
 }  // namespace feedscope

@@ -19,7 +19,7 @@ constexpr int tnc_path_acceleration = 1061;
 constexpr int tnc_axis_jerk = 1085;
 constexpr int tnc_path_jerk = 1090;
 
-/// "MP1010.0 : 30000" in its parts.
+/// Parts of "MP1010.0 : 30000".
 struct TncParameter {
   int number = 0;
   int index = NumberedParameters::no_axis;
@@ -123,7 +123,7 @@ class TncReader {
     const NumberedParameters::Entry* jerk = parameters_.find(tnc_axis_jerk, index);
     const NumberedParameters::Entry* path = parameters_.find(tnc_path_jerk, 0);
     if (jerk == nullptr || jerk->value == 0 || (path != nullptr && path->value < jerk->value)) {
-      jerk = path;  // it is the largest of all axes
+      jerk = path;  // maximum for all axes
     }
     give(axis, "jerk", jerk, units::as_it_is, "m/s3");
   }

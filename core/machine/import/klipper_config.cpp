@@ -58,7 +58,7 @@ class KlipperReader {
   }
 
  private:
-  /// A number of [printer]; one that Klipper itself would refuse is an error in the notes.
+  /// A number of [printer]; a value that Klipper itself would refuse is an error in the notes.
   std::optional<double> printer(const char* key, const char* unit = "", double above = 0) {
     const SectionEntry* entry = file_.find("printer", key);
     const std::optional<double> value =
@@ -125,7 +125,7 @@ class KlipperReader {
     if (ratio) {
       draft_.give("minimum_cruise_ratio", *ratio, given("minimum_cruise_ratio"));
     } else if (decel && acceleration) {
-      // What newer releases of Klipper make of the former setting.
+      // Conversion of the former setting in newer releases of Klipper.
       GivenValue from = given("max_accel_to_decel", "mm/s2");
       from.what += fmt::format(" as minimum cruise ratio, with max_accel = {}", *acceleration);
       draft_.give("minimum_cruise_ratio", 1 - std::min(1.0, *decel / *acceleration), from);
@@ -160,8 +160,8 @@ class KlipperReader {
     return entry == nullptr ? std::nullopt : draft_.number(entry->value, entry->given());
   }
 
-  /// Limits of the extruder alone: given, or Klipper's share of those along the path, which needs the
-  /// diameters of nozzle and filament, or the largest cross section of what is extruded.
+  /// Limits of the extruder alone: as given, or Klipper's share of those along the path, which needs the
+  /// diameters of nozzle and filament, or the largest extrusion cross section.
   void read_extruder() {
     const std::optional<double> nozzle = extruder("nozzle_diameter");
     const std::optional<double> filament = extruder("filament_diameter");

@@ -5,8 +5,8 @@
 
 namespace feedscope {
 
-/// printer.cfg of Klipper with the files that it includes and the part that SAVE_CONFIG writes.
-/// Source: Klipper, "Configuration reference", [printer] and [gcode_arcs] (klipper3d.org).
+/// Klipper's printer.cfg with the files that it includes and the part written by SAVE_CONFIG. Source:
+/// Klipper, "Configuration reference", [printer] and [gcode_arcs] (klipper3d.org).
 extern const ConfigurationFormat klipper_config;
 
 }  // namespace feedscope

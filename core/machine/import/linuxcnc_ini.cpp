@@ -20,7 +20,7 @@ namespace {
 constexpr double mm_of_inch = units::from_inch(1);
 constexpr std::array letters{'X', 'Y', 'Z', 'A', 'B', 'C', 'U', 'V', 'W'};
 
-/// Sections that no other program's INI file has.
+/// Sections that INI files of no other program have.
 bool is_linuxcnc_section(std::string_view name) {
   constexpr std::array known{"EMC", "EMCMOT", "EMCIO", "RS274NGC", "TRAJ", "KINS", "HAL", "HALUI", "TASK"};
   return std::ranges::find(known, name) != known.end() || name.starts_with("AXIS_") ||
@@ -39,10 +39,10 @@ std::size_t recognised_linuxcnc(std::string_view text) {
 
 struct StartUpWord {
   char letter;
-  std::string text;  ///< behind it
+  std::string text;  ///< after it
 };
 
-/// "G21G64 P0.02" in words, which need no blanks between them.
+/// Words of "G21G64 P0.02", which need no blanks between them.
 std::vector<StartUpWord> start_up_words(std::string_view code) {
   std::vector<StartUpWord> words;
   for (const char c : in_upper_case(code)) {
@@ -85,7 +85,7 @@ class LinuxCncReader {
     return draft_.number(entry.value, entry.given(unit));
   }
 
-  /// [TRAJ] LINEAR_UNITS: mm, inch, or how many units a millimetre has.
+  /// [TRAJ] LINEAR_UNITS: mm, inch, or the number of units per millimetre.
   void read_units() {
     const SectionEntry* entry = file_.find("TRAJ", "LINEAR_UNITS");
     if (entry == nullptr) {
@@ -144,7 +144,7 @@ class LinuxCncReader {
     }
   }
 
-  /// The section of an axis: [AXIS_X], before LinuxCNC 2.8 [AXIS_0].
+  /// Section of an axis: [AXIS_X], before LinuxCNC 2.8 [AXIS_0].
   std::string axis_section(char axis) const {
     const std::string own = fmt::format("AXIS_{}", axis);
     const auto place = std::ranges::find(letters, axis) - letters.begin();
@@ -250,7 +250,7 @@ class LinuxCncReader {
     note_other_planner("ARC_BLEND_KINK_RATIO", 0.1);
   }
 
-  /// What the model computes with is the default.
+  /// The model uses the default.
   void note_other_planner(const char* key, double usual) {
     const SectionEntry* entry = file_.find("TRAJ", key);
     const std::optional<double> value = entry == nullptr ? std::nullopt : number(*entry);
@@ -286,7 +286,7 @@ class LinuxCncReader {
     }
   }
 
-  /// The complete control, 2.9, was seen to take only the tolerance for joining blocks from the start-up
+  /// The complete control, 2.9, was observed to take only the tolerance for joining blocks from the start-up
   /// code, and to run blends with P 0 (traces of its own motion). Without Q that tolerance is P.
   void read_start_up_tolerance(char letter, std::string_view text, const SectionEntry& entry, double unit) {
     const std::optional<double> value = draft_.number(text, entry.given());
@@ -319,7 +319,7 @@ class LinuxCncReader {
     }
   }
 
-  /// A misspelt key has no effect in LinuxCNC, and no message either.
+  /// LinuxCNC ignores a misspelt key without any message.
   void note_keys() {
     const std::vector<std::string> used{"MAX_VELOCITY", "MAX_ACCELERATION",    "LINEAR_UNITS",
                                         "COORDINATES",  "MAX_LINEAR_VELOCITY", "SERVO_PERIOD"};

@@ -5,8 +5,8 @@
 
 namespace feedscope {
 
-/// INI file of LinuxCNC, 2.4 to 2.10: axes from [AXIS_X] (before 2.8 [AXIS_0] ...), where these give none
-/// from the joints; units from [TRAJ] LINEAR_UNITS. Source: LinuxCNC, User Manual, "INI Configuration"
+/// INI file of LinuxCNC, 2.4 to 2.10: axes from [AXIS_X] (before 2.8 [AXIS_0] ...), or from the joints where
+/// these have no values; units from [TRAJ] LINEAR_UNITS. Source: LinuxCNC, User Manual, "INI Configuration"
 /// (linuxcnc.org/docs).
 extern const ConfigurationFormat linuxcnc_ini;
 

@@ -27,7 +27,7 @@ std::vector<std::string> words_of(std::string_view text) {
 constexpr double degrees_a_turn = 360;
 constexpr double seconds_a_minute = 60;
 
-/// Of a HAL command; none for other entries.
+/// Words of a HAL command; none for other entries.
 std::vector<std::string> words_of_command(const SectionEntry& entry) {
   return entry.section == "HAL" && entry.key == "HALCMD" ? words_of(entry.value) : std::vector<std::string>();
 }
@@ -82,7 +82,7 @@ bool LinuxCncKinematics::read() {
       fmt::format("{}: {}; which linear axes carry the table is assumed", draft_.place_text(kins->place),
                   kins->given().what),
       false};
-  // Newer releases have a pin that turns the counting round.
+  // Newer releases have a pin that reverses the sense of rotation.
   counts_the_table_ = !is_on("conventional-directions");
   const double sign = counts_the_table_ ? -1 : 1;
   add_axis(tilting, tilts_about_x ? Vec3(sign, 0, 0) : Vec3(0, sign, 0), tilt, of_tilt);
@@ -90,8 +90,8 @@ bool LinuxCncKinematics::read() {
   return true;
 }
 
-/// "setp COMPONENT.PIN 5", or "net SIGNAL COMPONENT.PIN" and "sets SIGNAL 5"; the last one holds. Null if
-/// there is none.
+/// Command "setp COMPONENT.PIN 5", or "net SIGNAL COMPONENT.PIN" and "sets SIGNAL 5"; the last one applies.
+/// Null if there is none.
 const SectionEntry* LinuxCncKinematics::command_for(const std::string& pin) const {
   const std::string full = component_ + "." + pin;
   std::string signal;
@@ -134,7 +134,7 @@ void LinuxCncKinematics::add_axis(char name, const Vec3& direction, const Vec3& 
                                   const std::string& source) {
   constexpr double usual_velocity = 60;       // [deg/s]
   constexpr double usual_acceleration = 300;  // [deg/s2]
-  constexpr double least_rise = 0.005;        // [s] in which an acceleration is reached that no jerk limits
+  constexpr double least_rise = 0.005;        // [s] to reach an acceleration without a jerk limit
   Machine& machine = draft_.machine();
   RotaryAxis axis;
   axis.name = name;
@@ -155,7 +155,7 @@ void LinuxCncKinematics::add_axis(char name, const Vec3& direction, const Vec3& 
   machine.kinematics.rotary.push_back(axis);
 }
 
-/// `value` in the unit of the key; false, with a note, where it is out of bounds.
+/// Sets `value` in the unit of the key; returns false, with a note, if it is out of bounds.
 bool LinuxCncKinematics::set(RotaryAxis& axis, const char* key, double value, const Provenance& source,
                              const ConfigurationPlace& place) {
   const std::vector<SettingSpec>& specs = rotary_axis_specs();
@@ -172,7 +172,7 @@ bool LinuxCncKinematics::set(RotaryAxis& axis, const char* key, double value, co
   return true;
 }
 
-/// `per_unit`: degrees of the file in a unit of the key.
+/// `per_unit`: degrees of the file per unit of the key.
 void LinuxCncKinematics::give_limit(RotaryAxis& axis, const char* key, const char* name, const char* unit,
                                     double usual, double per_unit) {
   const std::string section = fmt::format("AXIS_{}", axis.name);
@@ -193,7 +193,7 @@ void LinuxCncKinematics::give_limit(RotaryAxis& axis, const char* key, const cha
       {fmt::format("{} does not give it: usual of such machines", draft_.file()), true});
 }
 
-/// None where the file gives none: the axis turns without end.
+/// None if the file has none: the axis turns without end.
 void LinuxCncKinematics::give_travel(RotaryAxis& axis, const char* key, const char* name) {
   const SectionEntry* entry = file_.find(fmt::format("AXIS_{}", axis.name), name);
   const std::optional<double> value =

@@ -7,23 +7,24 @@
 
 namespace feedscope {
 
-/// The tables of LinuxCNC that tilt and turn, xyzac-trt-kins and xyzbc-trt-kins: rotary axes with limits and
-/// travel of [AXIS_A] ..., their places from the HAL commands of the INI file. LinuxCNC counts how the table
-/// turns, so that the tool turns against the part the other way.
+/// LinuxCNC's tables that tilt and turn, xyzac-trt-kins and xyzbc-trt-kins: rotary axes with limits and
+/// travel from [AXIS_A] ..., their positions from the HAL commands of the INI file. LinuxCNC counts the
+/// rotation of the table, so the tool turns the other way against the part.
 class LinuxCncKinematics {
  public:
-  /// All outlive it; `unit` of the machine [mm], "mm" or "inch".
+  /// All references outlive this; `unit` of the machine [mm], "mm" or "inch".
   LinuxCncKinematics(SectionFile& file, MachineDraft& draft, double unit, std::string unit_name)
       : file_(file), draft_(draft), unit_(unit), unit_name_(std::move(unit_name)) {}
 
-  /// Gives the machine its kinematics where the file names such a table. False, and nothing given, otherwise.
+  /// Sets the kinematics of the machine if the file names such a table. Otherwise returns false and sets
+  /// nothing.
   bool read();
 
  private:
-  /// A pin of the component, as HAL commands set it.
+  /// A pin of the component, as set by HAL commands.
   struct Pin {
     double value = 0;  ///< [mm]
-    std::string what;  ///< where and how it is set; empty: nowhere
+    std::string what;  ///< where and how it is set; empty if it is not
   };
 
   const SectionEntry* command_for(const std::string& pin) const;
@@ -41,7 +42,7 @@ class LinuxCncKinematics {
   double unit_;
   std::string unit_name_;
   std::string component_;         ///< "xyzac-trt-kins"
-  bool counts_the_table_ = true;  ///< else how the tool turns against the part, as ISO 841
+  bool counts_the_table_ = true;  ///< else the rotation of the tool against the part, as ISO 841
 };
 
 }  // namespace feedscope

@@ -156,7 +156,7 @@ void MachineDraft::fill(std::string_view key, double usual) {
 }
 
 void MachineDraft::fill_jerk(const UsualLimits& usual) {
-  constexpr double least_rise = 0.005;  // [s] in which an acceleration is reached that no jerk limits
+  constexpr double least_rise = 0.005;  // [s] to reach an acceleration without a jerk limit
   const std::string none = fmt::format("{} limits no jerk: for other models, so high that it hardly limits",
                                        imported_.machine.control);
   for (const AxisInfo& axis : imported_.machine.axes.axes()) {

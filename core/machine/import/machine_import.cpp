@@ -29,7 +29,7 @@ const std::array<const ConfigurationFormat*, 7> formats{
     &linuxcnc_ini,   &grbl_listing,     &klipper_config,       &marlin_report,
     &sinumerik_data, &fanuc_parameters, &heidenhain_parameters};
 
-/// The format that most lines of the text speak for; null if none does.
+/// Format with the most typical lines in the text; null if there is none.
 const ConfigurationFormat* format_of(std::string_view text) {
   const ConfigurationFormat* best = nullptr;
   std::size_t most = 0;
@@ -46,7 +46,7 @@ const ConfigurationFormat* format_of(std::string_view text) {
   return best;
 }
 
-/// "my-mill.ini" as the id of a machine.
+/// Machine id from a file name such as "my-mill.ini".
 std::string id_of(const std::string& name) {
   std::string id = fs::path(name).stem().string();
   std::ranges::replace_if(

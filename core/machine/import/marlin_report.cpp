@@ -19,10 +19,10 @@ namespace {
 
 constexpr std::array report_codes{"M92", "M201", "M203", "M204", "M205", "M566"};
 
-/// "M203 X500 Y500" behind what the firmware or a host writes in front of it, such as "Recv: echo:  ".
+/// Command such as "M203 X500 Y500" after a prefix of firmware or host such as "Recv: echo:  ".
 struct ReportedCommand {
   std::string code;
-  std::vector<std::string_view> words;  ///< behind the code
+  std::vector<std::string_view> words;  ///< after the code
 };
 
 bool is_code(std::string_view word) {
@@ -100,7 +100,7 @@ class MarlinReader {
   void read_line(const ConfigurationLine& line) {
     const std::optional<ReportedCommand> command = reported_command(line.text);
     if (!command) {
-      return;  // headings and what hosts write
+      return;  // headings and output of hosts
     }
     if (command->code == "G20" || command->code == "G21") {
       unit_ = command->code == "G20" ? units::from_inch(1) : 1;
@@ -152,7 +152,7 @@ class MarlinReader {
     return &found->second;
   }
 
-  /// The smaller of the values of X and Y; null if there is none.
+  /// Smaller one of the values of X and Y; null if there is none.
   const Value* least_of_plane(const std::string& code) {
     const Value* x = find(code, 'X');
     const Value* y = find(code, 'Y');
@@ -211,9 +211,9 @@ class MarlinReader {
     }
   }
 
-  /// Junction deviation or the older limit of jumps, as the square corner velocity that comes to the same at
-  /// 90 degrees: with a deviation d and an acceleration a, v^2 = a d s/(1 - s), s = sin 45 degrees, or a
-  /// d/(sqrt 2 - 1).
+  /// Junction deviation or the older jerk setting (a jump of velocity), as the equivalent square corner
+  /// velocity at 90 degrees: with a deviation d and an acceleration a, v^2 = a d s/(1 - s), s = sin 45
+  /// degrees, or a d/(sqrt 2 - 1).
   void read_corners(bool is_duet) {
     const char* key = "square_corner_velocity_mm_s";
     const Value* deviation = find("M205", 'J');

@@ -8,7 +8,7 @@
 
 namespace feedscope {
 
-/// Parameters of a control by number and axis, as they were given.
+/// Parameters of a control by number and axis, as read.
 class NumberedParameters {
  public:
   struct Entry {
@@ -17,7 +17,7 @@ class NumberedParameters {
   };
   static constexpr int no_axis = -1;
 
-  /// A later entry replaces an earlier one; where the value differs, a note of the draft says so.
+  /// A later entry replaces an earlier one; a different value adds a note to the draft.
   void add(int number, int axis, Entry entry, MachineDraft& draft);
   /// Null if there is none.
   const Entry* find(int number, int axis = no_axis) const;

@@ -22,7 +22,7 @@ bool has_wildcards(const std::string& pattern) {
   return pattern.find_first_of("*?[") != std::string::npos;
 }
 
-/// Files of the last part of a pattern, sorted.
+/// Files that match the last part of a pattern, sorted.
 std::vector<fs::path> matching_files(const fs::path& pattern) {
   std::vector<fs::path> files;
   const std::string name = pattern.filename().string();
@@ -98,7 +98,7 @@ void SectionFile::read_line(const ConfigurationLine& line, const OpenFile& file)
   if (style_ == SectionStyle::klipper && text.starts_with(saved_mark)) {
     text = without_blanks(text.substr(saved_mark.size()));
   } else if (line.indented && style_ == SectionStyle::klipper) {
-    return;  // it goes on with the value above, such as the commands of a macro
+    return;  // it continues the value above, like the commands of a macro
   }
   text = without_comment(text);
   const ConfigurationPlace place{line.number, file.name};

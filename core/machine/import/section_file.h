@@ -13,11 +13,11 @@
 
 namespace feedscope {
 
-/// How a control writes sections and includes files.
+/// Syntax of sections and includes of a control.
 enum class SectionStyle : std::uint8_t {
-  linuxcnc,  ///< KEY = value; comments in lines of their own or behind a blank; #INCLUDE file; the first of
-             ///< two holds
-  klipper,   ///< key: value or key = value; [include glob]; further lines indented; the last of two holds
+  linuxcnc,  ///< KEY = value; comments on their own lines or after a blank; #INCLUDE file; the first of two
+             ///< applies
+  klipper,   ///< key: value or key = value; [include glob]; further lines indented; the last of two applies
 };
 
 struct SectionEntry {
@@ -26,7 +26,7 @@ struct SectionEntry {
   std::string value;
   ConfigurationPlace place;
 
-  /// "[AXIS_X] MAX_VELOCITY = 5"
+  /// Value with its name, such as "[AXIS_X] MAX_VELOCITY = 5".
   GivenValue given(std::string_view unit = "") const;
 };
 
@@ -35,27 +35,26 @@ struct SectionHead {
   ConfigurationPlace place;
 };
 
-/// A configuration in sections, with the files that it includes in their place. What can be read as neither
-/// section nor entry, a file that cannot be included, and an entry that another one replaces with another
-/// value are notes of the draft.
+/// A configuration in sections, with included files in place. Lines that are neither section nor entry, files
+/// that cannot be included, and entries replaced by another value become notes of the draft.
 class SectionFile {
  public:
   SectionFile(const ConfigurationSource& source, SectionStyle style, MachineDraft& draft);
 
-  /// The entry that holds; null if there is none.
+  /// Entry that applies; null if there is none.
   const SectionEntry* find(std::string_view section, std::string_view key);
   const SectionHead* find_section(std::string_view section) const;
   const std::vector<SectionEntry>& entries() const { return entries_; }
-  /// Leaves out of the draft what find() was never asked for: "[SECTION] KEY", of sections that were asked
-  /// for nothing "[SECTION]".
+  /// Passes everything that find() was never called for to MachineDraft::leave_out(): "[SECTION] KEY", or
+  /// "[SECTION]" for a section without any call.
   void leave_out_rest() const;
   const std::vector<SectionHead>& sections() const { return sections_; }
-  /// Where a section stands; the file as a whole without it.
+  /// Place of a section; the file as a whole without it.
   ConfigurationPlace place_of(std::string_view section) const;
 
  private:
   struct OpenFile {
-    std::string name;  ///< empty: the file that is imported
+    std::string name;  ///< empty: the imported file
     std::filesystem::path folder;
   };
 
@@ -73,10 +72,10 @@ class SectionFile {
   std::string section_;
   std::vector<SectionEntry> entries_;
   std::map<std::pair<std::string, std::string>, std::size_t>
-      holding_;                                          ///< section and key: place in entries_
-  std::set<std::pair<std::string, std::string>> asked_;  ///< of find(): section and key
+      holding_;                                          ///< section and key: index into entries_
+  std::set<std::pair<std::string, std::string>> asked_;  ///< by find(): section and key
   std::vector<SectionHead> sections_;
-  std::vector<std::filesystem::path> open_;  ///< files that are being read, the outermost first
+  std::vector<std::filesystem::path> open_;  ///< files being read, outermost first
   std::size_t files_ = 0;
 };
 

@@ -17,12 +17,12 @@
 namespace feedscope {
 namespace {
 
-/// "N32300 $MA_MAX_AX_ACCEL[0,AX1]=4" in its parts.
+/// Parts of "N32300 $MA_MAX_AX_ACCEL[0,AX1]=4".
 struct MachineDatum {
   std::string name;                  ///< "MA_MAX_AX_ACCEL"
   std::vector<std::string> indices;  ///< "0", "AX1"
   std::string value;                 ///< without quotes
-  std::string text;                  ///< as it stands, without the number in front
+  std::string text;                  ///< as written, without the number at the start
   ConfigurationPlace place;
   bool used = false;
 };
@@ -37,7 +37,7 @@ std::vector<std::string> between_commas(std::string_view text) {
   return parts;
 }
 
-/// `line`: its text, behind a block number at most.
+/// `line`: the datum, possibly after a block number.
 std::optional<MachineDatum> machine_datum(const ConfigurationLine& line) {
   std::string_view text = line.text;
   if (text.starts_with('N')) {
@@ -80,7 +80,7 @@ std::size_t recognised_data(std::string_view text) {
   return data > others ? data : 0;
 }
 
-/// What is used of an axis; values in tables of the control by dynamic mode or parameter set.
+/// A datum that is used for an axis; tables of the control contain values by dynamic mode or parameter set.
 struct AxisDatum {
   const char* name;
   const char* key;  ///< of axis_specs()
@@ -177,7 +177,7 @@ class SinumerikReader {
     return draft_.finish(sinumerik_data.kind, {30, 3, 50});
   }
 
-  /// The place of a value in a table of names, such as the geometry axes; none if there is no such.
+  /// Index of a value in a table of names, such as the geometry axes; none if it is not there.
   std::optional<std::size_t> place_in(const std::string& table, char axis) {
     constexpr std::size_t longest = 31;
     for (std::size_t i = 0; i < longest; ++i) {
@@ -189,7 +189,7 @@ class SinumerikReader {
     return std::nullopt;
   }
 
-  /// A number from 1 of a table; 0 if it has none.
+  /// A 1-based number of a table; 0 if it has none.
   std::size_t number_in(const std::string& table, std::size_t place) {
     const MachineDatum* entry = find(fmt::format("{}|{}", table, place));
     std::size_t number = 0;
@@ -199,8 +199,8 @@ class SinumerikReader {
     return number;
   }
 
-  /// Names of the machine axis that moves a geometry axis: by the tables of the channel, else by its own
-  /// name, else in the order of the axes.
+  /// Names of the machine axis that moves a geometry axis: from the tables of the channel, else its own name,
+  /// else from the order of the axes.
   std::vector<std::string> machine_axis(char axis) {
     std::optional<std::size_t> channel_axis = place_in("MC_AXCONF_CHANAX_NAME_TAB", axis);
     if (const auto geometry = place_in("MC_AXCONF_GEOAX_NAME_TAB", axis)) {
@@ -222,7 +222,7 @@ class SinumerikReader {
     return names;
   }
 
-  /// A datum of an axis in its first row: [AX1], [0,AX1].
+  /// Datum of an axis in its first row: [AX1], [0,AX1].
   const MachineDatum* of_axis(const std::string& name, const std::vector<std::string>& axis) {
     for (const std::string& one : axis) {
       const MachineDatum* datum = find(fmt::format("{}|{}", name, one));
@@ -265,7 +265,7 @@ class SinumerikReader {
     }
   }
 
-  /// Other values in rows for other dynamic modes: DYNPOS, DYNROUGH, DYNSEMIFIN, DYNFINISH.
+  /// Notes other values in rows for other dynamic modes: DYNPOS, DYNROUGH, DYNSEMIFIN, DYNFINISH.
   void note_other_modes(const MachineDatum& used) {
     constexpr std::array modes{"DYNNORM", "DYNPOS", "DYNROUGH", "DYNSEMIFIN", "DYNFINISH"};
     if (used.indices.size() < 2 || used.name == "MA_POSCTRL_GAIN") {
