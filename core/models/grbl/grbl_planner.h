@@ -57,7 +57,7 @@ class GrblPlanner {
   /// Queues a line. `running_speed`: of the front block, if it is being prepared [mm/min]. Returns false if
   /// the line makes no step.
   bool add(const Line& line, std::optional<float> running_speed);
-  /// True if the last add() changed the plan back to the front block: if that is being prepared, it begins
+  /// True if the last add() recomputed the plan back to the front block: if that is being prepared, it begins
   /// again from its running speed.
   bool reached_front() const { return reached_front_; }
 

@@ -7,8 +7,8 @@ namespace feedscope {
 /// Velocity pulses smoothed by moving averages (FIR filters), as a Heidenhain TNC 640 interpolates.
 ///
 /// R. Ward, B. Sencer, B. Jones, E. Ozturk, "Accurate prediction of machining feedrate and cycle times
-/// considering interpolator dynamics", Int J Adv Manuf Technol (2021); equations in README.md beside this
-/// file. Symbols: n filters of length T1, delay T_d = n T1, F feed, a blending factor, V_c = a F height of
+/// considering interpolator dynamics", Int J Adv Manuf Technol (2021); equations in README.md in this
+/// folder. Symbols: n filters of length T1, delay T_d = n T1, F feed, a blending factor, V_c = a F height of
 /// the blending pulses, T_b = (T_d/2)(1 - a) their width on each side of a corner, T_v width of the pulse
 /// between.
 ///
