@@ -35,7 +35,7 @@ enum class AccelerationMode : std::uint8_t {
 
 enum class Switch : std::uint8_t { machine, on, off };
 
-/// How the program wants its path to be run, whatever the words of its dialect. The machine decides
+/// Execution of the path that the program requests, whatever the words of its dialect. The machine decides
 /// everything left open. Every motion has one.
 struct PathControl {
   PathMode mode = PathMode::machine;

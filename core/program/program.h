@@ -105,7 +105,7 @@ struct Program {
   bool cut_off = false;  ///< at the limit of ReadOptions: the rest is missing
   /// Rotary and secondary axes that move; their time is not counted on a machine without them.
   std::vector<std::string> other_axes;
-  /// Those of other_axes that no machine counts: all but A, B and C.
+  /// Axes of other_axes that no machine counts: all but A, B and C.
   std::vector<std::string> cutting_axes;
   std::vector<RotaryMove> rotary_moves;  ///< in their order
   /// Bounds of the whole path, arcs with their full extent [mm]. The tool starts at X0 Y0 Z0, an assumed

@@ -34,7 +34,7 @@ constexpr double direction_off = 1e-3;
 constexpr double curvature_off = 0.005;
 constexpr double curvature_of_limit = 2e-3;
 
-/// Of the turn of a curve; a larger turn within `turned_back` [mm] turns back there.
+/// Least cosine of a curve's turn; a larger turn within `turned_back` [mm] turns back there.
 constexpr double min_cosine = 0.5;
 
 constexpr int deepest = 60;

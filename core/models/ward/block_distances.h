@@ -37,7 +37,7 @@ class BlockDistances {
   const PulseTrain& train_;
   const PathRules& rules_;
   FilterWalk walk_;
-  double lag_ = 0;  ///< of the path after the middle of the filters at the previous point [s]
+  double lag_ = 0;  ///< of the path relative to the middle of the filters at the previous point [s]
 };
 
 }  // namespace feedscope

@@ -28,7 +28,7 @@ class PlaneStatements : private Part {
   CoordinateFrame by_points(Scanner& scanner, std::uint32_t column) const;
   /// Frame by A, B and C; none if none of them is next.
   std::optional<CoordinateFrame> by_axes(Scanner& scanner, std::uint32_t column) const;
-  /// How the rotary axes reach the plane.
+  /// Way of the rotary axes to the plane.
   struct Positioning {
     bool turns = true;  ///< MOVE, TURN
     int side = 0;       ///< SEQ, SYM

@@ -39,7 +39,7 @@ class Frames {
   /// The same with the rotations of G68 and G68.2.
   CoordinateFrame rotated() const;
 
-  /// Of all coordinates [mm]; nullptr if the program has not set it.
+  /// Work offset in all coordinates [mm]; nullptr if the program has not set it.
   const WorkOffset* work_offset(int key) const;
   /// Zero point of a work offset [mm]; none if the program has not set it.
   std::optional<Vec3> zero_of(int key) const;
