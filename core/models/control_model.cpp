@@ -18,7 +18,7 @@
 namespace feedscope {
 namespace {
 
-/// An axis that moves needs all its limits; a limit of 0 or less would divide by zero or never arrive.
+/// A moving axis needs all its limits; a limit of 0 or less would divide by zero or never arrive.
 void check_axes(const Toolpath& toolpath, const Machine& machine) {
   for (int j = 0; j < 3; ++j) {
     const char name = coordinate_names[static_cast<std::size_t>(j)];

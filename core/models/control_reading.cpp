@@ -18,10 +18,10 @@ bool leads_to_arc(const Toolpath& path, std::size_t i) {
   return i < path.segments.size() && path.segments[i].kind == SegmentKind::arc;
 }
 
-/// Ends of lines as `as_written` has them, where they are those in 32 bits.
+/// Uses the ends of lines in `as_written` where they are equal in 32 bits.
 void use_written_ends(Toolpath& path, const Toolpath& as_written) {
   std::size_t next = 0;              // of as_written
-  Vec3 rounded_before = path.start;  // where the segment before ended
+  Vec3 rounded_before = path.start;  // end of the previous segment
   for (std::size_t i = 0; i < path.segments.size(); ++i) {
     Segment& segment = path.segments[i];
     const Vec3 rounded = segment.end;
@@ -68,7 +68,7 @@ ControlReading reading_of(Program read, const Toolpath& as_written, bool single_
   if (single_precision) {
     use_written_ends(path, as_written);
   }
-  std::size_t next = 0;  // of as_written: the first segment behind the line
+  std::size_t next = 0;  // of as_written: the first segment after the line
   for (Segment& segment : path.segments) {
     while (next < as_written.segments.size() && as_written.segments[next].line <= segment.line) {
       ++next;

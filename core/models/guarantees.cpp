@@ -19,8 +19,8 @@ std::string listed(const std::vector<std::string>& words) {
   return text;
 }
 
-/// What is kept of an acceleration or a jerk in parts: the parts, what that says of their sum, and what is
-/// not bounded.
+/// Text about an acceleration or jerk that is kept in parts: the parts, the resulting bound of their sum, and
+/// the part that is not bounded.
 std::string parts_text(const KeptLimit& kept, bool jerk) {
   const std::string limit = kept.factor == 1 ? "the limit" : fmt::format("{} times the limit", kept.factor);
   return jerk ? fmt::format(
@@ -54,7 +54,7 @@ std::string place_sentence(const char* place, const KeptLimits& limits) {
     std::vector<std::string> words;
     const KeptLimit& kept = all[i].second;
     text += i == 0 ? ": " : "; ";
-    if (kept.of == Of::parts) {  // of a jerk other parts than of an acceleration
+    if (kept.of == Of::parts) {  // a jerk has other parts than an acceleration
       text += all[i].first + " " + parts_text(kept, i == 2);
       ++i;
       continue;

@@ -5,14 +5,14 @@
 
 namespace feedscope {
 
-/// `beta` of CornerRule: the share of the contour tolerance that blends of a Sinumerik 840D use.
+/// `beta` of CornerRule: share of the contour tolerance used by blends of a Sinumerik 840D.
 SettingSpec used_tolerance_setting();
 
-/// Promises that corners lie within `factor` times the contour tolerance; with a tolerance of 0, that the
+/// Promises that corners stay within `factor` times the contour tolerance; with a tolerance of 0, that the
 /// path is followed exactly, with full stops in corners of lines.
 void promise_tolerance(Guarantees& promised, const Settings& settings, double factor);
 
-/// Promises what lower_curve_ceilings() keeps of the axes' limits on the curves of a compressor, if there is
+/// Promises the axes' limits that lower_curve_ceilings() keeps on the curves of a compressor, if there is
 /// one.
 void promise_smooth_curves(Guarantees& promised, const Settings& settings);
 

@@ -42,14 +42,14 @@ bool is_one_of(std::string_view word, const std::array<std::string_view, Count>&
                      [&](std::string_view candidate) { return letters::same(word, candidate); });
 }
 
-/// Names that start or make up statements of the Sinumerik and of no other control.
+/// Names of statements, or in them, that only the Sinumerik has.
 constexpr auto sinumerik_names = std::to_array<std::string_view>(
     {"DEF",   "PROC",  "MSG",     "TRANS",  "ATRANS",  "ROT",     "AROT",      "SCALE",  "ASCALE", "MIRROR",
      "SUPA",  "CTOL",  "OTOL",    "COMPOF", "COMPON",  "COMPCAD", "COMPCURV",  "SOFT",   "BRISK",  "FFWON",
      "FFWOF", "GOTOF", "GOTOB",   "STOPRE", "TRAORI",  "TRAFOOF", "WORKPIECE", "EXTERN", "MCALL",  "ENDFOR",
      "CIP",   "CT",    "ENDLOOP", "UNTIL",  "BSPLINE", "ASPLINE", "CSPLINE",   "DIAMON", "CFC",    "CFTCP"});
 
-/// Statements of Okuma's OSP: how to run what follows, subprogram calls at each position, their end.
+/// Statements of Okuma's OSP: run mode of the following blocks, subprogram calls at each position, their end.
 constexpr auto okuma_statements =
     std::to_array<std::string_view>({"NOEX", "MODIN", "MODOUT", "RTS", "VZOFX", "VZOFY", "VZOFZ", "VTOFH"});
 
@@ -175,12 +175,12 @@ void score_line(std::string_view line, Score& score) {
     score_heidenhain(scan, score);
     score_statement(line, scan, score);
   } catch (...) {
-    // A number that cannot be read says nothing about the dialect.
+    // An unreadable number gives no hint of the dialect.
   }
   score_content(line, score);
 }
 
-/// A word with a number directly behind another word, "G15 H1".
+/// True if a word with a number directly follows another word, "G15 H1".
 bool has_pair(std::string_view line, std::string_view first, char second) {
   for (std::size_t at = 0; at + first.size() < line.size(); ++at) {
     if (!letters::same(line.substr(at, first.size()), first) ||
@@ -195,7 +195,7 @@ bool has_pair(std::string_view line, std::string_view first, char second) {
   return false;
 }
 
-/// What of a line only the controls of Okuma have.
+/// Points for words of a line that only the controls of Okuma have.
 int okuma_points(std::string_view line) {
   line = line.substr(0, line.find('('));
   int points = 0;

@@ -11,8 +11,8 @@ namespace feedscope {
 
 /// The language of an NC program.
 enum class Dialect : std::uint8_t {
-  iso,             ///< what ISO controls share; where they differ the block itself decides
-  fanuc,           ///< Fanuc and what follows it (Haas, Mitsubishi): O numbers, macro B
+  iso,             ///< shared by ISO controls; where they differ the block itself decides
+  fanuc,           ///< Fanuc and compatible controls (Haas, Mitsubishi): O numbers, macro B
   linuxcnc,        ///< LinuxCNC: RS-274/NGC with O words and named variables
   grbl,            ///< grbl and 3D printers: plain words only
   sinumerik,       ///< Siemens Sinumerik 840D
@@ -28,21 +28,21 @@ struct DialectInfo {
 
 std::span<const DialectInfo> all_dialects();
 const DialectInfo& info_of(Dialect dialect);
-/// Throws InputError with the nearest name for an id that is not known.
+/// Throws InputError with the nearest name for an unknown id.
 Dialect dialect_of_id(std::string_view id);
 
-/// A language that is recognised and not read.
+/// A language that is recognised but not read.
 struct ForeignLanguage {
   std::string_view title;    ///< of the control
-  std::string_view meaning;  ///< what its words mean that the dialects read otherwise
-  std::uint32_t line = 0;    ///< of the first word of it; 0: the ending of the file's name says it
+  std::string_view meaning;  ///< meaning of its words that the dialects read otherwise
+  std::uint32_t line = 0;    ///< of its first word; 0: recognised by the file name extension
 };
 
-/// The language of a control that is not supported, by words and file names that only it has.
+/// Recognises the language of an unsupported control, by words and file names that only it has.
 std::optional<ForeignLanguage> recognise_foreign(const SourceText& source);
 
-/// The dialect that a text is written in, by words that only one dialect has, in its first lines; where they
-/// are missing by the ending of its name, else, and for a foreign language, Dialect::iso.
+/// Recognises the dialect of a text by words in its first lines that only one dialect has, or else by its
+/// file name extension. Returns Dialect::iso for everything else and for a foreign language.
 Dialect recognise(const SourceText& source);
 
 }  // namespace feedscope

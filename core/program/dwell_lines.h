@@ -7,7 +7,7 @@
 
 namespace feedscope {
 
-/// The lines of a program that let the axes wait for `time` [s].
+/// Lines of a program that make the axes wait for `time` [s].
 std::vector<std::string> dwell_lines(Dialect dialect, double time);
 
 }  // namespace feedscope

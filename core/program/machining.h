@@ -14,7 +14,7 @@
 
 namespace feedscope {
 
-/// What every part of a reader works on: the run of the program's lines, the path that comes out, tools and
+/// Shared state for every part of a reader: the run of the program's lines, the resulting path, tools and
 /// messages. The members outlive the parts.
 struct Machining {
   using Text = DiagnosticLog::Text;
@@ -27,18 +27,17 @@ struct Machining {
   OtherAxes& other_axes;
   UnitTracker& unit;
 
-  /// Reports at a column of the line in force; 0: the line as a whole.
+  /// Reports at a column of the current line; 0: the line as a whole.
   template <typename MakeText>
   void report(Severity severity, MessageCode code, int detail, std::uint32_t column, MakeText&& text) const {
     log.add(severity, code, detail, lines.place(column), text);
   }
-  /// Reports a fault of the line in force.
+  /// Reports a fault of the current line.
   void report(const ReadFault& fault) const;
-  /// `what` sends axes to a position that only the machine knows: a warning.
+  /// Warns that `what` sends axes to a position that only the machine knows.
   void report_machine_move(std::string_view what, MessageCode code, std::uint32_t column) const;
-  /// Direction from the tip to the spindle in the coordinates that are shown, of length 1, that a vector of
-  /// the program gives. None, and an error, where it has no length: `words` names its words, `example` writes
-  /// one.
+  /// Unit vector from the tip to the spindle in shown coordinates for a vector of the program. Empty, with an
+  /// error, for a vector of length zero: `words` names its words, `example` shows one.
   std::optional<Vec3> tool_direction(const Vec3& vector, std::string_view words, std::string_view example,
                                      std::uint32_t column) const;
 };

@@ -10,15 +10,15 @@
 
 namespace feedscope {
 
-/// What a control does where blocks meet.
+/// Behaviour of a control where blocks meet.
 enum class PathMode : std::uint8_t {
-  machine,     ///< what the machine file and the model say
+  machine,     ///< by machine file and model
   exact_stop,  ///< stops at the end of every block, but see PathControl::exact_path: G9, G60, G61, G61.1
   continuous,  ///< runs through: G64, G641 to G645, M120
 };
 
-/// When the next block may begin after an exact stop: once every axis is within a window about its end, whose
-/// sizes are machine data, or as soon as the set speed is zero.
+/// Start of the next block after an exact stop: once every axis is within a window around its end, with sizes
+/// from machine data, or as soon as the set speed is zero.
 enum class ExactStopWindow : std::uint8_t {
   machine,
   fine,               ///< G601
@@ -35,13 +35,13 @@ enum class AccelerationMode : std::uint8_t {
 
 enum class Switch : std::uint8_t { machine, on, off };
 
-/// How the program wants its path to be run, whatever the words of its dialect. What it leaves open is the
-/// machine's. Every motion has one.
+/// Execution of the path that the program requests, whatever the words of its dialect. The machine decides
+/// everything left open. Every motion has one.
 struct PathControl {
   PathMode mode = PathMode::machine;
   ExactStopWindow exact_stop_window = ExactStopWindow::machine;  ///< of mode exact_stop
   bool exact_path =
-      false;  ///< of mode exact_stop: what LinuxCNC does not stop at, blocks that meet tangentially: G61
+      false;  ///< of mode exact_stop: LinuxCNC does not stop between blocks that meet tangentially: G61
   /// Largest distance of the executed from the programmed path [mm]: CTOL, CYCLE832, G64 P, cycle 32 T.
   std::optional<double> contour_tolerance;
   /// Distance from a corner at which its blend may begin [mm]: ADIS, ADISPOS.
@@ -54,24 +54,24 @@ struct PathControl {
   std::optional<double> compaction_tolerance;  ///< [mm]; none: the contour tolerance
   AccelerationMode acceleration = AccelerationMode::machine;
   Switch feed_forward = Switch::machine;  ///< FFWON, FFWOF
-  Switch look_ahead = Switch::machine;    ///< G05.1, G08, G5 P10000, G64 against G60 aside
+  Switch look_ahead = Switch::machine;    ///< G05.1, G08, G5 P10000; not G64 against G60
 
   bool operator==(const PathControl&) const = default;
 };
 
-/// Whether a contour tolerance or blend distance [mm] of the program is above 0 and below least_tolerance,
-/// which is then used in its place.
+/// True if a contour tolerance or blend distance [mm] of the program is above 0 and below least_tolerance,
+/// which then replaces it.
 bool is_too_small(double tolerance);
-/// What the user is told of it; `words`: "tolerance P0.0000001 of G64".
+/// Message about such a tolerance; `words`: "tolerance P0.0000001 of G64".
 DiagnosticLog::Text too_small_text(std::string_view words);
 
-/// The first that asks for a contour tolerance or a blend distance; nullptr if none does.
+/// The first with a contour tolerance or a blend distance; nullptr for none.
 const PathControl* find_own_tolerance(std::span<const PathControl> controls);
 
 /// "fine", "coarse", "interpolation end"; empty for the machine's.
 std::string_view to_string(ExactStopWindow window);
 
-/// "continuous, contour tolerance 0.01 mm, compaction on"; "as the machine" where nothing is said.
+/// "continuous, contour tolerance 0.01 mm, compaction on"; "as the machine" for an empty one.
 std::string describe(const PathControl& control);
 
 }  // namespace feedscope

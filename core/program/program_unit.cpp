@@ -22,8 +22,8 @@ std::string describe(const ProgramUnit& unit) {
 }
 
 bool looks_like_inches(const CutSize& cut) {
-  constexpr double largest_size = 50;   // [mm]; of an inch program that is 1.3 m
-  constexpr double largest_feed = 300;  // [mm/min]; of an inch program that is 7.6 m/min
+  constexpr double largest_size = 50;   // [mm]; in an inch program 1.3 m
+  constexpr double largest_feed = 300;  // [mm/min]; in an inch program 7.6 m/min
   const double size = cut.size.maxCoeff();
   const double feed = units::to_mm_min(cut.feed);
   return size > 0 && size <= largest_size && feed > 0 && feed <= largest_feed;

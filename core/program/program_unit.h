@@ -13,10 +13,10 @@ enum class LengthUnit : std::uint8_t { mm, inch };
 /// "mm", "inch".
 std::string_view to_string(LengthUnit unit);
 
-/// The unit of a program's first motion, and who says it.
+/// Unit of a program's first motion, and its source.
 struct ProgramUnit {
   enum class Source : std::uint8_t {
-    assumed,  ///< nobody: mm is used
+    assumed,  ///< not given: mm is used
     asked,    ///< ReadOptions
     program,  ///< the program itself: G20, G71, BEGIN PGM n MM
   };
@@ -29,13 +29,13 @@ struct ProgramUnit {
 /// "inch, by the program", "mm, by --unit", "mm, assumed: the program does not define its unit".
 std::string describe(const ProgramUnit& unit);
 
-/// What a program cuts, as far as sizes tell units apart.
+/// Sizes of a cut that tell units apart.
 struct CutSize {
   Vec3 size = Vec3::Zero();  ///< extents of the ends of its feed motions [mm]
   double feed = 0;           ///< the largest programmed [mm/s]
 };
 
-/// Smaller and slower than metric programs are: the numbers of an inch program, read as mm.
+/// True if sizes and feeds are smaller than those of metric programs: numbers of an inch program, read as mm.
 bool looks_like_inches(const CutSize& cut);
 
 }  // namespace feedscope

@@ -58,7 +58,7 @@ Program read_as(Dialect dialect, std::shared_ptr<const SourceText> source, const
   }
 }
 
-/// In front: it says more about the program than all that follow from it.
+/// First, because it explains more of the program than all diagnostics that follow from it.
 void say_foreign(Program& program, const ForeignLanguage& language) {
   program.diagnostics.insert(program.diagnostics.begin(),
                              {Severity::error, language.line, 0, "unsupported-control",

@@ -11,8 +11,7 @@ namespace feedscope {
 
 namespace {
 
-/// Motions that cycles and curves may make for each line that ReadOptions::repeat_limit allows: 50 million if
-/// nothing else is asked for.
+/// Motions that cycles and curves may make for each line of ReadOptions::repeat_limit: 50 million by default.
 constexpr std::uint64_t motions_a_repeat = 25;
 
 }  // namespace

@@ -9,8 +9,8 @@
 
 namespace feedscope {
 
-/// Runs a program line by line, as a control does. What a line means is the dialect's, which derives from
-/// this class and does it with parts that work on the Machining.
+/// Runs a program line by line, as a control does. The dialect derives from this class and interprets the
+/// lines with parts that work on the Machining.
 class Reader {
  public:
   Reader(std::shared_ptr<const SourceText> source, const ReadOptions& options, Progress* progress);
@@ -24,13 +24,14 @@ class Reader {
  protected:
   using Text = DiagnosticLog::Text;
 
-  /// One line in force, without its end. ReadFault is caught and reported.
+  /// Runs the current line, without its line end. ReadFault is caught and reported.
   virtual void run_line(std::string_view line) = 0;
-  /// The text in force has no further line, in a call.
+  /// Called where the current text has no further line, in a call.
   virtual void run_out() = 0;
-  /// Behind the last line: what the dialect holds back is written now.
+  /// Called after the last line: the dialect writes everything that is still pending.
   virtual void finish() {}
-  /// 1-based column of the first word of `line`, 0 for none; to say that text behind the end is not run.
+  /// 1-based column of the first word of `line`, 0 for none; for the message that text after the end is not
+  /// run.
   virtual std::uint32_t first_word(std::string_view line) = 0;
 
   Machining& machining() { return machining_; }

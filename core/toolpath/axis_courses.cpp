@@ -8,7 +8,8 @@
 namespace feedscope {
 namespace {
 
-/// Of the jerk that turning leaves, for 3 q2 v v' and what q3 v^3 grows on a ramp; the rest is for q1 v''.
+/// Share of the jerk left by turning that goes to 3 q2 v v' and to the growth of q3 v^3 on a ramp; the rest
+/// is for q1 v''.
 constexpr double across = 0.5;
 
 double faster(double speed, double acceleration, double reach) {
@@ -99,7 +100,7 @@ double AxisCourses::Course::jerk_in_bend(double speed, double along) const {
   return third * speed * speed * speed + 3 * second * speed * along;
 }
 
-/// The root of a convex function of the acceleration along the path, from above.
+/// Newton's method for the root of a convex function of the acceleration along the path, from above.
 double AxisCourses::Course::acceleration_in_bend(double speed, double reach) const {
   constexpr int steps = 8;
   const double at_constant_speed = jerk_in_bend(speed, 0);

@@ -27,7 +27,7 @@ std::complex<double> quotient(std::complex<double> numerator, std::complex<doubl
   return squared > 0 ? numerator * std::conj(denominator) / squared : nowhere;
 }
 
-/// The root with a real part >= 0. Without the care for overflow that makes the library's one slow.
+/// Root with a real part >= 0, without the overflow handling that makes the standard function slow.
 std::complex<double> root_of(std::complex<double> z) {
   const double major = std::sqrt((std::sqrt(std::norm(z)) + std::abs(z.real())) / 2);
   if (!(major > 0)) {
@@ -41,7 +41,8 @@ std::complex<double> root_of(std::complex<double> z) {
 }  // namespace
 
 BlendLength::BlendLength(const CubicBlend& blend) {
-  // Around the middle, where a sharp blend nearly stands still: there the speed must not be a difference.
+  // Expanded around the middle, where a sharp blend almost stops: there the speed must not be a difference of
+  // large terms.
   const CurvePoint middle = blend.at(0.5);
   const std::array<Vec3, 3> h{middle.d1, middle.d2, middle.d3 / 2};
   powers_ = {h[0].squaredNorm(), 2 * h[0].dot(h[1]), h[1].squaredNorm() + 2 * h[0].dot(h[2]),
@@ -65,7 +66,7 @@ void BlendLength::find_zeros(const CubicBlend& blend, const std::array<Vec3, 3>&
   zeros_ = {quotient(sum, c[2]), quotient(c[0], sum)};
 }
 
-/// Whether the zeros lie outside the ellipse around the interval in which one rule is exact to 1e-13.
+/// True if the zeros lie outside the ellipse around the interval within which one rule is exact to 1e-13.
 bool BlendLength::is_smooth(double from, double to) const {
   constexpr double wide = 2;  // longest axis of the ellipse over the interval
   return std::ranges::all_of(zeros_, [&](const std::complex<double>& zero) {
@@ -117,13 +118,13 @@ double BlendLength::to(double u) const {
   return cuts_[piece].s + gauss(cuts_[piece].u, u);
 }
 
-/// The polynomial of fifth degree in s that has the places, slopes and bends of both cuts.
+/// Polynomial of fifth degree in s through the places, slopes and bends of both cuts.
 double BlendLength::guess(const Cut& from, const Cut& to, double s) {
   const double span = to.s - from.s;
   const double chord = to.u - from.u;
   const double t = (s - from.s) / span;
   const double r = 1 - t;
-  // Off the chord by t r g(t).
+  // Deviation from the chord: t r g(t).
   const double rise = from.slope * span - chord;
   const double fall = to.slope * span - chord;
   const double g = r * r * (rise * (1 + 3 * t) + t * from.bend * span * span / 2) -
@@ -144,7 +145,7 @@ double BlendLength::parameter_at(double s) const {
     ++piece;
   }
   const Cut& start = cuts_[piece];
-  // Steps are kept inside a bracket because the speed may vanish on the way.
+  // Steps stay inside a bracket because the speed may vanish on the way.
   double low = start.u;
   double high = cuts_[piece + 1].u;
   double u = guess(start, cuts_[piece + 1], s);
@@ -163,7 +164,7 @@ double BlendLength::parameter_at(double s) const {
     if (!(next > low && next < high)) {
       next = (low + high) / 2;
     } else {
-      // Its error goes with the cube of the step: not worth another quadrature.
+      // The error is proportional to the cube of the step: not worth another quadrature.
       constexpr double small = 1e-11;
       const double roughness = by_width + steepness * steepness + std::abs(speed.second) / speed.value;
       if (newton * newton * roughness < small) {

@@ -7,13 +7,13 @@
 
 namespace feedscope {
 
-/// Path length along one blend, prepared once for many questions.
+/// Path length along one blend, prepared once for many queries.
 ///
-/// The parameter range is halved until one 12-point Gauss-Legendre rule does for each piece: until the zeros
-/// of the speed, complex and known in closed form because a blend is plane, lie far enough from it. Around
-/// the place where a sharply turning blend nearly stands still that takes many halvings, else none or one. A
-/// length is then one rule from the nearest cut, and the place of a given length one or two steps of third
-/// order from a polynomial guess. Relative error < 1e-10 for every turn.
+/// The parameter range is halved until one 12-point Gauss-Legendre rule is enough for each piece, that is
+/// until the zeros of the speed lie far enough from it. They are complex, and known in closed form because a
+/// blend is plane. A sharply turning blend needs many halvings around the place where it almost stops, others
+/// none or one. A length then takes one rule from the nearest cut; the place of a given length takes one or
+/// two third-order steps from a polynomial guess. Relative error < 1e-10 for every turn.
 class BlendLength {
  public:
   explicit BlendLength(const CubicBlend& blend);
@@ -27,7 +27,7 @@ class BlendLength {
   struct Cut {
     double u;
     double s;      ///< path length there [mm]
-    double slope;  ///< du/ds [1/mm]; infinite at rest, as is
+    double slope;  ///< du/ds [1/mm]; infinite at rest, like bend
     double bend;   ///< d2u/ds2 [1/mm2]
   };
   /// |S'|^2 and its derivatives by u [mm2].

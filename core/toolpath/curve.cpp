@@ -28,8 +28,8 @@ bool same(const CubicBlend& a, const CubicBlend& b) {
   return a.start == b.start && a.corner == b.corner && a.end == b.end && a.alpha == b.alpha;
 }
 
-/// Lengths along `blend`, valid until the same thread asks for those of another one: who samples a run asks
-/// many times for places of one blend, and preparing costs far more than each of them.
+/// Lengths along `blend`, valid until the same thread asks for another blend. Sampling a run asks for many
+/// places of one blend, and preparing costs far more than each of them.
 const BlendLength& lengths_along(const CubicBlend& blend) {
   struct Prepared {
     explicit Prepared(const CubicBlend& of) : blend(of), length(of) {}

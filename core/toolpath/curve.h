@@ -20,7 +20,7 @@ CurvePoint by_path_length(const CurvePoint& p);
 struct Arc {
   Vec3 center;        ///< [mm]
   Vec3 x;             ///< unit vector from the centre to the start
-  Vec3 y;             ///< unit vector, start direction of the turning part
+  Vec3 y;             ///< unit vector, start direction of the motion in the plane
   Vec3 rise;          ///< advance along the axis per radian [mm/rad]; zero for a flat arc
   double radius = 0;  ///< [mm]
   double sweep = 0;   ///< > 0 [rad]
@@ -32,8 +32,8 @@ struct Arc {
   double curvature() const;
 };
 
-/// The cubic Hermite blend of Essid 2019, eq 4-12, from `start` to `end` around `corner`:
-/// end derivatives alpha (corner - start) and alpha (end - corner), parameter u in [0, 1].
+/// Cubic Hermite blend of Essid 2019, eq 4-12, from `start` to `end` around `corner`: end derivatives alpha
+/// (corner - start) and alpha (end - corner), parameter u in [0, 1].
 struct CubicBlend {
   Vec3 start;   ///< Q- [mm]
   Vec3 corner;  ///< P [mm]

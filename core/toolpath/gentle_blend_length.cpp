@@ -7,8 +7,8 @@ namespace {
 
 constexpr double largest_h = 0.1;  // a turn of 26 degrees
 
-/// Integrates `f` over [0, 1/2] by the 5-point Gauss-Legendre rule on panels that grow from 2^-12 on: for
-/// small weights p + q is small at the ends.
+/// Integrates `f` over [0, 1/2] by the 5-point Gauss-Legendre rule on panels that grow from 2^-12: for small
+/// weights p + q is small at the ends.
 template <class Function>
 double integral_from_end(const Function& f) {
   constexpr std::array<double, 3> node{0, 0.53846931010568309, 0.90617984593866399};
@@ -35,7 +35,7 @@ double integral_from_end(const Function& f) {
 GentleBlendLength::GentleBlendLength(double alpha) {
   double binomial = 1;  // C(1/2, n) (-1/2)^n
   for (std::size_t n = 0; n < terms; ++n) {
-    // The same on both halves, where p and q change places.
+    // Both halves contribute equally, with p and q exchanged.
     factors_[n] = 2 * binomial * integral_from_end([&](double u) {
                     const double w = 1 - u;
                     const double p = 6 * u * w + alpha * w * (1 - 3 * u);

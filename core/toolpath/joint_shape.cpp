@@ -6,7 +6,7 @@
 namespace feedscope {
 namespace {
 
-/// k t^3 + m t^4 and its derivatives by the path, along which t changes by `rate` [1/mm].
+/// k t^3 + m t^4 and its derivatives by the path, where t changes by `rate` [1/mm].
 Series rising(double k, double m, double t, double rate) {
   return {t * t * t * (k + m * t), t * t * (3 * k + 4 * m * t) * rate, t * (6 * k + 12 * m * t) * rate * rate,
           (6 * k + 24 * m * t) * rate * rate * rate};

@@ -14,7 +14,7 @@ struct Start {
   double speed = 0;  // at its end [mm/s]
 };
 
-/// A way that begins with a speed and no acceleration and grows faster up to a speed, which it then keeps.
+/// Motion that starts at a given speed without acceleration, speeds up to `top` and keeps that speed.
 class SpeedingUp {
  public:
   SpeedingUp(double speed, double top, double acceleration, double jerk)
@@ -53,14 +53,14 @@ class SpeedingUp {
 
   double speed_, top_, acceleration_, jerk_;
   double grows_ = 0;   // how long the acceleration grows [s]
-  double topped_ = 0;  // when the top is reached [s]
+  double topped_ = 0;  // time at which the top is reached [s]
 };
 
 }  // namespace
 
 bool stop_is_faster(const TurnJoint& joint, const std::array<StopSide, 2>& sides, double blend) {
   constexpr double clearly = 0.95;
-  constexpr double unlimited = 1e4;  // of a feed that nothing limits [mm/s]
+  constexpr double unlimited = 1e4;  // for a feed without any limit [mm/s]
   const double speed = std::min({joint.limit.speed, sides[0].top, sides[1].top, unlimited});
   double passing = blend > 0 ? blend / speed : 0;
   double stopping = 0;

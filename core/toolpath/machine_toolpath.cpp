@@ -23,7 +23,7 @@ std::optional<double> given(const Settings& settings, std::string_view key) {
   return settings.has(key) ? std::optional(settings.number(key)) : std::nullopt;
 }
 
-/// The machine's positions in the coordinates that are shown, and its times.
+/// Positions of the machine in shown coordinates, and its times.
 class MachineData {
  public:
   explicit MachineData(const Settings& settings)
@@ -45,7 +45,7 @@ class MachineData {
                                           : std::nullopt;
   }
 
-  /// None if one of the axes is not known.
+  /// Empty if one of the axes is not known.
   std::optional<Vec3> shown(const AxisPlaces& places) const {
     Vec3 point;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -74,7 +74,7 @@ class MachineData {
       case AxisPlace::Kind::machine:
         return from(0.0);
       case AxisPlace::Kind::unknown:
-      case AxisPlace::Kind::assumed:  // how the axis would come there is not known
+      case AxisPlace::Kind::assumed:  // the way of the axis there is not known
         break;
     }
     return std::nullopt;
@@ -87,7 +87,7 @@ class MachineData {
   std::optional<double> spindle_start_time_;
 };
 
-/// Copies a path as soon as something in it changes.
+/// Copies a path on the first change to it.
 class Resolver {
  public:
   Resolver(std::shared_ptr<const Toolpath> path, const Settings& settings)
@@ -154,7 +154,7 @@ class Resolver {
   MachineData machine_;
 };
 
-/// With all feeds times the feed override.
+/// The path with all feeds times the feed override.
 std::shared_ptr<const Toolpath> with_feed_override(std::shared_ptr<const Toolpath> path,
                                                    const Settings& settings) {
   constexpr double whole = 100;  // percent
@@ -177,7 +177,7 @@ std::shared_ptr<const Toolpath> with_feed_override(std::shared_ptr<const Toolpat
   return changed;
 }
 
-/// Largest cutting feeds of X, Y and Z that a machine gives [mm/s]; infinite where it gives none.
+/// Largest cutting feeds of X, Y and Z of a machine [mm/s]; infinite where it gives none.
 Vec3 cutting_feeds(const Settings& settings) {
   Vec3 feeds = Vec3::Constant(std::numeric_limits<double>::infinity());
   for (int axis = 0; axis < 3; ++axis) {
@@ -190,14 +190,14 @@ Vec3 cutting_feeds(const Settings& settings) {
 
 struct CuttingFeed {
   double most = std::numeric_limits<double>::infinity();  ///< along the segment [mm/s]
-  std::int8_t axis = -1;                                  ///< that sets it
+  std::int8_t axis = -1;                                  ///< the axis that sets it
 };
 
-/// The feed along a segment at which no axis is above its cutting feed: of an arc for every direction in its
-/// plane, as if it were a full circle.
+/// Largest feed along a segment at which no axis exceeds its cutting feed. For an arc it covers every
+/// direction in its plane, as if it were a full circle.
 CuttingFeed most_cutting_feed(const Toolpath& path, std::size_t i, const Vec3& feeds) {
   const Segment& segment = path.segments[i];
-  Vec3 share = Vec3::Zero();  // largest of each axis of the feed
+  Vec3 share = Vec3::Zero();  // largest share of the feed, for each axis
   if (segment.kind == SegmentKind::line && segment.length > 0) {
     share = (segment.end - path.start_of(i)).cwiseAbs() / segment.length;
   } else if (segment.kind == SegmentKind::arc) {
@@ -214,7 +214,7 @@ CuttingFeed most_cutting_feed(const Toolpath& path, std::size_t i, const Vec3& f
   return least;
 }
 
-/// With feeds that keep every axis within its cutting feed.
+/// The path with feeds that keep every axis within its cutting feed.
 std::shared_ptr<const Toolpath> with_cutting_feeds(std::shared_ptr<const Toolpath> path,
                                                    const Settings& settings) {
   const Vec3 feeds = cutting_feeds(settings);
@@ -263,7 +263,7 @@ NotCounted not_counted(const Toolpath& path) {
   NotCounted count;
   count.other_axes = path.other_axes;
   Vec3 direction = Vec3::UnitZ();
-  for (const RotaryMove& move : path.rotary_moves) {  // none where a machine has made pauses of them
+  for (const RotaryMove& move : path.rotary_moves) {  // empty once a machine has turned them into pauses
     const bool to_zero = std::ranges::all_of(move.to, [](const auto& angle) { return angle == 0.0; });
     const Vec3 next = to_zero ? Vec3(Vec3::UnitZ()) : move.direction.value_or(direction);
     const bool beside = move.with_feed || move.with_rapid;

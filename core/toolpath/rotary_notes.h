@@ -11,23 +11,22 @@
 
 namespace feedscope {
 
-/// What is to be known of the turns of a path on a machine, as notes of Toolpath::machine_faults, and its
-/// singular places.
+/// Notes on the turns of a path on a machine, for Toolpath::machine_faults, and its singular places.
 class RotaryNotes {
  public:
   /// `path` outlives it.
   explicit RotaryNotes(Toolpath& path) : path_(path) {}
 
-  /// Of a tool vector, with the positions that give it, the nearest first, and where the axes were: two of
-  /// them may be equally near, and near the singular position a small turn of the tool is a large one of the
-  /// first axis. The first ten of each.
+  /// Adds notes on a tool vector: two positions may be equally near, and near the singular position a small
+  /// turn of the tool is a large turn of the first axis. `found`: positions that give the vector, the nearest
+  /// first; `from`: previous angles. Keeps the first ten of each kind.
   void add_unclear(std::uint32_t line, std::span<const RotaryPlaces> found, std::span<const double> from,
                    const RotaryAxis& first);
-  /// Of a turn along `segment` of a machine with two rotary axes: a place of Toolpath::singular_places, where
-  /// the first axis holds the feed while the tool lies near its direction, about which it then turns by 1/sin
-  /// of the angle between them.
+  /// Adds to Toolpath::singular_places a turn along `segment` of a machine with two rotary axes, where the
+  /// first axis limits the feed while the tool lies near its direction: it turns by 1/sin of the angle
+  /// between them.
   void add_singular(const SegmentTurn& turn, const Segment& segment, const RotaryAxis& first);
-  /// Notes of the slowest singular places, ten at most, in the order of the path.
+  /// Adds notes on the slowest singular places, ten at most, in the order of the path.
   void report_singular();
 
  private:

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double reached = 1e-9;  // [rad]
 
-/// Whether the program says where the tool points, not only where the axes of one machine stand.
+/// True if the program gives directions of the tool, not only angles of the axes of one machine.
 bool says_directions(const std::vector<RotaryMove>& moves) {
   const auto cuts_by_axes = [](const RotaryMove& move) {
     return move.with_feed && !move.at_tip && !move.direction;
@@ -95,7 +95,7 @@ std::array<double, 3> RotaryPositions::asked_by(const RotaryMove& move) {
   return to;
 }
 
-/// `direction` on the machine, the part turned.
+/// Angles for `direction` on the machine, in which the part's turn is included.
 std::array<double, 3> RotaryPositions::angles_for(const RotaryMove& move, const Vec3& direction) {
   std::array<double, 3> to = at_;
   std::vector<double> from;
@@ -139,7 +139,7 @@ std::array<double, 3> RotaryPositions::angles_for(const RotaryMove& move, const 
   return to;
 }
 
-/// Whether the axes come there while the tool goes along a great circle.
+/// True if the axes reach the angles while the tool follows a great circle.
 bool RotaryPositions::leads_to(const std::vector<double>& angles) const {
   SegmentTurn turn;
   turn.from = turn.to = at_;
@@ -150,7 +150,7 @@ bool RotaryPositions::leads_to(const std::vector<double>& angles) const {
   return TurnCourse(chain_, turn, 1).goes_on();
 }
 
-/// Angles that give the tool the direction, or `from`.
+/// Angles that give the tool `direction`, or `from`.
 std::array<double, 3> RotaryPositions::nearest(const Vec3& direction, std::array<double, 3> from) const {
   std::vector<double> before;
   for (const RotaryAxis* axis : axes_) {

@@ -11,28 +11,28 @@
 
 namespace feedscope {
 
-/// By the settings: turned against how the program was made for by part_angle_x_deg about X, then by _y_
-/// about Y, then by _z_ about Z, what of them is not given by zero; part_zero_x_mm ..., tool_length_mm or
-/// that of the machine.
+/// Place of the part by the settings: turned from its programmed position by part_angle_x_deg about X, then
+/// by _y_ about Y, then by _z_ about Z, zero where not given; its zero at part_zero_x_mm ...; tool_length_mm,
+/// or the machine's.
 PartOnMachine part_on_machine(const Machine& machine, const Settings& settings);
 
-/// Where the moves of a program send the rotary axes of a machine, one after the other. All stand at zero
-/// before the first. A direction takes the angles that KinematicChain::turn_to() gives, those with the sign
-/// that is asked for, else the nearest; tool vectors beside feed motions the position that a great circle
-/// leads to where the tool goes along one, else the nearer of two.
+/// Positions to which the moves of a program send the rotary axes of a machine, one after the other. All axes
+/// start at zero. A direction takes the angles of KinematicChain::turn_to(): those with the requested sign,
+/// else the nearest. Tool vectors with feed motions take the position that a great circle leads to where the
+/// tool follows one, else the nearer of two.
 ///
-/// Where the part is turned on the machine (Toolpath::part), the axes give the tool the directions in
-/// the part that it would have without, as if the program had been posted again.
+/// Where the part is turned on the machine (Toolpath::part), the axes give the tool the same directions
+/// relative to the part, as if the program had been posted again.
 ///
-/// What cannot be is in Toolpath::machine_faults: a direction out of reach (the axes stay), a place beyond
-/// travel (they go there).
+/// Impossible moves are reported in Toolpath::machine_faults: a direction out of reach (the axes stay), a
+/// place beyond travel (they go there).
 class RotaryPositions {
  public:
-  /// All outlive it; `path`: whose faults it writes. `moves`: all of the program.
+  /// All arguments outlive it. `path` receives the faults; `moves`: all of the program.
   RotaryPositions(const Machine& machine, const KinematicChain& chain, const std::vector<RotaryMove>& moves,
                   Toolpath& path, RotaryNotes& notes);
 
-  /// By rotary_names [rad].
+  /// Angles by rotary_names [rad].
   const std::array<double, 3>& at() const { return at_; }
   void follow(const RotaryMove& move);
 
@@ -49,7 +49,7 @@ class RotaryPositions {
   Toolpath& path_;
   RotaryNotes& notes_;
   std::array<double, 3> at_{};
-  std::array<double, 3> posted_{};  ///< where the program has sent them, were the part not turned
+  std::array<double, 3> posted_{};  ///< programmed angles, as if the part were not turned
 };
 
 }  // namespace feedscope

@@ -22,7 +22,7 @@ namespace {
 
 constexpr double same_angle = 1e-9;  // [rad]
 
-/// The path with the part as the settings have it on the machine.
+/// The path with the part placed on the machine by the settings.
 Toolpath placed(const std::shared_ptr<const Toolpath>& programmed, const Machine& machine,
                 const Settings& settings) {
   Toolpath path = *programmed;
@@ -83,8 +83,8 @@ class RotaryResolver {
   }
 
  private:
-  /// The axes turn along the segments of the block, the first of which is `i` or one soon after it;
-  /// false if it has none.
+  /// Turns the axes along the segments of the block, which begin at `i` or shortly after; false if it has
+  /// none.
   bool turn_along(const RotaryMove& move, std::size_t i, const std::array<double, 3>& before) {
     constexpr std::size_t held_back = 4;
     const auto is_of_block = [&](std::size_t k) {
@@ -140,7 +140,7 @@ class RotaryResolver {
     return true;
   }
 
-  /// Once, where tool centre point control is on and it is not known how the linear axes follow.
+  /// Reports once that tool centre point control is on while the motion of the linear axes is unknown.
   void note_unknown_tip(bool at_tip, std::uint32_t line) {
     if (!at_tip || limiter_.knows_linear() || std::exchange(tip_reported_, true)) {
       return;
@@ -156,7 +156,7 @@ class RotaryResolver {
     path_.machine_faults.push_back(std::move(note));
   }
 
-  /// At both ends of every turn beside which the motion goes on, at a feed or as a rapid.
+  /// Adds joints at both ends of every turn where the motion goes on, at a feed or as a rapid.
   void join_turns() {
     const auto go_on = [&](std::size_t i) {
       return i + 1 < path_.segments.size() && path_.segments[i].kind != SegmentKind::dwell &&
@@ -199,8 +199,8 @@ class RotaryResolver {
       return TurnLimiter::Neighbours{follows ? rounds(joints[k - 1]) : nullptr,
                                      goes_on ? rounds(joints[k + 1]) : nullptr};
     };
-    // The best reach of a joint depends on those beside it: it knows the final reach of the one before it,
-    // and the longest one of the one behind it.
+    // The best reach of a joint depends on its neighbours: it uses the final reach of the one before it and
+    // the longest reach of the one after it.
     for (std::size_t k = 0; k < joints.size(); ++k) {
       stop_if_cancelled(progress_);
       limiter_.choose_reach(path_, between[k].before, between[k].behind, beside(k), joints[k]);
@@ -215,11 +215,11 @@ class RotaryResolver {
     bool some_stop = false;
     for (std::size_t k = 0; k < joints.size(); ++k) {
       stop_if_cancelled(progress_);
-      joints[k].stops = !path_.segments[joints[k].segment].rapid &&  // they stop anyway
+      joints[k].stops = !path_.segments[joints[k].segment].rapid &&  // rapids stop anyway
                         limiter_.stops(path_, between[k].before, between[k].behind, joints[k]);
       some_stop = some_stop || joints[k].stops;
     }
-    if (some_stop) {  // those beside it are rounded without it
+    if (some_stop) {  // the neighbours are rounded without it
       set_limits();
     }
     if (limiter_.is_bound()) {
@@ -249,7 +249,7 @@ class RotaryResolver {
     if (way < same_angle) {
       return turn;
     }
-    // Axes of one block that turn at a feed arrive together: each as fast as its share of the way allows.
+    // Axes of one block that turn at a feed arrive together, each as fast as its share of the way allows.
     double least_velocity = HUGE_VAL;
     double least_acceleration = HUGE_VAL;
     double least_jerk = HUGE_VAL;
@@ -277,7 +277,7 @@ class RotaryResolver {
     return turn;
   }
 
-  /// Of a turn on its own under tool centre point control X, Y and Z hold the tip.
+  /// In a turn on its own under tool centre point control X, Y and Z keep the tip in place.
   void swing(const RotaryMove& move, RotaryTurn& turn) {
     turn.at_tip = move.at_tip;
     turn.great_circle = move.great_circle;

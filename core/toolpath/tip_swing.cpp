@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t first_rotary = coordinate_names.size();
 
-/// Shares of a turn at which its derivatives are looked at: X, Y and Z go up and down with the angles.
+/// Shares of a turn at which its derivatives are evaluated: X, Y and Z go up and down with the angles.
 std::vector<double> shares_of(const TurnCourse& course, const RotaryTurn& turn, double way) {
   constexpr double most_between = units::from_deg(2.5);
   double turned = 0;
@@ -35,7 +35,7 @@ std::vector<double> shares_of(const TurnCourse& course, const RotaryTurn& turn, 
   return shares;
 }
 
-/// How far the tool's direction or, on the way of the axes themselves, these turn [rad].
+/// Angle by which the tool's direction turns or, without a great circle, the axes themselves do [rad].
 double way_of(const KinematicChain& chain, const RotaryTurn& turn) {
   if (turn.great_circle) {
     const Vec3 from = tool_direction(chain, turn.from);
@@ -60,7 +60,7 @@ SegmentTurn segment_turn_of(const RotaryTurn& turn) {
   return whole;
 }
 
-/// Of a law: what holds it for most of its time, a place in cause_axes.
+/// Axis that limits a law for most of its time, an index into cause_axes.
 std::int8_t holding_axis(const RotaryTurn::Law& law, const TurnLimit& fastest, const TurnRamp& ramp) {
   constexpr double reached = 1 - 1e-9;
   const RestToRestPlace most = rest_to_rest_peaks(law.way, law.velocity, law.acceleration, law.jerk);

@@ -6,19 +6,18 @@
 
 namespace feedscope {
 
-/// How the axes of a machine turn the tool about its tip, which X, Y and Z hold where it is (tool centre
-/// point control, in a block without motion of the tip): all of them from rest to rest by one law of the
-/// turn's share, as slow as the one asks for that has least.
+/// Turns of the tool about its tip, which X, Y and Z keep in place (tool centre point control, in a block
+/// without motion of the tip). All axes go from rest to rest by one law of the turn's share, as slow as the
+/// most limiting axis demands.
 class TipSwing {
  public:
   /// All outlive it; zero and tool length of `part` are known.
   TipSwing(const Machine& machine, const KinematicChain& chain, const PartOnMachine& part)
       : machine_(machine), chain_(chain), part_(part) {}
 
-  /// Sets RotaryTurn::law, time and axis of a turn whose ends are set; along a great circle that does not
-  /// lead to its end the axes go linearly. `tip`: as it is programmed [mm]; `feed`: along
-  /// RotaryTurn::Law::way [rad/s], 0: as fast as the axes may; `time`: that the program gives it instead [s],
-  /// 0: none.
+  /// Sets RotaryTurn::law, time and axis of a turn whose ends are set; where a great circle does not lead to
+  /// its end, the axes go linearly. `tip`: as programmed [mm]; `feed`: along RotaryTurn::Law::way [rad/s], 0:
+  /// as fast as the axes may; `time`: given by the program instead [s], 0: none.
   void set_law(const Vec3& tip, double feed, double time, RotaryTurn& turn) const;
 
  private:

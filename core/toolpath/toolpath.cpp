@@ -31,10 +31,10 @@ Arc arc_between(const Vec3& start, const Vec3& end, const ArcWords& words) {
   return arc;
 }
 
-/// Largest gap that is left before an arc [mm].
+/// Largest gap that may remain before an arc [mm].
 constexpr double arc_gap = 1e-10;
 
-/// Words of letter and number, as any control of ISO programs reads them.
+/// True for dialects of words of a letter and a number, as any control of ISO programs reads them.
 bool is_g_code(Dialect dialect) {
   return dialect == Dialect::iso || dialect == Dialect::fanuc || dialect == Dialect::linuxcnc ||
          dialect == Dialect::grbl;
@@ -68,7 +68,7 @@ Vec3 tangent(const Toolpath& toolpath, std::size_t i, bool at_end) {
   return Vec3::Zero();
 }
 
-/// The one of `segment` in a list by segment.
+/// The item of `segment` in a list sorted by segment; null for none.
 template <typename Item>
 const Item* of_segment(const std::vector<Item>& items, std::size_t segment) {
   const auto found = std::ranges::lower_bound(items, segment, std::less(), &Item::segment);

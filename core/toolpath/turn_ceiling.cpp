@@ -12,13 +12,13 @@ namespace {
 
 constexpr std::size_t first_rotary_axis = coordinate_names.size();
 
-/// The joint that rounds the turns where `segment` ends; null for none, and for a jump of the slopes.
+/// Joint that rounds the turns at the end of `segment`; null for none, and for a jump of the slopes.
 const TurnJoint* rounding_joint(const Toolpath& path, std::size_t segment) {
   const TurnJoint* joint = path.turn_joint(segment);
   return joint != nullptr && joint->before > 0 ? joint : nullptr;
 }
 
-/// Infinite for a rapid [mm/s].
+/// Feed of a segment [mm/s]; infinite for a rapid.
 double feed_of(const Segment& segment) {
   return segment.feed > 0 && !segment.rapid ? segment.feed : HUGE_VAL;
 }
@@ -28,7 +28,7 @@ bool turns_at_tip(const Toolpath& path, std::size_t segment) {
   return turn != nullptr && turn->at_tip;
 }
 
-/// Those in which rotary axes turn, and those that joints reach into, in order.
+/// Segments in which rotary axes turn or joints reach, in order.
 std::vector<std::size_t> turning_segments(const Toolpath& path) {
   std::vector<std::size_t> segments;
   for (const SegmentTurn& turn : path.segment_turns) {
@@ -200,7 +200,7 @@ class TurnCeiling::Division {
   static bool is_uneven(const Look& from, const Look& to, double slowest, double fastest) {
     constexpr double same_ceiling = 1.01;
     constexpr double most_turn = units::from_deg(15);
-    constexpr double least_time = 0.004;  // in which ramps hardly gain speed [s]
+    constexpr double least_time = 0.004;  // in this time ramps hardly gain speed [s]
     double turned = 0;
     for (std::size_t k = 0; k < to.angles.size(); ++k) {
       turned += std::abs(to.angles[k] - from.angles[k]);

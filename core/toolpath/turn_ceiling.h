@@ -13,25 +13,25 @@
 
 namespace feedscope {
 
-/// The rotary axes along one segment as they turn: TurnCourse, or where none is programmed the angles that
-/// they keep, with the joints at both ends. A joint is not rounded where the tip stops, which is for the
-/// model to say: there are courses with and without each.
+/// Rotary axes along one segment as they turn: by TurnCourse, or at constant angles where no turn is
+/// programmed, with the joints at both ends. A joint is not rounded where the tip stops, which the model
+/// decides, so there are courses with and without each joint.
 class RoundedTurn {
  public:
   /// `chain` and `path`, whose turns and joints are set, outlive it.
   RoundedTurn(const KinematicChain& chain, const Toolpath& path, std::size_t segment);
 
-  /// Axes turn along the segment, as programmed; else only within the reach of a joint.
+  /// True if axes turn along the segment as programmed; otherwise only within the reach of a joint.
   bool is_programmed() const { return course_.has_value(); }
   bool turns() const { return course_ || before_ != nullptr || behind_ != nullptr; }
-  /// X, Y and Z hold the tip on its path.
+  /// True if X, Y and Z keep the tip on its path.
   bool at_tip() const { return at_tip_; }
-  /// Places between which the course is smooth, in order, both ends of the segment among them [mm].
+  /// Places between which the course is smooth, in order, including both ends of the segment [mm].
   std::vector<double> borders() const;
-  /// As programmed at `s` from the start [mm], without joints: angles in the order of
-  /// KinematicChain::rotary(), with derivatives by the segment.
+  /// Programmed angles at `s` from the start [mm], without joints, in the order of KinematicChain::rotary(),
+  /// with derivatives by the segment.
   std::vector<Series> programmed(double s) const;
-  /// Calls use(angles) for every course that is possible there and turns.
+  /// Calls use(angles) for every possible course that turns there.
   template <typename Use>
   void for_courses(double s, const Use& use) const {
     const std::vector<Series> alone = programmed(s);
@@ -63,25 +63,25 @@ class RoundedTurn {
   bool at_tip_ = false;
 };
 
-/// How fast the tip may go for every axis of a machine to keep its velocity where rotary axes turn: the
-/// ceiling of the feed, place by place.
+/// Speed of the tip at which every axis of a machine keeps its velocity where rotary axes turn: the ceiling
+/// of the feed, place by place.
 class TurnCeiling {
  public:
-  /// `chain` of the machine.
+  /// `chain`: of the machine.
   TurnCeiling(const Machine& machine, KinematicChain chain);
 
   /// Sets Toolpath::turn_parts, and the limits and ramps of SegmentTurn to the least of them; turns and
-  /// joints are set.
+  /// joints are set already.
   ///
   /// A segment is halved until the ceiling on each part, that of its slowest place, differs by 1 % from that
   /// of its fastest one, both not above the feed, and no axis turns by more than 15 degrees on it. Between
-  /// two places at a distance h an axis' derivative is above the larger one by h^2/8 of its second derivative
+  /// two places at a distance h an axis' derivative exceeds the larger one by h^2/8 of its second derivative
   /// at most, so that no place of a part is slower than its ceiling. `bound`: limits of a bound
   /// (TurnLimiter::set_bound()) on the same parts. Throws Cancelled when stopped; `progress` may be null.
   void divide(Toolpath& path, bool bound, const Progress* progress) const;
 
-  /// Of a curve that leaves the end of segment `segment` by `transition` [mm] and meets the next one as far
-  /// behind its start: the axes turn evenly by the way that it replaces. `tips`: evenly spaced places of the
+  /// Limit on a curve from `transition` [mm] before the end of segment `segment` to as far after the start of
+  /// the next one: the axes turn evenly by the path that it replaces. `tips`: evenly spaced places of the
   /// curve, an odd number, with derivatives by its length; `length` of the curve [mm].
   TurnLimit on_corner(const Toolpath& path, std::size_t segment, double transition,
                       const std::vector<CurvePoint>& tips, double length) const;
@@ -90,7 +90,7 @@ class TurnCeiling {
   /// Derivatives of all axes at a place of a segment.
   struct Look {
     double at = 0;               ///< [mm]
-    AxisCourses rounded;         ///< of every course that is possible
+    AxisCourses rounded;         ///< of every possible course
     AxisCourses programmed;      ///< without joints
     std::vector<double> angles;  ///< [rad]
   };
@@ -101,8 +101,8 @@ class TurnCeiling {
            AxisCourses& courses) const;
 
   KinematicChain chain_;
-  AxisCourses none_;           ///< with the limits of the machine
-  AxisCourses none_of_bound_;  ///< with those of a bound
+  AxisCourses none_;           ///< empty, with the limits of the machine
+  AxisCourses none_of_bound_;  ///< empty, with those of a bound
 };
 
 }  // namespace feedscope

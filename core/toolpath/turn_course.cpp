@@ -10,7 +10,7 @@ namespace {
 
 constexpr double same_direction = 1e-9;  // [rad]
 
-/// By which `a` turns about `axis` to lie in one half plane with `b`, in (-pi, pi].
+/// Angle by which `a` turns about `axis` to lie in one half plane with `b`, in (-pi, pi].
 double turned_about(const Vec3& axis, const Vec3& a, const Vec3& b) {
   return std::atan2(axis.dot(a.cross(b)), a.dot(b) - axis.dot(a) * axis.dot(b));
 }
@@ -50,7 +50,7 @@ TurnCourse::TurnCourse(const KinematicChain& chain, const SegmentTurn& turn, dou
   const Vec3 end = tool_direction(chain, turn.to);
   const Vec3 across = end - start_.dot(end) * start_;
   swing_ = std::atan2(across.norm(), start_.dot(end));
-  if (across.norm() < same_direction) {  // it stays, or goes round by an unknown way
+  if (across.norm() < same_direction) {  // it stays, or turns round in an unknown plane
     swing_ = 0;
     return;
   }
@@ -139,7 +139,7 @@ std::optional<double> TurnCourse::nearest_to_pole() const {
   }
   const Vec3& pole = chain_.axes()[chain_.rotary()[0]].direction;
   const double half_turn = std::acos(-1.0);
-  double turned = std::atan2(quarter_.dot(pole), start_.dot(pole));  // to the pole, or to the one opposite
+  double turned = std::atan2(quarter_.dot(pole), start_.dot(pole));  // to the pole, or to the opposite one
   turned -= half_turn * std::round((turned - swing_ / 2) / half_turn);
   return std::clamp(turned / swing_, 0.0, 1.0) * length_;
 }

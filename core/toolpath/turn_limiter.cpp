@@ -20,14 +20,14 @@ using Angles = std::array<double, 3>;
 
 constexpr std::size_t linear_count = coordinate_names.size();
 constexpr AxisCourses::Shares of_bound{1, HUGE_VAL};
-/// Of an orientation tolerance of 0 in the program.
+/// Used for an orientation tolerance of 0 in the program.
 constexpr double tightest = 1e-4 * units::pi / 180;  // [rad]
 
 std::size_t linear_place(char name) {
   return static_cast<std::size_t>(name - 'X');
 }
 
-/// Of a turn along a segment, at its end or its start; zero for none.
+/// Slopes of a turn along a segment, at its end or its start; zero for none.
 Angles slopes_of(const Toolpath& path, const KinematicChain& chain, const SegmentTurn* turn, bool at_end) {
   Angles slopes{};
   if (turn == nullptr) {
@@ -41,8 +41,8 @@ Angles slopes_of(const Toolpath& path, const KinematicChain& chain, const Segmen
   return slopes;
 }
 
-/// Shares of a segment at which the derivatives along it are looked at: even ones, and on a great circle
-/// those about the place nearest to the pole, where the first axis is fastest.
+/// Shares of a segment at which the derivatives along it are evaluated: even ones, and on a great circle also
+/// those around the place nearest to the pole, where the first axis is fastest.
 std::vector<double> places_along(const TurnCourse& course, const SegmentTurn& turn, double length) {
   constexpr double most_between = units::from_deg(7.5);
   double turned = 0;
@@ -63,7 +63,7 @@ std::vector<double> places_along(const TurnCourse& course, const SegmentTurn& tu
   return places;
 }
 
-/// The highest speed that counts for ramps on a segment: `speed`, or its feed.
+/// Highest speed that counts for ramps on a segment: `speed`, or its feed.
 double ramp_speed(const Toolpath& path, std::size_t segment, double speed) {
   const Segment& of = path.segments[segment];
   return of.feed > 0 && !of.rapid ? std::min(speed, of.feed) : speed;
@@ -74,12 +74,12 @@ void scale_reach(TurnJoint& joint, double by) {
   joint.behind *= by;
 }
 
-/// On side 0 before the place of a joint, on 1 behind it.
+/// Reach of a joint: side 0 is before its place, 1 after it.
 double reach_of(const TurnJoint& joint, std::size_t side) {
   return side == 0 ? joint.before : joint.behind;
 }
 
-/// `away` from the place to a side.
+/// Distance `away` from the place, with the sign of the side.
 double to_side(std::size_t side, double away) {
   return side == 0 ? -away : away;
 }
@@ -118,7 +118,7 @@ void TurnLimiter::add_linear(const CurvePoint& at, std::span<const Series> angle
   }
 }
 
-/// The derivatives of all axes along a turn.
+/// Adds the derivatives of all axes along a turn.
 void TurnLimiter::add_turn(const Toolpath& path, const SegmentTurn& turn, AxisCourses& courses) const {
   const double length = path.segments[turn.segment].length;
   const TurnCourse course(chain_, turn, length);
@@ -235,7 +235,7 @@ void TurnLimiter::set_limit(const Toolpath& path, const SegmentTurn* before, con
     speed = ramp_speed(path, side.segment,
                        std::min(speed, side.turn != nullptr ? side.turn->limit.speed : HUGE_VAL));
   }
-  // In the middle of a segment that two joints shape the tip has gone half of it.
+  // In the middle of a segment shaped by two joints the tip has covered half of it.
   joint.ramp = bend.ramp(speed, std::max(joint.before, joint.behind) / 2);
 }
 
@@ -284,7 +284,7 @@ void TurnLimiter::set_bound(const Toolpath& path, const SegmentTurn* before, con
   joint.limit = courses.speed();
 }
 
-/// How the speed of the tip may grow along a segment [mm/s2].
+/// Acceleration of the tip along a segment that X, Y and Z and the turn allow [mm/s2].
 double TurnLimiter::speed_up(const CurvePoint& at, const SegmentTurn* turn) const {
   double acceleration = turn != nullptr ? turn->ramp.acceleration : HUGE_VAL;
   for (int j = 0; j < 3; ++j) {
@@ -296,7 +296,7 @@ double TurnLimiter::speed_up(const CurvePoint& at, const SegmentTurn* turn) cons
   return acceleration;
 }
 
-/// How its acceleration may grow [mm/s3].
+/// Jerk of the tip that they allow [mm/s3].
 double TurnLimiter::ramp_up(const CurvePoint& at, const SegmentTurn* turn) const {
   double jerk = turn != nullptr ? turn->ramp.jerk : HUGE_VAL;
   for (int j = 0; j < 3; ++j) {
@@ -308,9 +308,9 @@ double TurnLimiter::ramp_up(const CurvePoint& at, const SegmentTurn* turn) const
   return jerk;
 }
 
-/// The derivatives of all axes within the reach of a joint: third ones are largest at its place or at an end
-/// of the reach, if not at the place of the joint beside it; second ones at its place too, or, where it
-/// reaches farther to one side, near the middle of the shorter one.
+/// Derivatives of all axes within the reach of a joint. Third ones are largest at its place, at an end of the
+/// reach or at the place of the neighbouring joint; second ones also at its place or, with unequal reaches,
+/// near the middle of the shorter one.
 AxisCourses TurnLimiter::bend_of(const Toolpath& path, const Meeting& meeting, const Neighbours& beside,
                                  const TurnJoint& joint) const {
   constexpr double within = 1 - 1e-6;
@@ -357,9 +357,9 @@ TurnLimit TurnLimiter::rounded_limit(const Meeting& meeting, const AxisCourses& 
   return limit;
 }
 
-/// The share of the reach of a joint within which the acceleration of a rotary axis stays within its limit
-/// from the speed that the place itself allows on, while the tip speeds up on either side and the axis still
-/// changes its slope: the shorter the reach, the less the tip gains.
+/// Share of a joint's reach with which a rotary axis stays within its acceleration: the tip starts at the
+/// speed that the place itself allows and speeds up on either side while the axis still changes its slope.
+/// The shorter the reach, the less speed the tip gains.
 double TurnLimiter::share_for_bend(const Meeting& meeting, const TurnJoint& joint, std::size_t i,
                                    double acceleration) const {
   constexpr int places = 4;
@@ -398,8 +398,9 @@ double TurnLimiter::share_for_bend(const Meeting& meeting, const TurnJoint& join
   return halve({share, 2 * share}, halvings, holds).low;
 }
 
-/// The speed from which the velocity of a rotary axis stays within its limit while the tip goes on faster on
-/// the side where the axis turns less, still steeper beside the joint than on the rest of the block.
+/// Largest speed at the joint with which a rotary axis stays within its velocity. The tip speeds up on the
+/// side where the axis turns less, and near the joint the axis is still steeper than on the rest of the
+/// block.
 double TurnLimiter::speed_for_velocity(const Meeting& meeting, const TurnJoint& joint, std::size_t i,
                                        double velocity) const {
   constexpr int places = 8;
@@ -409,7 +410,7 @@ double TurnLimiter::speed_for_velocity(const Meeting& meeting, const TurnJoint& 
   const auto slope_at = [&](double away) {
     return std::abs(flat.slopes[i] + joint_turn(joint, i, to_side(k, away)).d1());
   };
-  if (flat.turn != nullptr && reach >= flat.held_from) {  // TurnCeiling
+  if (flat.turn != nullptr && reach >= flat.held_from) {  // TurnCeiling limits it there
     return slope_at(0) > 0 ? velocity / slope_at(0) : HUGE_VAL;
   }
   double least = HUGE_VAL;  // square of the speed
@@ -422,7 +423,7 @@ double TurnLimiter::speed_for_velocity(const Meeting& meeting, const TurnJoint& 
   return std::sqrt(std::max(least, 0.0));
 }
 
-/// The speed at which the velocities jump by jump_share of what a period takes up.
+/// Speed at which the velocities jump by jump_share of what an axis makes up within a period.
 TurnLimit TurnLimiter::jump_limit(const Toolpath& path, const Meeting& meeting,
                                   const TurnJoint& joint) const {
   TurnLimit jump;
@@ -453,7 +454,7 @@ TurnLimit TurnLimiter::jump_limit(const Toolpath& path, const Meeting& meeting,
   return jump;
 }
 
-/// The rotary axes in the order of the chain, with these slopes.
+/// Rotary axes in the order of the chain, with these slopes.
 std::vector<Series> TurnLimiter::angles_at(const Angles& angles, const Angles& slopes) const {
   std::vector<Series> series;
   for (const RotaryAxis* axis : axes_) {
@@ -463,7 +464,7 @@ std::vector<Series> TurnLimiter::angles_at(const Angles& angles, const Angles& s
   return series;
 }
 
-/// Of the tool to the first of two rotary axes [rad]; -1 where there is only one.
+/// Angle of the tool to the first of two rotary axes [rad]; -1 where there is only one.
 double TurnLimiter::tilt_at(const Angles& angles) const {
   if (axes_.size() != 2) {
     return -1;

@@ -12,43 +12,43 @@
 
 namespace feedscope {
 
-/// Whether a setting counts only where a machine has rotary axes: tool_length_mm, orientation_tolerance_deg,
+/// True if a setting matters only on a machine with rotary axes: tool_length_mm, orientation_tolerance_deg,
 /// part_angle_x_deg ...
 bool is_rotary_setting(std::string_view key);
 
 inline constexpr const char* orientation_tolerance_key = "orientation_tolerance_deg";
-/// The one in force [deg].
+/// Orientation tolerance in force [deg].
 double orientation_tolerance_deg(const Settings& settings);
 
-/// Of what an axis takes up within an interpolation period, that its velocity may jump where blocks meet: the
-/// usual overload factor of 1.2 of a Sinumerik (MD32310) allows (1.2 - 1) A t_cy (SINUMERIK 840D/828D, Basic
-/// Functions, B1).
+/// Permitted jump of an axis' velocity where blocks meet, as a share of its change within an interpolation
+/// period: the usual overload factor of 1.2 of a Sinumerik (MD32310) allows (1.2 - 1) A t_cy (SINUMERIK
+/// 840D/828D, Basic Functions, B1).
 inline constexpr double jump_share = 0.2;
 
-/// What the axes of a machine allow where rotary axes turn along the path of the tip, by the derivatives of
+/// Limits of the axes of a machine where rotary axes turn along the path of the tip, by the derivatives of
 /// every axis along it (KinematicChain::courses(); core/models/README.md, "Rotary axes").
 class TurnLimiter {
  public:
-  /// `chain`: of the machine; both outlive it. Of the settings it reads orientation_tolerance_deg,
-  /// program_tolerance (whether those of the program go before), interpolation_period_s and whether the jerk
-  /// is limited.
+  /// `chain`: of the machine; both outlive it. Settings read: orientation_tolerance_deg, program_tolerance
+  /// (whether the program's tolerances take precedence), interpolation_period_s, and whether the jerk is
+  /// limited.
   TurnLimiter(const Machine& machine, const KinematicChain& chain, const Settings& settings,
               const PartOnMachine& part);
 
   /// The rotary axes in the order of the chain.
   const std::vector<const RotaryAxis*>& axes() const { return axes_; }
-  /// Tool length and part zero are known, so that it is known how X, Y and Z follow the rotary axes.
+  /// True if tool length and part zero are known, and so how X, Y and Z follow the rotary axes.
   bool knows_linear() const { return part_.known; }
 
   /// Sets limits and tilt of a turn along its segment of `path` (AxisCourses), for the rotary axes, and for
   /// the linear ones under tool centre point control.
   void set_limits(const Toolpath& path, SegmentTurn& turn) const;
 
-  /// Step and longest reach of the joint where segment `segment` of `path` meets the next one, its limit not
-  /// yet set. `before`, `behind`: turns along the two; null for none.
+  /// Step and longest reach of the joint where segment `segment` of `path` meets the next one; its limit is
+  /// not set yet. `before`, `behind`: turns along the two; null for none.
   ///
-  /// It reaches over the two segments (joint_shape()), less where the angle would leave the programmed one by
-  /// more than the orientation tolerance.
+  /// It reaches over the two segments (joint_shape()), less far where the angle would leave the programmed
+  /// one by more than the orientation tolerance.
   TurnJoint join(const Toolpath& path, std::size_t segment, const SegmentTurn* before,
                  const SegmentTurn* behind) const;
   /// The joints at the other ends of the two segments of a joint; null for none.
@@ -56,19 +56,20 @@ class TurnLimiter {
     const TurnJoint* last = nullptr;
     const TurnJoint* next = nullptr;
   };
-  /// Takes a shorter reach where that is faster: what the axis still turns beside the place holds the tip
-  /// that goes on. The velocities may jump by jump_share, if that is faster. Sets the limit as set_limit().
+  /// Shortens the reach where that is faster: while an axis still turns near the place, it limits the tip
+  /// that goes on. Where it is faster still, the velocities jump by jump_share. Sets the limit like
+  /// set_limit().
   void choose_reach(const Toolpath& path, const SegmentTurn* before, const SegmentTurn* behind,
                     const Neighbours& beside, TurnJoint& joint) const;
-  /// Sets limit and ramp, as set_limits(), by what the joint and those beside it bend the course within its
-  /// reach.
+  /// Sets limit and ramp, like set_limits(), by the bend of the course that the joint and its neighbours
+  /// cause within its reach.
   void set_limit(const Toolpath& path, const SegmentTurn* before, const SegmentTurn* behind,
                  const Neighbours& beside, TurnJoint& joint) const;
-  /// Whether the tip had better stop at a joint whose limit and ramp are set (stop_is_faster()).
+  /// True if stopping the tip is faster at a joint whose limit and ramp are set (stop_is_faster()).
   bool stops(const Toolpath& path, const SegmentTurn* before, const SegmentTurn* behind,
              const TurnJoint& joint) const;
-  /// The model asks what no control can beat: velocities and accelerations are taken whole, jerks are not
-  /// limited (`jerk=off` of a bound). Then the limits that were set last are replaced by those.
+  /// True if the model computes a bound that no control can beat: velocities and accelerations are used
+  /// whole, jerks are not limited (`jerk=off` of a bound). set_bound() then replaces the limits set before.
   bool is_bound() const { return is_bound_; }
   void set_bound(const Toolpath& path, SegmentTurn& turn) const;
   void set_bound(const Toolpath& path, const SegmentTurn* before, const SegmentTurn* behind,
@@ -83,9 +84,9 @@ class TurnLimiter {
     std::array<double, 3> slopes{};     ///< of A, B and C at the place [rad/mm]
     double speed_up = 0;                ///< along it [mm/s2]
     double ramp_up = 0;                 ///< how fast that begins [mm/s3]
-    double held_from = 0;  ///< the reach from which on the joint holds the ramps on all of it [mm]
+    double held_from = 0;               ///< reach from which the joint limits the ramps on all of it [mm]
   };
-  /// Where two segments meet: the one before, and the one behind.
+  /// Joint of two segments: the one before it, and the one after it.
   struct Meeting {
     std::array<Side, 2> sides;
     std::array<double, 3> angles{};
@@ -109,7 +110,7 @@ class TurnLimiter {
   double speed_up(const CurvePoint& at, const SegmentTurn* turn) const;
   double ramp_up(const CurvePoint& at, const SegmentTurn* turn) const;
   double tilt_at(const std::array<double, 3>& angles) const;
-  /// Of the orientation where segment `segment` meets the next one: the tighter of the two [rad].
+  /// Orientation tolerance where segment `segment` meets the next one: the tighter of the two [rad].
   double tolerance_at(const Toolpath& path, std::size_t segment) const;
 
   const Machine& machine_;

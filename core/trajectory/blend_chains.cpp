@@ -8,13 +8,13 @@
 namespace feedscope {
 namespace {
 
-/// How a stretch is planned: the step of ramps that each of its elements has come to, and whether ramps over
-/// blends run over the short lines between them too.
+/// Steps of a plan: the step of ramps that each element has reached, and whether ramps over blends also run
+/// over the short lines between them.
 struct Steps {
-  static constexpr std::uint8_t level = std::tuple_size_v<BlendRamps>;  ///< of what is run at one speed
-  static constexpr std::uint8_t separate = level + 1;                   ///< of a line by itself
+  static constexpr std::uint8_t level = std::tuple_size_v<BlendRamps>;  ///< of elements at one speed
+  static constexpr std::uint8_t separate = level + 1;                   ///< of a line on its own
 
-  std::vector<std::uint8_t> of;  ///< an element
+  std::vector<std::uint8_t> of;  ///< by element
   bool lines_join = true;
 };
 
@@ -74,7 +74,7 @@ class BlendChains {
   bool is_blend(std::size_t e) const { return stretch_.blend[e] != 0; }
   const BlendRamps& ramps(std::size_t e) const { return ramps_[blend_[e]]; }
 
-  /// Whether a ramp on line `e` between two blends gains more speed than one over it and half of each blend.
+  /// True if a ramp on line `e` between two blends gains more speed than one over it and half of each blend.
   bool gains_more_alone(std::size_t e) const {
     constexpr std::size_t usual = 1;  // step
     const BlendRamp& before = ramps(e - 1)[usual];
@@ -87,8 +87,8 @@ class BlendChains {
     return alone > std::sqrt(speed * speed + 2 * acceleration * length);
   }
 
-  /// A line of a chain goes with the neighbour that leaves more for ramps, or by itself behind the first
-  /// step.
+  /// A line of a chain takes the step of the neighbour that leaves more for ramps; after the first step it
+  /// may be on its own.
   std::uint8_t step_of(const Steps& steps, std::size_t e) const {
     if (is_blend(e) || steps.of[e] == Steps::level) {
       return steps.of[e];
@@ -144,9 +144,9 @@ class BlendChains {
     return to.junction == from.junction + 1 && stretch_.is_level(from.junction);
   }
 
-  /// The next step for every blend that `nodes` passes too fast for ramps; which these are, in order and with
-  /// the lines beside them. What lies as it did in the plan `before`, whose blends have been given their
-  /// steps, is not looked at again, unless it holds one of those that were `changed` since.
+  /// Takes the next step for every blend that `nodes` passes too fast for ramps. Returns these in order, with
+  /// the neighbouring lines. Parts that are as in the plan `before` are skipped, since their blends have
+  /// their steps, unless they contain one of those `changed` since.
   std::vector<std::uint32_t> take_next_steps(Steps& steps, const std::vector<PlanNode>& nodes,
                                              const std::vector<PlanNode>& before,
                                              const std::vector<std::uint32_t>& changed) const {
@@ -223,10 +223,10 @@ class BlendChains {
   Stretch& stretch_;
   std::vector<PlanElement>& plan_;
   const std::function<void()>& stop_;
-  std::vector<std::uint32_t> blend_;  ///< an element; of a blend: which it is
-  std::vector<BlendRamps> ramps_;     ///< a blend
-  std::vector<Ramp> level_limits_;    ///< a blend; as the stretch came
-  Steps chains_;                      ///< chains with their first step, everything else level
+  std::vector<std::uint32_t> blend_;  ///< by element: index of a blend
+  std::vector<BlendRamps> ramps_;     ///< by blend
+  std::vector<Ramp> level_limits_;    ///< by blend, as given in the stretch
+  Steps chains_;                      ///< chains at their first step, everything else level
   bool any_ = false;
   bool has_lines_ = false;
 };
@@ -235,7 +235,7 @@ class BlendChains {
 
 double blend_ramp_speed(std::size_t step, double turning, double ramping) {
   static constexpr std::array<double, std::tuple_size_v<BlendRamps>> shares{0.5, 0.75, 0.9, 1};
-  constexpr double most = 0.97;  // leaves 9 % of a jerk, which grows with the cube of the speed
+  constexpr double most = 0.97;  // leaves 9 % of a jerk, which is proportional to the cube of the speed
   return std::min(shares[step] * std::min(turning, ramping), most * ramping);
 }
 

@@ -11,10 +11,10 @@ namespace {
 constexpr double min_line = 1e-12;
 
 /// Blends that would leave less than this of the line between them [mm] meet: a hundredth of a nanometre is
-/// rounding of the coordinates, and a line, however short, is a place where the law of a model may change.
+/// rounding of the coordinates, and even a very short line is a place where the law of a model may change.
 constexpr double meeting = 1e-8;
 
-/// `left`: what the corner before leaves of the segment [mm].
+/// Corner at the end of `segment`. `left`: length of the segment after the corner before it [mm].
 CornerPlace corner_behind(const Toolpath& toolpath, const PathRules& rules, std::size_t segment, double left,
                           const Vec3& velocity) {
   const Segment& before = toolpath.segments[segment];
@@ -33,8 +33,8 @@ CornerPlace corner_behind(const Toolpath& toolpath, const PathRules& rules, std:
   return place;
 }
 
-/// `laid_segment(index, block, length, part)` of each part of a segment and `laid_corner(index, block,
-/// piece)` are told of every element; `lay_curve(curve)` lays each of `curves`, smooth ones in their order.
+/// Calls `laid_segment(index, block, length, part)` for each part of a segment, `laid_corner(index, block,
+/// piece)` for each corner, and `lay_curve(curve)` to lay each of `curves`, smooth ones in their order.
 template <typename LaidSegment, typename LaidCorner, typename LayCurve>
 void lay_elements(const Toolpath& toolpath, const StretchRange& range, const Vec3& axis_velocity,
                   const PathRules& rules, const std::vector<SmoothCurve>& curves, TrajectoryBuilder& builder,
@@ -81,8 +81,8 @@ void lay_elements(const Toolpath& toolpath, const StretchRange& range, const Vec
   }
 }
 
-/// Most elements that range and curves make: a line and a blend a block, and the spans in place of the blocks
-/// that a curve runs over.
+/// Upper bound of the elements of range and curves: a line and a blend for each block, and the spans in place
+/// of the blocks that a curve covers.
 std::size_t most_elements(const StretchRange& range, const std::vector<SmoothCurve>& curves) {
   std::size_t count = 2 * (range.last - range.first);
   for (const SmoothCurve& curve : curves) {

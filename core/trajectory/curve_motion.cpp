@@ -8,11 +8,11 @@
 namespace feedscope {
 namespace {
 
-/// Shares of the limits above which a ceiling is lowered, and where that aims.
+/// Share of the limits above which a ceiling is lowered, and the share to which it is lowered.
 constexpr double allowed = 1.01;
 constexpr double aim = 0.97;
 
-/// By what the speed must change so that no axis exceeds its limits in this motion; at most 1.
+/// Factor of the speed with which no axis exceeds its limits in this motion; at most 1.
 double fitting_speed(const Kinematics& motion, const AxisVectors& axes) {
   double acceleration = 0;
   double jerk = 0;
@@ -48,7 +48,7 @@ bool lower_curve_ceilings(const TrajectoryBuilder& builder, const TrajectoryBuil
       ++e;
     }
     if (part.a == 0 && part.j == 0) {
-      continue;  // at one speed, below the ceiling
+      continue;  // constant speed, below the ceiling
     }
     const ElementCurve curve = path.curve(part.element);
     double factor = 1;
@@ -83,7 +83,7 @@ void move_over_curves(TrajectoryBuilder& builder, Stretch& stretch, const AxisVe
   for (int i = 0; i < most_corrections && lower_curve_ceilings(builder, start, stretch, axes); ++i) {
     builder.take_back(start);
     for (std::size_t e = 0; e < laid.size(); ++e) {
-      if (stretch.blend[e] != 0) {  // a plan makes level places of them
+      if (stretch.blend[e] != 0) {  // a plan makes them level places
         stretch.plan[e] = laid[e];
       }
     }

@@ -7,8 +7,9 @@
 namespace feedscope {
 namespace {
 
-/// In delays after the anchor: where the instant that asks for a new one lies, so that small steps back do
-/// not ask again; and up to where the integrals, which grow with the power n + 1 of it, are precise enough.
+/// In delays after the anchor: position of the time that requires a new anchor, so that small steps back
+/// require no other one; and largest distance at which the integrals, which grow with its power n + 1, are
+/// precise enough.
 constexpr double first_instant = 1.5;
 constexpr double farthest = 4;
 
@@ -77,7 +78,7 @@ struct TurnIntegrals {
   }
 };
 
-/// P_lowest ... P_highest of a part `h` after its start, P_(-1) being the velocity.
+/// P_lowest ... P_highest of a part `h` after its start; P_(-1) is the velocity.
 template <int highest, int lowest>
 using Integrals = std::array<Vec3, highest - lowest + 1>;
 
@@ -97,8 +98,8 @@ void add_turn(const CommandPart& part, double h, Integrals<highest, lowest>& out
   }
 }
 
-/// Of a part without its turn: sum over k of P_(m-k) h^k/k! and of the velocity, which is P_(-1). `h_over[k]`
-/// is h/k. Written out, because it is what takes the time.
+/// Integral of a part without its turn: sum over k of P_(m-k) h^k/k! and of the velocity, which is P_(-1).
+/// `h_over[k]` is h/k. Written out because it takes most of the time.
 template <int m, typename Knot>
 Vec3 straight_integral(const Knot& knot, const std::array<double, 5>& h_over) {
   const Vec3& v = knot.part.velocity;
@@ -183,8 +184,8 @@ double FilterWalk::next_knot(const PulseTrain& train, double t) {
   return std::max(next, std::nextafter(t, never));
 }
 
-/// A velocity passes the filters as it is, a turn is made smaller by (sin x/x)^n with x = rate T1/2; both
-/// come half of the delay later.
+/// Filters pass a velocity unchanged and reduce a turn by (sin x/x)^n with x = rate T1/2; both come out half
+/// of the delay later.
 CommandPart FilterWalk::settled_part() const {
   CommandPart part = knots_[cursor_[0]].part;
   part.time += train_->half_delay();
@@ -219,7 +220,7 @@ FilterWalk::Derivatives FilterWalk::continued_derivatives(double t) const {
   if (is_settled()) {
     const double rate = knots_[cursor_[0]].part.rate;
     fourth = -rate * rate * at.acceleration;
-  } else if (!is_polynomial()) {  // commanded accelerations: of turns
+  } else if (!is_polynomial()) {  // commanded accelerations come from turns
     for (std::size_t i = 0; i <= 2; ++i) {
       const double commanded_at = t - static_cast<double>(i) * train_->filter_time;
       fourth += binomials<2>()[i] * kinematics_of(knots_[cursor_[i]].part, commanded_at).acceleration;
@@ -229,7 +230,7 @@ FilterWalk::Derivatives FilterWalk::continued_derivatives(double t) const {
   return {at.position, at.velocity, at.acceleration, at.jerk, fourth};
 }
 
-/// Averaging n times is differencing the n-fold integral: each average takes one derivative and adds a factor
+/// Averaging n times means differencing the n-fold integral: each average replaces one derivative by a factor
 /// of up to 2/T1.
 double FilterWalk::derivative_bound(int order) const {
   const auto count = static_cast<std::size_t>(train_->filters);

@@ -11,7 +11,8 @@ namespace feedscope {
 
 Approach closest_approach(FilterWalk& walk, const PulseTrain& train, const Vec3& point, double time) {
   constexpr int newton_steps = 8;
-  constexpr double precision = 1e-9;  // of the distance squared that another step could win
+  constexpr double precision = 1e-9;  // share of the squared distance below which another step is not worth
+                                      // it
   const double longest_step = train.half_delay() / 2;
   Approach best;
   best.distance = std::numeric_limits<double>::infinity();

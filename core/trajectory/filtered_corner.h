@@ -4,20 +4,20 @@
 
 namespace feedscope {
 
-/// Where smoothed motion comes nearest to a programmed point.
+/// Point of the smoothed motion nearest to a programmed point.
 struct Approach {
   double distance = 0;  ///< [mm]
   double time = 0;      ///< of the motion [s]
   Kinematics motion;    ///< there, without the jerk
 };
-/// By Newton steps from `time` on.
+/// Closest approach by Newton steps from `time`.
 Approach closest_approach(FilterWalk& walk, const PulseTrain& train, const Vec3& point, double time);
 
 /// Direction change at the start of `block`, 0 at the start of the motion [rad].
 double corner_turn(const PulseTrain& train, std::size_t block);
 
-/// The programmed corner at the start of `block`, as the pulses round it; its turn is that of the pulses.
-/// `element` is left to the caller.
+/// The programmed corner at the start of `block`, as the pulses round it; its turn is that of the pulses. The
+/// caller sets `element`.
 BlendRecord filtered_corner(FilterWalk& walk, const PulseTrain& train, std::size_t block);
 
 }  // namespace feedscope

@@ -5,9 +5,9 @@
 namespace feedscope {
 
 /// Velocity pulses smoothed by equal moving averages, from standstill to standstill (Ward 2021, eq 1-7;
-/// models/ward/README.md). Kept as pulses: between their starts t_j and t_j + i T1 every axis is a polynomial
-/// of degree n + 1 of its own, on arcs a harmonic besides. An evaluation here costs the pulses within one
-/// delay; for many instants in order use a FilterWalk on train().
+/// models/ward/README.md). Stored as pulses: between their starts t_j and t_j + i T1 every axis is a
+/// polynomial of degree n + 1, on arcs plus a harmonic. An evaluation here costs the pulses within one delay;
+/// for many times in order use a FilterWalk on train().
 class FilteredMotion {
  public:
   /// `start` on the clock of the trajectory [s]; `contour_error`: largest distance of a programmed point from
@@ -22,9 +22,9 @@ class FilteredMotion {
   double contour_error() const { return contour_error_; }    ///< [mm]
   const PulseTrain& train() const { return train_; }
 
-  /// At `t` from the start [s].
+  /// Motion at `t` from the start [s].
   Kinematics at(double t) const;
-  /// Whether one straight pulse fills the filters all the time from `t0` to `t1`: the velocity is constant.
+  /// True if one straight pulse fills the filters from `t0` to `t1`, so that the velocity is constant.
   bool is_settled(double t0, double t1) const;
 
  private:

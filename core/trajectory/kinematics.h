@@ -4,7 +4,7 @@
 
 namespace feedscope {
 
-/// Motion at one instant, without the path length that costs a quadrature on curved paths.
+/// Motion at one time, without the path length, which costs a quadrature on curved paths.
 struct Kinematics {
   Vec3 position;      ///< [mm]
   Vec3 velocity;      ///< [mm/s]

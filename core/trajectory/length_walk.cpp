@@ -9,7 +9,7 @@
 namespace feedscope {
 namespace {
 
-/// Sums of the samples of a step in which the rules are simple.
+/// Sums of the samples of a step, from which the rules are easy to compute.
 struct StepSums {
   double h;
   double ends;
@@ -20,7 +20,7 @@ struct StepSums {
   double coarse(double middle) const { return h * ((ends + 2 * middle) / 4 + h * slopes / 48); }
 };
 
-/// Whether the polynomial of a step lies above -floor, by its control points.
+/// True if the polynomial of a step lies above -floor, by its control points.
 bool is_above(const SpeedSample& from, const SpeedSample& middle, const SpeedSample& to, double floor) {
   const double h = to.time - from.time;
   const double second = from.speed + h * from.slope / 4;
@@ -78,10 +78,10 @@ SpeedSample LengthWalk::sample_at(double t) {
 
 template <typename Visit>
 void LengthWalk::advance_to(double t, const Visit& visit) {
-  constexpr double min_share = 1.0 / 16;  // many short polynomials are taken together
+  constexpr double min_share = 1.0 / 16;  // combines many short polynomials
   constexpr double largest_share = 1.0 / 2;
   constexpr int deepest = 10;
-  // A second [mm/s]; the jerk of two filters jumps where pulses begin.
+  // Per second [mm/s]; the jerk of two filters jumps where pulses begin.
   const double tolerance = (train_.filters == 2 ? 1e-8 : 1e-7) * train_.largest_feed;
   while (last_.time < t) {
     const double knot = walk_.next_knot(train_, last_.time);
@@ -116,7 +116,7 @@ void LengthWalk::between(const SpeedSample& from, const SpeedSample& middle, con
     visit(LengthStep(from.time, sums.h, std::max(0.0, fine)));
     return;
   }
-  constexpr double rounding = 1e-9;  // of a speed that ends at a standstill
+  constexpr double rounding = 1e-9;  // of a speed that falls to a standstill
   if (std::abs(fine - sums.coarse(middle.speed)) <= tolerance &&
       is_above(from, middle, to, rounding * train_.largest_feed)) {
     visit(LengthStep(from, middle, to));
@@ -141,7 +141,7 @@ double SpanCourse::share_at(double t) const {
 }
 
 double SpanCourse::time_at(double share) const {
-  // The steps are kept: those of a second walk could differ, since the filters remember what they saw last.
+  // Keeps the steps: those of a second walk could differ, since the filters remember their last time.
   std::vector<LengthStep> steps;
   double whole = 0;
   LengthWalk(walk_, train_, from_).advance_to(to_, [&](const LengthStep& step) {

@@ -6,15 +6,15 @@
 
 namespace feedscope {
 
-/// Speed and its derivative at one instant.
+/// Speed and its derivative at one time.
 struct SpeedSample {
   double time = 0;   ///< [s]
   double speed = 0;  ///< [mm/s]
   double slope = 0;  ///< [mm/s2]
 };
 
-/// Path length over a short time: the integral of the polynomial of degree four that has the speed at both
-/// ends and in the middle, and the slopes at both ends. Never decreases.
+/// Path length over a short time: the integral of the polynomial of degree four through the speed at both
+/// ends and in the middle, with the slopes at both ends. Never decreases.
 class LengthStep {
  public:
   LengthStep(const SpeedSample& from, const SpeedSample& middle, const SpeedSample& to);
@@ -25,7 +25,7 @@ class LengthStep {
   double end() const { return start_ + duration_; }  ///< [s]
   double length() const { return length_; }          ///< [mm]
   double covered(double t) const;                    ///< at `t` within the step [mm]
-  double time_at(double covered) const;              ///< first instant, the inverse [s]
+  double time_at(double covered) const;              ///< first time, the inverse [s]
 
  private:
   double start_;
@@ -34,21 +34,21 @@ class LengthStep {
   std::array<double, 5> coefficients_;  ///< of the speed by the share of the duration [mm/s]
 };
 
-/// Path length of smoothed pulses from instant to instant in order, by a quadrature in steps: exact where the
-/// speed is constant, else halved until the rule agrees with one of lower order to 1e-7 (of two filters 1e-8)
-/// of what the largest speed covers and the speed of a step is nowhere negative. The steps depend
-/// on the two instants alone.
+/// Path length of smoothed pulses at times in order, by a quadrature in steps. Exact where the speed is
+/// constant; otherwise steps are halved until the rule agrees with one of lower order to 1e-7 (with two
+/// filters 1e-8) of the length at the largest speed, and the speed of a step is nowhere negative. The steps
+/// depend only on the two times.
 class LengthWalk {
  public:
   /// Starts at `t` from the start of the motion [s].
   LengthWalk(FilterWalk& walk, const PulseTrain& train, double t);
-  /// Path length covered since the instant before [mm].
+  /// Path length covered since the previous time [mm].
   double advance_to(double t);
   /// The same, step by step: calls visit(LengthStep).
   template <typename Visit>
   void advance_to(double t, const Visit& visit);
 
-  /// At an instant near the one advanced to; free at the middle of the last step.
+  /// Sample at a time near the last one of advance_to(); free at the middle of the last step.
   SpeedSample sample_at(double t);
 
  private:
@@ -63,15 +63,15 @@ class LengthWalk {
   SpeedSample middle_;
 };
 
-/// What is covered of a span of the motion, as shares of its path length, so that both ends are exact
-/// whatever the quadrature makes of the length: never decreasing from 0 at `from` to 1 at `to`.
+/// Path length covered within a span of the motion, as a share of the span, so that both ends are exact
+/// whatever the quadrature gives: never decreasing from 0 at `from` to 1 at `to`.
 class SpanCourse {
  public:
   /// `from` < `to` from the start of the motion [s].
   SpanCourse(FilterWalk& walk, const PulseTrain& train, double from, double to)
       : walk_(walk), train_(train), from_(from), to_(to) {}
   double share_at(double t) const;
-  /// First instant at which `share` is covered, within [from, to] [s].
+  /// First time at which `share` is covered, within [from, to] [s].
   double time_at(double share) const;
 
  private:

@@ -50,7 +50,7 @@ void PartWalk::enter_piece(double tau) {
   find_part();
 }
 
-/// The part that begins at tau_ in phase_ on part_.element.
+/// Finds the part that begins at tau_ in phase_ on part_.element.
 void PartWalk::find_part() {
   const Piece& piece = trajectory_.pieces()[piece_];
   const BlendedPath& path = trajectory_.path();
@@ -64,7 +64,7 @@ void PartWalk::find_part() {
   part_.j = at.j;
   part_.duration = phases_.end(phase_) - tau_;
   if (part_.element < last_element_) {
-    // What is no longer than the rounding of the clock, or of path lengths, is no part of its own.
+    // A part no longer than the rounding of the clock or of path lengths is not a part of its own.
     constexpr double rounding = 4e-15;
     const double length = path.length(part_.element);
     const double reached = time_to_reach(at, length, part_.duration);

@@ -12,7 +12,7 @@ namespace {
 /// A part of a line shorter than this [mm] is omitted.
 constexpr double least_part = 1e-12;
 
-/// Cuts elements and pieces of a run where its merged blocks meet.
+/// Cuts elements and pieces of a run where its merged blocks join.
 class BlockCutter {
  public:
   BlockCutter(const Trajectory& run, const Toolpath& programmed, const CompactedPath& merged)
@@ -57,7 +57,7 @@ class BlockCutter {
     }
   }
 
-  /// Where `point` lies along the line that the element is on, from the start of the line [mm].
+  /// Position of `point` along the line of the element, from the start of the line [mm].
   double along(const Vec3& point) const {
     const std::size_t line = path_.base_segment_of(element_);
     return (point - path_.base().start_of(line)).dot(path_.base().tangent_at_start(line));
@@ -88,7 +88,7 @@ class BlockCutter {
     }
   }
 
-  /// Blocks of filtered motion end where it has come as far along the line as the program's points are.
+  /// Blocks of filtered motion end where it has covered as much of the line as the program's points have.
   void cut_filtered() {
     constexpr int halvings = 50;
     const std::vector<Piece>& pieces = run_.pieces();
@@ -162,19 +162,19 @@ class BlockCutter {
   const Toolpath& programmed_;
   const CompactedPath& merged_;
 
-  std::uint32_t element_ = 0;      ///< of the run, under way
-  std::uint32_t first_block_ = 0;  ///< of those that its block was made of
+  std::uint32_t element_ = 0;      ///< of the run, current
+  std::uint32_t first_block_ = 0;  ///< of the blocks merged into its block
   std::uint32_t last_block_ = 0;
   std::size_t first_part_ = 0;  ///< of the element
-  std::size_t piece_ = 0;       ///< of the run: the next one
+  std::size_t piece_ = 0;       ///< of the run, next
   FilterWalk filters_;
-  std::vector<double> times_;  ///< at which the parts of a filtered element begin; of the first 0 [s]
+  std::vector<double> times_;  ///< at which the parts of a filtered element begin; 0 for the first [s]
 
   std::vector<ElementPart> parts_;
   std::vector<Piece> pieces_;
 };
 
-/// `merged` where the run joined blocks of its path further.
+/// `merged`, combined with the blocks that the run itself joined.
 std::shared_ptr<const CompactedPath> with_chords_of(const BlendedPath& path,
                                                     const std::shared_ptr<const CompactedPath>& merged) {
   const std::shared_ptr<const CompactedPath>& chords = path.compacted();

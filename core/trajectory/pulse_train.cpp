@@ -14,7 +14,7 @@ CommandPart rest_at(const Vec3& position, double time) {
   return part;
 }
 
-/// The line or arc of one block, commanded at any speed from any place on it.
+/// Line or arc of one block, commanded at any speed from any place on it.
 class BlockCourse {
  public:
   BlockCourse(const PulseTrain& train, std::size_t block)
@@ -22,7 +22,7 @@ class BlockCourse {
     const Segment& segment = train.segment(block);
     if (segment.kind == SegmentKind::arc) {
       arc_ = &train.arc(block);
-      // The ends are the programmed points exactly, whatever rounding there is in the frame of the arc.
+      // The ends are exactly the programmed points, whatever the rounding of the arc's frame.
       const double a = arc_->sweep;
       const Vec3 turned = arc_->radius * ((std::cos(a) - 1) * arc_->x + std::sin(a) * arc_->y);
       along_ = (segment.end - start_ - turned) / a;

@@ -9,26 +9,26 @@
 
 namespace feedscope {
 
-/// A part of what is commanded that follows one law: `velocity`, and where `rate` > 0 a turn on top of it,
+/// A part of the command that follows one law: `velocity`, and where `rate` > 0 also a turn,
 ///   p(h) = position + h velocity + (cos(rate h) - 1) cosine + sin(rate h) sine,   h from the part's start.
 struct CommandPart {
   double time = 0;  ///< start [s]
-  double rate = 0;  ///< [rad/s]; 0: straight, `cosine` and `sine` without meaning
+  double rate = 0;  ///< [rad/s]; 0: straight, `cosine` and `sine` unused
   Vec3 position;    ///< at the start [mm]
   Vec3 velocity;    ///< of an arc: along its axis [mm/s]
   Vec3 cosine;      ///< from the centre to the start [mm]
-  Vec3 sine;        ///< as long, a quarter turn ahead [mm]
+  Vec3 sine;        ///< same length, a quarter turn ahead [mm]
 
   Vec3 velocity_at_start() const { return rate > 0 ? Vec3(velocity + rate * sine) : velocity; }
   /// Makes the part begin `h` [s] later.
   void begin_later(double h);
 };
 
-/// What is commanded on one block: a pulse of height `feed` between the blending pulses of its two corners.
+/// Command on one block: a pulse of height `feed` between the blending pulses of its two corners.
 struct BlockPulses {
   double start = 0;         ///< of the first pulse, from the start of the motion [s]
   double feed = 0;          ///< F, or f of the short-block rule [mm/s]
-  double corner_speed = 0;  ///< V_c of the corner where the block starts; that of a stop is not used [mm/s]
+  double corner_speed = 0;  ///< V_c of the corner where the block starts; not used at a stop [mm/s]
 };
 
 /// Widths T_b, T_v, T_b of the pulses of one block [s].
@@ -40,16 +40,17 @@ struct PulseWidths {
 };
 
 /// Velocity pulses of a path from standstill to standstill, and the equal moving averages that smooth them
-/// (Ward 2021; models/ward/README.md). Lines and arcs are commanded as what they are: direction and place
-/// come from the programmed path, so that a block keeps 24 bytes.
+/// (Ward 2021; models/ward/README.md). Direction and place come from the lines and arcs of the programmed
+/// path, so that a block takes only 24 bytes.
 struct PulseTrain {
   std::shared_ptr<const Toolpath> path;
   std::size_t first = 0;            ///< segment of block 0; lines and arcs only from there on
   int filters = 3;                  ///< n, 2 or 3
   double filter_time = 0;           ///< T1 > 0 [s]
   double largest_feed = 0;          ///< of the pulses [mm/s]
-  std::vector<BlockPulses> blocks;  ///< and one more for the end: standstill from its `start` on
-  /// Where `path` is not the programmed one, which it goes along segment by segment: that one; else null.
+  std::vector<BlockPulses> blocks;  ///< and one more for the end: standstill from its `start`
+  /// The programmed path where `path`, which corresponds to it segment by segment, is a different one; else
+  /// null.
   std::shared_ptr<const Toolpath> programmed = nullptr;
 
   std::size_t size() const { return blocks.size() - 1; }
@@ -58,24 +59,24 @@ struct PulseTrain {
   double end() const { return blocks.back().start; }               ///< of the pulses [s]
   double duration() const { return end() + delay(); }              ///< of the smoothed motion [s]
   const Segment& segment(std::size_t block) const { return path->segments[first + block]; }
-  /// Of a block that is one.
+  /// Arc of a block that is one.
   const Arc& arc(std::size_t block) const { return path->arc_of(segment(block)); }
   const Vec3& point(std::size_t block) const { return path->start_of(first + block); }  ///< its start [mm]
-  /// Where the program has the start of a block [mm].
+  /// Programmed start of a block [mm].
   const Vec3& programmed_point(std::size_t block) const {
     return (programmed != nullptr ? programmed : path)->start_of(first + block);
   }
 
-  /// From the heights of the pulses and the start of the next block.
+  /// Widths by the heights of the pulses and the start of the next block.
   PulseWidths widths(std::size_t block) const;
-  /// The block whose pulses are under way at `t`; size() from the end on, 0 before the start.
+  /// Block whose pulses are active at `t`; size() from the end on, 0 before the start.
   std::size_t block_at(double t) const;
-  /// The pulses of `block` that last any time, in order; `block` = size(): the standstill at the end.
-  /// Returns how many.
+  /// Pulses of `block` with a width above 0, in order; `block` = size(): the standstill at the end. Returns
+  /// their number.
   std::size_t parts(std::size_t block, std::array<CommandPart, 3>& out) const;
-  /// Place on `block` that is commanded at `t`, an instant of its pulses [s], [mm].
+  /// Commanded place on `block` at `t`, a time within its pulses [s], [mm].
   Vec3 commanded(std::size_t block, double t) const;
-  /// The standstill before the start, from `time` < 0 on.
+  /// Standstill before the start, from `time` < 0.
   CommandPart rest_before(double time) const;
 };
 

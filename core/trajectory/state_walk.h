@@ -6,22 +6,22 @@
 
 namespace feedscope {
 
-/// States at instants that never fall: each takes constant time on average.
+/// States at non-decreasing times, each in constant time on average.
 class StateWalk {
  public:
-  /// `from`: the first instant [s].
+  /// `from`: the first time [s].
   explicit StateWalk(const Trajectory& trajectory, double from = 0)
       : trajectory_(trajectory),
         walk_(trajectory, trajectory.pieces().empty() ? 0 : trajectory.piece_at(from)) {}
   StateWalk(const StateWalk&) = delete;
   StateWalk& operator=(const StateWalk&) = delete;
 
-  /// `time` [s]: not before that of the last call.
+  /// `time` [s]: not before that of the previous call.
   State at(double time) {
     const PartMotion* motion = motion_at(time);
     return motion != nullptr ? motion->state(time - walk_.part().time) : trajectory_.state(time);
   }
-  /// The same with a path length of 0, which spares the quadrature that it costs on curves.
+  /// The same with a path length of 0, which avoids its quadrature on curves.
   State at_without_length(double time) {
     const PartMotion* motion = motion_at(time);
     return motion != nullptr ? motion->state_without_length(time - walk_.part().time)
@@ -29,7 +29,7 @@ class StateWalk {
   }
 
  private:
-  /// Null behind the last part.
+  /// Null after the last part.
   const PartMotion* motion_at(double time) {
     while (!walk_.done() && walk_.part().time + walk_.part().duration <= time) {
       walk_.next();
@@ -46,7 +46,7 @@ class StateWalk {
 
   const Trajectory& trajectory_;
   PartWalk walk_;
-  std::optional<PartMotion> motion_;  ///< of the part under way
+  std::optional<PartMotion> motion_;  ///< of the current part
 };
 
 }  // namespace feedscope

@@ -71,7 +71,7 @@ std::span<const std::uint32_t> Stretch::held() {
 
 namespace {
 
-/// Whether a stretch ends where `segment` begins.
+/// True if a stretch begins at `segment`.
 bool begins_stretch(const Toolpath& toolpath, const PathRules& rules, std::size_t segment,
                     bool stop_at_arc_corners) {
   const JunctionKind kind = junction_kind(toolpath, segment);
@@ -89,7 +89,7 @@ std::size_t next_begin(const Toolpath& toolpath, const PathRules& rules, std::si
   return std::min(segment, toolpath.segments.size());
 }
 
-/// Where parts of the program begin that are run on their own, and its end.
+/// Starts of the parts of the program that are run separately, and its end.
 std::vector<std::size_t> part_borders(const Toolpath& toolpath, const PathRules& rules,
                                       bool stop_at_arc_corners) {
   constexpr std::size_t least_segments = 8192;
@@ -168,8 +168,9 @@ void follow_acceleration_mode(Stretch& stretch, const BlendedPath& path, const P
 
 namespace {
 
-/// Curvature vector of a line or an arc at `s` from its start [1/mm]. By the planned length, not the one that
-/// the path keeps, which is rounded by what lies before it: a stretch is planned the same wherever it stands.
+/// Curvature vector of a line or an arc at `s` from its start [1/mm]. Uses the planned length, because the
+/// length stored in the path is rounded by everything before it: a stretch is planned the same wherever it is
+/// in the program.
 Vec3 bend(const ElementCurve& curve, double s) {
   return curve.is_arc() ? curve.arc.at(s).d2 : Vec3(Vec3::Zero());
 }
@@ -260,7 +261,7 @@ SpeedProfile profile_to(double target, const SpanLimits& span, double speed, dou
   if (profile.feasible || target <= settled) {
     return profile;
   }
-  if (acceleration == 0) {  // mostly it is rounding that keeps `target` out of reach
+  if (acceleration == 0) {  // usually only rounding keeps `target` out of reach
     SpeedProfile reached = plan(std::min(target, reachable_speed(speed, span.length, span.ramp())));
     if (reached.feasible) {
       return reached;
@@ -278,7 +279,7 @@ std::uint8_t code_of(Cause cause) {
   return static_cast<std::uint8_t>(cause_index(cause));
 }
 
-/// Lays pieces over elements [first, last) of a stretch, one after the other, and keeps the place.
+/// Lays pieces over elements [first, last) of a stretch one after the other, and remembers the place.
 class ProfileLayer {
  public:
   ProfileLayer(TrajectoryBuilder& builder, const Stretch& stretch, std::size_t first, std::size_t last,
@@ -286,7 +287,7 @@ class ProfileLayer {
       : builder_(builder), stretch_(stretch), element_(first), last_(last), at_(start) {}
 
   double speed() const { return at_.v; }
-  /// Whether nothing is run by the parameter of a blend: then a piece may go over several elements.
+  /// True if no blend is run by its parameter: then a piece may cross several elements.
   bool all_by_length() const {
     for (std::size_t e = element_; stretch_.blends_by_parameter && e < last_; ++e) {
       if (stretch_.by_parameter(e)) {
@@ -313,7 +314,7 @@ class ProfileLayer {
     }
   }
 
-  /// Up to `top` acceleration, held, and back, as one piece.
+  /// Raises the acceleration to `top`, keeps it and lowers it again, as one piece.
   void add_ramp(std::span<const Phase, 3> phases, Cause cause, std::uint8_t second) {
     const double duration = phases[0].duration + phases[1].duration + phases[2].duration;
     const double jerk = phases[0].jerk;
@@ -326,9 +327,9 @@ class ProfileLayer {
     move_to(end);
   }
 
-  /// Constant speed; the elements tell why it is not higher.
+  /// Constant speed; the elements determine why it is not higher.
   void add_cruise(double duration) {
-    constexpr std::size_t max_elements = 256;  // of one piece, so that none takes long to look into
+    constexpr std::size_t max_elements = 256;  // of one piece, so that none takes long to search
     at_.a = 0;
     while (duration > 0) {
       const Cause cause = stretch_.plan[element_].speed().cause;
@@ -349,7 +350,7 @@ class ProfileLayer {
   }
 
  private:
-  /// Where the law under way has to give way to another one; infinite if to none [mm].
+  /// Place where the current law has to give way to another one; infinite if it need not [mm].
   double end_of_law() const {
     if (!stretch_.blends_by_parameter) {
       return std::numeric_limits<double>::infinity();
@@ -393,12 +394,12 @@ Cause acceleration_cause(const SpanLimits& span) {
           span.acceleration.axis};
 }
 
-/// What limits the rise of the acceleration: where it may jump, nothing but the acceleration itself.
+/// Cause that limits the rise of the acceleration; where it may jump, that of the acceleration itself.
 Cause jerk_cause(const SpanLimits& span) {
   return span.jerk.axis < 0 ? acceleration_cause(span) : Cause{CauseKind::axis_jerk, span.jerk.axis};
 }
 
-/// Whether three phases raise or lower the speed from no acceleration to none, the same both ways.
+/// True if three phases raise or lower the speed symmetrically, from zero acceleration to zero.
 bool is_ramp(std::span<const Phase, 3> phases, double acceleration) {
   constexpr double rounding = 1e-12;
   return acceleration == 0 && phases[0].duration > 0 && phases[1].jerk == 0 &&
@@ -436,7 +437,7 @@ double add_profile(TrajectoryBuilder& builder, const Stretch& stretch, const Spe
 void add_planned_motion(TrajectoryBuilder& builder, const Stretch& stretch,
                         const std::vector<PlanNode>& nodes, ProgressSteps& steps) {
   double speed = 0;
-  Cause gained;  // what limited the ramp before
+  Cause gained;  // cause of the ramp before
   for (std::size_t n = 0; n + 1 < nodes.size(); ++n) {
     const std::size_t first = nodes[n].junction;
     const std::size_t last = nodes[n + 1].junction;

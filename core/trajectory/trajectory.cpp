@@ -32,7 +32,7 @@ std::uint32_t Trajectory::last_element(std::size_t piece) const {
     const Piece& next = pieces()[piece + 1];
     last = next.q > 0 || next.element == 0 ? next.element : next.element - 1;
   }
-  while (last > first && path().kind(last) == ElementKind::dwell) {  // one that takes no time
+  while (last > first && path().kind(last) == ElementKind::dwell) {  // takes no time
     --last;
   }
   return std::max(first, last);

@@ -13,7 +13,7 @@ namespace feedscope {
 
 class PartWalk;
 
-/// Everything at one instant. Vectors by the chain rule from curve and law, nothing differenced.
+/// State at one time. Vectors by the chain rule from curve and law; nothing is differenced.
 struct State {
   double time = 0;                     ///< [s]
   double path_length = 0;              ///< executed, from the start [mm]
@@ -28,13 +28,13 @@ struct State {
   std::uint32_t line = 0;              ///< source line
   std::uint32_t element = 0;           ///< index into the BlendedPath
   Cause cause;
-  Cause slower_place;  ///< what sets the speed of the place ahead where `cause` is ramp_down, else `cause`
+  Cause slower_place;  ///< where `cause` is ramp_down, cause of the speed at the place ahead; else `cause`
 };
 
-/// One curve that the control put into a corner, a cubic blend or an arc: ask its element which. Where two
-/// blocks overlap in it, `element` is the first of several lines and `min_radius` is not known (NaN).
-/// On filtered motion the part that the blending pulses of the corner make: `transition` the programmed
-/// length of the longer one, `epsilon` by closest approach, `min_radius` there.
+/// One curve that the control put into a corner, a cubic blend or an arc (see its element's kind). Where two
+/// blocks overlap in it, `element` is the first of several lines and `min_radius` is not known (NaN). On
+/// filtered motion the part made by the corner's blending pulses: `transition` is the programmed length of
+/// the longer one, `epsilon` and `min_radius` those at the closest approach.
 struct BlendRecord {
   std::uint32_t line = 0;     ///< of the block that ends at the corner
   std::uint32_t element = 0;  ///< index into the BlendedPath; filtered: the one that ends at the corner
@@ -48,10 +48,10 @@ struct BlendRecord {
   double exit_speed = 0;      ///< [mm/s]
 };
 
-/// What a control model says the machine does: executed path and time law as exact pieces.
+/// Motion of the machine according to a control model: executed path and time law as exact pieces.
 class Trajectory {
  public:
-  /// What a TrajectoryBuilder collects.
+  /// Data that a TrajectoryBuilder collects.
   struct Content {
     BlendedPath path;
     std::vector<Piece> pieces;          ///< in order of time and of elements
@@ -59,7 +59,7 @@ class Trajectory {
     Vec3 axis_velocity = Vec3::Zero();  ///< of rapids and of blocks without feed [mm/s]
     double compaction_error = 0;
     std::vector<FilteredMotion> motions;
-    std::vector<std::uint32_t> filtered_corners;  ///< elements that end at one
+    std::vector<std::uint32_t> filtered_corners;  ///< elements that end at such a corner
   };
 
   Trajectory() = default;
@@ -72,33 +72,33 @@ class Trajectory {
   Content take() && { return std::move(content_); }
   const std::vector<Piece>& pieces() const { return content_.pieces; }
   const std::vector<FilteredMotion>& motions() const { return content_.motions; }
-  /// Largest distance of a programmed point that the control leaves out from the executed path [mm].
+  /// Largest distance of an omitted programmed point from the executed path [mm].
   double compaction_error() const { return content_.compaction_error; }
 
   /// Corners that the control rounds, in order of the path.
   std::size_t blend_count() const;
   BlendRecord blend(std::size_t i) const;
-  /// The same for many in order, which on filtered motion share what `filters` knows.
+  /// The same for many corners in order, which share the cache of `filters` on filtered motion.
   BlendRecord blend(std::size_t i, FilterWalk& filters) const;
 
-  /// State at a time, clamped to [0, duration]. At a piece border: the piece that begins there.
-  /// An empty trajectory gives a State at the origin, at rest.
+  /// State at a time, clamped to [0, duration]. At a piece border, state of the piece that begins there. An
+  /// empty trajectory gives a State at the origin, at rest.
   State state(double time) const;
-  /// State at the first instant at which the path length is `s`, clamped to [0, path_length()].
+  /// State at the first time at which the path length is `s`, clamped to [0, path_length()].
   State state_at_path(double s) const;
   std::size_t piece_at(double time) const;
   double piece_end(std::size_t piece) const;  ///< [s]
-  /// The elements [piece.element, last_element()] that a piece may run over.
+  /// Last of the elements [piece.element, last_element()] that a piece may cross.
   std::uint32_t last_element(std::size_t piece) const;
-  /// Of a piece that slows down (cause ramp_down): what sets the speed of the place ahead; else its own
-  /// cause.
+  /// Cause of the speed at the place ahead, of a piece that slows down (cause ramp_down); else the piece's
+  /// own cause.
   Cause slower_place(std::size_t piece) const;
-  /// Into how many equal parts a filtered part is to be cut so that each lasts at most 1/`a_filter_time` of
-  /// the filter time; 1 where its velocity is constant.
+  /// Number of equal parts of a filtered part such that each lasts at most 1/`a_filter_time` of the filter
+  /// time; 1 where its velocity is constant.
   int filtered_spans(const Part& part, double a_filter_time) const;
   double filtered_length(const Part& part) const;  ///< path length of a filtered part [mm]
-  /// Path length from the start of its element, `tau` from the start of a filtered piece [s], [mm]: between
-  /// the lengths that are kept for both ends of the piece by a SpanCourse.
+  /// Path length from the start of its element, `tau` from the start of a filtered piece [s], [mm]:
+  /// interpolated by a SpanCourse between the stored lengths of both ends of the piece.
   double filtered_q(std::size_t piece, double tau, FilterWalk& filters) const;
   const FilteredMotion& motion_of(std::uint32_t element) const {
     return content_.motions[content_.path.index(element)];
@@ -107,7 +107,7 @@ class Trajectory {
   std::uint32_t line_of(std::size_t element) const { return segment_of(element).line; }
   double feed_of(std::size_t element) const;  ///< [mm/s]; the axes' speed for a rapid
   bool is_rapid(std::size_t element) const { return segment_of(element).rapid; }
-  /// First instant at which the block of `line`, or of the nearest later line that moves, is under way.
+  /// First time at which the block of `line`, or of the nearest later line that moves, is running.
   double time_of_line(std::uint32_t line) const;
 
  private:
@@ -116,11 +116,11 @@ class Trajectory {
   BlendRecord with_speeds(BlendRecord record, std::uint32_t last_element) const;
   const Segment& segment_of(std::size_t element) const { return content_.path.source_segment(element); }
   double filtered_end(std::size_t piece) const;  ///< q at the end of a filtered piece [mm]
-  /// The span of its motion that a filtered piece is.
+  /// The filtered piece's span of its motion.
   SpanCourse filtered_course(std::size_t piece, FilterWalk& filters) const;
-  /// Time from the start of a piece until its q is reached [s].
+  /// Time from the start of a piece until it reaches q [s].
   double time_in_piece(std::size_t piece, double q) const;
-  /// The parts from the first one on `element` on.
+  /// Parts from the first one on `element`.
   PartWalk walk_from(std::uint32_t element) const;
 
   Content content_;

@@ -64,7 +64,7 @@ void TrajectoryBuilder::reserve(std::size_t elements, std::size_t pieces) {
 
 void TrajectoryBuilder::reserve_for_path(std::size_t most, std::size_t done) {
   constexpr double slack = 1.02;
-  constexpr std::size_t growth = 8;  // at most: the first elements may be unlike the others
+  constexpr std::size_t growth = 8;  // upper limit: the first elements may differ from the others
   std::vector<Piece>& pieces = content().pieces;
   const std::size_t needed = pieces.size() + most;
   if (needed > pieces.capacity()) {
@@ -95,7 +95,7 @@ void TrajectoryBuilder::append(TrajectoryBuilder part, double done) {
     const double end = p + 1 < more.pieces.size() ? more.pieces[p + 1].time : more.duration;
     piece.time += start;
     piece.element += elements;
-    if (start + end > piece.time) {  // else the clock resolves it no more
+    if (start + end > piece.time) {  // otherwise below the resolution of the clock
       whole.pieces.push_back(piece);
     }
   }
@@ -151,7 +151,7 @@ void TrajectoryBuilder::pass_pause(std::uint32_t element, double time) {
 
 void TrajectoryBuilder::add_piece(Piece piece, double duration) {
   count_addition();
-  if (!(content().duration + duration > content().duration)) {  // nothing, or less than the clock resolves
+  if (!(content().duration + duration > content().duration)) {  // zero, or below the resolution of the clock
     return;
   }
   piece.time = content().duration;
@@ -168,7 +168,7 @@ void TrajectoryBuilder::add_level_piece(const Piece& piece, double duration) {
     add_piece(piece, duration);
     return;
   }
-  // By the way from where it began: what the clock rounds would add up over many elements.
+  // By the way from its beginning: rounding of the clock would add up over many elements.
   const Piece& before = content().pieces.back();
   const double way = path().s(piece.element) - path().s(before.element) + piece.q - before.q;
   content().duration = std::max(content().duration, before.time + (way / piece.v + duration));
@@ -216,7 +216,7 @@ void TrajectoryBuilder::name_slower_places() {
 Trajectory TrajectoryBuilder::finish() {
   name_slower_places();
   content().path.shrink();
-  constexpr std::size_t slack = 32;  // a 32nd of the room is not worth a copy
+  constexpr std::size_t slack = 32;  // a 32nd of the capacity is not worth a copy
   if (content().pieces.capacity() - content().pieces.size() > content().pieces.capacity() / slack) {
     content().pieces.shrink_to_fit();
   }

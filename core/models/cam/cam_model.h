@@ -4,8 +4,8 @@
 
 namespace feedscope {
 
-/// What a CAM system shows: every block at its programmed feed from end to end, rapids at the axes' speed,
-/// dwells; no acceleration takes time (README.md beside this file). The reference for every other model.
+/// Time that a CAM system shows: every block at its programmed feed from end to end, rapids at the axes'
+/// speed, dwells; acceleration takes no time (README.md in this folder). The reference for every other model.
 class CamModel : public ControlModel {
  public:
   const ModelInfo& info() const override;

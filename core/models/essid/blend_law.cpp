@@ -18,13 +18,13 @@ Sample step(const Sample& from, double jerk, double time) {
           from.du + time * (from.ddu + time * jerk / 2), from.ddu + time * jerk};
 }
 
-/// Time until u = 1 within a step that ends beyond it.
+/// Time to u = 1 within a step that ends beyond it.
 double time_to_end(const Sample& from, double jerk, double period) {
   constexpr int halvings = 60;
   return halve({0, period}, halvings, [&](double time) { return step(from, jerk, time).u < 1; }).high;
 }
 
-/// The row of eq 24 that is used most, as a share of its limit.
+/// Row of eq 24 that is closest to its limit, as a share of it.
 struct Use {
   double share = 0;
   Cause cause;
@@ -49,7 +49,7 @@ class BlendRunner {
   BlendRunner(const BlendShape& shape, const SpeedBound& ceiling, const BlendLimits& limits)
       : shape_(shape), ceiling_(ceiling), limits_(limits) {}
 
-  /// Rows (0)-(3) and (5) at a sample; row (4) is kept by the interval that the jerk is taken from.
+  /// Rows (0)-(3) and (5) at a sample; the interval of the jerk already respects row (4).
   Use use_at(const Sample& sample) const {
     const BlendShape::Point p = shape_.at(sample.u);
     const double v = p.sigma * sample.du;
@@ -68,7 +68,7 @@ class BlendRunner {
     return use;
   }
 
-  /// The parametric jerk for the next `period`, and what limits it. `p`: the blend at `now`.
+  /// Parametric jerk for the next `period`, and its limiting cause. `p`: the blend at `now`.
   std::pair<double, Cause> choose(const Sample& now, const BlendShape::Point& p, double period) const {
     const AxisBound jerk = axis_share(limits_.tangential_jerk, p.tangent);
     const double v = p.sigma * now.du;
@@ -102,9 +102,9 @@ class BlendRunner {
     Use use;
   };
 
-  /// Where between `kept` and `broken` the share passes 1, to 2^-24 of their distance or 2^-20 of the limit
-  /// from below: regula falsi (Illinois), in steps that leave both ends by that much of the distance at
-  /// least.
+  /// Place between `kept` and `broken` where the share passes 1, to 2^-24 of their distance or 2^-20 of the
+  /// limit from below: regula falsi (Illinois), in steps that stay away from both ends by at least this part
+  /// of the distance.
   template <typename F>
   static std::pair<double, Cause> largest_kept(Candidate kept, Candidate broken, const F& use) {
     constexpr double rounding = 0x1p-20;
@@ -133,9 +133,9 @@ class BlendRunner {
     return {kept.jerk, broken.use.cause};
   }
 
-  /// Where the share is least, to 2^-24 of it: it is convex in the jerk within one sample, and mostly the
-  /// larger of two rows that hardly bend. So the next place is where the tangents at both ends meet; often
-  /// the share rises from `low`, or falls to `high`, and that is the place.
+  /// Minimum of the share, to 2^-24 of it. Within one sample it is convex in the jerk, and usually the larger
+  /// of two almost straight rows. So the next place is where the tangents at both ends meet; often the share
+  /// rises from `low` or falls to `high`, and that is the minimum.
   template <typename F>
   static double least_excess(const Candidate& low, const Candidate& high, const F& use) {
     constexpr int steps = 16;
@@ -209,8 +209,8 @@ SpeedBound entry_speed_limit(const BlendShape::Point& entry, const SpeedBound& f
 
 namespace {
 
-/// Lowers the speed at u = 0 to what keeps rows (0)-(3) at `p`, whether the blend is passed at constant speed
-/// or at constant du/dt; `sigma`: at u = 0.
+/// Lowers the speed at u = 0 until rows (0)-(3) are kept at `p`, whether the blend is passed at constant
+/// speed or at constant du/dt; `sigma`: at u = 0.
 void lower_to_steady_rows(SpeedBound& speed, double feed, const BlendShape::Point& p, double sigma,
                           const BlendLimits& limits) {
   const double share = p.sigma / sigma;  // of the speed at u = 0, at constant du/dt
@@ -230,8 +230,8 @@ void lower_to_steady_rows(SpeedBound& speed, double feed, const BlendShape::Poin
   speed.lower(std::sqrt(across.value), {CauseKind::blend_radial_acceleration, across.axis});
 }
 
-/// Whether every direction would keep rows (0), (1) and (3) on the whole blend, so that no axis has to be
-/// looked at: at so many places from u = 0 to the middle, the other half being its mirror image.
+/// True if rows (0), (1) and (3) are kept for every direction on the whole blend, so that single axes need no
+/// check: checks `intervals` places from u = 0 to the middle; the other half is the mirror image.
 bool keeps_steady_rows_whatever_axis(const BlendShape& shape, double sigma, double speed, double feed,
                                      const BlendLimits& limits, int intervals) {
   const double fastest = std::min(feed, limits.least_velocity);
@@ -325,7 +325,7 @@ SpeedBound steady_speed_limit(const BlendShape& shape, const SpeedBound& feed, c
     const auto lower = [&](const AxisBound& bound, int order, CauseKind kind) {
       if (bound.value <
           rate.value * rate.value *
-              (order == 2 ? 1 : rate.value)) {  // most are not the least so far, and need no root
+              (order == 2 ? 1 : rate.value)) {  // most are not the smallest so far and need no root
         rate.lower(order == 2 ? std::sqrt(bound.value) : std::cbrt(bound.value), {kind, bound.axis});
       }
     };
@@ -341,7 +341,7 @@ SpeedBound steady_speed_limit(const BlendShape& shape, const SpeedBound& feed, c
 
 namespace {
 
-/// What running a blend by its parameter asks for at one place, and what the axes allow there.
+/// Demand on the axes at one place of a blend run by its parameter, and their limits there.
 struct ParameterPlace {
   double g;        ///< |S'(u)| / |S'(0)|
   double g_x;      ///< |dg/dx|
@@ -403,7 +403,7 @@ BlendRamps parameter_ramps(const BlendShape& shape, const BlendLimits& limits) {
       lower(acceleration, (at.acceleration.value - at.g_x * w * w) / at.g, at.acceleration);
       lower(acceleration, (at.across_jerk.value - at.across * w * w * w) / (3 * at.turning * w),
             at.across_jerk);
-      // Half of what row (4) leaves for 3 g_x w w', the rest for g w''.
+      // Half of the rest of row (4) is for 3 g_x w w', the other half for g w''.
       lower(acceleration, (at.jerk.value - at.along * w * w * w) / (6 * at.g_x * w), at.jerk);
     }
     for (const ParameterPlace& at : places) {

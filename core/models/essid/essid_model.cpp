@@ -67,7 +67,7 @@ const ModelInfo& EssidModel::info() const {
 
 Guarantees EssidModel::guarantees(const Settings& settings) const {
   const bool strict = settings.text("reading") == "strict";
-  constexpr double sampled = 1.01;  // the law on a blend is checked once a sample
+  constexpr double sampled = 1.01;  // the law on a blend is checked once per sample
   using Of = KeptLimit::Of;
   Guarantees promised;
   promised.holds_rotary_ramps = !strict;

@@ -7,7 +7,7 @@ namespace feedscope {
 /// Local smoothing by cubic Hermite blends on a Sinumerik 840D.
 ///
 /// M. Essid et al., "Analytical modeling of the CNC machine axis motion in high-speed milling with local
-/// smoothing", Int J Adv Manuf Technol 105 (2019) 457-470; equations in README.md beside this file.
+/// smoothing", Int J Adv Manuf Technol 105 (2019) 457-470; equations in README.md in this folder.
 /// Symbols: U, V unit directions in and out, phi their angle, rho contour tolerance, eps = beta rho, T
 /// transition length, u parameter of a blend, R_A and R_J radial shares, Jtb jerk on blends, t_s sampling
 /// time.

@@ -8,8 +8,8 @@
 namespace feedscope {
 namespace {
 
-/// Blends that turn by more than this [rad] are level places of the plan: run over within a longer ramp, at a
-/// speed that hardly changes, they would exceed the radial jerk share by more than 3.3 (0.66 of the axis).
+/// Blends that turn by more than this [rad] are level places of the plan: within a longer ramp, at an almost
+/// constant speed, they would exceed the radial jerk share by more than 3.3 (0.66 of the axis).
 constexpr double level_turn = 0.5;
 
 CornerRule rule_at(const CornerPlace& place, CornerRule rule) {
@@ -97,13 +97,13 @@ CornerPiece EssidRunner::blend_corner(const CornerPlace& place, const StretchRan
   return piece;
 }
 
-/// A level blend may be run at constant du/dt, where the speed changes by itself: within the acceleration
+/// A level blend may be run at constant du/dt, where the speed changes by itself, within the acceleration
 /// that rotary axes allow.
 void EssidRunner::hold_turns_by_parameter(const BlendShape& shape, std::size_t segment,
                                           const StretchRange& range, CornerPiece& piece) const {
   constexpr int places = 16;
   const double sigma = shape.at(0).sigma;
-  double change = 0;  // of the speed, by the square of that at the entry [1/mm]
+  double change = 0;  // of the speed, per square of the entry speed [1/mm]
   for (int i = 0; i <= places; ++i) {
     change = std::max(change, std::abs(shape.at(static_cast<double>(i) / places).dsigma) / (sigma * sigma));
   }
@@ -173,11 +173,11 @@ std::optional<std::size_t> EssidRunner::move_over_blend(const std::vector<PlanNo
   const std::size_t segment = builder_.path().segment(stretch_.element(e));
   const bool turns =
       toolpath_.segment_turn(segment) != nullptr || toolpath_.segment_turn(segment + 1) != nullptr;
-  if (blend.turn > sharp_turn || turns) {  // the law knows nothing of rotary axes
+  if (blend.turn > sharp_turn || turns) {  // the law does not cover rotary axes
     return std::nullopt;
   }
   std::size_t target = n + 1;
-  // The node at the blend's end only repeats its entry speed: look further, unless another blend starts
+  // The node at the blend's end only repeats its entry speed: use a later one, unless another blend starts
   // there.
   if (nodes[target].junction == e + 1 && !is_blend(e + 1)) {
     ++target;
@@ -189,7 +189,7 @@ std::optional<std::size_t> EssidRunner::move_over_blend(const std::vector<PlanNo
   SpeedBound ceiling = blend.feed;
   ceiling.lower(last == e + 1 ? end_speed : reachable_speed(end_speed, span.length, span.ramp()),
                 {CauseKind::ramp_down});
-  constexpr double same = 1e-7;  // of a speed: what rounding of the coordinates does to it decides nothing
+  constexpr double same = 1e-7;  // of a speed: a difference from rounding of the coordinates must not matter
   if (ceiling.value < speed_ * (1 - same)) {
     return std::nullopt;
   }
@@ -197,9 +197,8 @@ std::optional<std::size_t> EssidRunner::move_over_blend(const std::vector<PlanNo
   if (ceiling.value <= speed_ * (1 + same) && keeps_rows_at(blend.shape, speed_, blend_limits_)) {
     return std::nullopt;  // nothing to gain
   }
-  // The law is worth its samples where the second half of the blend, used to accelerate, gains some speed,
-  // and it means something where what constant speed alone asks of the parametric jerk hardly changes in a
-  // sample.
+  // The law is worth its samples if the second half of the blend gains some speed when used to accelerate. It
+  // is meaningful if the parametric jerk required by constant speed alone hardly changes in a sample.
   constexpr double min_gain = 0.05;
   constexpr double min_samples = 40;
   const double time = stretch_.plan[e].length / speed_;

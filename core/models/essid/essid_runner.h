@@ -11,10 +11,10 @@
 
 namespace feedscope {
 
-/// Kind, transition and length of the blend in a corner. `gentle`: of the rule's weight.
+/// Kind, transition and length of the blend in a corner. `gentle`: for the rule's weight.
 CornerPiece lay_blend(const CornerPlace& place, const CornerRule& rule, const GentleBlendLength& gentle);
 
-/// Runs stretches from standstill to standstill, one after the other, into a trajectory: lays blends into
+/// Runs stretches from standstill to standstill into a trajectory, one after the other: lays blends into
 /// their corners, plans, and moves over lines by ramps and over blends by the paper's law.
 class EssidRunner {
  public:
@@ -25,10 +25,10 @@ class EssidRunner {
   void run(const StretchRange& range, ProgressSteps& steps);
 
  private:
-  /// A blend as the path holds it, worked out again where it is run: most are passed within ramps.
+  /// A blend of the path, computed again where it is run: most are passed within ramps.
   struct Blend {
     BlendShape shape;
-    SpeedBound feed;  ///< the lower of the two blocks'
+    SpeedBound feed;  ///< the lower feed of the two blocks
     double turn;      ///< [rad]
   };
 
@@ -36,16 +36,16 @@ class EssidRunner {
   CornerPiece blend_corner(const CornerPlace& place, const StretchRange& range);
   void hold_turns_by_parameter(const BlendShape& shape, std::size_t segment, const StretchRange& range,
                                CornerPiece& piece) const;
-  /// Makes level places of the plan, with one speed for both of their ends, of blends that turn much.
+  /// Makes blends that turn much level places of the plan, with one speed at both ends.
   void hold_level_blends();
 
   void plan_and_move(const StretchRange& range, ProgressSteps& steps);
   void move(const std::vector<PlanNode>& nodes, ProgressSteps& steps);
-  /// Tries the law of the paper on the blend behind node `n`; moves on to the node it returns if that works.
+  /// Tries the law of the paper on the blend after node `n`; moves to the node it returns if that works.
   std::optional<std::size_t> move_over_blend(const std::vector<PlanNode>& nodes, std::size_t n);
-  /// Passes a level blend, at constant speed where that keeps every limit, else at constant du/dt.
+  /// Passes a level blend, at constant speed if that keeps every limit, else at constant du/dt.
   void pass_level(std::size_t element);
-  /// `slower_place`: what sets the speed of the node ahead.
+  /// `slower_place`: cause of the speed of the node ahead.
   void add_blend_steps(const std::vector<BlendStep>& blend_steps, std::size_t element, Cause slower_place);
   bool is_blend(std::size_t element) const { return stretch_.blend[element] != 0; }
   Blend blend_of(std::size_t element) const;
@@ -60,7 +60,8 @@ class EssidRunner {
   TrajectoryBuilder& builder_;
 
   Stretch stretch_;
-  std::vector<std::uint8_t> turns_much_;  ///< a blend of the stretch: 1 if by more than a level place
+  std::vector<std::uint8_t> turns_much_;  ///< per blend of the stretch: 1 if it turns by more than a level
+                                          ///< place
   double speed_ = 0;                      ///< at the current node [mm/s]
 };
 

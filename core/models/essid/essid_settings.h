@@ -7,7 +7,7 @@ namespace feedscope {
 
 enum class EssidReading { corrected, published, strict };
 
-/// Settings of the model in inside units.
+/// Settings of the model in internal units.
 struct EssidSettings {
   CornerRule corner;
   EssidReading reading = EssidReading::corrected;

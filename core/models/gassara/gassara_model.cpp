@@ -11,7 +11,7 @@
 namespace feedscope {
 namespace {
 
-/// Settings of the model in inside units.
+/// Settings of the model in internal units.
 struct GassaraSettings {
   CornerRule corner;
   double period;  ///< [s]
@@ -28,7 +28,7 @@ struct GassaraSettings {
   }
 };
 
-/// Least of an axis limit over the axes that `place` moves, by more than the rounding of coordinates makes.
+/// Least axis limit over the axes that move by more than the rounding of coordinates at `place`.
 AxisBound least_of_axes(const Vec3& limit, const CornerPlace& place) {
   constexpr double moves = 1e-6;  // of the path
   AxisBound least{std::numeric_limits<double>::infinity(), -1};
@@ -40,8 +40,8 @@ AxisBound least_of_axes(const Vec3& limit, const CornerPlace& place) {
   return least;
 }
 
-/// min(F, V, sqrt(R_A A R), cbrt((1 - R_J) Jtb R^2)) on an arc of `radius` R, and what is left along it: at
-/// constant speed the acceleration v^2/R lies across the path, the jerk v^3/R^2 along it.
+/// min(F, V, sqrt(R_A A R), cbrt((1 - R_J) Jtb R^2)) on an arc of `radius` R, and the limits left along it:
+/// at constant speed the acceleration v^2/R lies across the path, the jerk v^3/R^2 along it.
 MotionLimits arc_blend_limits(const CornerPlace& place, double radius, const AxisVectors& axes,
                               const GassaraSettings& settings) {
   const AxisBound velocity = least_of_axes(axes.velocity, place);

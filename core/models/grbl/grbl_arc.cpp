@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::uint32_t exact_every = 12;  // approximate rotations, then an exact one
 
-/// From start to end, by its direction [rad].
+/// Angle from start to end, in its direction [rad].
 float angle_of(const GrblArc& arc) {
   constexpr float full_turn = 2 * std::numbers::pi_v<float>;
   constexpr float no_angle = 5e-7F;

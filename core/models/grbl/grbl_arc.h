@@ -6,7 +6,7 @@
 
 namespace feedscope {
 
-/// A circular arc or helix as grbl knows it, in its own 32-bit numbers.
+/// A circular arc or helix in grbl's own 32-bit numbers.
 struct GrblArc {
   std::array<float, 3> start{};       ///< [mm]
   std::array<float, 3> end{};         ///< [mm]
@@ -22,15 +22,15 @@ class GrblChords {
   /// `tolerance`: of the chords [mm].
   GrblChords(const GrblArc& arc, float tolerance);
 
-  /// Whole chords that fit; 0: the arc is one straight line.
+  /// Number of whole chords that fit; 0: the arc is one straight line.
   std::uint32_t count() const { return count_; }
-  /// End of the next chord but the last, whose end is that of the arc; to be called count() - 1 times [mm].
+  /// End of the next chord, except the last one, which ends with the arc; call it count() - 1 times [mm].
   std::array<float, 3> next();
 
  private:
   GrblArc arc_;
   std::array<float, 2> center_{};
-  std::array<float, 2> spoke_{};  ///< from the centre to the place reached
+  std::array<float, 2> spoke_{};  ///< from the centre to the current place
   std::array<float, 3> place_{};
   float step_angle_ = 0;
   float step_along_ = 0;

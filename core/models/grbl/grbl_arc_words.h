@@ -7,8 +7,8 @@
 
 namespace feedscope {
 
-/// Centre and radius of `arc`, whose ends, plane and sense are known, from the words of its line; or why grbl
-/// rejects it. `unit`: of the words [mm]; the letters that the arc uses are added to `used`.
+/// Sets centre and radius of `arc`, whose ends, plane and sense are known, from the words of its line;
+/// returns grbl's error if it rejects it. `unit`: of the words [mm]. Adds the letters of the arc to `used`.
 std::optional<GrblError> read_arc_words(const GrblLine& line, float unit, GrblArc& arc, std::string& used);
 
 }  // namespace feedscope

@@ -14,7 +14,7 @@ using Axes = GrblCommands::Axes;
 struct Command {
   int code;
   int group;
-  Axes axes;  ///< that uses the axis words
+  Axes axes;  ///< use of the axis words
   void (*apply)(GrblCommands& asked, int code);
 };
 
@@ -101,7 +101,7 @@ constexpr std::array m_commands{
     Command{9, coolant_group, Axes::none, set_coolant},
 };
 
-/// The commands of one line, one after the other.
+/// Collects the commands of one line.
 class Collector {
  public:
   explicit Collector(GrblCommands& asked) : asked_(asked) {}

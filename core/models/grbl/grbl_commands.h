@@ -7,7 +7,7 @@
 
 namespace feedscope {
 
-/// What grbl keeps from line to line.
+/// Modal state of grbl.
 struct GrblModes {
   int motion = 0;  ///< G0 to G3, G38 (probing), G80
   int plane = 17;
@@ -19,9 +19,9 @@ struct GrblModes {
   bool coolant = false;
 };
 
-/// What a line asks for.
+/// Commands of a line.
 struct GrblCommands {
-  /// Which command the axis words belong to.
+  /// Command to which the axis words belong.
   enum class Axes : std::uint8_t { none, motion, set_offset, home, second_home, shift, tool_length };
 
   GrblModes modes;  ///< from this line on
@@ -36,7 +36,7 @@ struct GrblCommands {
   bool stop = false;            ///< M0, M1
 };
 
-/// The commands of `line` in a state of `modes`; or why grbl rejects them.
+/// Finds the commands of `line` with `modes` in force; returns grbl's error if it rejects them.
 std::optional<GrblError> find_grbl_commands(const GrblLine& line, const GrblModes& modes,
                                             GrblCommands& found);
 

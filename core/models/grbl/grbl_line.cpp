@@ -10,7 +10,7 @@
 namespace feedscope {
 namespace {
 
-constexpr std::size_t longest = 79;  // characters of a line, comments aside
+constexpr std::size_t longest = 79;  // characters of a line, without comments
 constexpr std::string_view known_values = "FIJKLNPRSTXYZ";
 
 std::string kept_characters(std::string_view text) {
@@ -33,7 +33,7 @@ std::string kept_characters(std::string_view text) {
   return kept;
 }
 
-/// Sign, digits and point; none without a digit.
+/// Reads sign, digits and point; none without a digit.
 std::optional<float> read_number(std::string_view& rest) {
   std::size_t end = !rest.empty() && (rest[0] == '-' || rest[0] == '+') ? 1 : 0;
   const std::size_t digits_from = end;

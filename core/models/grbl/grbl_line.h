@@ -9,16 +9,16 @@
 
 namespace feedscope {
 
-/// Why grbl rejects a line: the number of its message "error:N", and the word or value it is about.
+/// Error by which grbl rejects a line: number of its message "error:N", and the word or value concerned.
 struct GrblError {
   int number = 0;
   std::string about = {};
 };
 
-/// What a grbl of version 1.1 says of it, in our words.
+/// Meaning of an error of grbl 1.1, in our words.
 std::string_view grbl_error_text(int number);
 
-/// One line as grbl reads it: its commands and values.
+/// One line as read by grbl: its commands and values.
 struct GrblLine {
   struct Code {
     int number = 0;   ///< G17 17, G38.2 38
@@ -35,8 +35,8 @@ struct GrblLine {
   bool empty() const;
 };
 
-/// Blanks, control characters, "/" and comments are dropped and letters raised; then words are read. Returns
-/// what is wrong with them.
+/// Drops blanks, control characters, "/" and comments, makes letters upper case, then reads words. Returns
+/// the first error.
 std::optional<GrblError> read_grbl_line(std::string_view text, GrblLine& line);
 
 }  // namespace feedscope

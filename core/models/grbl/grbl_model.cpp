@@ -118,7 +118,7 @@ const ModelInfo& GrblModel::info() const {
 }
 
 Guarantees GrblModel::guarantees(const Settings& settings) const {
-  constexpr double rounding = 1.01;  // of ramps of few hundredths of a millimetre
+  constexpr double rounding = 1.01;  // of ramps of a few hundredths of a millimetre
   Guarantees promised;
   promised.meets_tangent_ends = false;
   promised.stops_at_rapids = promised.stops_at_reversals = false;

@@ -4,7 +4,7 @@
 
 namespace feedscope {
 
-/// grbl 1.1 (README.md beside this file): junction deviation, 15 blocks ahead, segments of 10 ms.
+/// grbl 1.1 (README.md in this folder): junction deviation, 15 blocks ahead, segments of 10 ms.
 class GrblModel : public ControlModel {
  public:
   const ModelInfo& info() const override;

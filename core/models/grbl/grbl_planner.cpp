@@ -32,7 +32,7 @@ float square(float x) {
   return x * x;
 }
 
-/// Makes `v` a unit vector; returns its length before.
+/// Makes `v` a unit vector; returns its previous length.
 float make_unit(FloatAxes& v) {
   float sum = 0;
   for (const float x : v) {

@@ -68,7 +68,7 @@ class GrblReader {
   }
 
  private:
-  /// What the values of a line come to, before anything is changed.
+  /// Resulting values of a line, before anything is changed.
   struct Values {
     float feed = 0;         ///< [mm/min] or [1/min]
     Place target{};         ///< of the axis words, in machine coordinates [mm]
@@ -364,7 +364,7 @@ class GrblReader {
     }
   }
 
-  /// [mm/min]; `way`: what the feed of G93 is multiplied by.
+  /// Feed [mm/min]; `way`: factor for the feed of G93.
   float feed_of(const Values& values, float way) const {
     return modes_.inverse_time ? values.feed * way : values.feed;
   }
@@ -420,7 +420,7 @@ class GrblReader {
     moved_ = true;
   }
 
-  /// All motion ends, then `seconds` pass.
+  /// Ends all motion, then waits `seconds`.
   void wait(float seconds) {
     if (!moved_ && seconds == 0) {
       return;
@@ -441,7 +441,7 @@ class GrblReader {
   Program program_;
   GrblLine line_;
   std::uint32_t number_ = 0;
-  std::string used_;  ///< letters of the line that a command uses
+  std::string used_;  ///< letters of the line used by a command
 
   GrblModes modes_;
   float feed_ = 0;  ///< [mm/min]
@@ -452,7 +452,7 @@ class GrblReader {
   float tool_length_ = 0;
   Place home_{};
   Place second_home_{};
-  bool moved_ = false;  ///< since all motion ended last
+  bool moved_ = false;  ///< since all motion last ended
 };
 
 }  // namespace

@@ -7,10 +7,10 @@
 
 namespace feedscope {
 
-/// Reads a program as a grbl 1.1 does (README.md, "Reading"): a line that it rejects has no effect at all,
-/// not even its feed, and is a note of code "refused". Motions are in machine coordinates, work offsets being
-/// zero until the program sets them. Where grbl waits until all motion has ended, a dwell stands, of no time
-/// of its own but for G4. `arc_tolerance`: $12, which tells what the feed of G93 becomes on arcs [mm].
+/// Reads a program as grbl 1.1 does (README.md, "Reading"). A rejected line has no effect at all, not even
+/// its feed, and is a note of code "refused". Motions are in machine coordinates, work offsets zero until the
+/// program sets them. Where grbl waits until all motion has ended there is a dwell, with a time only for G4.
+/// `arc_tolerance`: $12, which determines the feed of G93 on arcs [mm].
 Program read_as_grbl(std::shared_ptr<const SourceText> source, float arc_tolerance,
                      const Progress* progress = nullptr);
 

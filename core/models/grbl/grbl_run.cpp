@@ -10,7 +10,7 @@
 namespace feedscope {
 namespace {
 
-constexpr std::size_t segments_ahead = 5;  // that are prepared
+constexpr std::size_t segments_ahead = 5;  // that are prepared in advance
 
 std::array<float, 3> as_floats(const Vec3& place) {
   return {static_cast<float>(place[0]), static_cast<float>(place[1]), static_cast<float>(place[2])};
@@ -166,7 +166,7 @@ void GrblRun::prepare() {
   }
 }
 
-/// All motion that is queued runs to its end.
+/// Runs all queued motion to its end.
 void GrblRun::run_out() {
   draining_ = true;
   while (!planner_.empty()) {
@@ -177,8 +177,8 @@ void GrblRun::run_out() {
   draining_ = running_ = false;
 }
 
-/// grbl holds the motors for a while each time they come to rest; what follows the last motion is not
-/// counted.
+/// grbl keeps the motors locked for a while each time they come to rest; the time after the last motion is
+/// not counted.
 void GrblRun::pause(const Segment& segment) {
   Segment run = segment;
   if (toolpath_.is_gap(segment)) {
@@ -202,8 +202,8 @@ Cause GrblRun::level_cause(const GrblBlock& block) const {
   return {segment.rapid || segment.feed == 0 ? CauseKind::rapid : CauseKind::axis_velocity, block.speed_axis};
 }
 
-/// What sets the speeds of the block that is begun: its exit has the speed that the next place allows that is
-/// as fast as it may be, or the end of what is queued.
+/// Sets the causes of the speeds of the current block: its exit speed is limited by the next place that is
+/// passed at its largest speed, or by the end of the queue.
 void GrblRun::name_causes() {
   const GrblBlock& block = planner_[0];
   up_ = {CauseKind::axis_acceleration, block.acceleration_axis};
@@ -235,7 +235,7 @@ GrblRun::Ramp GrblRun::ramp_of(const GrblSpan& span) const {
   return ramp;
 }
 
-/// With the speeds that its way and time make, in the ratio of those that are planned.
+/// With speeds from its way and time, in the ratio of the planned ones.
 void GrblRun::add(const Ramp& ramp) {
   if (!(ramp.time > 0) || !(ramp.way >= 0)) {
     return;
@@ -290,7 +290,7 @@ void GrblRun::lay(const GrblBlock& block, const GrblSegment& segment) {
   }
 }
 
-/// Parts of one ramp that lie in several segments are one.
+/// Joins the parts of one ramp in several segments.
 void GrblRun::collect(const Ramp& ramp) {
   if (!ramps_.empty() && ramps_.back().phase == ramp.phase && ramps_.back().cause == ramp.cause &&
       ramps_.back().ahead == ramp.ahead) {
@@ -301,8 +301,8 @@ void GrblRun::collect(const Ramp& ramp) {
   }
 }
 
-/// Times and ways are those of the speeds, fitted to the length of the block: in 32 bits the length that is
-/// left of a long block is less exact than its speeds.
+/// Times and ways follow from the speeds, fitted to the length of the block: in 32 bits the remaining length
+/// of a long block is less precise than its speeds.
 void GrblRun::lay_collected() {
   const double length = builder_.path().length(element_);
   double sum = 0;

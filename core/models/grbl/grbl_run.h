@@ -9,8 +9,8 @@
 
 namespace feedscope {
 
-/// Feeds a toolpath to a grbl that is never kept waiting, and lays what its step generator runs (README.md,
-/// "What happens when").
+/// Feeds a toolpath to a grbl that never has to wait for it, and lays the motion of its step generator
+/// (README.md, "What happens when").
 class GrblRun {
  public:
   GrblRun(std::shared_ptr<const Toolpath> toolpath, const Machine& machine, const GrblSettings& settings);
@@ -23,7 +23,7 @@ class GrblRun {
   void queue_line(const std::array<float, 3>& target, const Segment& segment);
   void run_out();
   void prepare();
-  /// A part of a block that is laid as one piece.
+  /// Part of a block that is laid as one piece.
   struct Ramp {
     double before = 0;  ///< speed [mm/s]
     double after = 0;   ///< speed [mm/s]
@@ -50,19 +50,19 @@ class GrblRun {
   TrajectoryBuilder builder_;
   GrblPlanner planner_;
   GrblSteps steps_;
-  std::uint32_t block_ = 0;      ///< that is fed
-  std::size_t ready_ = 0;        ///< segments that are prepared and not run
+  std::uint32_t block_ = 0;      ///< being fed
+  std::size_t ready_ = 0;        ///< segments prepared but not yet run
   bool running_ = false;         ///< the step generator runs
-  bool draining_ = false;        ///< all motion that is queued is to end
-  bool moved_ = false;           ///< since all motion ended last
+  bool draining_ = false;        ///< all queued motion is to end
+  bool moved_ = false;           ///< since all motion last ended
   std::size_t last_motion_ = 0;  ///< of the toolpath
-  std::uint32_t element_ = 0;    ///< of the block under way
+  std::uint32_t element_ = 0;    ///< of the current block
   std::uint32_t begun_ = 0;      ///< segments of the executed path that are laid
-  double laid_ = 0;              ///< of the block under way [mm]
+  double laid_ = 0;              ///< of the current block [mm]
   double scale_ = 1;             ///< length of its element over that of the block
-  double acceleration_ = 0;      ///< of the block under way [mm/s2]
-  std::vector<Ramp> ramps_;      ///< of the block under way, where times are as planned
-  Cause up_, level_, ahead_;     ///< of the block under way
+  double acceleration_ = 0;      ///< of the current block [mm/s2]
+  std::vector<Ramp> ramps_;      ///< of the current block, with planned times
+  Cause up_, level_, ahead_;     ///< of the current block
 };
 
 }  // namespace feedscope

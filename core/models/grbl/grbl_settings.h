@@ -8,7 +8,7 @@
 
 namespace feedscope {
 
-/// What grbl computes with: its own 32-bit numbers in its own units, mm and minutes.
+/// Numbers of grbl: its own 32-bit numbers in its own units, mm and minutes.
 struct GrblSettings {
   using Axes = std::array<float, 3>;
 
@@ -17,13 +17,13 @@ struct GrblSettings {
   Axes acceleration{};  ///< $120 to $122 [mm/min2]
   float junction_deviation = 0.01F;  ///< $11 [mm]
   float arc_tolerance = 0.002F;      ///< $12 [mm]
-  std::size_t buffer_blocks = 15;    ///< blocks that are planned together, the running one included
+  std::size_t buffer_blocks = 15;    ///< blocks that are planned together, including the running one
   double idle_delay = 0;             ///< $1 [s]
-  bool step_timing = false;          ///< times as the step timer makes them, not as planned
+  bool step_timing = false;          ///< times of the step timer instead of planned ones
 
-  /// `settings` as complete_settings() gives them for the model.
+  /// `settings` as from complete_settings() for the model.
   GrblSettings(const Machine& machine, const Settings& settings);
-  /// Positions are whole steps.
+  /// True if positions are whole steps.
   bool has_steps() const { return steps[0] > 0 && steps[1] > 0 && steps[2] > 0; }
 };
 

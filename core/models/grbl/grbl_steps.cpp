@@ -69,8 +69,8 @@ void GrblSteps::plan_profile(const GrblBlock& block) {
   }
 }
 
-/// Follows the phase under way for `time` [min], or to its end; returns the time that it took. `left`: of the
-/// block's length [mm].
+/// Follows the current phase for `time` [min], or to its end; returns the time taken. `left`: of the block's
+/// length [mm].
 float GrblSteps::run_phase(const GrblBlock& block, float& left, float time) {
   const float before = speed_;
   const float from = left;
@@ -156,8 +156,8 @@ GrblSegment GrblSteps::next() {
   return segment;
 }
 
-/// Whole steps at one rate, whose period is a whole number of timer counts and one more; up to 8 ticks make a
-/// step where it is slow.
+/// Runs whole steps at one rate, whose period is a whole number of timer counts plus one; at low rates up to
+/// 8 ticks make a step.
 double GrblSteps::timed(const GrblBlock&, float left, float planned) {
   const float steps_after = steps_per_mm_ * left;
   const float whole_after = std::ceil(steps_after);

@@ -10,9 +10,9 @@ namespace feedscope {
 
 enum class GrblPhase : std::uint8_t { accelerates, cruises, brakes };
 
-/// A part of a block on which the speed changes evenly.
+/// Part of a block with constant acceleration.
 struct GrblSpan {
-  float from = 0;    ///< of the block's length left at its beginning [mm]
+  float from = 0;    ///< length of the block left at its beginning [mm]
   float to = 0;      ///< at its end [mm]
   float before = 0;  ///< speed at its beginning [mm/min]
   float after = 0;   ///< at its end [mm/min]
@@ -20,31 +20,31 @@ struct GrblSpan {
   GrblPhase phase = GrblPhase::cruises;
 };
 
-/// What the step generator runs in one go at one step rate.
+/// One run of the step generator at one step rate.
 struct GrblSegment {
   std::uint32_t block = 0;  ///< GrblBlock::id
   float planned = 0;        ///< time as planned [min]
-  double time = 0;          ///< as the step timer makes it; as planned where that is not simulated [s]
+  double time = 0;          ///< of the step timer; as planned where that is not simulated [s]
   bool ends_block = false;
 };
 
 /// Cuts planned blocks into segments of about 10 ms (README.md, "Segments"). As in the control, a ramp that
 /// ends in a segment of several times 10 ms counts from the segment's beginning, and the next one goes back
-/// by what is counted twice.
+/// by the time counted twice.
 class GrblSteps {
  public:
   GrblSteps(const GrblSettings& settings, GrblPlanner& planner);
 
-  /// Prepares the next segment of the planner's front block, which is popped at its end. The planner is not
-  /// empty.
+  /// Prepares the next segment of the planner's front block, which is popped at its end. The planner must not
+  /// be empty.
   GrblSegment next();
-  /// Of the segment prepared last.
+  /// Spans of the last prepared segment.
   const std::vector<GrblSpan>& spans() const { return spans_; }
-  /// Whether it is known how the front block is to be run; else next() finds that out.
+  /// True if the profile of the front block is known; otherwise next() computes it.
   bool has_profile() const { return loaded_; }
   /// Speed up to which the front block is prepared, if it has begun [mm/min].
   std::optional<float> running_speed() const;
-  /// After a GrblPlanner::add() that reached the front block.
+  /// Call after a GrblPlanner::add() that reached the front block.
   void begin_again() { loaded_ = false; }
 
  private:
@@ -56,7 +56,7 @@ class GrblSteps {
   const GrblSettings& settings_;
   GrblPlanner& planner_;
   std::vector<GrblSpan> spans_;
-  bool begun_ = false;   ///< the front block has segments already
+  bool begun_ = false;   ///< the front block already has segments
   bool loaded_ = false;  ///< its profile is known
 
   GrblPhase phase_ = GrblPhase::accelerates;
@@ -65,10 +65,10 @@ class GrblSteps {
   float exit_speed_ = 0;        ///< [mm/min]
   float accelerate_until_ = 0;  ///< of the length left [mm]
   float brake_after_ = 0;       ///< of the length left [mm]
-  float steps_per_mm_ = 0;      ///< of the axis that makes most steps
+  float steps_per_mm_ = 0;      ///< of the axis with the most steps
   float least_advance_ = 0;     ///< of a segment [mm]
   float steps_left_ = 0;
-  float time_left_ = 0;  ///< of the step that the segment before left unfinished [min]
+  float time_left_ = 0;  ///< of the step left unfinished by the previous segment [min]
 };
 
 }  // namespace feedscope

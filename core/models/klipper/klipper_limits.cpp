@@ -7,7 +7,7 @@
 namespace feedscope {
 namespace {
 
-/// Reads the numbers of one line; the first that Klipper would reject is its fault.
+/// Reads the numbers of one line; its fault is the first number that Klipper would reject.
 class LimitWords {
  public:
   LimitWords(const KlipperLine& line, std::string& fault) : line_(line), fault_(fault) {}
@@ -18,7 +18,7 @@ class LimitWords {
   std::optional<double> from_zero(std::string_view key) {
     return take(key, [](double value) { return value >= 0; });
   }
-  /// From 0 to below 1.
+  /// Reads a number from 0 to below 1.
   std::optional<double> ratio(std::string_view key) {
     return take(key, [](double value) { return value >= 0 && value < 1; });
   }
@@ -43,7 +43,7 @@ class LimitWords {
   std::string& fault_;
 };
 
-/// M204 S, or the lesser of P and T; one of these alone changes nothing.
+/// M204 S, or the lower of P and T; P or T alone changes nothing.
 KlipperLimitChange of_m204(const KlipperLine& line) {
   KlipperLimitChange change;
   LimitWords words(line, change.fault);
@@ -61,7 +61,7 @@ KlipperLimitChange of_m204(const KlipperLine& line) {
   return change;
 }
 
-/// Whether a line may hold one of the two commands; cheap.
+/// Quick test: true if a line may contain one of the two commands.
 bool may_change(std::string_view line) {
   const std::size_t first = line.find_first_not_of(" \t");
   return first != std::string_view::npos &&

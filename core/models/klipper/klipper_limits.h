@@ -11,29 +11,29 @@
 
 namespace feedscope {
 
-/// What M204 or SET_VELOCITY_LIMIT changes, from its line on. Source: Klipper, "G-Codes" (klipper3d.org).
+/// Changes by M204 or SET_VELOCITY_LIMIT, valid from its line on. Source: Klipper, "G-Codes" (klipper3d.org).
 struct KlipperLimitChange {
   std::optional<double> velocity;                ///< [mm/s]
   std::optional<double> acceleration;            ///< [mm/s2]
   std::optional<double> square_corner_velocity;  ///< [mm/s]
   std::optional<double> minimum_cruise_ratio;
-  /// Of older versions, instead of the ratio: 1 - this / acceleration [mm/s2].
+  /// In older versions instead of the ratio: 1 - this / acceleration [mm/s2].
   std::optional<double> acceleration_to_deceleration;
-  std::string fault;  ///< why Klipper rejects the line; empty: it does not
+  std::string fault;  ///< reason why Klipper rejects the line; empty: accepted
 
   void apply(KlipperSettings& limits) const;
 };
 
-/// None where the line is another command.
+/// None if the line is another command.
 std::optional<KlipperLimitChange> klipper_limit_change(const KlipperLine& line);
 
-/// The limits in force at each line of a program that changes them on its way.
+/// Limits in force at each line of a program that changes them.
 class KlipperLimits {
  public:
   /// `initial` before the first change; `source` may be null.
   KlipperLimits(const KlipperSettings& initial, const SourceText* source);
 
-  /// At line `line`, from 1.
+  /// Settings at line `line`, counted from 1.
   const KlipperSettings& at(std::uint32_t line) const;
 
  private:

@@ -36,7 +36,7 @@ std::optional<double> KlipperLine::number(std::string_view key) const {
   return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
 }
 
-/// Words: each run of letters with the text that follows it, up to a ";".
+/// Splits a line into words: each run of letters with the text that follows it, up to a ";".
 KlipperLine read_klipper_line(std::string_view text) {
   std::string raised(text.substr(0, text.find(';')));
   for (char& c : raised) {

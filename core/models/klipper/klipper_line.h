@@ -7,13 +7,13 @@
 
 namespace feedscope {
 
-/// One line as Klipper reads it: its command, and everything behind it by its letters.
+/// One line as read by Klipper: its command, and everything after it by its letters.
 struct KlipperLine {
-  std::string command;  ///< "G1", "M204", "X10", "SET_VELOCITY_LIMIT"; empty: the line asks for nothing
+  std::string command;  ///< "G1", "M204", "X10", "SET_VELOCITY_LIMIT"; empty: no command
   std::map<std::string, std::string, std::less<>> values;
 
   bool has(std::string_view key) const { return values.find(key) != values.end(); }
-  /// None where the value is missing or no number; an "=" before it does not matter.
+  /// None if the value is missing or not a number; ignores an "=" before it.
   std::optional<double> number(std::string_view key) const;
 };
 

@@ -190,7 +190,7 @@ Guarantees KlipperModel::guarantees(const Settings&) const {
   promised.stops_at_rapids = promised.stops_at_reversals = false;
   promised.rapids_of_axes = promised.limits_jerk = false;
   promised.arcs_are_chords = true;
-  promised.begins_again_at_stops = false;  // where the path turns back it stands still, but plans across
+  promised.begins_again_at_stops = false;  // where the path turns back it stops, but plans across
   return promised;
 }
 

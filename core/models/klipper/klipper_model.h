@@ -4,7 +4,7 @@
 
 namespace feedscope {
 
-/// Klipper, the firmware of printers (README.md beside this file): square corner velocity, minimum cruise
+/// Klipper, the firmware of printers (README.md in this folder): square corner velocity, minimum cruise
 /// ratio.
 class KlipperModel : public ControlModel {
  public:

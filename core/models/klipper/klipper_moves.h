@@ -10,14 +10,14 @@
 
 namespace feedscope {
 
-/// A straight move with its speeds, planned from standstill to standstill with its neighbours.
+/// A straight move with its speeds, planned together with its neighbours from standstill to standstill.
 struct KlipperMove {
   double length = 0;               ///< L [mm]
   double acceleration = 0;         ///< a [mm/s2]
   double smooth_acceleration = 0;  ///< A (1 - q) [mm/s2]
   double corner_deviation = 0;     ///< (sqrt(2) - 1) V_sc^2 / A [mm]
   double top_squared = 0;          ///< v^2, of the feed and the limits [mm2/s2]
-  double limit = 0;                ///< S, the most that the start speed squared may be [mm2/s2]
+  double limit = 0;                ///< S, upper limit of the start speed squared [mm2/s2]
   double smooth_limit = 0;         ///< Ss, the same with the pseudo-acceleration
   double start = 0;                ///< speed squared at its start [mm2/s2]
   double cruise = 0;               ///< speed squared in its middle [mm2/s2]; negative until it is known
@@ -35,8 +35,8 @@ struct KlipperMove {
 /// The queue of moves between two full stops (README.md, "Planning").
 class KlipperMoves {
  public:
-  /// Appends a line along unit vector `direction` at `feed` [mm/s]; `limits`: those in force there;
-  /// `feed_cause`: where nothing else limits.
+  /// Appends a line along unit vector `direction` at `feed` [mm/s]; `limits`: in force there; `feed_cause`:
+  /// where nothing else limits.
   void add(const Vec3& direction, double length, double feed, Cause feed_cause,
            const KlipperSettings& limits);
   /// Finds start, cruise and end of all moves, which end at rest.
@@ -50,7 +50,7 @@ class KlipperMoves {
   void plan_forward();
 
   std::vector<KlipperMove> moves_;
-  Vec3 direction_ = Vec3::Zero();  ///< of the move added last
+  Vec3 direction_ = Vec3::Zero();  ///< of the last added move
 };
 
 }  // namespace feedscope

@@ -17,7 +17,7 @@
 namespace feedscope {
 namespace {
 
-/// Why a line is not run; empty: it is.
+/// Reason why a line is not run; empty: it is run.
 using Refusal = std::string;
 
 /// Known commands of printers that neither move nor wait for motion.
@@ -129,7 +129,7 @@ class KlipperReader {
     return known ? Refusal() : fmt::format("unknown command {}", command);
   }
 
-  /// The feed of the line comes into force; what is wrong with it.
+  /// Brings the feed of the line into force; returns its fault.
   Refusal take_feed() {
     if (!line_.has("F")) {
       return {};
@@ -254,7 +254,7 @@ class KlipperReader {
     }
     ArcWords words;
     words.center = center;
-    // In the plane ZX as Klipper has it, with X first, the sense is that of the axes X, Z.
+    // Klipper's plane ZX has X first, so the sense is that of the axes X, Z.
     Vec3 axis = Vec3::Unit(a).cross(Vec3::Unit(b));
     words.axis = clockwise ? Vec3(-axis) : axis;
     words.turns = closed ? 1 : 0;
@@ -263,8 +263,8 @@ class KlipperReader {
     program_.arcs.push_back(words);
   }
 
-  /// Of an arc whose end is not on its circle, which Klipper does not ask for: about the centre by `angle`
-  /// with the radius of the start, the last chord to the end.
+  /// Appends an arc whose end is not on its circle, which Klipper does not check: about the centre by `angle`
+  /// with the radius of the start; the last chord leads to the end.
   void append_chords(const Vec3& target, const Vec3& center, double angle, const std::array<int, 3>& axes) {
     const auto [a, b, third] = axes;
     const Vec3 spoke = place_ - center;

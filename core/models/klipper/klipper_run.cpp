@@ -57,7 +57,7 @@ Trajectory KlipperRun::run(Progress* progress) {
         queue_arc(i);
         break;
       case SegmentKind::dwell: {
-        // Klipper knows no command that switches something: without a time of its own none stops the tool.
+        // Klipper has no switching commands: none without a time of its own stops the tool.
         const ToolpathPause& pause = toolpath_.pause_of(segment);
         if (pause.kind == Pause::dwell || pause.kind == Pause::machine_move || pause.time > 0) {
           flush();
@@ -99,14 +99,14 @@ void KlipperRun::queue_line(std::size_t block, const Vec3& start, const Vec3& en
   }
   const bool rapid = segment.rapid || segment.feed == 0;
   const Cause cause = rapid ? Cause{CauseKind::rapid} : feed_cause(segment);
-  // Rounded as Klipper does: where the path turns back on itself, that decides whether it stands still.
+  // Rounded as in Klipper: where the path turns back on itself, that decides whether it stops.
   const Vec3 direction = way * (1 / length);
   const KlipperSettings& limits = limits_.at(segment.line);
   moves_.add(direction, length, rapid ? limits.max_velocity : segment.feed, cause, limits);
 }
 
-/// Chords of about the resolution, from the start by angles about the programmed centre; the last ends where
-/// the arc does.
+/// Queues chords of about the resolution, from the start by angles about the programmed centre; the last one
+/// ends at the end of the arc.
 void KlipperRun::queue_arc(std::size_t block) {
   constexpr double full_turn = 2 * std::numbers::pi;
   const Segment& segment = toolpath_.segments[block];
@@ -140,11 +140,11 @@ void KlipperRun::queue_arc(std::size_t block) {
   queue_line(block, start, segment.end);
 }
 
-/// Everything that is queued is run to a stop.
+/// Runs everything queued to a stop.
 void KlipperRun::flush() {
   moves_.plan();
   const std::vector<KlipperMove>& moves = moves_.moves();
-  // What a move slows down for: the next place whose limit is used, else the stop.
+  // Reason for a move to slow down: the next place whose limit is reached, else the stop.
   constexpr double used = 1 - 1e-9;
   std::vector<std::uint8_t> ahead(moves.size());
   Cause slower{CauseKind::exact_stop};

@@ -27,7 +27,7 @@ class KlipperRun {
   const Toolpath& toolpath_;
   KlipperSettings settings_;
   KlipperLimits limits_;
-  std::shared_ptr<ExecutedPath> executed_;  ///< null: the programmed path is run as it is
+  std::shared_ptr<ExecutedPath> executed_;  ///< null: the programmed path is run unchanged
   TrajectoryBuilder builder_;
   KlipperMoves moves_;
   std::vector<std::uint32_t> elements_;  ///< of the moves

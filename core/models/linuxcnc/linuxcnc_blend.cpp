@@ -12,36 +12,36 @@ namespace {
 
 using std::numbers::pi;
 
-/// Least over the axes of what they allow in the plane across unit vector `n`, and of which one.
+/// Least limit of the axes in the plane across unit vector `n`, and its axis.
 AxisBound plane_limit(const Vec3& axes, const Vec3& n) {
   constexpr double least_part = 1e-12;
   AxisBound limit{std::numeric_limits<double>::infinity(), -1};
   for (std::int8_t i = 0; i < 3; ++i) {
     const double part = std::sqrt(std::max(1 - n[i] * n[i], 0.0));
     const double value = axes[i] / std::max(part, least_part);
-    if (axes[i] > 0 && value < limit.value) {  // 0: the machine does not have it
+    if (axes[i] > 0 && value < limit.value) {  // 0: not on this machine
       limit = {value, i};
     }
   }
   return limit;
 }
 
-/// What one of the two segments offers at the joint.
+/// Geometry that one of the two segments contributes to the blend.
 struct Side {
   bool is_arc = false;
   bool convex = false;
-  Vec3 tangent;             ///< as the geometry of the blend has it, in the direction of motion
+  Vec3 tangent;             ///< in the geometry of the blend, in the direction of motion
   Vec3 center;              ///< of an arc, moved where it is a spiral [mm]
   double radius = 0;        ///< [mm]
-  double largest_turn = 0;  ///< that the blend may take of an arc [rad]
-  double available = 0;     ///< length that it may take [mm]
+  double largest_turn = 0;  ///< largest part of an arc for the blend [rad]
+  double available = 0;     ///< length available for the blend [mm]
 };
 
 double half_angle(const Vec3& in, const Vec3& out) {
   return std::acos(std::clamp(-in.dot(out), -1.0, 1.0)) / 2;
 }
 
-/// `other`: where the other segment lies, away from the joint.
+/// `other`: direction of the other segment, away from the joint.
 Side side_of_arc(const LinuxCncSegment& segment, bool is_first, const Vec3& other, double theta) {
   constexpr double share_of_first = 2.0 / 3;
   constexpr double share_of_second = 1.0 / 3;
@@ -72,8 +72,7 @@ Side side_of_arc(const LinuxCncSegment& segment, bool is_first, const Vec3& othe
   return side;
 }
 
-/// Where the centre of a blend circle of `radius` lies that touches both sides, by what lies nearest the
-/// joint.
+/// Centre of the blend circle of `radius` that touches both sides, nearest to the joint.
 std::optional<Vec3> blend_center(const Side& first, const Side& second, const Vec3& joint, const Vec3& inside,
                                  double radius) {
   const auto distance = [&](const Side& side) {
@@ -116,7 +115,7 @@ std::optional<Vec3> blend_center(const Side& first, const Side& second, const Ve
   return joint + near * u + radius * normal;
 }
 
-/// Where a blend circle touches a side.
+/// Point where a blend circle touches a side.
 Vec3 touching_point(const Side& side, const Vec3& joint, const Vec3& center) {
   if (side.is_arc) {
     return side.center + side.radius * (center - side.center).normalized();
@@ -124,7 +123,7 @@ Vec3 touching_point(const Side& side, const Vec3& joint, const Vec3& center) {
   return joint + (center - joint).dot(side.tangent) * side.tangent;
 }
 
-/// From the joint along the arc to `place` [rad].
+/// Turn from the joint along the arc to `place` [rad].
 double turn_to(const Side& side, const Vec3& joint, const Vec3& place) {
   const Vec3 a = (joint - side.center).normalized();
   const Vec3 b = (place - side.center).normalized();

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t longest_chain = 101;
 
-/// Least over the axes that move of what they allow along a displacement of `length` [mm], and which.
+/// Least limit of the moving axes along a displacement of `length` [mm], and its axis.
 AxisBound along(const Vec3& way, double length, const Vec3& limits) {
   constexpr double no_way = 1e-8;
   double time = 0;
@@ -27,7 +27,7 @@ AxisBound along(const Vec3& way, double length, const Vec3& limits) {
   return {time > 0 ? length / time : limits.minCoeff(), axis};
 }
 
-/// From spoke `from` to `to` about `normal`, with the full turns of `sweep` [rad].
+/// Angle from spoke `from` to `to` about `normal`, including the full turns of `sweep` [rad].
 double angle_between(const Vec3& from, const Vec3& to, const Vec3& normal, double sweep) {
   constexpr double full_turn = 2 * std::numbers::pi;
   constexpr double least = 1e-12;
@@ -144,7 +144,7 @@ void LinuxCncCanon::line(std::size_t i) {
     send_line(toolpath_.start_of(i), segment.end, 0, true, block);
     return;
   }
-  if (toolpath_.segment_turn(i) != nullptr) {  // its naive cam joins no blocks in which rotary axes turn
+  if (toolpath_.segment_turn(i) != nullptr) {  // its naive cam does not join blocks in which rotary axes turn
     flush();
     send_line(toolpath_.start_of(i), segment.end, segment.feed, false, block);
     return;
@@ -168,7 +168,7 @@ bool LinuxCncCanon::linkable(const Vec3& end) const {
   });
 }
 
-/// A point of a chain of lines, which goes on or is sent and begins again.
+/// Adds a point of a chain of lines, which continues or is sent and begins again.
 void LinuxCncCanon::collect(const Vec3& end, std::uint32_t block, double feed) {
   if (!chain_.empty() && (feed != chain_feed_ || !linkable(end))) {
     const Vec3 start = chain_.back().place;
@@ -212,8 +212,8 @@ void LinuxCncCanon::send_line(const Vec3& from, const Vec3& to, double feed, boo
   spindle_starts_ = spindle_starts_ && rapid;
 }
 
-/// The control takes the longest time that any axis needs for its part of the block, at its velocity and at
-/// its acceleration, linear or rotary. What the joints behind its kinematics do, it does not look at.
+/// The control uses the longest time that any axis, linear or rotary, needs for its part of the block at its
+/// velocity and at its acceleration. It ignores the motion of the joints behind its kinematics.
 void LinuxCncCanon::lower_by_turn(std::uint32_t block, LinuxCncSegment& move, AxisBound& velocity,
                                   AxisBound& acceleration) const {
   const SegmentTurn* turn = toolpath_.segment_turn(block);

@@ -12,14 +12,14 @@
 
 namespace feedscope {
 
-/// What the interpreter of LinuxCNC sends, one after the other.
+/// A message from LinuxCNC's interpreter.
 struct LinuxCncMessage {
   enum class Kind : std::uint8_t {
     move,
     mode,   ///< G64 or G61 changes
     wait,   ///< until all motion has ended
     dwell,  ///< the same, then `time`
-    pause,  ///< a pause of the path that has no time; its command has waited already
+    pause,  ///< a pause of the path without a time; its command has waited already
   };
   Kind kind = Kind::move;
   LinuxCncSegment move;
@@ -31,7 +31,7 @@ struct LinuxCncMessage {
 class LinuxCncCanon {
  public:
   LinuxCncCanon(const Toolpath& toolpath, const LinuxCncSettings& settings);
-  /// The next message; none at the end of the program.
+  /// Returns the next message; none at the end of the program.
   std::optional<LinuxCncMessage> next();
 
  private:
@@ -65,7 +65,7 @@ class LinuxCncCanon {
   LinuxCncSettings settings_;
   LinuxCncWaits waits_;
   std::size_t block_ = 0;             ///< to be read next
-  std::deque<LinuxCncMessage> sent_;  ///< and not yet taken
+  std::deque<LinuxCncMessage> sent_;  ///< but not yet taken
   std::vector<Point> chain_;
   Vec3 chain_start_ = Vec3::Zero();
   double chain_feed_ = 0;

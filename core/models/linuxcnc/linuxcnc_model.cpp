@@ -162,7 +162,7 @@ const ModelInfo& LinuxCncModel::info() const {
 
 Guarantees LinuxCncModel::guarantees(const Settings& /*settings*/) const {
   Guarantees promised;
-  promised.feed = Guarantees::unbounded;     // speeds of two that overlap add
+  promised.feed = Guarantees::unbounded;     // speeds of two overlapping segments add
   promised.contour = Guarantees::unbounded;  // without P up to a quarter of the blocks, and lines are joined
   promised.meets_tangent_ends = false;
   promised.follows_compaction = promised.own_tolerances = true;

@@ -4,7 +4,7 @@
 
 namespace feedscope {
 
-/// LinuxCNC with its trapezoidal planner (README.md beside this file): G64 P Q, blend arcs, exact stops.
+/// LinuxCNC with its trapezoidal planner (README.md in this folder): G64 P Q, blend arcs, exact stops.
 class LinuxCncModel : public ControlModel {
  public:
   const ModelInfo& info() const override;

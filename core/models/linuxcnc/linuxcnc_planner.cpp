@@ -35,7 +35,7 @@ void LinuxCncPlanner::join(LinuxCncSegment& t) {
   if (p.rapid != t.rapid || t.waits_for_spindle) {
     p.end = LinuxCncEnd::stop;
   }
-  // Of a joint beside which rotary axes turn the control decides nothing: it stays as G61 and G64 have it.
+  // Joints next to turning rotary axes stay as G61 and G64 set them: the control decides nothing there.
   const bool open = p.progress <= p.length / 2 && p.end != LinuxCncEnd::stop && !p.turns && !t.turns;
   Blended blended = Blended::no;
   if (open && !join_tangentially(p, t) && p.end == LinuxCncEnd::parabolic && !p.finalised) {
@@ -49,7 +49,7 @@ void LinuxCncPlanner::join(LinuxCncSegment& t) {
   before.finalise(settings_.period);
 }
 
-/// True where the joint is decided: tangential, or a stop at a reversal.
+/// True if the joint is decided: tangential, or a stop at a reversal.
 bool LinuxCncPlanner::join_tangentially(LinuxCncSegment& p, LinuxCncSegment& t) const {
   constexpr double two_degrees = std::numbers::pi / 90;
   const Vec3 e = p.course.tangent(p.course.length);
@@ -82,7 +82,7 @@ bool LinuxCncPlanner::join_tangentially(LinuxCncSegment& p, LinuxCncSegment& t) 
   return false;
 }
 
-/// The fastest of a parabolic blend, a tangential joint at the kink's speed and a blend arc.
+/// Chooses the fastest of a parabolic blend, a tangential joint at the kink's speed and a blend arc.
 LinuxCncPlanner::Blended LinuxCncPlanner::join_by_blend(LinuxCncSegment& t) {
   LinuxCncSegment& p = queue_.back();
   std::optional<LinuxCncBlend> blend = find_linuxcnc_blend(p, t, settings_);
@@ -107,7 +107,7 @@ LinuxCncPlanner::Blended LinuxCncPlanner::join_by_blend(LinuxCncSegment& t) {
   }
   if (tangent >= arc) {
     // Where it has computed an arc, the control chooses once more without it. By then the earlier segment is
-    // tangential, and none of its acceleration is kept back.
+    // tangential, and none of its acceleration is reserved.
     p.end = LinuxCncEnd::tangent;
     if (blend && find_linuxcnc_overlap(p, t, settings_, false).net / 2 >= tangent) {
       forget_kink();
@@ -191,7 +191,7 @@ double LinuxCncPlanner::final_speed(const LinuxCncSegment& t, const LinuxCncSegm
   return std::min({t.final_speed, t.target(settings_), n->target(settings_)});
 }
 
-/// What sets the speed at the end of `t`.
+/// Cause of the speed at the end of `t`.
 Cause LinuxCncPlanner::final_cause(const LinuxCncSegment& t, const LinuxCncSegment* n) const {
   if (t.end != LinuxCncEnd::tangent || n == nullptr) {
     return {t.end == LinuxCncEnd::parabolic && n != nullptr ? CauseKind::contour_tolerance
@@ -262,12 +262,12 @@ void LinuxCncPlanner::update(LinuxCncSegment& t, const LinuxCncSegment* n, doubl
   give_causes(steps_.back(), n);
 }
 
-/// Further periods at its target or at full acceleration, as update() would run them one by one; near the
-/// end of either, and of the segment, they are left to it. From a million of even speed on, whose rounding no
-/// control keeps, the others are run at once.
+/// Adds further periods at its target or at full acceleration, as update() would run them one by one;
+/// update() runs those near the end of either, and of the segment. From a million periods of constant speed
+/// on, whose rounding no control keeps, the others are run at once.
 void LinuxCncPlanner::go_on(LinuxCncSegment& t, const LinuxCncSegment* n) {
   constexpr double margin = 1 + 1e-9;
-  constexpr int most_periods = 1'000'000;  // then, speeding up, it may be cancelled
+  constexpr int most_periods = 1'000'000;  // then, while speeding up, it checks for cancellation
   LinuxCncStep& step = steps_.back();
   const double time = settings_.period;
   const double a = t.along_acceleration(only_in_overlap());
@@ -311,7 +311,7 @@ void LinuxCncPlanner::go_on(LinuxCncSegment& t, const LinuxCncSegment* n) {
   }
 }
 
-/// True where it stands at its end; else it may be found that it gets there within the next period.
+/// True if it is at its end; it may also find that it gets there within the next period.
 bool LinuxCncPlanner::check_end(LinuxCncSegment& t, const LinuxCncSegment* n) const {
   const double rest = t.rest();
   const bool stops = t.end == LinuxCncEnd::stop || t.end == LinuxCncEnd::exact;
@@ -347,7 +347,7 @@ bool LinuxCncPlanner::check_end(LinuxCncSegment& t, const LinuxCncSegment* n) co
   return false;
 }
 
-/// The rest of a segment, which then leaves, and the beginning of the next one.
+/// Runs the rest of a segment, which then leaves, and the beginning of the next one.
 void LinuxCncPlanner::run_split(LinuxCncSegment& t, LinuxCncSegment* n, LinuxCncSegment* after) {
   const double time = t.split_time;
   if (time > 0) {

@@ -8,7 +8,7 @@
 
 namespace feedscope {
 
-/// What moved in one servo period, or a part of it.
+/// Motion of one servo period, or a part of it.
 struct LinuxCncStep {
   LinuxCncSegment* segment = nullptr;  ///< valid until the next period
   double from = 0;                     ///< progress before [mm]
@@ -16,30 +16,30 @@ struct LinuxCncStep {
   double before = 0;                   ///< speed before [mm/s]
   double after = 0;                    ///< and after [mm/s]
   double time = 0;                     ///< [s]
-  bool overlaps = false;               ///< at the same time as the step before
-  Cause cause;                         ///< why it is not faster
-  Cause ahead;                         ///< what it slows down for
+  bool overlaps = false;               ///< at the same time as the previous step
+  Cause cause;                         ///< of its speed
+  Cause ahead;                         ///< cause of slowing down
 };
 
-/// The trapezoidal planner of LinuxCNC: the queue of segments, their joints, and one servo period after the
-/// other (README.md).
+/// The trapezoidal planner of LinuxCNC: queue of segments, their joints, and one servo period after the other
+/// (README.md).
 class LinuxCncPlanner {
  public:
   explicit LinuxCncPlanner(const LinuxCncSettings& settings) : settings_(settings) {}
 
   bool empty() const { return queue_.empty(); }
   std::size_t size() const { return queue_.size(); }
-  /// Appends a segment, of which course, block, rapid, requested, largest, acceleration, tolerance and end
-  /// are given; one of no length is not added.
+  /// Appends a segment with course, block, rapid, requested, largest, acceleration, tolerance and end set;
+  /// skips one of length zero.
   void add(LinuxCncSegment segment);
-  /// Runs one period; what moved in it. With `nothing_comes`, where nothing is added before the first segment
-  /// ends, as many more as go on in the same way, in one step.
+  /// Runs one period and returns its motion. With `nothing_comes`, if nothing is added before the first
+  /// segment ends, includes all further equal periods in one step.
   const std::vector<LinuxCncStep>& run_period(bool nothing_comes = false);
 
  private:
   void join(LinuxCncSegment& t);
   bool join_tangentially(LinuxCncSegment& p, LinuxCncSegment& t) const;
-  /// Where the blend arc of a joint went.
+  /// Position of the blend arc of a joint.
   enum class Blended : std::uint8_t { no, behind_it, in_place_of_it };
   Blended join_by_blend(LinuxCncSegment& t);
   void optimise();
@@ -57,7 +57,7 @@ class LinuxCncPlanner {
   std::deque<LinuxCncSegment> queue_;
   std::vector<LinuxCncStep> steps_;
   bool first_leaves_ = false;
-  LinuxCncSegment gone_;  ///< the one that left last, for its steps
+  LinuxCncSegment gone_;  ///< the last one that left, for its steps
 };
 
 }  // namespace feedscope

@@ -12,10 +12,10 @@ namespace {
 
 constexpr std::size_t queue_room = 1880;
 constexpr double no_way = 1e-12;     // [mm]
-constexpr double least_time = 1e-9;  // what rounding leaves of a period [s]
+constexpr double least_time = 1e-9;  // rounding of a period [s]
 constexpr double rounding = 1e-7;    // of a speed, relative
 
-/// Its way is that of even acceleration.
+/// True if its way is that of constant acceleration.
 bool is_even(const LinuxCncStep& step) {
   const double mean = (step.before + step.after) / 2;
   return std::abs((step.to - step.from) / step.time - mean) <= rounding * mean;
@@ -41,7 +41,7 @@ LinuxCncRun::LinuxCncRun(std::shared_ptr<const Toolpath> toolpath, const Machine
       canon_(toolpath_, settings_),
       message_(canon_.next()) {}
 
-/// False: there is none left.
+/// Returns false if there is none left.
 bool LinuxCncRun::take_message() {
   while (message_ && message_->kind == LinuxCncMessage::Kind::pause && planner_.empty()) {
     standing_.push_back({message_->block, 0});
@@ -79,19 +79,19 @@ bool LinuxCncRun::take_message() {
   return true;
 }
 
-/// Whether the planner may get a segment while it moves.
+/// True if the planner may get a segment while it moves.
 bool LinuxCncRun::takes_moves() const {
   using Kind = LinuxCncMessage::Kind;
   return message_ &&
          (message_->kind == Kind::mode || (message_->kind == Kind::move && planner_.size() < queue_room));
 }
 
-/// All periods of the dwell, of which the last one is the one under way.
+/// Waits for all periods of the dwell; the last one is the current one.
 void LinuxCncRun::wait_for(const LinuxCncMessage& dwell) {
   const double periods = std::max(std::ceil(dwell.time / settings_.period - 0.5), 0.0);
   standing_.push_back({dwell.block, periods * settings_.period});
   if (periods > 0) {
-    stand(-settings_.period);  // which this period is going to add
+    stand(-settings_.period);  // added by this period
   }
 }
 
@@ -111,7 +111,7 @@ Trajectory LinuxCncRun::run(Progress* progress) {
   }
   close();
   if (builder_.time() > 0 && last_of_period_ > 0) {
-    stand_on_last(last_of_period_);  // but for that, what follows the last motion is not counted
+    stand_on_last(last_of_period_);  // apart from this, the time after the last motion is not counted
     lay_standing(false);
   } else {
     lay_standing(builder_.time() == 0);
@@ -151,7 +151,7 @@ void LinuxCncRun::lay(const std::vector<LinuxCncStep>& steps) {
   }
 }
 
-/// What has been waited for since the last motion, with its time if that `counts`.
+/// Lays the waiting since the last motion, with its time if that `counts`.
 void LinuxCncRun::lay_standing(bool counts) {
   if (standing_.empty()) {
     return;
@@ -168,7 +168,7 @@ void LinuxCncRun::lay_standing(bool counts) {
   standing_.clear();
 }
 
-/// A stop of `time` [s] at the end of what is laid.
+/// Lays a stop of `time` [s] at the end of the laid motion.
 void LinuxCncRun::stand_on_last(double time) {
   if (const std::size_t size = builder_.path().size(); size > 0) {
     const auto last = static_cast<std::uint32_t>(size - 1);
@@ -176,7 +176,7 @@ void LinuxCncRun::stand_on_last(double time) {
   }
 }
 
-/// A step of one segment alone; one that goes on as the one before becomes a part of it.
+/// Adds a step of one segment alone; one that continues the previous step is joined to it.
 void LinuxCncRun::extend(const LinuxCncStep& step) {
   const LinuxCncSegment& segment = *step.segment;
   const bool goes_on = stretch_.open && stretch_.segment.block == segment.block &&
@@ -190,7 +190,7 @@ void LinuxCncRun::extend(const LinuxCncStep& step) {
     stretch_.from = step.from;
     stretch_.steps.clear();
   }
-  stretch_.segment.course = segment.course;  // of which the next block may have cut something
+  stretch_.segment.course = segment.course;  // the next block may have cut off a part of it
   stretch_.to = step.to;
   if (!stretch_.steps.empty() && is_even(step) && is_even(stretch_.steps.back()) &&
       is_same_ramp(stretch_.steps.back(), step)) {
@@ -216,15 +216,15 @@ std::uint32_t LinuxCncRun::add_line(const Vec3& to, const LinuxCncSegment& of) {
   return builder_.add_executed(static_cast<std::uint32_t>(executed_->block.size() - 1));
 }
 
-/// The open arc is no spiral, and what is laid ends on it.
+/// True if the open arc is no spiral and begins at the end of the laid motion.
 bool LinuxCncRun::is_circle_from(double from) const {
   constexpr double same_place = 1e-11;  // [mm]
   const LinuxCncCourse& course = stretch_.segment.course;
   return std::abs(course.spiral) < same_place && (course.at(from) - place_).norm() < same_place;
 }
 
-/// An arc of the course up to `to`. A spiral, or an arc that begins a little beside what is laid, becomes
-/// several, each through its ends.
+/// Adds an arc of the course up to `to`. A spiral, or an arc that begins slightly off the laid motion,
+/// becomes several, each through its ends.
 std::uint32_t LinuxCncRun::add_arc(double from, double to) {
   const LinuxCncSegment& segment = stretch_.segment;
   const LinuxCncCourse& course = segment.course;
@@ -247,7 +247,7 @@ std::uint32_t LinuxCncRun::add_arc(double from, double to) {
     arc.x /= arc.radius;
   }
   arc.y = course.normal.cross(arc.x);
-  Segment run = toolpath_.segments[segment.block];  // a blend lies between two rapids or two feed motions
+  Segment run = toolpath_.segments[segment.block];  // a blend is between two rapids or two feed motions
   run.kind = SegmentKind::arc;
   run.index = static_cast<std::int32_t>(executed_->path.arcs.size());
   run.length = arc.length();
@@ -258,7 +258,8 @@ std::uint32_t LinuxCncRun::add_arc(double from, double to) {
   return builder_.add_executed(static_cast<std::uint32_t>(executed_->block.size() - 1));
 }
 
-/// Elements from `first` on, up to the last one, round a joint; they may go on with what rounds it already.
+/// Makes the elements from `first` to the last one round a joint; they may extend those that round it
+/// already.
 void LinuxCncRun::round(const LinuxCncJoint& joint, std::uint32_t first) {
   const auto last = static_cast<std::uint32_t>(builder_.path().size() - 1);
   std::vector<RoundedCorner>& corners = executed_->corners;
@@ -271,8 +272,7 @@ void LinuxCncRun::round(const LinuxCncJoint& joint, std::uint32_t first) {
   }
 }
 
-/// What is open becomes elements, of which the first is returned: the lead of a blend arc and its arc are
-/// two.
+/// Lays the open part as elements and returns the first one: the lead of a blend arc and its arc are two.
 std::uint32_t LinuxCncRun::lay_course() {
   constexpr double most_of_spiral = std::numbers::pi / 2;
   const LinuxCncSegment& segment = stretch_.segment;
@@ -282,7 +282,8 @@ std::uint32_t LinuxCncRun::lay_course() {
   }
   std::optional<std::uint32_t> first;
   const Vec3 begin = course.at(course.lead);
-  if (stretch_.from < course.lead && (begin - place_).norm() > no_way) {  // of no length it has no direction
+  if (stretch_.from < course.lead && (begin - place_).norm() > no_way) {  // for a length of zero it has no
+                                                                          // direction
     first = add_line(begin, segment);
   }
   const double from = std::max(stretch_.from, course.lead);
@@ -321,8 +322,8 @@ void LinuxCncRun::close() {
   }
 }
 
-/// A step of `length` from `step.from` behind the start of `element` on; its speeds are those of the control,
-/// brought to that length.
+/// Lays a step of `length` at `step.from` after the start of `element`; its speeds are those of the control,
+/// adapted to that length.
 void LinuxCncRun::lay_step(const LinuxCncStep& step, std::uint32_t element, double length) {
   const double mean = length / step.time;
   const double sum = step.before + step.after;
@@ -338,7 +339,7 @@ void LinuxCncRun::lay_step(const LinuxCncStep& step, std::uint32_t element, doub
   builder_.add_piece(piece, step.time);
 }
 
-/// Both at the same time: the place at the end of the period, reached in a straight line.
+/// Lays two simultaneous steps: a straight line to the place at the end of the period.
 void LinuxCncRun::lay_overlap(const LinuxCncStep& first, const LinuxCncStep& second) {
   const LinuxCncSegment& p = *first.segment;
   const LinuxCncSegment& t = *second.segment;

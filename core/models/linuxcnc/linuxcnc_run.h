@@ -11,7 +11,7 @@
 
 namespace feedscope {
 
-/// Sends what the canon says to the planner, one message a period at most, and lays what it runs.
+/// Sends the canon's messages to the planner, one message a period at most, and lays the motion that it runs.
 class LinuxCncRun {
  public:
   LinuxCncRun(std::shared_ptr<const Toolpath> toolpath, const Machine& machine,
@@ -20,7 +20,7 @@ class LinuxCncRun {
   Trajectory run(Progress* progress);
 
  private:
-  /// A part of one segment that is run alone.
+  /// Part of one segment that runs alone.
   struct Stretch {
     bool open = false;
     LinuxCncSegment segment;
@@ -55,7 +55,7 @@ class LinuxCncRun {
   LinuxCncCanon canon_;
   std::optional<LinuxCncMessage> message_;  ///< that waits to be taken
   Stretch stretch_;
-  Vec3 place_ = Vec3::Zero();  ///< at the end of what is laid [mm]
+  Vec3 place_ = Vec3::Zero();  ///< end of the laid motion [mm]
   /// Time without motion, of a pause or between moves.
   struct Standing {
     std::optional<std::uint32_t> pause;  ///< block of it

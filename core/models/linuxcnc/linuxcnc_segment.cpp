@@ -55,7 +55,7 @@ double LinuxCncCourse::effective_radius() const {
   const double slope = spiral / angle;
   const double n = slope * slope + r * r;
   const double of_spiral = n * std::sqrt(n) / (n + slope * slope);
-  return of_spiral + height * height / of_spiral;  // of the whole helix, not of a radian
+  return of_spiral + height * height / of_spiral;  // of the whole helix, not per radian
 }
 
 void LinuxCncCourse::cut_end(double way, double turn) {

@@ -7,12 +7,11 @@
 
 namespace feedscope {
 
-/// Share of the acceleration that arcs may take across the path, sqrt(3)/2: half of it is left along the
-/// path.
+/// Share of the acceleration that arcs may use across the path, sqrt(3)/2: half of it is left along the path.
 inline constexpr double linuxcnc_across_share = 0.86602540378443864676;
 
-/// How a segment ends: at rest, at rest but without its neighbours' wait (G61), overlapping with the next, or
-/// tangentially at some speed.
+/// End of a segment: at rest, at rest without its neighbours' wait (G61), overlapping with the next, or
+/// tangential at some speed.
 enum class LinuxCncEnd : std::uint8_t { stop, exact, parabolic, tangent };
 
 /// Course of a segment: a straight lead, then a line's rest or an arc about `center` from `spoke`.
@@ -20,7 +19,7 @@ struct LinuxCncCourse {
   bool is_arc = false;
   Vec3 start = Vec3::Zero();      ///< [mm]
   Vec3 direction = Vec3::Zero();  ///< of a line or a lead, unit
-  double lead = 0;                ///< straight way before an arc [mm]
+  double lead = 0;                ///< straight part before an arc [mm]
   Vec3 center = Vec3::Zero();     ///< [mm]
   Vec3 spoke = Vec3::Zero();      ///< unit, from the centre to the arc's start
   Vec3 normal = Vec3::Zero();     ///< unit; the arc turns counter-clockwise about it
@@ -33,19 +32,19 @@ struct LinuxCncCourse {
   static LinuxCncCourse line(const Vec3& from, const Vec3& to);
   Vec3 at(double s) const;       ///< [mm]
   Vec3 tangent(double s) const;  ///< unit
-  /// Of an arc across its radius, without what a helix climbs; unit.
+  /// Unit tangent of an arc across its radius, without the climb of a helix.
   Vec3 flat_tangent(double s) const;
   double arc_length() const;  ///< of the arc alone, from its shape [mm]
-  /// Radius that tells the acceleration across the path, least along the arc [mm].
+  /// Radius for the acceleration across the path, least along the arc [mm].
   double effective_radius() const;
-  /// Shortens it by `way` [mm] or, of an arc, by `turn` [rad].
+  /// Shortens it by `way` [mm] or, for an arc, by `turn` [rad].
   void cut_end(double way, double turn);
   void cut_start(double way, double turn);
 };
 
-/// Where two segments meet before the planner rounds it.
+/// Meeting place of two segments before the planner rounds it.
 struct LinuxCncJoint {
-  std::uint32_t block = 0;    ///< that ends there
+  std::uint32_t block = 0;    ///< the block that ends there
   Vec3 point = Vec3::Zero();  ///< [mm]
   double turn = 0;            ///< [rad]
 };
@@ -56,16 +55,16 @@ struct LinuxCncSegment {
   std::uint32_t block = 0;  ///< of the programmed path
   bool rapid = false;
   bool is_blend = false;
-  LinuxCncJoint joint;                       ///< of a blend: the one that it rounds
+  LinuxCncJoint joint;                       ///< of a blend: the joint that it rounds
   double length = 0;                         ///< l [mm]
   double nominal_length = 0;                 ///< l0, as it was added [mm]
   double requested = 0;                      ///< v_r [mm/s]
   double largest = 0;                        ///< v_m [mm/s]
   double acceleration = 0;                   ///< a [mm/s2]
   double final_speed = 0;                    ///< v_f [mm/s]
-  bool turns = false;                        ///< rotary axes do: no blend arc on it
-  std::int8_t acceleration_axis = -1;        ///< that sets a; -1: several
-  Cause speed_cause;                         ///< of the lower one of v_r and v_m
+  bool turns = false;                        ///< of rotary axes: no blend arc on it
+  std::int8_t acceleration_axis = -1;        ///< sets a; -1: several
+  Cause speed_cause;                         ///< of the lower of v_r and v_m
   Cause final_cause{CauseKind::exact_stop};  ///< of v_f
   double tolerance = 0;                      ///< P [mm]
   LinuxCncEnd end = LinuxCncEnd::parabolic;
@@ -87,22 +86,21 @@ struct LinuxCncSegment {
   double split_speed = 0;  ///< [mm/s]
   bool brakes_finally = false;
   bool overlaps = false;    ///< with the next one
-  bool in_overlap = false;  ///< of itself with another one
+  bool in_overlap = false;  ///< is the later one of an overlap
 
   double rest() const { return length - progress; }
-  /// a_all: what joints leave of the acceleration. `only_in_overlap`: the planner of master halves it in
-  /// overlaps alone.
+  /// a_all: acceleration left by joints. `only_in_overlap`: the planner of master halves it only in overlaps.
   double reduced_acceleration(bool only_in_overlap = false) const;
-  /// a_t: of that the part along the path.
+  /// a_t: its part along the path.
   double along_acceleration(bool only_in_overlap = false) const;
-  /// Final limits, when its end is known.
+  /// Sets the final limits, when its end is known.
   void limit_arc();
   void finalise(double period);
-  /// v_m at most `speed` [mm/s].
+  /// Lowers v_m to at most `speed` [mm/s].
   void lower_largest(double speed, Cause by);
-  /// Speed that it is to run at.
+  /// Target speed.
   double target(const LinuxCncSettings& settings) const;
-  /// What sets that.
+  /// Cause of the target speed.
   Cause cause(const LinuxCncSettings& settings) const;
 };
 

@@ -9,7 +9,7 @@
 namespace feedscope {
 namespace {
 
-/// Letters and numbers of a line, comments aside.
+/// Calls `take` for the letters and numbers of a line, without comments.
 template <typename Take>
 void for_each_word(std::string_view text, const Take& take) {
   bool in_comment = false;
@@ -44,7 +44,7 @@ void for_each_word(std::string_view text, const Take& take) {
   }
 }
 
-/// Whether the lines behind a line are run next.
+/// Effect of a line on the order of execution.
 enum class Flow {
   straight,
   begins,  ///< a loop or a subprogram, or any O word
@@ -64,7 +64,7 @@ Flow flow_of_word(std::string_view word) {
                                              : Flow::straight;
 }
 
-/// By an O word, or by the words of other dialects; M97, M98 and M99.
+/// Flow by an O word, or by the words of other dialects; M97, M98 and M99.
 Flow flow_of(std::string_view line) {
   const std::size_t first = line.find_first_not_of(" \t");
   if (first != std::string_view::npos && (line[first] == 'o' || line[first] == 'O')) {
@@ -72,7 +72,7 @@ Flow flow_of(std::string_view line) {
   }
   bool in_comment = false;
   for (std::size_t i = 0; i + 1 < line.size() && line[i] != ';'; ++i) {
-    if (line[i] == '#' && line[i + 1] == '<') {  // a parameter with a name
+    if (line[i] == '#' && line[i + 1] == '<') {  // a named parameter
       i = std::min(line.find('>', i), line.size());
       continue;
     }
@@ -90,10 +90,10 @@ Flow flow_of(std::string_view line) {
     }
     std::string word;
     for (; i < line.size() && is_word_letter(line[i]); ++i) {
-      word += static_cast<char>(line[i] & ~0x20);  // as a capital
+      word += static_cast<char>(line[i] & ~0x20);  // in upper case
     }
     --i;
-    if (word == "TOOL" || word == "CYCL") {  // their CALL comes back at once
+    if (word == "TOOL" || word == "CYCL") {  // their CALL returns at once
       return Flow::straight;
     }
     if (const Flow flow = flow_of_word(word); flow != Flow::straight) {
@@ -103,7 +103,7 @@ Flow flow_of(std::string_view line) {
   return Flow::straight;
 }
 
-/// A comment that the operator is shown.
+/// True for a comment that is shown to the operator.
 bool is_message(std::string_view line) {
   const std::size_t first = line.find('(');
   if (first == std::string_view::npos) {
@@ -162,7 +162,7 @@ void LinuxCncWaits::take(std::uint32_t first, std::uint32_t last, Found& all) co
   }
 }
 
-/// What is left of the loop or subprogram behind line_, and what stands above `line` in it.
+/// Adds the rest of the loop or subprogram after line_, and its lines before `line`.
 void LinuxCncWaits::go_back_to(std::uint32_t line, Found& all) {
   const SourceText& source = *toolpath_.source;
   if (line_ + 1 < without_from_) {
@@ -202,7 +202,7 @@ LinuxCncWaits::Found LinuxCncWaits::before(std::size_t i) {
     ++leads;
   }
   take(line_ + 1, leads - 1, all);
-  if (leads <= line) {  // it went on elsewhere
+  if (leads <= line) {  // the program continued elsewhere
     std::uint32_t from = line;
     while (from > 1 && flow_of(source.line(from - 1)) == Flow::straight) {
       --from;

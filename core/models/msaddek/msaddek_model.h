@@ -7,7 +7,7 @@ namespace feedscope {
 /// Connecting arcs, compaction, static and dynamic look-ahead (Sinumerik 840D, Heidenhain TNC 430).
 ///
 /// E. B. Msaddek, Z. Bouaziz, M. Baili, G. Dessein, "Modeling and simulation of high-speed milling centers
-/// dynamics", Int J Adv Manuf Technol 53 (2011) 877-888; equations in README.md beside this file.
+/// dynamics", Int J Adv Manuf Technol 53 (2011) 877-888; equations in README.md in this folder.
 /// Symbols: TIT interpolation tolerance of the trajectory (the contour tolerance), b direction change, R
 /// radius, L block length, t_cy interpolation period, V_s static feed.
 ///

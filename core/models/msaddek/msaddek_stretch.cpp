@@ -66,7 +66,7 @@ void MsaddekRunner::lay_path(const StretchRange& chords) {
     }
     ConnectingArc connection;
     if (i + 1 < chords.last && junction_kind(path, i + 1) == JunctionKind::corner) {
-      // No arc is longer than half of the shorter block, and none begins before the rules allow it.
+      // No arc is longer than half of the shorter block, and none begins earlier than the rules allow.
       const double shorter =
           std::min({path.segments[i].length, path.segments[i + 1].length, 2 * rules_.longest_blend(i)});
       connection = connecting_arc(path.segments[i].end, path.tangent_at_end(i), path.tangent_at_start(i + 1),
@@ -106,7 +106,7 @@ void MsaddekRunner::add_line(std::size_t segment, double cut_before, double cut_
   const std::uint32_t last = compacted_.first[segment + 1];
   double from = cut_before;
   for (std::uint32_t block = compacted_.first[segment]; block < last; ++block) {
-    // Each programmed block keeps the part of a chord that stands for it.
+    // Each programmed block keeps its part of a chord.
     const Segment& programmed = programmed_.segments[block];
     const double to = block + 1 == last ? end : std::min(end, (programmed.end - start).dot(direction));
     if (to - from <= min_line) {

@@ -11,7 +11,7 @@ namespace feedscope {
 
 enum class MsaddekLaw { dynamic_feed, static_feed };
 
-/// Settings of the model in inside units.
+/// Settings of the model in internal units.
 struct MsaddekSettings {
   double compaction = 0;        ///< [mm]; 0: none
   double period = 0.002;        ///< t_cy [s]
@@ -23,12 +23,12 @@ struct MsaddekSettings {
   explicit MsaddekSettings(const Settings& settings);
 };
 
-/// Runs stretches, one after the other, into a trajectory: lays connecting arcs into the corners of the
-/// compacted path, sets the static feed of every element, and moves by it or by ramps below it.
-/// Segments are those of the compacted path, blocks the programmed ones.
+/// Runs stretches into a trajectory, one after the other: lays connecting arcs into the corners of the
+/// compacted path, sets the static feed of every element, and moves at it or by ramps below it. Segments are
+/// those of the compacted path, blocks the programmed ones.
 class MsaddekRunner {
  public:
-  /// `programmed`: what `compacted` was made of; `rules`: of the compacted path, TIT is their tolerance.
+  /// `programmed`: source of `compacted`; `rules`: of the compacted path, TIT is their tolerance.
   MsaddekRunner(const Toolpath& programmed, const CompactedPath& compacted, const PathRules& rules,
                 const AxisVectors& axes, const MsaddekSettings& settings, TrajectoryBuilder& builder);
 
@@ -37,16 +37,16 @@ class MsaddekRunner {
 
  private:
   void lay_path(const StretchRange& chords);
-  /// `part`: of a part of it; null: of all of it.
+  /// `part`: limits of a part of it; null: of all of it.
   MotionLimits static_limits(std::size_t segment, const StretchRange& chords,
                              const TurnPart* part = nullptr) const;
-  /// `limits`: of all of it.
+  /// `limits`: of all of the segment.
   void add_line(std::size_t segment, double cut_before, double cut_after, const MotionLimits& limits,
                 const StretchRange& chords);
   void add_arc(std::size_t segment, const MotionLimits& limits);
   void add_curve(const SmoothCurve& curve);
   void add_connection(std::size_t segment, const StretchRange& chords, const ConnectingArc& connection);
-  /// eq 17: what the curvilinear jerk allows on curvature `k` [1/mm].
+  /// eq 17: lowers a speed to the limit of the curvilinear jerk at curvature `k` [1/mm].
   void lower_by_curvature(SpeedBound& speed, double k) const;
 
   void move_static(ProgressSteps& steps);
@@ -58,7 +58,7 @@ class MsaddekRunner {
   AxisVectors axes_;
   MsaddekSettings settings_;
   TrajectoryBuilder& builder_;
-  Compressor compressor_;  ///< of the compacted path, which is the programmed one where it is on
+  Compressor compressor_;  ///< of the compacted path, which is the programmed one while it is on
   Stretch stretch_;
 };
 

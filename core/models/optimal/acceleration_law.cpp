@@ -7,23 +7,23 @@ namespace feedscope {
 
 namespace {
 
-/// Cells that are looked at together; doubled where braking takes longer.
+/// Cells of a window; doubled where braking takes longer.
 constexpr std::size_t window_cells = 4096;
 
-/// How often the limits of a window are lowered where its motion exceeds them.
+/// Limit of the times that the limits of a window are lowered because its motion exceeds them.
 constexpr int max_rounds = 10;
-/// Least share of its limits that a cell is lowered to.
+/// Least share of its limits to which a cell is lowered.
 constexpr double min_share = 0.5;
-/// Load that is let pass, and then taken out by passing the stretch slower.
+/// Load that is accepted; the rest is removed by slowing the stretch down.
 constexpr double full_load = 1 + 1e-6;
 
 /// Relative difference below which x counts as the ceiling.
 constexpr double at_ceiling = 1e-9;
 
-/// Cells of a curve that one piece runs over at most.
+/// Largest number of curve cells of one piece.
 constexpr std::size_t max_joined = 32;
 
-/// Of constant jerk from speed `v0` to `v1` over `length` in `time`.
+/// Motion of constant jerk from speed `v0` to `v1` over `length` in `time`.
 LawPoint joined_motion(double v0, double v1, double length, double time) {
   const double off = v0 + v1 - 2 * length / time;
   return {0, v0, (v1 - v0 - 3 * off) / time, 6 * off / (time * time)};
@@ -56,7 +56,7 @@ void AccelerationLaw::run(std::uint32_t first, std::uint32_t last, ProgressSteps
   }
 }
 
-/// Plans a run from `x` on; returns the number of cells on which it is settled.
+/// Plans a run from `x`; returns the number of cells on which it is settled.
 std::size_t AccelerationLaw::plan_window(bool to_rest, double x) {
   reach_back(to_rest ? 0 : infinite);
   changed_.assign(cells_.size(), 1);
@@ -87,9 +87,9 @@ void AccelerationLaw::reach_back(double end) {
   }
 }
 
-/// Number of cells, up to the end of an element, on which K does not depend on what follows the window.
+/// Number of cells, up to the end of an element, on which K does not depend on the path after the window.
 std::size_t AccelerationLaw::settled_cells() const {
-  double to_rest = 0;  // K if the motion were to end with the window
+  double to_rest = 0;  // K if the motion ended with the window
   for (std::size_t i = cells_.size() - 1; i > 0; --i) {
     to_rest = highest_at(i, to_rest);
     if (highest_[i] == to_rest && cells_[i].element != cells_[i - 1].element) {
@@ -99,8 +99,8 @@ std::size_t AccelerationLaw::settled_cells() const {
   return 0;
 }
 
-/// Runs the cells that changed, and those that they change, from `x` at the beginning of the window on. Sets
-/// lowered_ to those of them that exceed limits which can be lowered.
+/// Runs the changed cells, and those affected by them, starting with `x` at the beginning of the window. Sets
+/// lowered_ to those that exceed limits that can be lowered.
 void AccelerationLaw::run_on(double x) {
   lowered_.clear();
   bool moved = false;
@@ -130,8 +130,8 @@ void AccelerationLaw::lower_exceeded() {
   }
 }
 
-/// K again from the end of cell `lowered` backwards until it is what it was, all from `done` on being so
-/// already. Returns the last place looked at.
+/// Recomputes K from the end of cell `lowered` backwards until it is unchanged; K is current from `done` on.
+/// Returns the last place visited.
 std::size_t AccelerationLaw::reach_back_from(std::size_t lowered, std::size_t done) {
   std::size_t node = std::min(done, lowered + 2);
   for (bool differs = true; node > 0 && (differs || node > lowered);) {
@@ -166,11 +166,11 @@ double AccelerationLaw::add_motion(std::size_t count, double x) {
   return x;
 }
 
-/// How many of the cells from curved cell `i`, limited by `cause`, on one piece may run over.
+/// Number of cells from curved cell `i`, limited by `cause`, that one piece may cross.
 std::size_t AccelerationLaw::joinable(std::size_t i, std::size_t count, Cause cause) const {
   const LawCell& cell = cells_[i];
   std::size_t last = i + 1;
-  if (builder_.path().kind(cell.element) != ElementKind::fitted) {  // whose curves end with cells
+  if (builder_.path().kind(cell.element) != ElementKind::fitted) {  // its curves end with cells
     const auto goes_on = [&] {
       return cells_[last].element == cell.element && !cells_[last].straight && !runs_[last].steady &&
              cause_of(last, runs_[last - 1].x, runs_[last]) == cause;
@@ -182,8 +182,8 @@ std::size_t AccelerationLaw::joinable(std::size_t i, std::size_t count, Cause ca
   return last - i;
 }
 
-/// Lays one piece of constant jerk over curved cell `i`, where it begins with `x`, and those behind it that
-/// it passes in the same time within the limits. Returns the number of cells.
+/// Lays one piece of constant jerk over curved cell `i`, starting with `x`, and the following cells that it
+/// passes in the same time within the limits. Returns the number of cells.
 std::size_t AccelerationLaw::add_curved(std::size_t i, std::size_t count, double x) {
   const LawCell& cell = cells_[i];
   const CellRun& run = runs_[i];
@@ -227,10 +227,10 @@ void AccelerationLaw::add_phases(std::size_t i, double x0, double x1, const Phas
   const double v0 = std::sqrt(x0);
   const double v1 = std::sqrt(x1);
   const double top = std::sqrt(peak);
-  const double least = 1e-12 * (1 + cell.length);  // mm, far below what positions resolve
-  // On a fitted course one piece would run over many of its curves, which parts of a motion are not cut at.
+  const double least = 1e-12 * (1 + cell.length);  // mm, far below the resolution of positions
+  // On a fitted course one piece would cross many of its curves, where the parts of a motion are not cut.
   const bool whole = builder_.path().kind(cell.element) != ElementKind::fitted;
-  double reached = 0;  // what is omitted moves the next one: a piece begins where the cell does
+  double reached = 0;  // omitted phases move the next one: a piece begins at the start of the cell
   const auto add = [&](double from, double to, double length, Cause cause) {
     if (length > least || std::abs(to - from) > at_ceiling * (from + to)) {
       const double time = 2 * length / (from + to);

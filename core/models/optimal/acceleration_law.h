@@ -8,10 +8,10 @@
 namespace feedscope {
 
 /// The fastest law s(t) under velocity and acceleration limits of every axis, from standstill to standstill
-/// (README.md beside this file): backward-forward reachability, as TOPP-RA.
+/// (README.md in this folder): backward-forward reachability, as TOPP-RA.
 ///
 ///   x = v^2 ^   ___ceiling___             Backwards K, the largest x from which standstill at the end is
-///           |  /   K  \__    \            still reached, every constraint kept on the way; then forwards the
+///           |  /   K  \__    \            still reachable within every constraint; then forwards the
 ///           | /          \    \           largest x below K. u = x'/2 is linear on a cell, so that x at its
 ///           +------------------- s        end is x + length (u_begin + u_end): a linear problem in (x, u).
 ///
@@ -20,7 +20,7 @@ namespace feedscope {
 /// between, those of the cell are lowered and the reachability is looked at again.
 class AccelerationLaw {
  public:
-  /// `builder` holds the path and takes the motion; `fineness` as of CellRule.
+  /// `builder` contains the path and takes the motion; `fineness` as in CellRule.
   AccelerationLaw(const AxisVectors& axes, int fineness, TrajectoryBuilder& builder);
 
   /// Lays the motion over elements [first, last).
@@ -41,14 +41,14 @@ class AccelerationLaw {
   Cause cause_of(std::size_t i, double x0, const CellRun& run) const;
 
   TrajectoryBuilder& builder_;
-  LawCells cells_;                      ///< of the window: looked at together
+  LawCells cells_;                      ///< of the window, planned together
   std::vector<double> highest_;         ///< K at the ends of the cells [mm2/s2]
   std::vector<CellRun> runs_;           ///< of the cells
-  std::vector<std::uint8_t> changed_;   ///< cells that must be run again
+  std::vector<std::uint8_t> changed_;   ///< cells to run again
   std::vector<std::uint32_t> lowered_;  ///< cells, in order
-  double end_ = 0;                      ///< x that the window may end with [mm2/s2]
+  double end_ = 0;                      ///< x allowed at the end of the window [mm2/s2]
   double excess_ = 1;                   ///< largest load of a cell
-  std::size_t tried_ = 1;               ///< cells that the next piece of a curve is tried over
+  std::size_t tried_ = 1;               ///< number of cells tried for the next piece of a curve
 };
 
 }  // namespace feedscope

@@ -3,7 +3,7 @@
 namespace feedscope {
 
 AccelerationRange::AccelerationRange(const Vec3& tangent, const Vec3& t, const Vec3& c) {
-  constexpr double across = 1e-7;  // an axis that has less of the tangent takes no part in the speed along it
+  constexpr double across = 1e-7;  // an axis with less of the tangent does not limit the speed along it
   b_.fill(infinite);
   for (int j = 0; j < 3; ++j) {
     if (std::abs(tangent[j]) > across) {

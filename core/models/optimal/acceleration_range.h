@@ -10,11 +10,11 @@
 
 namespace feedscope {
 
-/// What acceleration limits leave at one place of the path: with x = v^2 and u = s'' every line asks
+/// Range left by acceleration limits at one place of the path: with x = v^2 and u = s'' every line requires
 ///
 ///   -b + m x  <=  u  <=  b + m x
 ///
-/// and x <= largest_x(). Lines j, j + 3, ... are those of axis j; b is infinite where an axis asks nothing.
+/// and x <= largest_x(). Lines j, j + 3, ... are those of axis j; b is infinite where an axis does not limit.
 template <std::size_t Lines>
 class LineRange {
  public:
@@ -37,7 +37,7 @@ class LineRange {
   }
   double b(std::size_t line) const { return b_[line]; }  ///< [mm/s2]
   double m(std::size_t line) const { return m_[line]; }  ///< [1/mm]
-  /// Largest x at which some u is left, and its axis [mm2/s2].
+  /// Largest x for which some u is allowed, and its axis [mm2/s2].
   const AxisBound& largest_x() const { return largest_; }
 
   /// Largest of x - length lowest(x) for x in [0, most]: backwards through a cell that ends here.
@@ -59,7 +59,7 @@ class LineRange {
       largest_ = {x, static_cast<std::int8_t>(axis)};
     }
   }
-  /// Lowers largest_ to where two lines leave nothing between them.
+  /// Lowers largest_ to the point where two lines leave no range between them.
   void lower_by_pairs() {
     for (std::size_t j = 0; j < Lines; ++j) {
       for (std::size_t k = j + 1; k < Lines; ++k) {
@@ -111,16 +111,15 @@ class LineRange {
   }
 };
 
-/// Limits of the axes at one place: with T the tangent and c the curvature vector every axis asks
-/// |T_j u + c_j x| <= A_j, so that b_j = A_j / |T_j|, m_j = -c_j / T_j, and x <= A_j / |c_j| where T_j
-/// vanishes.
+/// Limits of the axes at one place: with T the tangent and c the curvature vector every axis requires |T_j u
+/// + c_j x| <= A_j, so that b_j = A_j / |T_j|, m_j = -c_j / T_j, and x <= A_j / |c_j| where T_j vanishes.
 class AccelerationRange : public LineRange<3> {
  public:
   /// `t`, `c`: T_j / A_j and c_j / A_j; `tangent`: T.
   AccelerationRange(const Vec3& tangent, const Vec3& t, const Vec3& c);
 };
 
-/// What all of three places allow.
+/// Range allowed at all of three places.
 class CommonRange : public LineRange<9> {
  public:
   CommonRange(const AccelerationRange& first, const AccelerationRange& second,

@@ -13,37 +13,37 @@ namespace {
 constexpr std::size_t curves_for_any = 200'000;
 constexpr std::size_t curves_a_block = 2000;
 
-/// Between two looks at the motion passes at least and at most this share of a filter time, unless one pulse
-/// fills the filters: then it turns by this at most [rad].
+/// Least and largest share of a filter time between two checks of the motion, unless one pulse fills the
+/// filters: then it turns by this at most between them [rad].
 constexpr double min_filter_share = 0.25;
 constexpr double max_filter_share = 0.5;
 constexpr double max_turn = 0.5;
-/// Shorter blocks are no elements of their own: of so near places rounding would make the curvature [mm].
+/// Shorter blocks are not separate elements: the curvature between such near places would be rounding [mm].
 constexpr double min_block = 1e-4;
-/// Nearer places are one place [mm].
+/// Nearer places count as the same [mm].
 constexpr double same_place = 1e-10;
-/// Within this length a turn by more than a curve may turn is a standstill [mm].
+/// Length within which a turn by more than a curve may turn is a standstill [mm].
 constexpr double turned_back = 1e-7;
 /// Share of the largest speed that counts as a standstill.
 constexpr double still = 1e-9;
 
-/// What a curve may be off in the middle: distance as a share of what is allowed, because elsewhere it may be
-/// farther; direction [rad]; curvature as a share of itself, or of what the axes allow at the feed.
+/// Permitted deviations of a curve in its middle: distance as a share of the allowed one, because it may be
+/// larger elsewhere; direction [rad]; curvature as a share of itself, or of the axes' limit at the feed.
 constexpr double distance_share = 0.25;
 constexpr double direction_off = 1e-3;
 constexpr double curvature_off = 0.005;
 constexpr double curvature_of_limit = 2e-3;
 
-/// Of the turn of a curve; what turns by more within `turned_back` [mm] turns back there.
+/// Least cosine of a curve's turn; a larger turn within `turned_back` [mm] turns back there.
 constexpr double min_cosine = 0.5;
 
 constexpr int deepest = 60;
 
-/// Curvature of a knot times the chord of a curve beside it at most. What follows the motion turns less;
-/// where a curve is put for being short, beside a standstill, the curvature of the motion has no bound.
+/// Largest curvature of a knot times the chord of an adjacent curve. Curves that follow the motion turn less;
+/// where a curve is laid because it is short, next to a standstill, the curvature of the motion has no bound.
 constexpr double max_bend = 2;
 
-/// Lowers the curvature of `knot` to `most` [1/mm]; whether it was larger.
+/// Lowers the curvature of `knot` to `most` [1/mm]; true if it was larger.
 bool bend_at_most(double most, CourseKnot& knot) {
   const double curvature = knot.curvature.norm();
   if (!(curvature > most)) {
@@ -121,7 +121,7 @@ void FilteredPath::follow(double from, double to) {
       end = std::min(knot, to);
       count = std::max(std::ceil((end - t) * place_at(t).turn_rate / max_turn), 1.0);
     }
-    const double looks = end < to ? count : count - 1;  // the end is for end_block()
+    const double looks = end < to ? count : count - 1;  // end_block() checks the end
     for (double i = 1; i <= looks; ++i) {
       follow_to(t + i / count * (end - t));
     }
@@ -141,7 +141,7 @@ void FilteredPath::end_block(double time, bool at_rest) {
   to.stands = to.stands || at_rest;
   const bool is_short = (to.knot.position - last_.knot.position).norm() <= min_block;
   const bool has_curves = knots_.size() > 1;
-  if (is_short && has_curves) {  // not beside another knot
+  if (is_short && has_curves) {  // not next to another knot
     knots_.pop_back();
     last_ = before_;
   }
@@ -153,7 +153,7 @@ void FilteredPath::end_block(double time, bool at_rest) {
   }
 }
 
-/// Curves from where the last one ends to `to`.
+/// Lays curves from the end of the last one to `to`.
 void FilteredPath::fit_to(const Place& to, int depth) {
   const Place middle = place_at((last_.time + to.time) / 2);
   CourseKnot from = last_.knot;
@@ -197,7 +197,7 @@ bool FilteredPath::is_close(CourseKnot from, const Place& middle, CourseKnot to,
          passes(place_at((middle.time + time) / 2).knot, 0.75);
 }
 
-/// Appends the curve to `place`; where the motion stands there, or turns back, the element ends.
+/// Appends the curve to `place`; where the motion stops there, or turns back, the element ends.
 void FilteredPath::put(const Place& place) {
   const Vec3 chord = place.knot.position - last_.knot.position;
   CourseKnot knot = place.knot;

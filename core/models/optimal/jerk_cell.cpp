@@ -16,7 +16,7 @@ struct PlaceMotion {
   double j;
 };
 
-/// On short cells with many places the speed hardly changes: it is taken linear there.
+/// On short cells with many places the speed hardly changes: it is linear there.
 PlaceMotion motion_at(const CellMotion& m, double share, bool second) {
   const double j = second ? m.j2 : m.j1;
   if (share == 0.5) {
@@ -37,8 +37,8 @@ double last_quarter(const CellMotion& m) {
   return m.v1 - (m.v1 - m.v0) / 8 + (m.a0 - 5 * m.a1) * m.time / 32;
 }
 
-/// Calls f(p, order) for everything that a place limits, of the first to the third derivative; the middle is
-/// limited by the jerks of both halves.
+/// Calls f(p, order) for every limit at a place, of the first to the third derivative; the jerks of both
+/// halves limit the middle.
 template <typename F>
 void for_each_load(const CellMotion& m, const CellPlace& place, F f) {
   const PlaceMotion at = motion_at(m, place.share, is_second(place.share));

@@ -34,7 +34,7 @@ struct ValueWithSlope {
   Eigen::Vector4d slope;
 };
 
-/// What the axes ask of speed, acceleration and jerk at one place, each over its limit: at most 1.
+/// Demand on the axes by speed, acceleration and jerk at one place, each over its limit: at most 1.
 struct PlaceLimits {
   int count = 0;                                       ///< axes that can limit; 1 on a line
   double ceiling = 0;                                  ///< [mm/s]
@@ -49,7 +49,7 @@ struct PlaceLimits {
               const Vec3& jerk);
   double acceleration(int k, double v, double a) const;
   double jerk(int k, double v, double a, double j) const;
-  /// The largest along the path where nothing turns [mm/s3].
+  /// Largest jerk along the path where nothing turns [mm/s3].
   double jerk_along() const;
 };
 
@@ -59,18 +59,18 @@ struct CellPlace {
   PlaceLimits limits;
 };
 
-/// Sum of cost and slopes of the cell's time and of mu times its barriers -log(1 - p^2), p what is asked of
-/// the limits. Slopes by (v0^2, a0, v1^2, a1): in these, what couples speed and acceleration along the path
-/// is linear. `curvature` without the second slopes of p, hence positive.
+/// Cost and slopes of the cell's time plus mu times its barriers -log(1 - p^2), p the demand over the limit.
+/// Slopes by (v0^2, a0, v1^2, a1): in these, speed and acceleration along the path are coupled linearly.
+/// `curvature` omits the second slopes of p, hence positive.
 struct CellCost {
-  double value = 0;  ///< infinite where a limit is not kept
+  double value = 0;  ///< infinite if a limit is exceeded
   Eigen::Vector4d slope = Eigen::Vector4d::Zero();
   Eigen::Matrix4d curvature = Eigen::Matrix4d::Zero();
 };
 
 CellCost cell_cost(const CellMotion& motion, double length, const CellPlace* first, const CellPlace* last,
                    double mu);
-/// Factor by which times must grow for every limit to be kept; below 1 where they may shrink.
+/// Factor by which times must grow to keep every limit; below 1 where they may shrink.
 double cell_excess(const CellMotion& motion, const CellPlace* first, const CellPlace* last);
 /// The value alone.
 double cell_value(const CellMotion& motion, const CellPlace* first, const CellPlace* last, double mu);

@@ -8,29 +8,30 @@
 namespace feedscope {
 namespace {
 
-constexpr int fineness = 2;            ///< of the geometry, as of CellRule
-constexpr double same_feed = 1e-6;     ///< share that the feeds of joined elements differ by
+constexpr int fineness = 2;            ///< of the geometry, as in CellRule
+constexpr double same_feed = 1e-6;     ///< largest relative difference of the feeds of joined elements
 constexpr double digits = 2e-16;       ///< of a path length
-constexpr double rounded_jerk = 1e-4;  ///< share of the jerk that rounding of a cell's length may make
+constexpr double rounded_jerk = 1e-4;  ///< largest share of the jerk from rounding of a cell's length
 constexpr double ramp_cells = 5;       ///< cells in the time of the shortest ramp
-constexpr double stretch_cells = 20;   ///< cells of a stretch at least
-constexpr double growth = 0.4;         ///< of cells by time, away from where the law may change
-/// Cells last longer in the first law than they will, up to this share, where it is slower than the feed.
+constexpr double stretch_cells = 20;   ///< least number of cells of a stretch
+constexpr double growth = 0.4;         ///< of cells by time, away from places where the law may change
+/// Share down to which the speed of the first law counts for the duration of cells, where it is slower than
+/// the feed.
 constexpr double min_speed_share = 0.3;
-constexpr double level_after = 2;  ///< ramp times within which they stay short
-/// The law is passed slower in such steps, which do not hang on the rounding of path lengths.
+constexpr double level_after = 2;  ///< ramp times within which cells stay short
+/// Step by which the law is slowed down, which does not depend on the rounding of path lengths.
 constexpr double excess_step = 1e-4;
 constexpr double cell_turn = 0.15;  ///< [rad]
 constexpr std::size_t jerk_window_cells = 16384;
-/// A law that was found is searched again on finer cells, so often at most: halved where their two jerks
-/// differ by more than this share of the largest. Where times must grow by more than slight_excess for the
-/// limits to be kept between the places that were looked at, the limits there are lowered by as much.
+/// Largest number of times that a law is searched again on finer cells: halved where their two jerks differ
+/// by more than this share of the largest. Where times must grow by more than slight_excess to keep the
+/// limits between the checked places, the limits there are lowered by as much.
 constexpr int max_refinements = 2;
 constexpr double even_jerk = 0.2;
 constexpr double slight_excess = 1e-5;
 constexpr double refined_mu = 6e-3;  ///< first weight of the barriers then
 
-/// What the cells that begin in [from, to) turn by [rad].
+/// Turn of the cells that begin in [from, to) [rad].
 double turn_of(const std::vector<PathCell>& cells, double from, double to) {
   const auto before = [](const PathCell& cell, double offset) { return cell.offset < offset; };
   double turn = 0;
@@ -41,7 +42,7 @@ double turn_of(const std::vector<PathCell>& cells, double from, double to) {
   return turn;
 }
 
-/// Where half of the time is over [mm].
+/// Place where half of the time is over [mm].
 double middle_of(const CellMotion& m) {
   return advance({0, m.v0, m.a0}, m.j1, m.time / 2).s;
 }
@@ -87,7 +88,7 @@ const Vec3& JerkLaw::jerk_of(std::uint32_t index) const {
   return builder_.path().in_corner(index) ? axes_.blend_jerk : axes_.jerk;
 }
 
-/// Groups the elements [first, last) into spans. min_time_: a shorter cell would have its jerk from the
+/// Groups the elements [first, last) into spans. min_time_: a shorter cell would get its jerk from the
 /// rounding of its length.
 void JerkLaw::join_elements(std::uint32_t first, std::uint32_t last) {
   double length = 0;
@@ -124,9 +125,9 @@ JerkLaw::Span JerkLaw::span_of(std::uint32_t element, double begin) {
   return span;
 }
 
-/// Appends `next` to `span` where a line goes on straight, and where one of the two is passed in less than
-/// the time of a cell, so that cells need not end between them. Not where a lower feed would count for the
-/// other one as well, or be lost. Whether it does.
+/// Appends `next` to `span` where a line continues straight, and where one of the two is passed in less than
+/// the time of a cell, so that cells need not end between them. Not where a lower feed would apply to the
+/// other one as well, or be lost. Returns true if appended.
 bool JerkLaw::join(Span& span, const Span& next) const {
   const double lower = 1 - same_feed;
   const bool slower = next.feed.value < lower * span.feed.value;
@@ -150,7 +151,7 @@ void JerkLaw::append_element(std::uint32_t element) {
   append_cells(builder_.path(), element, rule_, geometry_);
 }
 
-/// The cells of a span; lines that go on straight are one.
+/// Loads the cells of a span; lines that continue straight are one.
 void JerkLaw::load_span(std::uint32_t index) {
   if (loaded_ == index) {
     return;
@@ -203,9 +204,8 @@ void JerkLaw::cut_cells() {
   nodes_.back() = {};
 }
 
-/// Cells up to `to` on the span, of about equal time near the ends of the part, longer ones away from
-/// them; they turn little. Returns where the last one ends, before `to` where that is next to nothing away
-/// [mm].
+/// Lays cells up to `to` on the span, of about equal time near the ends of the part, longer ones away from
+/// them; they turn little. Returns the end of the last one, which may be negligibly before `to` [mm].
 double JerkLaw::cut_part(std::uint32_t index, double begin, double from, double to, std::size_t part) {
   const std::size_t place = static_law_.place();
   const double start = static_law_.time_at(begin + from);
@@ -315,8 +315,8 @@ void JerkLaw::slow_nodes(double factor) {
   }
 }
 
-/// Makes the first law slower where it does not keep all limits strictly: around these places, and only if
-/// that does not end, all over.
+/// Slows down the first law where it does not keep all limits strictly: around these places first and, if
+/// that does not converge, everywhere.
 void JerkLaw::start_strictly() {
   constexpr double slower = 1.15;
   constexpr int max_rounds = 60;
@@ -333,7 +333,7 @@ void JerkLaw::start_strictly() {
   }
 }
 
-/// Lowers the first law where the limits of a cell are not kept strictly; whether there are such cells.
+/// Lowers the first law where the limits of a cell are not kept strictly; true if there are such cells.
 bool JerkLaw::lower_exceeded() {
   bool any = false;
   double begin = 0;
@@ -366,9 +366,8 @@ CellMotion JerkLaw::motion_of(std::size_t cell) const {
                              nodes_[cell + 1].a);
 }
 
-/// Halves cells that are too coarse for the law that was found and lowers limits that it exceeds in between.
-/// The law stays the same, passed so much slower that it keeps all of them strictly. Whether there are such
-/// cells.
+/// Halves cells that are too coarse for the law found and lowers limits that it exceeds in between. The law
+/// stays the same, slowed down until it keeps all of them strictly. True if there are such cells.
 bool JerkLaw::refine() {
   finer_cells_.clear();
   finer_nodes_.assign(1, nodes_.front());
@@ -415,7 +414,7 @@ void JerkLaw::slow_strictly() {
   slow_nodes(factor * (1 + strictly));
 }
 
-/// Whether the jerk changes much in the middle of a cell, so that it had better change elsewhere.
+/// True if the jerk changes much in the middle of a cell, so that it should change elsewhere.
 bool JerkLaw::is_coarse(const Cell& cell, const CellMotion& motion) {
   if (motion.time < 2 * min_time_) {
     return false;
@@ -432,7 +431,7 @@ double JerkLaw::time() const {
   return sum;
 }
 
-/// The first law itself: where nothing turns no other is faster.
+/// Adds the first law itself: where nothing turns no other is faster.
 void JerkLaw::add_planned(std::uint32_t last) {
   std::size_t span = 0;
   const std::vector<StaticLaw::Phase>& phases = static_law_.phases();
@@ -446,7 +445,7 @@ void JerkLaw::add_planned(std::uint32_t last) {
   }
 }
 
-/// Appends a piece that begins at path length `from.s` of the stretch; it may run over several elements.
+/// Appends a piece that begins at path length `from.s` of the stretch; it may cross several elements.
 void JerkLaw::add_piece(const Motion1d& from, double jerk, double time, Cause cause, std::uint32_t last) {
   while (element_ + 1 < last && element_begin_ + law_length(builder_.path(), element_) <= from.s) {
     element_begin_ += law_length(builder_.path(), element_++);
@@ -496,8 +495,8 @@ Cause JerkLaw::cause_of(std::size_t cell, const CellMotion& m) const {
   return slows ? Cause{CauseKind::ramp_down} : cause;
 }
 
-/// Factor, at least 1, by which time in the cell must be stretched so that all limits are kept: velocity
-/// falls with the factor, acceleration with its square, jerk with its cube.
+/// Factor, at least 1, by which time in the cell must be stretched to keep all limits: velocity falls with
+/// the factor, acceleration with its square, jerk with its cube.
 double JerkLaw::excess_of(const Cell& cell, const CellMotion& m) {
   const Motion1d from{0, m.v0, m.a0};
   const Motion1d middle = advance(from, m.j1, m.time / 2);

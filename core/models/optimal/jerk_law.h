@@ -9,7 +9,7 @@
 namespace feedscope {
 
 /// A law close to the fastest under velocity, acceleration and jerk limits of every axis, from standstill to
-/// standstill (README.md beside this file):
+/// standstill (README.md in this folder):
 ///
 ///   |T_j s''' + 3 c_j v v' + d_j v^3| <= J_j
 ///
@@ -19,15 +19,15 @@ namespace feedscope {
 /// elements: v and v' are continuous there, the acceleration across the path is not.
 class JerkLaw {
  public:
-  /// `builder` holds the path and takes the motion.
+  /// `builder` contains the path and takes the motion.
   JerkLaw(const AxisVectors& axes, TrajectoryBuilder& builder);
 
   /// Lays the motion over elements [first, last).
   void run(std::uint32_t first, std::uint32_t last, ProgressSteps& steps);
 
  private:
-  /// Elements [first, last) with cells in common: the pieces of a line, or a curve with a tiny element that
-  /// rounding made next to it.
+  /// Elements [first, last) with common cells: the pieces of a line, or a curve with a tiny element made by
+  /// rounding next to it.
   struct Span {
     std::uint32_t first;
     std::uint32_t last;
@@ -42,7 +42,7 @@ class JerkLaw {
     double length;
     double offset;  ///< in the span [mm]
     std::uint32_t span;
-    double slower;  ///< than its limits allow at the places that are looked at, as a factor of times
+    double slower;  ///< factor of times by which it is slower than its limits allow at the checked places
   };
   static constexpr std::uint32_t none = 0xffffffff;
 
@@ -94,9 +94,9 @@ class JerkLaw {
 
   std::vector<PathCell> geometry_;  ///< of span loaded_
   std::uint32_t loaded_ = none;
-  bool straight_ = true;  ///< span loaded_ is
+  bool straight_ = true;  ///< true if span loaded_ is
   SpeedBound feed_;       ///< of that span
-  std::size_t at_ = 0;    ///< last geometry cell looked at
+  std::size_t at_ = 0;    ///< last geometry cell used
   double excess_ = 1;
   std::uint32_t element_ = 0;  ///< on which the last piece begins
   double element_begin_ = 0;   ///< from the start of the stretch [mm]

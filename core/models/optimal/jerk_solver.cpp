@@ -7,10 +7,10 @@
 namespace feedscope {
 namespace {
 
-/// The time comes out too long by about this share for every limit that is active in a cell.
+/// About the share by which the resulting time is too long, for every active limit in a cell.
 constexpr double last_mu = 4e-5;
 constexpr double less_mu = 0.25;
-/// The last steps go on until they gain no more than this share of the time.
+/// Share of the time: the last steps continue until they gain less.
 constexpr double settled = 1e-9;
 constexpr int max_steps = 200;
 constexpr int max_halvings = 30;
@@ -23,8 +23,8 @@ bool JerkSolver::keeps_limits(const SolverCell& cell, const std::vector<CellPlac
   return std::isfinite(cell_value(motion, places.data() + cell.first, places.data() + cell.last, 1));
 }
 
-/// Weight of the barriers of a cell: by its time, but as much as others have where that is next to nothing,
-/// until `mu` is small. Else its limits would shorten every step of the whole window.
+/// Weight of the barriers of a cell: by its time, but at least as much as others have where that is tiny,
+/// until `mu` is small. Otherwise its limits would shorten every step of the whole window.
 double JerkSolver::barrier(std::size_t cell, double mu) const {
   return mu * std::max(weight_[cell], mu * time_);
 }

@@ -12,26 +12,26 @@ struct LawNode {
   double a = 0;  ///< [mm/s2]
 };
 
-/// A cell with the places where its limits are looked at: [first, last) of the places.
+/// A cell with the places where its limits are checked: [first, last) of the places.
 struct SolverCell {
   double length = 0;
   std::size_t first = 0;
   std::size_t last = 0;
 };
 
-/// Lowers the time of a law by Newton steps on time and barriers (an interior point method): speeds and
-/// accelerations of neighbouring nodes alone are coupled, so that a step costs as much as there are cells.
-/// Every iterate keeps all limits.
+/// Lowers the time of a law by Newton steps on time and barriers (an interior point method). Only speeds and
+/// accelerations of neighbouring nodes are coupled, so that the cost of a step is proportional to the number
+/// of cells. Every iterate keeps all limits.
 class JerkSolver {
  public:
   static constexpr double first_mu = 0.1;  ///< for nodes far from the fastest
 
-  /// `nodes`: one more than cells; must keep the limits strictly. The first and the last stay. `mu`: weight
-  /// of the barriers to begin with, the less the closer the nodes are to the fastest.
+  /// `nodes`: one more than cells; must keep the limits strictly. The first and the last are fixed. `mu`:
+  /// initial weight of the barriers, smaller for nodes closer to the fastest.
   void improve(const std::vector<SolverCell>& cells, const std::vector<CellPlace>& places, LawNode* nodes,
                double mu);
 
-  /// Whether a law keeps all limits of a cell strictly; `nodes`: at its beginning and end.
+  /// True if a law keeps all limits of a cell strictly; `nodes`: at its beginning and end.
   static bool keeps_limits(const SolverCell& cell, const std::vector<CellPlace>& places,
                            const LawNode* nodes);
 
@@ -43,7 +43,7 @@ class JerkSolver {
   double value(const LawNode* nodes, double mu) const;
   void assemble(const LawNode* nodes, double mu);
   double solve();
-  /// Of a Newton step: the share of it that was taken, and what the whole of it would have gained [s].
+  /// A Newton step: share of it that was taken, and gain of the whole step [s].
   struct Step {
     double share;
     double gain;
@@ -52,7 +52,7 @@ class JerkSolver {
 
   const std::vector<SolverCell>* cells_ = nullptr;
   const std::vector<CellPlace>* places_ = nullptr;
-  std::vector<double> weight_;  ///< of a cell's barriers: its time at first [s]
+  std::vector<double> weight_;  ///< of a cell's barriers: its initial time [s]
   double time_ = 0;             ///< their sum
   std::vector<Matrix2> diagonal_;
   std::vector<Matrix2> beside_;  ///< couples a node with the next

@@ -7,7 +7,8 @@
 namespace feedscope {
 namespace {
 
-/// As of CellRule: with four, one node of which lies on the crest of a blend's curvature, laws are no faster.
+/// As in CellRule: with four cells, where one node lies at the largest curvature of a blend, laws are no
+/// faster.
 constexpr int min_cells_a_piece = 3;
 
 Vec3 inverse_of(const Vec3& limits) {
@@ -177,7 +178,7 @@ CellRun LawCells::run(std::size_t i, double x0, double highest) const {
   return run;
 }
 
-/// Whether the acceleration that it begins with is allowed there.
+/// True if its initial acceleration is allowed there.
 template <typename Range>
 bool LawCells::run_curved(const LawCell& cell, const Range& from, const Range& to, double x0, double highest,
                           CellRun& run) {
@@ -194,7 +195,7 @@ bool LawCells::run_curved(const LawCell& cell, const Range& from, const Range& t
   const double v0 = std::sqrt(x0);
   const double v1 = std::sqrt(run.x);
   const double third = (2 * v0 + v1) / 3;
-  if (2 * run.begin * cell.length / 3 < -third * third / 2) {  // would come to a standstill on the way
+  if (2 * run.begin * cell.length / 3 < -third * third / 2) {  // it would stop on the way
     run.begin = mean;
   }
   const double root = std::sqrt(third * third + 2 * run.begin * cell.length / 3);
@@ -224,8 +225,8 @@ Phases LawCells::phases(std::size_t i, double x0, double x1) const {
   return with_ends(cell, of_ends);
 }
 
-/// Largest acceleration of an axis, or x, over its limit, at some instants on the way; `begins_within`: not
-/// at its beginning. Tangent and curvature go along the cell as parabolas.
+/// Largest acceleration of an axis, or x, over its limit, at some times on the way; `begins_within`: not at
+/// its beginning. Tangent and curvature are parabolas along the cell.
 double LawCells::load(const LawCell& cell, double x0, const CellRun& run, bool begins_within) const {
   constexpr std::size_t count = 4;
   constexpr std::array<double, count> shares{0.2, 0.5, 0.8, 1.0};

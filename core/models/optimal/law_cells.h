@@ -8,43 +8,43 @@
 
 namespace feedscope {
 
-/// A cell as AccelerationLaw looks at it.
+/// A cell for AccelerationLaw.
 struct LawCell {
   double length;            ///< [mm]
   double offset;            ///< from the start of its element [mm]
   SpeedBound ceiling;       ///< of x = v^2 [mm2/s2]
-  double acceleration = 0;  ///< straight: the largest, either way [mm/s2]
-  double share = 1;         ///< curved: of the limits that its ends use
+  double acceleration = 0;  ///< straight: the largest, in both directions [mm/s2]
+  double share = 1;         ///< curved: share of the limits used by its ends
   std::uint32_t element;
-  std::uint32_t place = 0;   ///< curved: of its beginning; its middle and its end come next
-  std::int32_t common = -1;  ///< curved: what its ends keep where that is lowered, in LawCells
+  std::uint32_t place = 0;   ///< curved: of its beginning, followed by its middle and its end
+  std::int32_t common = -1;  ///< curved: limits of its ends where they are lowered, index in LawCells
   bool straight;
-  std::int8_t axis = -1;  ///< straight: that sets `acceleration`
+  std::int8_t axis = -1;  ///< straight: sets `acceleration`
 };
 
-/// Motion through a cell: of a curve one piece of constant jerk, unless it is `steady`.
+/// Motion through a cell: on a curve one piece of constant jerk, unless it is `steady`.
 struct CellRun {
   double x = 0;      ///< at its end [mm2/s2]
   double begin = 0;  ///< acceleration along the path at its beginning [mm/s2]
   double jerk = 0;
   double time = 0;             ///< [s]
-  double load = 0;             ///< largest share of a limit that is used on the way; 0 where that is certain
-  bool may_be_faster = false;  ///< the axes would allow more, but for what follows
+  double load = 0;             ///< largest share of a limit used on the way; 0 where that is certain
+  bool may_be_faster = false;  ///< the axes would allow more, except for the cells after it
   bool steady = false;         ///< by Phases
 };
 
-/// Constant accelerations between which a cell keeps its speed.
+/// Constant accelerations on both sides of a constant speed in a cell.
 struct Phases {
   double ceiling;  ///< of x [mm2/s2]
   double gain;     ///< [mm/s2]
   double loss;     ///< [mm/s2]
 };
 
-/// The cells of a part of the path and what the limits of the axes allow on them: cells, places of curves and
-/// lowered limits each for itself, so that passes over them stay in the cache.
+/// The cells of a part of the path with the axes' limits on them. Cells, places of curves and lowered limits
+/// are stored separately, so that passes over them stay in the cache.
 class LawCells {
  public:
-  /// `fineness` as of CellRule.
+  /// `fineness` as in CellRule.
   LawCells(const AxisVectors& axes, int fineness);
 
   void clear() { drop_front(size()); }
@@ -61,18 +61,18 @@ class LawCells {
   double reach_back(std::size_t i, double next) const;
   /// The fastest motion from `x0` to at most `highest`.
   CellRun run(std::size_t i, double x0, double highest) const;
-  /// What constant accelerations a curved cell allows all over; `gain` is 0 if they do not lead to `x1`.
+  /// Constant accelerations allowed on all of a curved cell; `gain` is 0 if they do not lead to `x1`.
   Phases phases(std::size_t i, double x0, double x1) const;
 
   /// Largest load on the curved cells [first, last) of one element, passed in `time` by one piece of constant
-  /// jerk; infinite where it is more than `most` or the piece turns back.
+  /// jerk; infinite above `most` or if the piece turns back.
   double load_of(std::size_t first, std::size_t last, const LawPoint& from, double time, double most) const;
 
-  /// From now on curved cell `i` keeps at both ends what is allowed anywhere on it, and in between as well,
-  /// the limits being linear in x and u; where that is done already, less, by its `load`.
+  /// Makes curved cell `i` keep at both ends the limits of all its places, and thus in between as well,
+  /// because the limits are linear in x and u; where that is done already, lowers them by its `load`.
   void lower(std::size_t i, double load);
 
-  /// What lets a cell be no faster where it begins with `x0`, and what bounds x where it ends.
+  /// Cause that keeps a cell from being faster when it begins with `x0`, and cause that bounds x at its end.
   Cause cause_at_begin(std::size_t i, double x0) const;
   AxisBound largest_at_end(std::size_t i) const;
 

@@ -13,15 +13,15 @@ namespace {
 
 constexpr const char* usual_path = "essid";
 
-/// What the limits are exceeded by at most between the places of a curve that are looked at.
+/// Largest excess of the limits between the checked places of a curve.
 constexpr double between_places = 1.02;
 constexpr double jerk_between_places = 1.05;
 constexpr double on_filtered_path = 1.06;
 
-/// What the course of a filtered path may be off, as a share of the contour tolerance.
+/// Permitted deviation of the course of a filtered path, as a share of the contour tolerance.
 constexpr double share_of_tolerance = 1e-3;
 
-/// What the models whose paths can be taken read, each key once.
+/// Adds the settings of the models whose paths can be used, each key once.
 void add_settings_of_paths(ModelInfo& info, SettingSpec& path) {
   for (const ControlModel* model : all_models()) {
     if (dynamic_cast<const OptimalModel*>(model) != nullptr || model->info().limits.jumps_in_corners) {
@@ -92,15 +92,15 @@ ModelInfo make_info() {
   return info;
 }
 
-/// Allowed distance of a fitted path from the filtered motion [mm]: below the least one rounding would make
-/// its curvature.
+/// Allowed distance of a fitted path from the filtered motion [mm]: below the least one its curvature would
+/// be rounding.
 double fit_error(double tolerance) {
   constexpr double least = 1e-7;
   return tolerance > 0 ? std::clamp(share_of_tolerance * tolerance, least, FilteredPath::usual_error)
                        : FilteredPath::usual_error;
 }
 
-/// The path of `run`, ready to be passed in another time.
+/// The path of `run`, to be passed in another time.
 TrajectoryBuilder path_of(const Trajectory& run, const std::shared_ptr<const Toolpath>& toolpath,
                           const AxisVectors& axes, double tolerance, const Progress* progress) {
   if (run.motions().empty()) {
@@ -161,7 +161,7 @@ Trajectory OptimalModel::do_simulate(const std::shared_ptr<const Toolpath>& shar
   const Toolpath& toolpath = *shared;
   const AxisVectors axes(machine);
   const ControlModel& model = find_model(settings.text("path"));
-  const bool with_jerk = settings.text("jerk") == "on";  // which takes the model's law where that is faster
+  const bool with_jerk = settings.text("jerk") == "on";  // it uses the model's law where that is faster
   const Trajectory model_run = with_jerk ? model.simulate(shared, machine, settings, progress) : Trajectory();
   const bool can_be_run =
       model.guarantees(settings).continuity != Continuity::position && model_run.motions().empty();

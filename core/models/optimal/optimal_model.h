@@ -5,7 +5,7 @@
 namespace feedscope {
 
 /// The bound that no control can beat: on the path that another model runs, its blends included, the least
-/// time that any law s(t) could take under the limits of the axes (README.md beside this file).
+/// time that any law s(t) could take under the limits of the axes (README.md in this folder).
 ///
 /// With T the tangent, c and d the second and third derivative of the path by path length:
 ///

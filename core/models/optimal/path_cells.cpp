@@ -9,15 +9,14 @@
 namespace feedscope {
 namespace {
 
-/// A cell of an arc turns by this at most; one of a blend, which is passed in a much shorter time, by more
-/// [rad].
+/// Largest turn of an arc's cell; a blend's cell, which takes much less time, may turn more [rad].
 constexpr double arc_turn = 0.03;
 constexpr double blend_turn = 0.06;
-/// Curvature and speed by the parameter change by this share at most in a cell that turns by more than that.
+/// Largest relative change of curvature and speed by the parameter in a cell that turns by more than that.
 constexpr double even_change = 0.2;
 constexpr double slight_turn = 0.015;
 
-/// A cell of a blend is halved this often at most.
+/// Largest number of halvings of a blend's cell.
 constexpr int deepest_cut = 44;
 
 PathPoint point_of(const CurvePoint& at) {
@@ -33,7 +32,7 @@ double square_limit(double curvature, const CellRule& rule) {
   return std::min(rule.speed * rule.speed, rule.acceleration.minCoeff() / curvature);
 }
 
-/// How many cells a curve takes for what the square of the speed may change on it, as a share of `limit`.
+/// Number of cells of a curve for a change of the square of the speed, as a share of `limit`.
 double cells_of_change(double length, double limit, const CellRule& rule) {
   constexpr double most = 16;
   const double change = 2 * rule.acceleration.minCoeff() * length / limit;
@@ -47,7 +46,7 @@ int min_cells(double length, double curvature, const CellRule& rule) {
   const double acceleration = rule.acceleration.minCoeff();
   const double limit = square_limit(curvature, rule);
   double count = few;
-  const double bend = 4 * curvature / length;  // what the curvature changes by, by path length, on a blend
+  const double bend = 4 * curvature / length;  // change of the curvature by path length, on a blend
   if (curvature * limit > slight * acceleration ||
       bend * limit * std::sqrt(limit) > slight * rule.jerk.minCoeff()) {
     count = std::max(cells_of_change(length, limit, rule), static_cast<double>(rule.least));
@@ -69,7 +68,7 @@ void append_arc(const Arc& arc, PathCell cell, const CellRule& rule, std::vector
   }
 }
 
-/// A place of a curve that is cut by a parameter of its own.
+/// A place of a curve that is cut by its own parameter.
 struct CutPlace {
   PathPoint point;
   double k;      ///< curvature [1/mm]
@@ -94,7 +93,7 @@ class CurveCutter {
       cut(static_cast<double>(i) / count, end, from, to, 0);
       from = to;
     }
-    const double scale = whole / reached_;  // Simpson's rule against the length that the path goes by
+    const double scale = whole / reached_;  // Simpson's rule against the length of the path
     for (std::size_t i = first; i < cells_.size(); ++i) {
       cells_[i].length *= scale;
       cells_[i].offset = begin_ + cells_[i].offset * scale;
@@ -119,8 +118,8 @@ class CurveCutter {
     cells_.push_back(cell_);
   }
 
-  /// Whether it turns little from `from` to `to`, there and back as well, and where it turns at all, about
-  /// evenly.
+  /// True if it turns little from `from` to `to`, there and back as well, and about evenly where it turns at
+  /// all.
   bool is_even(const CutPlace& from, const CutPlace& at, const CutPlace& to) const {
     const auto within = [](double a, double b) {
       return std::abs(a - b) <= even_change * std::max(std::abs(a), std::abs(b));
@@ -235,7 +234,7 @@ bool is_stop(const BlendedPath& path, std::uint32_t index) {
   const ElementCurve before = path.curve(index - 1);
   const ElementCurve after = path.curve(index);
   const bool arc = before.kind == ElementKind::arc || after.kind == ElementKind::arc;
-  constexpr double digits = 1e-14;  // what rounding of the coordinates does to the direction of a short line
+  constexpr double digits = 1e-14;  // rounding of the coordinates in the direction of a short line
   const double rounding =
       digits * (1 + after.start.cwiseAbs().maxCoeff()) / std::min(before.length, after.length);
   const double allowed = (arc ? tangent_angle : straight_angle) + rounding;

@@ -5,14 +5,14 @@
 
 namespace feedscope {
 
-/// The law by which another model runs a path, passed so much slower that it keeps velocity, programmed feed,
-/// acceleration and jerk: what a law near the bound must not be slower than.
+/// Law of another model on its path, slowed down until it keeps velocity, programmed feed, acceleration and
+/// jerk: a law near the bound must not be slower than it.
 class SlowedLaw {
  public:
   SlowedLaw(const Trajectory& run, const AxisVectors& axes) : run_(run), axes_(axes) {}
 
-  /// Where elements [first, last), from standstill to standstill, take less time by this law than what
-  /// `builder` collected of them from `start` on, puts it in its place.
+  /// Replaces the motion of elements [first, last), from standstill to standstill, that `builder` collected
+  /// from `start` on, where this law takes less time.
   void replace_slower(std::uint32_t first, std::uint32_t last, const TrajectoryBuilder::Mark& start,
                       TrajectoryBuilder& builder) const;
 

@@ -9,17 +9,17 @@
 namespace feedscope {
 namespace {
 
-/// Shares of the limits that are used on curves: acceleration by turning, jerk by turning steadily, by
-/// turning and speeding up together, and what is left along the path.
+/// Shares of the limits used on curves: acceleration by turning; jerk by turning steadily and by turning
+/// while speeding up; the rest along the path.
 constexpr double turning = 0.4;
 constexpr double along = 0.5;
 constexpr double turning_jerk = 0.25;
 
-/// Static speeds within one part of a curve differ by this at most.
+/// Largest ratio of static speeds within one part of a curve.
 constexpr double speed_ratio = 1.5;
-/// A part that is passed too fast is passed at this share of its speed.
+/// Share of its speed at which a part is passed that was too fast.
 constexpr double slower = 0.8;
-/// And cut into so many times as many cells.
+/// Factor of its number of cells then.
 constexpr double finer = 1.5;
 
 /// Largest parts of the derivatives by axis over some cells.

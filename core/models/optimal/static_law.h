@@ -7,9 +7,9 @@
 
 namespace feedscope {
 
-/// A law from standstill to standstill that keeps static limits of every part of the path, by the planner of
-/// the planned models: what JerkLaw begins with. Curves are parts of about one static speed, so that a sharp
-/// place slows its surroundings and not the whole curve.
+/// Initial law of JerkLaw: from standstill to standstill within static limits of every part of the path, by
+/// the planner of the planned models. Curves are divided into parts of similar static speed, so that a sharp
+/// place slows only its surroundings and not the whole curve.
 class StaticLaw {
  public:
   struct Phase {
@@ -19,29 +19,29 @@ class StaticLaw {
   };
 
   void clear();
-  /// Appends a span of the path, whose cells are `cells`; `jerk` that of its axes, `feed` its speed.
+  /// Appends a span of the path, with cells `cells`; `jerk` of its axes, `feed` its speed.
   void add_span(const std::vector<PathCell>& cells, const SpeedBound& feed, const AxisVectors& axes,
                 const Vec3& jerk);
   /// Time in which `cells` are passed at their static speeds [s].
   static double time_of(const std::vector<PathCell>& cells, const SpeedBound& feed, const AxisVectors& axes,
                         const Vec3& jerk);
-  /// Plans what was added.
+  /// Plans everything added.
   void plan();
-  /// From the next plan() on the part at path length `s` from the start is passed slower, but not once more
-  /// if it begins at `lowered`. Returns where it begins [mm].
+  /// Slows down the part at path length `s` from the next plan() on, but not again if it begins at `lowered`.
+  /// Returns its start [mm].
   double lower_at(double s, double lowered);
 
   std::size_t size() const { return parts_.size(); }
-  /// Parts in order of the path. Where a part begins and ends from the start [mm].
+  /// Parts in order of the path. Start of a part from the start of the law [mm].
   double part_begin(std::size_t part) const { return begins_[part]; }
   double part_end(std::size_t part) const { return part + 1 < size() ? begins_[part + 1] : length_; }
-  /// Whether it is the last one of its span.
+  /// True if it is the last part of its span.
   bool ends_span(std::size_t part) const { return ends_span_[part] != 0; }
   double length() const { return length_; }  ///< [mm]
-  /// How many times as many cells as usual the part needs: where it had to be lowered, more.
+  /// Factor of the number of cells that the part needs: larger where it had to be lowered.
   double fineness(std::size_t part) const { return fineness_[part]; }
 
-  bool is_straight() const { return straight_; }  ///< one part a span, full limits
+  bool is_straight() const { return straight_; }  ///< one part per span, full limits
   const PlanElement& part(std::size_t index) const { return parts_[index]; }
   /// Phases in order; the last one is the end.
   const std::vector<Phase>& phases() const { return phases_; }
@@ -50,7 +50,7 @@ class StaticLaw {
 
   /// The motion at `time`; times in order from rewind() on.
   Motion1d at(double time);
-  /// When path length `s` is reached; in order from rewind() on.
+  /// Time at which path length `s` is reached; in order from rewind() on.
   double time_at(double s);
   std::size_t place() const { return phase_; }
   void rewind(std::size_t place = 0) { phase_ = place; }

@@ -9,7 +9,7 @@
 namespace feedscope {
 namespace {
 
-/// What constant speed asks of the axes along an arc, per v^3 and as a share of each axis' jerk:
+/// Demand of constant speed on the axes along an arc, per v^3 and as a share of each axis' jerk:
 /// |x_j cos a + y_j sin a|. Every share repeats after half a turn.
 class JerkShares {
  public:
@@ -51,7 +51,8 @@ class JerkShares {
     return first;
   }
 
-  /// Angle at which the largest share is least: an end of the arc, or where two axes or none share it.
+  /// Angle at which the largest share is least: an end of the arc, or where two axes have equal shares or
+  /// none.
   double least() const {
     double best = 0;
     double least = largest(0).value;

@@ -20,8 +20,8 @@ void BlockDistances::for_points_of_arc(std::size_t block, double step, double re
 }
 
 double BlockDistances::of_arc(std::size_t block) {
-  // Where an arc is near its tolerance, its ends are looked at closely: there the neighbours add to what the
-  // filters take off.
+  // Where an arc is near its tolerance, its ends are checked closely: there the neighbours add to the error
+  // of the filters.
   constexpr double near_tolerance = 0.5;
   const double c = train_.half_delay();
   const double tolerance = pulses_.arc_tolerance(rules_, block);
@@ -60,14 +60,14 @@ double BlockDistances::of_point(const Vec3& point, double time, double tolerance
   const double curvature = at.velocity.squaredNorm() + offset.dot(at.acceleration);
   const double step = curvature > 0 ? -slope / curvature : 0;
   const double nearest = offset.squaredNorm() + slope * step;
-  // The third and fourth order of the distance squared; at a reversal the third vanishes with the velocity.
+  // Third and fourth order of the distance squared; at a reversal the third vanishes with the velocity.
   const double doubt = std::abs(at.velocity.dot(at.acceleration) * step * step * step) +
                        at.acceleration.squaredNorm() / 4 * step * step * step * step;
   if (curvature > 0 && std::abs(lag_ + step) < train_.filter_time / 4) {
     lag_ += step;
     const double allowed = tolerance * tolerance;
     const bool decided = !std::isfinite(allowed) || std::abs(nearest - allowed) > 2 * precision * allowed;
-    // The jerk is in no term of these: what the step wins may be wrong by a tenth.
+    // The jerk is in none of these terms: the gain of the step may be wrong by a tenth.
     const bool near = -slope * step <= 10 * precision * nearest;
     if (near && doubt <= precision * nearest && decided) {
       return std::sqrt(nearest);

@@ -10,7 +10,7 @@
 namespace feedscope {
 namespace {
 
-/// d/da of corner_distance, times 1/F: for Newton steps only, a bracket keeps them.
+/// d/da of corner_distance, times 1/F: only for Newton steps, which stay in a bracket.
 double distance_slope(int filters, double a) {
   if (filters == 2) {
     return (1 + 3 * a * a - 4 * a * a * a) / 6;

@@ -15,15 +15,15 @@ WardSettings::WardSettings(const Settings& settings)
       time(settings.number("filter_time_s")),
       enforce(settings.text("enforce") == "on"),
       compressor(settings) {
-  // What the points' curve takes is missing where the filters cut bends off: a little smooths as well as
-  // much.
+  // The tolerance used by the curve of the points is not available where the filters cut bends off, and a
+  // small share smooths as well as a large one.
   constexpr double share_of_curve = 0.1;
   compressor.tolerance_share = share_of_curve;
 }
 
 namespace {
 
-/// The common settings; off at first, since the source knows no such stage and the filters need none.
+/// Common settings; off by default, because the source has no such stage and the filters need none.
 std::vector<SettingSpec> with_smoothed_points(std::vector<SettingSpec> own) {
   std::vector<SettingSpec> specs = with_compressor(std::move(own));
   SettingSpec& compressor = *std::ranges::find(specs, "compressor", &SettingSpec::key);

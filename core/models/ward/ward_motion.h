@@ -10,14 +10,14 @@
 
 namespace feedscope {
 
-/// Lays the filtered motion of chosen pulses out as elements, pieces and records of a trajectory.
+/// Lays the filtered motion of chosen pulses as elements, pieces and records of a trajectory.
 class WardMotion {
  public:
   /// The builder outlives this.
   WardMotion(WardPulses pulses, TrajectoryBuilder& builder) : pulses_(std::move(pulses)), builder_(builder) {}
 
-  /// Behind what has been built. `error`: the largest distance of a programmed point from the path [mm];
-  /// `steps` counts segments.
+  /// Lays the motion after everything built so far. `error`: largest distance of a programmed point from the
+  /// path [mm]; `steps` counts segments.
   void lay(double error, ProgressSteps& steps);
 
  private:
@@ -29,22 +29,22 @@ class WardMotion {
   };
   struct SpanEnd {
     double time = 0;                                   ///< of the motion [s]
-    std::optional<std::size_t> corner = std::nullopt;  ///< whose blending pulse fills the span, if one
+    std::optional<std::size_t> corner = std::nullopt;  ///< corner whose blending pulse fills the span, if any
     bool settled = false;
   };
 
   void add_element(double start, std::size_t block);
   void add_spans(LengthWalk& length, std::size_t block);
   void add_span(LengthWalk& length, std::size_t block, const SpanEnd& to);
-  /// Why the tool is not faster at an instant of `block`. `corner`: whose blending pulse that is, if one.
+  /// Limiting cause at a time within `block`. `corner`: of the blending pulse there, if any.
   Cause cause_at(const SpeedSample& at, std::size_t block, std::optional<std::size_t> corner) const;
-  /// Share of the speed limit on an arc that the filters leave of a pulse.
+  /// Share of the speed limit on an arc left by the filters.
   double arc_gain(std::size_t block) const;
   bool slowed_by_tolerance(std::size_t corner) const;
 
   WardPulses pulses_;
   TrajectoryBuilder& builder_;
-  std::vector<Span> spans_;  ///< of the element under way
+  std::vector<Span> spans_;  ///< of the current element
 };
 
 }  // namespace feedscope

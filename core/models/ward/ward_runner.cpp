@@ -77,9 +77,10 @@ WardPulses WardRunner::empty_pulses(const StretchRange& range) const {
   return pulses;
 }
 
-/// A block along which an axis reaches its velocity, because rotary axes turn, limits the blocks before and
-/// after it too, within twice the reach of the filters: they mix the speeds of neighbours by one half of it
-/// and move the place by the other. The least of a window that slides over the blocks by the time they take.
+/// A block along which an axis reaches its velocity because rotary axes turn also limits the blocks before
+/// and after it, within twice the reach of the filters: they mix the speeds of neighbours by one half of it
+/// and shift the place by the other. The limit is the least of a window that slides over the blocks by their
+/// times.
 void WardRunner::hold_turns(WardPulses& pulses) const {
   if (commanded_->turn_ceiling == nullptr) {
     return;
@@ -121,18 +122,18 @@ void WardRunner::limit_arcs(WardPulses& pulses) const {
   }
 }
 
-/// Blocks too short for the pulses of their corners get a lower feed, which is that of the legs of these
-/// corners: pulses and feeds are computed again until they settle (README.md beside this file). Where the
-/// tolerance is enforced the first speeds are a start only, which the measured distances lower. Faster
-/// corners make a shorter block's feed rise or fall, so that a few swing for ever: feeds that have not
-/// settled after a few passes go half of the way to the new ones.
+/// Blocks too short for the pulses of their corners get a lower feed, which is also that of the legs of these
+/// corners: pulses and feeds are computed again until they settle (README.md in this folder). Where the
+/// tolerance is enforced the first speeds are only a start, which the measured distances lower. Faster
+/// corners may raise or lower a shorter block's feed, so that a few oscillate: feeds that have not settled
+/// after a few passes move half of the way to the new ones.
 void WardRunner::choose_corner_speeds(WardPulses& pulses) const {
   PulseTrain& train = pulses.train;
   constexpr int max_passes = 200;
   constexpr double same = 1e-12;
   constexpr int quick_passes = 16;
   std::vector<double> alone(train.size(), 0.0);  // speeds of the corners by their own legs
-  std::vector<double> leg_feeds;                 // for which these hold
+  std::vector<double> leg_feeds;                 // feeds for which these are valid
   for (const SpeedBound& limit : pulses.limits) {
     leg_feeds.push_back(limit.value);
   }

@@ -9,13 +9,13 @@
 
 namespace feedscope {
 
-/// Runs stretches from standstill to standstill, one after the other, into a trajectory: chooses the pulses,
-/// has WardTolerance lower them until the contour tolerance is kept, and WardMotion lay the filtered motion
-/// out.
+/// Runs stretches from standstill to standstill into a trajectory, one after the other: chooses the pulses,
+/// lowers them by WardTolerance until the contour tolerance is kept, and lays the filtered motion by
+/// WardMotion.
 class WardRunner {
  public:
-  /// `smoothed`: a copy of `toolpath` whose points the compressor moves, stretch by stretch; null: it is not
-  /// at work.
+  /// `smoothed`: a copy of `toolpath` whose points the compressor moves, stretch by stretch; null: compressor
+  /// off.
   WardRunner(std::shared_ptr<const Toolpath> toolpath, std::shared_ptr<Toolpath> smoothed,
              const AxisVectors& axes, const WardSettings& settings, const PathRules& rules,
              TrajectoryBuilder& builder);
@@ -26,7 +26,7 @@ class WardRunner {
  private:
   /// Moves the points of dense blocks onto the compressor's curves.
   void smooth_points(const StretchRange& range);
-  /// Pulses of a stretch without their heights.
+  /// Pulses of a stretch without heights.
   WardPulses empty_pulses(const StretchRange& range) const;
   void hold_turns(WardPulses& pulses) const;
   void limit_arcs(WardPulses& pulses) const;
@@ -35,7 +35,7 @@ class WardRunner {
   double keep_tolerance(WardPulses& pulses, ProgressSteps& steps) const;
 
   std::shared_ptr<const Toolpath> programmed_;
-  std::shared_ptr<Toolpath> smoothed_;         ///< null: the compressor is not at work
+  std::shared_ptr<Toolpath> smoothed_;         ///< null: compressor off
   std::shared_ptr<const Toolpath> commanded_;  ///< one of these
   Compressor compressor_;
   AxisVectors axes_;

@@ -5,12 +5,12 @@
 
 namespace feedscope {
 
-/// Settings of the model in inside units.
+/// Settings of the model in internal units.
 struct WardSettings {
   int filters = 3;      ///< n
   double jerk = 0;      ///< J, for T1 = sqrt(F/J); 0: the least of the axes [mm/s3]
-  double time = 0;      ///< T1 where above 0 [s]
-  bool enforce = true;  ///< lower corners until the true contour error keeps the tolerance
+  double time = 0;      ///< T1 if above 0 [s]
+  bool enforce = true;  ///< lower corners until the true contour error is within the tolerance
   CompressorSettings compressor;
 
   explicit WardSettings(const Settings& settings);

@@ -9,14 +9,14 @@
 namespace feedscope {
 namespace {
 
-// Where corners are dense their distance goes with the square of the speed. The later passes end what
-// converges too slowly, at the latest by a stop in the corner.
+// Where corners are dense their distance is proportional to the square of the speed. The later passes finish
+// slow convergence, at the latest by a stop in the corner.
 constexpr double aim = 0.98;
 constexpr int careful_passes = 32;
 constexpr int last_passes = 40;
 
-// What check_ holds of a block. Most are settled after a few passes, but lie in the window of one that is
-// not: only those that were lowered are looked at again at once, the others when these are settled.
+// State of a block in check_. Most are settled after a few passes, but lie in the window of one that is not:
+// only lowered ones are checked again at once, the others when these are settled.
 constexpr char due = 1;
 constexpr char lowered_last = 2;
 
@@ -65,7 +65,7 @@ double WardTolerance::largest() const {
 }
 
 void WardTolerance::look(char wanted) {
-  constexpr std::size_t part_size = 4096;  // blocks; what is found does not depend on the number of threads
+  constexpr std::size_t part_size = 4096;  // blocks; the result does not depend on the number of threads
   const std::size_t count = train_.size();
   in_parallel((count + part_size - 1) / part_size, [&](std::size_t part) {
     BlockDistances distances(pulses_, rules_);
@@ -107,7 +107,7 @@ bool WardTolerance::lower_corner(std::size_t block, double distance, int pass) {
 bool WardTolerance::lower_arc(std::size_t block, double distance, int pass) {
   const bool stops_after = block + 1 == train_.size() || pulses_.corner_speeds[block + 1] == 0;
   if (pulses_.corner_speeds[block] == 0 && stops_after && pass >= last_passes) {
-    return false;  // alone between two stops it keeps the tolerance by its limit
+    return false;  // a single corner between two stops keeps the tolerance by its limit
   }
   const double tolerance = pulses_.arc_tolerance(rules_, block);
   if (!exceeds(distance, tolerance)) {

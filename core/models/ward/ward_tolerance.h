@@ -7,27 +7,26 @@
 
 namespace feedscope {
 
-/// Keeps the contour tolerance of a stretch: looks how far the path that its pulses make is from the
-/// programmed points, and lowers corner speeds, and feeds on arcs, where it is too far. On several threads,
-/// with the same result on any number of them.
+/// Keeps the contour tolerance of a stretch: measures the distance of its pulses' path from the programmed
+/// points, and lowers corner speeds, and feeds on arcs, where it is too large. Uses several threads, with the
+/// same result for any number of them.
 class WardTolerance {
  public:
-  /// All outlive this. `progress` may be null; cancelling it ends what this does, with Cancelled.
+  /// All outlive this. `progress` may be null; cancelling it makes this throw Cancelled.
   WardTolerance(WardPulses& pulses, const PathRules& rules, const Progress* progress);
 
-  /// Until every corner and every arc keeps the tolerance; the pulses have been laid for the speeds they
-  /// have.
+  /// Repeats until every corner and every arc keeps the tolerance; the pulses must be laid for their speeds.
   void enforce(ProgressSteps& steps);
-  /// Looks only.
+  /// Only measures.
   void measure();
-  /// The largest distance when every block was looked at last [mm].
+  /// Largest distance at the last check of every block [mm].
   double largest() const;
 
  private:
-  /// Distances of the blocks of which check_ says what is `wanted`.
+  /// Measures the blocks whose state in check_ is `wanted`.
   void look(char wanted);
-  /// Lowers those that are due for a look and too far from the path; unless `every`, only those that the pass
-  /// before lowered. True if any was.
+  /// Lowers the blocks that are due for a check and too far from the path; unless `every`, only those that
+  /// the previous pass lowered. True if any was lowered.
   bool lower_blocks(int pass, bool every, ProgressSteps& steps);
   bool lower_corner(std::size_t block, double distance, int pass);
   bool lower_arc(std::size_t block, double distance, int pass);
@@ -37,8 +36,8 @@ class WardTolerance {
   PulseTrain& train_;
   const PathRules& rules_;
   const Progress* progress_;
-  std::vector<BlockDistance> distances_;  ///< a block, when it was last looked at
-  std::vector<char> check_;               ///< a block: due for a look, or lowered at the last one
+  std::vector<BlockDistance> distances_;  ///< by block, at its last check
+  std::vector<char> check_;               ///< by block: due for a check, or lowered at the last one
   std::vector<char> slowed_;              ///< arcs whose feed this pass has lowered
 };
 

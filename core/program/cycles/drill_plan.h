@@ -10,7 +10,7 @@
 
 namespace feedscope {
 
-/// How a step of a drilling cycle feeds.
+/// Feed of a step of a drilling cycle.
 struct DrillFeed {
   double value = 0;  ///< as PathWriter::set_feed() in `mode`
   FeedMode mode = FeedMode::per_minute;
@@ -20,21 +20,21 @@ struct DrillFeed {
 struct DrillStep {
   enum class Kind : std::uint8_t { rapid, feed, dwell };
   Kind kind = Kind::rapid;
-  double level = 0;               ///< where it ends along the tool's axis, as programmed [mm]
-  Vec3 aside = Vec3::Zero();      ///< where it ends beside the axis of the hole [mm]
+  double level = 0;               ///< end along the tool's axis, as programmed [mm]
+  Vec3 aside = Vec3::Zero();      ///< end relative to the axis of the hole [mm]
   std::optional<DrillFeed> feed;  ///< none: as the program feeds
   double time = 0;                ///< dwell [s]
 };
 
-/// What a drilling cycle does at one hole, whatever its dialect, recorded step by step and then run at a
+/// Motion of a drilling cycle at one hole, whatever its dialect, recorded step by step and then run at a
 /// place.
 class DrillPlan {
  public:
-  /// `axis` of the tool, 0 to 2; `level`: where the tool is along it [mm].
+  /// `axis` of the tool, 0 to 2; `level`: position of the tool along it [mm].
   DrillPlan(int axis, double level) : axis_(axis), level_(level) {}
 
   int axis() const { return axis_; }
-  /// Where the last step ends along the tool's axis [mm].
+  /// End of the last step along the tool's axis [mm].
   double level() const { return level_; }
   const std::vector<DrillStep>& steps() const { return steps_; }
 
@@ -42,7 +42,7 @@ class DrillPlan {
   void feed(double level, const std::optional<DrillFeed>& feed = std::nullopt);
   /// At rapid, by an offset across the tool's axis or along it [mm].
   void shift(const Vec3& by);
-  /// Nothing if `seconds` is not above 0.
+  /// Does nothing if `seconds` is not above 0.
   void dwell(double seconds);
 
  private:
@@ -52,9 +52,8 @@ class DrillPlan {
   std::vector<DrillStep> steps_;
 };
 
-/// Runs a plan at the hole whose axis goes through `hole`. Rapids to where the tool is are skipped; feed,
-/// feed mode and spindle speed are afterwards as before. `before` is called before each motion, and told
-/// whether it is a rapid.
+/// Runs a plan at the hole whose axis goes through `hole`. Skips rapids to the tool's position and restores
+/// feed, feed mode and spindle speed. Calls `before` before each motion, with true for a rapid.
 void run(const DrillPlan& plan, PathWriter& path, Vec3 hole,
          const std::function<void(bool rapid)>& before = {});
 

@@ -6,8 +6,7 @@
 
 namespace feedscope {
 
-/// Places of holes in the plane, in the order in which they are drilled. Lengths have the unit of the caller,
-/// angles are in rad.
+/// Places of holes in the plane, in drilling order. Lengths are in the caller's unit, angles in rad.
 
 /// On a circle, `step` apart. Sinumerik HOLES2, Haas G70 and G71.
 struct CirclePattern {
@@ -17,8 +16,8 @@ struct CirclePattern {
   double step = 0;
   int count = 0;
 };
-/// The angle between `count` places from start to stop, both included; around a whole turn the last place is
-/// not the first one again. Heidenhain cycle 220.
+/// Angle between `count` places from start to stop, both included; on a whole turn the last place differs
+/// from the first. Heidenhain cycle 220.
 double step_between(double start, double stop, int count);
 std::vector<Vec2> places_of(const CirclePattern& pattern);
 
@@ -40,8 +39,8 @@ struct GridPattern {
   int columns = 0;
   int rows = 0;
   double angle = 0;         ///< of the whole [rad]
-  double first_angle = 0;   ///< of the rows, on top [rad]
-  double second_angle = 0;  ///< of the columns, on top [rad]
+  double first_angle = 0;   ///< of the rows, added [rad]
+  double second_angle = 0;  ///< of the columns, added [rad]
   bool frame_only = false;
 };
 std::vector<Vec2> places_of(const GridPattern& pattern);

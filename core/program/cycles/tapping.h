@@ -6,9 +6,8 @@
 
 namespace feedscope {
 
-/// A thread that is tapped in one go or in strokes, as Fanuc G84 with Q, Sinumerik CYCLE84 and Heidenhain
-/// 206, 207 and 209 do it. Levels are those along the tool's axis [mm], whichever direction leads into the
-/// hole.
+/// A thread that is tapped in one go or in strokes, as by Fanuc G84 with Q, Sinumerik CYCLE84 and Heidenhain
+/// 206, 207 and 209. Levels are along the tool's axis [mm], whichever direction leads into the hole.
 struct Tapping {
   double safe = 0;     ///< level from which the tap feeds and to which it returns
   double surface = 0;  ///< level from which strokes are measured
@@ -20,7 +19,7 @@ struct Tapping {
   std::optional<DrillFeed> back = std::nullopt;  ///< out of the hole; none: as the program feeds
 };
 
-/// Strokes of a thread, beyond which it is tapped in one go.
+/// Limit of the strokes of a thread; above it, it is tapped in one go.
 constexpr double max_tapping_strokes = 10000;
 
 /// Adds the steps from `safe` into the hole and back to `safe`.

@@ -6,7 +6,7 @@ namespace feedscope::heidenhain {
 
 namespace {
 
-/// Where a line from `outside` touches the circle so that it goes on in the sense of `turn`.
+/// Point where a line from `outside` touches the circle and continues in the sense of `turn`.
 std::optional<Vec2> touching_point(const Vec2& outside, const Vec2& center, double radius, int turn) {
   const Vec2 from_center = outside - center;
   const double distance = from_center.norm();

@@ -20,11 +20,11 @@ class Approaches : private Part {
         m_functions_(m_functions),
         motions_(motions) {}
 
-  /// Throws ReadFault, as the others.
+  /// Throws ReadFault, like the others.
   void approach(ApproachKind kind, bool polar, const MotionWords& words, std::uint32_t column);
-  /// The line before leads onto the contour by an arc of this radius [mm], with its own feed.
+  /// Makes the previous line lead onto the contour by an arc of this radius [mm], with its own feed.
   void soften(double radius, const MotionWords& words, std::uint32_t column);
-  /// `curve_feed` is that of the part next to the contour; none: that of the words.
+  /// `curve_feed`: feed of the part next to the contour; none: that of the words.
   void depart(ApproachKind kind, bool polar, const MotionWords& words, std::uint32_t column,
               const std::optional<ContourFeed>& curve_feed = std::nullopt);
 

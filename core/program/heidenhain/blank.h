@@ -8,7 +8,7 @@
 
 namespace feedscope::heidenhain {
 
-/// The corners of the blank (BLK FORM, G30, G31), which only are checked: the path does not depend on them.
+/// Corners of the blank (BLK FORM, G30, G31). They are only checked: the path does not depend on them.
 class Blank : private Part {
  public:
   explicit Blank(Context& context) : Part(context) {}

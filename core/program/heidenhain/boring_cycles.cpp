@@ -77,7 +77,7 @@ void mill_bore(const DrillingParameters& words, const Hole& hole, const Drilling
     mill_circles(words, hole, radius, place);
   }
   ToolAxisMoves moves(place);
-  moves.cut(hole.bottom, words.feed);  // nothing where circles have ended there
+  moves.cut(hole.bottom, words.feed);  // nothing if the circles ended there
   moves.rapid(hole.top);
   moves.rapid(hole.out);
   run(moves.plan(), place.path, place.path.position());

@@ -21,7 +21,7 @@ bool Calls::enter(const std::shared_ptr<const SourceText>& called, std::uint32_t
   return true;
 }
 
-/// Labels and programs are called once each.
+/// Calls of labels and programs run once each.
 void Calls::leave() {
   lines().return_from_call();
   Frame& frame = frames_.back();

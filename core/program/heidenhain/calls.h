@@ -28,7 +28,7 @@ class Calls : private Part {
   void call_program(std::string_view written, std::uint32_t column);
   /// The called program returns, the main one ends.
   void end_of_program();
-  /// The program stops itself: nothing runs any more.
+  /// Ends the whole run: the program stops itself.
   void stop_all();
 
  private:

@@ -22,7 +22,7 @@ void Context::set_inch(bool inch) {
   machining.unit.set(inch ? LengthUnit::inch : LengthUnit::mm);
 }
 
-/// The path depends on the radius of the tool that was called, Q108.
+/// Records that the path depends on the radius of the called tool, Q108.
 void Context::use_tool_radius() {
   const bool is_from_outside = machining.tools.radius_of(modal.tool, std::nullopt) == modal.tool_radius;
   machining.tools.use_radius_of(modal.tool, is_from_outside ? std::nullopt : modal.tool_radius);
@@ -54,7 +54,7 @@ double Context::unset_value(const QName& name) {
       name.number <= last_rotary_axis) {
     modal.calculated_angles = true;
     if (machining.other_axes.turns()) {
-      return 0;  // the axes go where the plane is
+      return 0;  // the axes turn to the plane
     }
     report(Severity::info, "unset-parameter", name.number, name.column, [&] {
       return DiagnosticLog::Text{

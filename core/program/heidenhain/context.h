@@ -11,7 +11,7 @@
 
 namespace feedscope::heidenhain {
 
-/// What all parts of the readers work on: the statement in force, what stays in force, the contour and the Q
+/// Shared state of all parts of the readers: the current statement, modal state, the contour and the Q
 /// parameters.
 struct Context {
   /// `machining` outlives it.
@@ -20,7 +20,7 @@ struct Context {
   Context& operator=(const Context&) = delete;
 
   Machining& machining;
-  Dialect dialect;  ///< that called programs must be written in too
+  Dialect dialect;  ///< required of called programs, too
   StatementLines statement;
   ModalState modal;
   ContourWriter contour;
@@ -30,7 +30,7 @@ struct Context {
   /// G70 and G71, INCH and MM.
   void set_inch(bool inch);
 
-  /// Reports at a column of the statement in force; 0: the statement as a whole.
+  /// Reports at a column of the current statement; 0: the statement as a whole.
   template <typename MakeText>
   void report(Severity severity, MessageCode code, int detail, std::uint32_t column, MakeText&& text) const {
     machining.log.add(severity, code, detail, statement.place(column), text);
@@ -42,10 +42,10 @@ struct Context {
   void use_tool_radius();
 };
 
-/// Throws ReadFault "unread-word" about the rest of the statement, which does not belong into `where`.
+/// Throws ReadFault "unread-word" about the rest of the statement, which does not belong in `where`.
 [[noreturn]] void throw_unread_words(Scanner& scanner, std::string_view where);
 
-/// What the parts of the readers have in common: short names for what they work on.
+/// Short names for the shared state, for the parts of the readers.
 class Part {
  protected:
   using Text = DiagnosticLog::Text;
@@ -70,7 +70,7 @@ class Part {
     context_.report(severity, code, detail, column, text);
   }
   BlockPlace contour_place(std::uint32_t column, std::uint8_t axes) const;
-  /// What is held back is written, and what follows belongs to this line.
+  /// Writes everything pending and assigns the next elements to this line.
   void end_contour(std::uint32_t column) const;
 
   Context& context_;

@@ -29,7 +29,7 @@ std::optional<PlaneElement> ContourWriter::curve_of(const Vec3& start, const Con
 
 std::optional<Vec2> ContourWriter::direction() const {
   if (approach_) {
-    // Where the approach comes from depends on the element that asks.
+    // The start of the approach depends on the element that asks.
     return std::nullopt;
   }
   const std::optional<PlaneElement> curve = curve_of(last_start_, last_);
@@ -139,7 +139,7 @@ void ContourWriter::report_corner(std::string message, std::string hint) {
   });
 }
 
-/// The path cuts it off once it knows the element behind it.
+/// The path cuts the corner once it knows the next element.
 void ContourWriter::hand_corner_on() {
   CornerCut cut;
   cut.kind = corner_->rounding ? CornerCut::Kind::rounding : CornerCut::Kind::chamfer;
@@ -224,7 +224,8 @@ void ContourWriter::resolve_approach(const ContourElement& first) {
     go(approach.target, approach.feed, approach.place);
     return;
   }
-  // Square to the contour the tool comes in from beside it; else it is beside it from the auxiliary point on.
+  // On a line square to the contour the tool arrives from its side; otherwise it is on its side from the
+  // auxiliary point on.
   const bool square = approach.shape.kind == ApproachKind::normal_line;
   const int side_before = square ? 0 : approach.side;
   const auto path = approach_path(approach.shape, in_plane(path_.position(), plane_),

@@ -16,7 +16,7 @@ struct BlockPlace {
   std::uint32_t line = 0;  ///< shown
   DiagnosticLog::Place place;
   std::uint8_t axes = 0;         ///< bit per axis programmed
-  std::uint8_t incremental = 0;  ///< of those, by a distance
+  std::uint8_t incremental = 0;  ///< bits of axes programmed by a distance
 };
 
 struct ContourFeed {
@@ -33,14 +33,14 @@ struct ContourElement {
   Plane plane = Plane::xy;     ///< arcs
   int turn = 1;                ///< arcs: 1 counter-clockwise against the plane's normal, -1 clockwise
   double extra_turns = 0;      ///< arcs
-  double radius = 0;           ///< not 0: an arc by its radius that has no centre; it becomes a line
+  double radius = 0;           ///< not 0: an arc by a radius for which there is no centre; it becomes a line
   ContourFeed feed;
   int side = 0;  ///< of the tool: 1 left of the contour, -1 right, 0 on it
   std::optional<double> tool_radius = std::nullopt;  ///< none: not known, the contour itself is shown
   BlockPlace place;
 };
 
-/// What takes the place of a corner: RND, CHF.
+/// RND or CHF in place of a corner.
 struct ContourCorner {
   bool rounding = true;
   double size = 0;  ///< radius or side [mm]
@@ -62,15 +62,15 @@ struct ContourApproach {
 /// DEP: the way off the contour.
 struct ContourDeparture {
   ApproachShape shape;
-  Vec3 target;  ///< LCT: where it goes; the others: height along the tool axis only
+  Vec3 target;  ///< LCT: end point; others: only the height along the tool axis
   ContourFeed feed;
   ContourFeed curve_feed;  ///< of the line or arc next to the contour
   BlockPlace place;
 };
 
-/// Takes contours as the blocks of a program give them and writes their path. The last element is held back,
-/// for the block behind it may say that its end is rounded or that it is an approach, and an approach is, for
-/// the contour's first element says where it comes from.
+/// Writes the path of contours from the blocks of a program. The last element is pending until the next
+/// block, which may round its end or make it an approach. An approach is pending until the contour's first
+/// element, which determines where it starts.
 class ContourWriter {
  public:
   /// Both outlive it.
@@ -86,15 +86,14 @@ class ContourWriter {
   std::optional<Vec2> direction() const;
 
   void add(const ContourElement& element);
-  /// Between the last element and the next one.
+  /// Adds a corner between the last element and the next one.
   void add_corner(const ContourCorner& corner);
   void approach(const ContourApproach& approach);
-  /// Makes an approach of the line held back, on a line and an arc; false if none is. `feed` is the arc's;
-  /// none: the line's.
+  /// Turns the pending line into an approach on a line and an arc; false if none is pending. `feed`: of the
+  /// arc; none: that of the line.
   bool soften_approach(double radius, const std::optional<ContourFeed>& feed);
   void depart(const ContourDeparture& departure);
-  /// Writes what is held back. To be called before anything else changes the path or its frame, and at the
-  /// end.
+  /// Writes everything pending. Call it before anything else changes the path or its frame, and at the end.
   void flush();
 
  private:
@@ -115,7 +114,7 @@ class ContourWriter {
   DiagnosticLog& log_;
   Plane plane_ = Plane::xy;
   bool held_ = false;
-  ContourElement last_;  ///< held, or written last
+  ContourElement last_;  ///< pending, or written last
   Vec3 last_start_ = Vec3::Zero();
   std::optional<ContourCorner> corner_;
   std::optional<ContourApproach> approach_;

@@ -41,7 +41,7 @@ void Coordinates::shift_datum(const std::array<OptionalWord, 3>& to, std::uint32
     }
   }
   const Vec3 after = transformations_.shift();
-  // Cancelled axis by axis before the tilt is: no harm.
+  // Cancelling axis by axis before cancelling the tilt does no harm.
   const bool shifts = ((after - before).array() != 0 && after.array() != 0).any();
   if (under_tilt && shifts) {
     report(Severity::warning, "tilted-shift", 0, column, [] {

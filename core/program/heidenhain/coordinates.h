@@ -10,17 +10,17 @@
 
 namespace feedscope::heidenhain {
 
-/// Datums and transformations: what they are is in force once apply() has run.
+/// Datums and transformations; changes come into force by apply().
 class Coordinates : private Part {
  public:
   explicit Coordinates(Context& context) : Part(context) {}
 
   Transformations& transformations() { return transformations_; }
   const Transformations& transformations() const { return transformations_; }
-  /// What the transformations are now is in force.
+  /// Brings the transformations into force.
   void apply(std::uint32_t column);
 
-  /// The working plane tilted against the coordinates in force so far; none: no longer.
+  /// Tilts the working plane against the coordinates in force so far; none: ends the tilt.
   void set_tilt(const std::optional<CoordinateFrame>& tilt, std::uint32_t column);
   void shift_datum(const std::array<OptionalWord, 3>& to, std::uint32_t column);
   /// A datum that only the machine knows, named by `what`.

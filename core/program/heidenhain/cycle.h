@@ -8,7 +8,7 @@
 
 namespace feedscope::heidenhain {
 
-/// A cycle as defined, until the next one is.
+/// A defined cycle, valid until the next definition.
 struct Cycle {
   enum class Kind : std::uint8_t { none, drilling, old_drilling, program, unsupported };
   int number = 0;
@@ -17,9 +17,9 @@ struct Cycle {
   OldDrilling old;
 };
 
-/// Where the tool is, for drilling.
+/// Place of the tool for drilling.
 DrillingPlace drilling_place(const Context& context);
-/// Says why cycle `number` does not run; nothing for DrillingFault::none.
+/// Reports why cycle `number` does not run; nothing for DrillingFault::none.
 void report_fault(const Context& context, int number, DrillingFault fault, std::uint32_t column);
 
 }  // namespace feedscope::heidenhain

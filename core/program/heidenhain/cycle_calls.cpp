@@ -13,7 +13,7 @@ void CycleCalls::call(const MotionWords& words, std::uint32_t column) {
 
 void CycleCalls::call_at(const MotionWords& words, std::uint32_t column) {
   cycles_.set_modal(false);
-  // Its F holds for the way there only.
+  // Its F applies only to the way there.
   const ContourFeed feed = modal_.feed;
   MotionWords in_plane = words;
   OptionalWord& along = in_plane.axes[static_cast<std::size_t>(normal_axis(plane()))];

@@ -16,7 +16,7 @@ class CycleCalls : private Part {
              Motions& motions)
       : Part(context), parameters_(parameters), cycles_(cycles), targets_(targets), motions_(motions) {}
 
-  /// After the functions of the block.
+  /// Runs after the functions of the block.
   void call(const MotionWords& words, std::uint32_t column);
   void call_at(const MotionWords& words, std::uint32_t column);
   void call_at_pattern(const MotionWords& words, std::uint32_t column);

@@ -13,7 +13,7 @@ namespace feedscope::heidenhain {
 
 namespace {
 
-/// F words may stand for a number: what the largest number means too.
+/// F words may be numbers: the largest number means the same.
 constexpr double rapid_feed = 99999.999;
 
 }  // namespace

@@ -8,21 +8,21 @@
 
 namespace feedscope::heidenhain {
 
-/// The largest number that a cycle's parameter may have.
+/// Largest value of a cycle's parameter.
 constexpr double largest_cycle_value = 1e9;
 
-/// What cycles are given: "Q200=2" words go to the Q parameters, from which a call of a cycle takes them.
+/// Parameters of cycles: "Q200=2" words set Q parameters, which a call of a cycle reads.
 class CycleParameters : private Part {
  public:
   explicit CycleParameters(Context& context) : Part(context) {}
 
-  /// The parameters are read from the scanner on, behind a title that is skipped; those of cycle `number`
-  /// that older programs lack have their default. Throws ReadFault.
+  /// Reads the parameters from the scanner after skipping a title. Parameters of cycle `number` that older
+  /// programs lack get their default. Throws ReadFault.
   void read(int number, Scanner& scanner);
-  /// GLOBAL DEF: what PREDEF means in the cycles that follow. Throws ReadFault.
+  /// GLOBAL DEF: sets the meaning of PREDEF in the following cycles. Throws ReadFault.
   void predefine(Scanner& scanner) { read_into(predefined_, scanner); }
 
-  /// What drilling cycle `number` is given now; none, and reported, if a parameter has no value. Throws
+  /// Current parameters of drilling cycle `number`; none, with a report, if a parameter has no value. Throws
   /// ReadFault.
   std::optional<DrillingParameters> drilling(int number, std::uint32_t column) const;
   /// A parameter within +-largest_cycle_value; 0 for one without a value.

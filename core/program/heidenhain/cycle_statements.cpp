@@ -13,7 +13,7 @@ namespace feedscope::heidenhain {
 
 namespace {
 
-/// Behind the name of a value, "DIST 2", "V.ZEIT0.5".
+/// Moves after the name of a value, "DIST 2", "V.ZEIT0.5".
 void skip_value_name(Scanner& scanner) {
   while (!scanner.at_end()) {
     const char c = scanner.peek();

@@ -12,14 +12,14 @@
 
 namespace feedscope::heidenhain {
 
-/// Definitions and calls of cycles: CYCL DEF, CYCL CALL, GLOBAL DEF, and what newer controls write in place
-/// of cycles: TRANS, PLANE, PATTERN DEF.
+/// Definitions and calls of cycles: CYCL DEF, CYCL CALL, GLOBAL DEF, and the statements of newer controls in
+/// place of cycles: TRANS, PLANE, PATTERN DEF.
 class CycleStatements : private Part {
  public:
   /// All outlive it.
   CycleStatements(Parts& parts, Words& words, UnsupportedStatements& unsupported);
 
-  /// False for a name that is none of them. Throws ReadFault.
+  /// Returns false for any other name. Throws ReadFault.
   bool run(std::string_view name, Scanner& scanner, std::uint32_t column);
 
  private:

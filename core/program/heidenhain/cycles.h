@@ -9,7 +9,7 @@
 
 namespace feedscope::heidenhain {
 
-/// Defines cycles and calls the one defined last.
+/// Defines cycles and calls the last defined one.
 class Cycles : private Part {
  public:
   /// All outlive it.
@@ -41,7 +41,7 @@ class Cycles : private Part {
   void set_modal(bool modal) { calls_after_motions_ = modal; }
 
  private:
-  /// It ends the calls of M89 too.
+  /// Also ends the calls of M89.
   void set(int number, Cycle::Kind kind, std::string_view program = {});
 
   CycleParameters& parameters_;

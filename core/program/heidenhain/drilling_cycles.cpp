@@ -30,7 +30,7 @@ void drill_in_steps(const DrillingParameters& words, const Hole& hole, ToolAxisM
 
 constexpr double min_step = 1e-3;
 
-/// The infeed after `step`, made smaller but not below the least one.
+/// Infeed after `step`: decreased, but not below the smallest one.
 double smaller(double step, const DrillingParameters& words) {
   return std::max(step - words.decrement, std::min(step, std::max(words.min_infeed, min_step)));
 }
@@ -110,7 +110,7 @@ void peck(const DrillingParameters& words, const Hole& hole, ToolAxisMoves& move
   moves.cut(hole.top, or_else(words.retract_feed, words.feed));
 }
 
-/// Cycle 241: with one infeed, as a drill with one lip is fed.
+/// Cycle 241: with a single infeed, as for a single-lip drill.
 void drill_deep(const DrillingParameters& words, const Hole& hole, ToolAxisMoves& moves) {
   const double start = words.surface - std::abs(words.start_depth);
   if (words.start_depth != 0) {

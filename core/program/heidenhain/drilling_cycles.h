@@ -9,7 +9,7 @@
 
 namespace feedscope::heidenhain {
 
-/// What a drilling, tapping or boring cycle is given, by its Q numbers; [mm], [s], [mm/s].
+/// Parameters of a drilling, tapping or boring cycle by their Q numbers; [mm], [s], [mm/s].
 struct DrillingParameters {
   double clearance = 0;          ///< Q200, above the surface
   double depth = 0;              ///< Q201, below the surface: negative
@@ -18,7 +18,7 @@ struct DrillingParameters {
   double second_clearance = 0;   ///< Q204, above the surface
   double min_infeed = 0;         ///< Q205
   double feed = 0;               ///< Q206
-  double retract_feed = 0;       ///< Q208; 0: as the cycle says
+  double retract_feed = 0;       ///< Q208; 0: by the cycle
   double top_dwell = 0;          ///< Q210
   double bottom_dwell = 0;       ///< Q211
   double decrement = 0;          ///< Q212, of the infeed each time
@@ -28,11 +28,11 @@ struct DrillingParameters {
   double start_feed = 0;         ///< Q253
   double break_distance = 0;     ///< Q256
   double break_infeed = 0;       ///< Q257
-  double upper_stop = 0;         ///< Q258, before the depth reached, at the first infeed
+  double upper_stop = 0;         ///< Q258, distance to the last depth, at the first infeed
   double lower_stop = 0;         ///< Q259, at the last
   double counterbore = 0;        ///< Q249, from the underside upwards
   double thickness = 0;          ///< Q250, of the workpiece
-  double off_center = 0;         ///< Q251, sideways so that the tool passes the hole
+  double off_center = 0;         ///< Q251, sideways so that the tool fits through the hole
   double edge_height = 0;        ///< Q252, of the cutting edge above the tool's lower end
   double counterbore_feed = 0;   ///< Q254
   double counterbore_dwell = 0;  ///< Q255
@@ -41,8 +41,8 @@ struct DrillingParameters {
   double by_diameter = 0;        ///< Q343
   double climb = 1;              ///< Q351
   double start_depth = 0;        ///< Q379
-  double to_shoulder = 0;        ///< Q395: the depth is that of the drill's cylinder, not of its tip
-  double feed_factor = 0;        ///< Q401, behind the dwell depth [%]
+  double to_shoulder = 0;        ///< Q395: the depth refers to the drill's cylinder, not to its tip
+  double feed_factor = 0;        ///< Q401, after the dwell depth [%]
   double retract_factor = 1;     ///< Q403, of the speed out of a thread
   double dwell_depth = 0;        ///< Q435, below the surface
 };
@@ -53,13 +53,13 @@ struct CycleParameter {
   int q = 0;
   double DrillingParameters::*value = nullptr;
   CycleUnit unit = CycleUnit::plain;
-  std::optional<double> otherwise;  ///< value of an older program that lacks it; none: needed
+  std::optional<double> otherwise;  ///< default for an older program without it; none: required
 };
 
-/// What the cycle `number` is given; empty if it is not a supported drilling cycle.
+/// Parameters of cycle `number`; empty for an unsupported one.
 std::span<const CycleParameter> parameters_of_drilling(int number);
 
-/// Where holes are drilled.
+/// Place where holes are drilled.
 struct DrillingPlace {
   PathWriter& path;
   Plane plane = Plane::xy;   ///< across the holes
@@ -69,22 +69,22 @@ struct DrillingPlace {
 
 enum class DrillingFault : std::uint8_t {
   none,
-  depth,        ///< upwards
+  depth,        ///< positive
   by_diameter,  ///< centring to a diameter: the tool's point angle is not known
   tool_radius,  ///< of bore milling, not known
   pitch,        ///< no pitch, or no spindle speed
   steps,        ///< more than 10000 infeeds
-  counterbore,  ///< of back boring, not upwards
-  infeeds,      ///< of deep drilling: what happens between them is not known
-  direction,    ///< of back boring, in which the tool passes the hole, not 1 to 4
+  counterbore,  ///< of back boring, not positive
+  infeeds,      ///< of deep drilling: the motion between them is not known
+  direction,    ///< of back boring, for the offset through the hole, not 1 to 4
 };
 
-/// Drills at the tool's position in the plane with cycle `number`, 200 to 241, and ends on the second
-/// clearance. With a fault nothing is drilled.
+/// Drills at the tool's position in the plane with cycle `number`, 200 to 241, and ends at the second
+/// clearance. With a fault it drills nothing.
 DrillingFault drill(int number, const DrillingParameters& words, const DrillingPlace& place);
 
-/// The cycles of older programs, 1 pecking, 2 tapping, 17 rigid tapping; they start and end where the tool
-/// is.
+/// Cycles of older programs, 1 pecking, 2 tapping, 17 rigid tapping; they start and end at the tool's
+/// position.
 struct OldDrilling {
   double clearance = 0;  ///< from the tool to the surface [mm]
   double depth = 0;      ///< signed: the direction [mm]

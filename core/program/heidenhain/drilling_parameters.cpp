@@ -1,4 +1,4 @@
-// What the drilling cycles are given, by their Q numbers.
+// Parameters of the drilling cycles by their Q numbers.
 #include <array>
 
 #include "core/program/heidenhain/drilling_cycles.h"

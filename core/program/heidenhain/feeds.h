@@ -6,20 +6,20 @@
 
 namespace feedscope::heidenhain {
 
-/// The feed in force, by F words of blocks and of tool calls.
+/// Feed in force, set by F words of blocks and of tool calls.
 class Feeds : private Part {
  public:
   explicit Feeds(Context& context) : Part(context) {}
 
-  /// F of a block, if it has one.
+  /// Applies the F of a block, if it has one.
   void apply(const MotionWords& words);
-  /// F of a tool call; it holds until another F (TNC 426/430 user's manual, 5.2 Tool Data).
+  /// Applies the F of a tool call; valid until another F (TNC 426/430 user's manual, 5.2 Tool Data).
   void apply_tool_call(FeedWord word, double feed, std::uint32_t column);
   /// M136 and M137.
   void set_per_revolution(bool per_revolution);
-  /// What a block with these words moves at.
+  /// Feed of a block with these words.
   ContourFeed of(const MotionWords& words) const;
-  /// Of a block whose feed holds for it alone; none if it has none.
+  /// Feed that applies to this block alone; none if it has none.
   std::optional<ContourFeed> alone(const MotionWords& words);
 
  private:

@@ -9,14 +9,14 @@
 
 namespace feedscope::heidenhain {
 
-/// FN 0 to FN 99 as conversational programs write them, and DECLARE STRING.
+/// FN 0 to FN 99 in conversational form, and DECLARE STRING.
 class FnStatements : private Part {
  public:
   /// All outlive it.
   FnStatements(Context& context, const Labels& labels, QFunctions& q_functions, SystemData& system_data)
       : Part(context), labels_(labels), q_functions_(q_functions), system_data_(system_data) {}
 
-  /// False for a name that is none of them. Throws ReadFault.
+  /// Returns false for any other name. Throws ReadFault.
   bool run(std::string_view name, Scanner& scanner, std::uint32_t column);
 
  private:
@@ -24,7 +24,7 @@ class FnStatements : private Part {
   void declaration(Scanner& scanner, std::uint32_t column);
   void arithmetic(Scanner& scanner, FunctionCall& call) const;
   void jump_condition(Scanner& scanner, FunctionCall& call) const;
-  /// "Q1 IS UNDEFINED" as a condition; false, and nothing taken, if it is not next.
+  /// Reads "Q1 IS UNDEFINED" as a condition; false, with nothing taken, if it is not next.
   bool definition_condition(Scanner& scanner, FunctionCall& call) const;
 
   const Labels& labels_;

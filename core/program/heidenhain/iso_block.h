@@ -10,7 +10,7 @@
 
 namespace feedscope::heidenhain {
 
-/// The words of a DIN/ISO block, as far as no code has a grammar of its own.
+/// Words of a DIN/ISO block without codes that have their own grammar.
 struct IsoBlock {
   MotionWords motion;
   std::array<int, 16> codes{};

@@ -13,9 +13,9 @@ class IsoCodes : private Part {
   /// Both outlive it.
   IsoCodes(Parts& parts, IsoMotions& motions) : Part(parts.context), parts_(parts), motions_(motions) {}
 
-  /// Those that stay in force: motions, units, sides, G90 and G91.
+  /// Applies the modal codes: motions, units, sides, G90 and G91.
   void apply_modes(IsoBlock& block);
-  /// The others; true if one has used the coordinates of the block. Throws ReadFault.
+  /// Runs the other codes; true if one has used the coordinates of the block. Throws ReadFault.
   bool run(const IsoBlock& block);
 
  private:

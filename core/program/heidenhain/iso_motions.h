@@ -22,7 +22,7 @@ class IsoMotions : private Part {
   void leave_by(double radius, const std::optional<ContourFeed>& feed);
 
   void run(IsoBlock& block);
-  /// With the rapid of G0 or G10 in force.
+  /// Adds the rapid of G0 or G10 in force.
   MotionWords with_modal_rapid(MotionWords words) const;
 
  private:

@@ -7,7 +7,7 @@ namespace feedscope::heidenhain {
 
 namespace {
 
-/// Behind "N20"; true if the block is hidden by "/".
+/// Moves after "N20"; true if "/" hides the block.
 bool skip_block_number(Scanner& scanner) {
   const bool hidden = scanner.take('/');
   if (letters::to_upper(scanner.peek()) == 'N' && letters::is_digit(scanner.peek_at(1))) {

@@ -11,7 +11,7 @@
 
 namespace feedscope::heidenhain {
 
-/// Reads Heidenhain DIN/ISO programs; README.md beside this file gives the words.
+/// Reads Heidenhain DIN/ISO programs; README.md in this folder lists the words.
 class HeidenhainIsoReader : public StatementReader {
  public:
   HeidenhainIsoReader(std::shared_ptr<const SourceText> source, const ReadOptions& options,
@@ -22,7 +22,7 @@ class HeidenhainIsoReader : public StatementReader {
   std::uint32_t first_word(std::string_view line) override;
   std::string label_on(std::string_view line);
 
-  /// Behind "%": the frame of the program, or a call of another one.
+  /// Reads the rest after "%": the frame of the program, or a call of another one.
   void run_percent(std::string_view rest, std::uint32_t column);
   void run_d_function(Scanner& scanner, std::uint32_t column);
   void run_block(IsoBlock& block);

@@ -127,7 +127,7 @@ void IsoWords::read_label(Scanner& scanner, IsoBlock& block) const {
     block.label = labels_.read(scanner);
     return;
   }
-  // "L5,3": not a decimal comma.
+  // "L5,3" is not a decimal comma.
   block.label = fmt::format("{}", take_digits(scanner));
   if (scanner.take(',')) {
     block.repeats = take_digits(scanner);

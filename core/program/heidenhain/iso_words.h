@@ -19,10 +19,10 @@ class IsoWords : private Part {
            Cycles& cycles)
       : Part(context), labels_(labels), tools_(tools), m_functions_(m_functions), cycles_(cycles) {}
 
-  /// False where the definition of a cycle has taken the rest of the block. `incremental`: G91 is in force.
-  /// Throws ReadFault.
+  /// Returns false if the definition of a cycle has taken the rest of the block. `incremental`: G91 is in
+  /// force. Throws ReadFault.
   bool read(Scanner& scanner, bool incremental, IsoBlock& block);
-  /// "5", "5,3" or a name, from behind the L on. Throws ReadFault.
+  /// Reads "5", "5,3" or a name after the L. Throws ReadFault.
   void read_label(Scanner& scanner, IsoBlock& block) const;
 
  private:

@@ -47,7 +47,7 @@ const Labels::Lines& Labels::of_text() {
           });
         }
       } catch (const ReadFault&) {
-        // Said when the line itself runs.
+        // Reported when the line itself runs.
       }
     }
   }

@@ -13,7 +13,7 @@ namespace feedscope::heidenhain {
 
 namespace {
 
-/// M functions that change what the control does with the path in a way that is not followed.
+/// M functions that change the path in a way that is not simulated.
 struct UnreadFunction {
   int number = 0;
   Severity severity = Severity::info;
@@ -44,7 +44,7 @@ constexpr auto unread_functions = std::to_array<UnreadFunction>({
 void MFunctions::read(Scanner& scanner, std::uint32_t column, MotionWords& words) const {
   scanner.take('M');
   if (scanner.at_end()) {
-    // Older controls print words that have no value.
+    // Older controls print words without a value.
     return;
   }
   const std::optional<double> number = scanner.number();

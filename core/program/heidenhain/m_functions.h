@@ -9,10 +9,10 @@
 
 namespace feedscope::heidenhain {
 
-/// Miscellaneous functions: M words, of which some act before the motion of their block and some after it.
+/// M words. Some act before the motion of their block and some after it.
 class MFunctions : private Part {
  public:
-  /// Which they act on; all outlive it.
+  /// Parts on which the functions act; all outlive it.
   struct Parts {
     Feeds& feeds;
     Tools& tools;
@@ -23,11 +23,11 @@ class MFunctions : private Part {
   };
   MFunctions(Context& context, const Parts& parts) : Part(context), parts_(parts) {}
 
-  /// Takes an M with the words that belong to it. Throws ReadFault.
+  /// Reads an M and the words that belong to it. Throws ReadFault.
   void read(Scanner& scanner, std::uint32_t column, MotionWords& words) const;
-  /// Those that act before the motion.
+  /// Runs those that act before the motion.
   void start(const MotionWords& words);
-  /// Those that act after it; `moved`: the block has one.
+  /// Runs those that act after it; `moved`: the block has a motion.
   void finish(const MotionWords& words, bool moved);
 
  private:

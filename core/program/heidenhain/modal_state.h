@@ -9,20 +9,20 @@
 
 namespace feedscope::heidenhain {
 
-/// What stays in force from block to block and more than one part of the readers uses.
+/// Modal state shared by several parts of the readers.
 struct ModalState {
-  double unit = 1;  ///< mm a written length
+  double unit = 1;  ///< mm per written length
   ContourFeed feed;
   double tool_feed = 0;  ///< of the last tool call, as written
   FeedWord tool_feed_word = FeedWord::value;
   double spindle_speed = 0;  ///< [1/min]; 0: none yet
-  std::string tool;          ///< number or name of the one called
+  std::string tool;          ///< number or name of the called one
   std::optional<double> tool_radius;
   int side = 0;  ///< of the tool: 1 left of the contour, -1 right, 0 on it
   std::optional<Vec3> pole;
   Plane pole_plane = Plane::xy;
 
-  /// Q120 to Q122 were read: the angles that the control has calculated for the tilted plane.
+  /// Q120 to Q122 were read: the control's calculated angles for the tilted plane.
   bool calculated_angles = false;
   bool tool_centre_point = false;  ///< M128: X, Y and Z are those of the tip
   bool shortest_way = false;       ///< M126: rotary axes go the shortest way

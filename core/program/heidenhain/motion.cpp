@@ -190,7 +190,7 @@ void Motions::add_polar(PathKind kind, const MotionWords& words) {
       const double whole = std::floor(turns + same_angle);
       element.extra_turns = whole;
       if (whole > 0 && turns - whole < same_angle) {
-        // Ends that coincide are one turn already.
+        // Ends that coincide already make one turn.
         element.extra_turns = whole - 1;
         element.target =
             from_plane(in_plane(contour_.position(), modal_.pole_plane), modal_.pole_plane, element.target);
@@ -214,7 +214,7 @@ void Motions::run_corner(bool rounding, double size, const MotionWords& words, s
   contour_.add_corner(corner);
 }
 
-/// M91: coordinates of the machine; M92: from another datum that its builder has set.
+/// M91: machine coordinates; M92: relative to another datum set by the machine's builder.
 bool Motions::goes_to_machine_position(const MotionWords& words) {
   if (!words.has_m(91) && !words.has_m(92)) {
     return false;
@@ -267,8 +267,8 @@ void Motions::orient_tool(const MotionWords& words) {
                                     words.vector_column, block);
 }
 
-/// M128 holds the tip while the axes go linearly, M129 ends it; M126 sends them the shortest way, M127 ends
-/// it.
+/// M128 keeps the tip in place while the axes go linearly, M129 ends it; M126 makes them take the shortest
+/// way, M127 ends it.
 void Motions::follow_axis_functions(const MotionWords& words) {
   modal_.tool_centre_point = (modal_.tool_centre_point || words.has_m(128)) && !words.has_m(129);
   modal_.great_circle = modal_.great_circle && !words.has_m(128) && !words.has_m(129);
@@ -308,7 +308,7 @@ void Motions::move_other_axes(const MotionWords& words) {
   }
 }
 
-/// Rotary axes alone: F in degrees a minute, the number as it is written.
+/// Rotary axes alone: F is in degrees a minute, as written.
 AxisBlock Motions::turning(bool rapid) const {
   AxisBlock block;
   block.alone = true;

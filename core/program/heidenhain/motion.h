@@ -33,7 +33,7 @@ class Motions : private Part {
   /// RND and CHF; `size` in mm. Throws ReadFault.
   void run_corner(bool rounding, double size, const MotionWords& words, std::uint32_t column);
 
-  /// The last motion was at rapid.
+  /// True if the last motion was a rapid.
   bool was_rapid() const { return was_rapid_; }
   void set_was_rapid(bool rapid) { was_rapid_ = rapid; }
 
@@ -43,7 +43,7 @@ class Motions : private Part {
   void add_radius_arc(ContourElement element, const MotionWords& words);
   void add_tangent_arc(ContourElement element);
   void add_polar(PathKind kind, const MotionWords& words);
-  /// Reports which word of the block no motion of this kind has.
+  /// Reports a word of the block that no motion of this kind has.
   void check_words(PathKind kind, const MotionWords& words) const;
   void orient_tool(const MotionWords& words);
   void follow_axis_functions(const MotionWords& words);

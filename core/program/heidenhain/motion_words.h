@@ -17,7 +17,7 @@ enum class FeedWord : std::uint8_t {
 
 enum class SideWord : std::uint8_t { none, off, left, right };
 
-/// A coordinate or angle that may be given, and then absolute or as a difference.
+/// An optional coordinate or angle, absolute or as a difference.
 struct OptionalWord {
   double value = 0;
   bool given = false;
@@ -26,14 +26,13 @@ struct OptionalWord {
   double from(double old) const { return !given ? old : incremental ? old + value : value; }
 };
 
-/// The words of one block that moves, whichever of the two languages it is written in. Lengths in mm, angles
-/// in rad.
+/// Words of one block that moves, in either of the two languages. Lengths in mm, angles in rad.
 struct MotionWords {
   std::array<OptionalWord, 3> axes;
   std::array<OptionalWord, 6> other_axes;  ///< A B C U V W
   std::array<std::uint32_t, 6> other_columns{};
   bool has_other_axes = false;
-  std::optional<Vec3> tool_vector;  ///< TX TY TZ of LN, those that are not written zero
+  std::optional<Vec3> tool_vector;  ///< TX TY TZ of LN; missing ones are zero
   std::uint32_t vector_column = 0;
   OptionalWord polar_radius;
   OptionalWord polar_angle;
@@ -45,7 +44,7 @@ struct MotionWords {
   double feed = 0;  ///< as written
   SideWord side = SideWord::none;
   std::optional<double> retract;   ///< M140 MB; infinite for MB MAX
-  std::uint32_t first_column = 0;  ///< of the words that say where to go; 0: none
+  std::uint32_t first_column = 0;  ///< of the words for the target; 0: none
   std::uint32_t feed_column = 0;
   std::uint32_t side_column = 0;
   std::uint32_t m_column = 0;  ///< of the first M

@@ -9,8 +9,8 @@
 
 namespace feedscope::heidenhain {
 
-/// What the two languages of the control have in common: contours, tools, cycles, labels, calls, parameters.
-/// Each language turns its statements into calls of these parts.
+/// Parts shared by the two languages of the control: contours, tools, cycles, labels, calls, parameters. Each
+/// language turns its statements into calls of these parts.
 struct Parts {
   /// All outlive it.
   Parts(Machining& machining, Dialect dialect, SubprogramFiles& files, Labels::OfLine label_of_line)

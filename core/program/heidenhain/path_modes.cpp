@@ -20,7 +20,8 @@ void PathModes::set_tolerance(std::optional<double> tolerance, std::optional<dou
   }
   end_contour(column);
   PathControl control = path().path_control();
-  // T0 switches the tolerance of the program off: the machine's own holds (TNC 640 cycles manual, cycle 32).
+  // T0 switches the tolerance of the program off, and the machine's own applies (TNC 640 cycles manual, cycle
+  // 32).
   tolerance = tolerance.value_or(0) > 0 ? tolerance : std::nullopt;
   control.mode = tolerance ? PathMode::continuous : PathMode::machine;
   control.contour_tolerance = tolerance;

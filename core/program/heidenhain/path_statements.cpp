@@ -12,7 +12,7 @@ namespace feedscope::heidenhain {
 
 namespace {
 
-/// Of APPR or DEP, and whether the point is polar. Throws ReadFault.
+/// Kind of an APPR or DEP, and true if the point is polar. Throws ReadFault.
 std::pair<ApproachKind, bool> approach_name(Scanner& scanner) {
   const std::uint32_t column = scanner.column();
   std::string_view name = scanner.name();

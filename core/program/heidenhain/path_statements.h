@@ -16,9 +16,9 @@ class PathStatements : private Part {
   PathStatements(Context& context, Words& words, Targets& targets, Motions& motions, Approaches& approaches)
       : Part(context), words_(words), targets_(targets), motions_(motions), approaches_(approaches) {}
 
-  /// False for a name that is none of them. Throws ReadFault.
+  /// Returns false for any other name. Throws ReadFault.
   bool run(std::string_view name, Scanner& scanner, std::uint32_t column);
-  /// A block that has words only.
+  /// Runs a block that has words only.
   void line(Scanner& scanner, std::uint32_t column);
 
  private:

@@ -69,7 +69,7 @@ DrillingParameters PatternCycles::heights() const {
   return heights;
 }
 
-/// The cycles of older programs start where the tool is.
+/// The cycles of older programs start at the tool's position.
 DrillingFault PatternCycles::drill_one(const Cycle& repeated, const DrillingParameters& words,
                                        const DrillingPlace& place) const {
   if (repeated.kind == Cycle::Kind::drilling) {

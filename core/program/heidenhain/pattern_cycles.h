@@ -16,7 +16,7 @@ class PatternCycles : private Part {
       : Part(context), parameters_(parameters) {}
 
   static bool has(int number);
-  /// Before the parameters of cycle `number` are read.
+  /// Call before the parameters of cycle `number` are read.
   void set_defaults(int number);
   /// Throws ReadFault.
   void run(int number, const Cycle& repeated, std::uint32_t column);

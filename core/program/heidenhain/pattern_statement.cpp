@@ -22,7 +22,7 @@ struct PatternWord {
   bool is_length = false;
 };
 
-/// Of names that begin the same the longer stands first.
+/// Longer names come before their own beginnings.
 constexpr auto pattern_words = std::to_array<PatternWord>({
     {"NUMX", &PatternWords::columns, false},
     {"NUMY", &PatternWords::rows, false},

@@ -10,7 +10,7 @@ namespace feedscope::heidenhain {
 struct PatternWords {
   double x = 0;
   double y = 0;
-  double z = 0;        ///< on top of the cycle's surface
+  double z = 0;        ///< added to the cycle's surface
   double spacing = 0;  ///< D: of a row, or the circle's diameter
   double column_spacing = 0;
   double row_spacing = 0;
@@ -24,13 +24,13 @@ struct PatternWords {
   double step = 0;
 };
 
-/// PATTERN DEF: where CYCL CALL PAT drills.
+/// PATTERN DEF: places for CYCL CALL PAT.
 class PatternStatement : private Part {
  public:
   /// Both outlive it.
   PatternStatement(Context& context, CycleCalls& cycle_calls) : Part(context), cycle_calls_(cycle_calls) {}
 
-  /// From behind "PATTERN" on. Throws ReadFault.
+  /// Reads from after "PATTERN". Throws ReadFault.
   void run(Scanner& scanner, std::uint32_t column);
 
  private:

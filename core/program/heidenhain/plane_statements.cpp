@@ -12,8 +12,8 @@ namespace feedscope::heidenhain {
 
 namespace {
 
-/// About X, then Y, then Z of the untilted system (TNC 620 user's manual, PLANE SPATIAL: sequence A-B-C)
-/// [rad].
+/// Frame turned about X, then Y, then Z of the untilted system (TNC 620 user's manual, PLANE SPATIAL:
+/// sequence A-B-C) [rad].
 CoordinateFrame tilted_by(const std::array<double, 3>& angles) {
   CoordinateFrame frame;
   for (int axis = 0; axis < 3; ++axis) {
@@ -22,7 +22,8 @@ CoordinateFrame tilted_by(const std::array<double, 3>& angles) {
   return frame;
 }
 
-/// Z' along `normal`, X' in the plane as near as may be to `base`; none where they do not span a plane.
+/// Frame with Z' along `normal` and X' in the plane as near as possible to `base`; none where they do not
+/// span a plane.
 std::optional<CoordinateFrame> tilted_to(const Vec3& base, const Vec3& normal) {
   constexpr double parallel = 1e-9;
   const Vec3 y = normal.cross(base);
@@ -101,7 +102,7 @@ CoordinateFrame PlaneStatements::by_vectors(Scanner& scanner, std::uint32_t colu
   return *tilt;
 }
 
-/// X' runs from the first point to the second, Y' towards the third; the datum stays where it is.
+/// X' runs from the first point to the second, Y' towards the third; the datum is unchanged.
 CoordinateFrame PlaneStatements::by_points(Scanner& scanner, std::uint32_t column) const {
   std::array<Vec3, 3> points{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   while (letters::to_upper(scanner.peek()) == 'P' && letters::is_digit(scanner.peek_at(1))) {
@@ -122,7 +123,7 @@ CoordinateFrame PlaneStatements::by_points(Scanner& scanner, std::uint32_t colum
   return *tilt;
 }
 
-/// How the axes turn there.
+/// Reads how the axes turn there.
 PlaneStatements::Positioning PlaneStatements::read_positioning(Scanner& scanner) const {
   Positioning positioning;
   constexpr std::array<std::string_view, 7> names{"TURN", "MAX", "FMAX", "FAUTO", "TABLE", "COORD", "ROT"};
@@ -160,7 +161,7 @@ PlaneStatements::Positioning PlaneStatements::read_positioning(Scanner& scanner)
   return positioning;
 }
 
-/// Before the axes turn: along the tool, which stands normal to the plane in force (TNC 620 user's manual,
+/// Before the axes turn: along the tool, which is normal to the plane in force (TNC 620 user's manual,
 /// 10/2017, PLANE: MB).
 void PlaneStatements::retract(const Positioning& positioning, std::uint32_t column) {
   if (!positioning.turns) {
@@ -189,7 +190,7 @@ void PlaneStatements::retract(const Positioning& positioning, std::uint32_t colu
   end_contour(column);
 }
 
-/// RESET goes to zero. With STAY the program positions the axes itself, by Q120 to Q122.
+/// RESET turns the axes to zero. With STAY the program positions the axes itself, by Q120 to Q122.
 void PlaneStatements::turn_axes(const Positioning& positioning, bool resets, std::uint32_t column) {
   OtherAxes& axes = machining_.other_axes;
   if (!positioning.turns) {

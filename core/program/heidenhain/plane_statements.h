@@ -9,17 +9,16 @@
 
 namespace feedscope::heidenhain {
 
-/// Tilted working planes: PLANE and cycle 19. The path is shown in the coordinates of the workpiece, however
-/// the machine turns its axes to get there.
+/// Tilted working planes: PLANE and cycle 19. The path is shown in workpiece coordinates, however the machine
+/// turns its axes.
 class PlaneStatements : private Part {
  public:
   /// Both outlive it.
   PlaneStatements(Context& context, Coordinates& coordinates) : Part(context), coordinates_(coordinates) {}
 
-  /// From behind "PLANE" on. False for a form that is not supported: no plane is tilted any more. Throws
-  /// ReadFault.
+  /// Reads from after "PLANE". Returns false for an unsupported form, which ends the tilt. Throws ReadFault.
   bool run(Scanner& scanner, std::uint32_t column);
-  /// The line of cycle 19. Throws ReadFault.
+  /// Runs the line of cycle 19. Throws ReadFault.
   void run_cycle(Scanner& scanner, std::uint32_t column);
 
  private:
@@ -27,14 +26,14 @@ class PlaneStatements : private Part {
   std::array<double, 3> named_angles(Scanner& scanner, const std::array<std::string_view, 3>& names) const;
   CoordinateFrame by_vectors(Scanner& scanner, std::uint32_t column) const;
   CoordinateFrame by_points(Scanner& scanner, std::uint32_t column) const;
-  /// By A, B and C; none if none of them is next.
+  /// Frame by A, B and C; none if none of them is next.
   std::optional<CoordinateFrame> by_axes(Scanner& scanner, std::uint32_t column) const;
-  /// How the rotary axes get there.
+  /// Way of the rotary axes to the plane.
   struct Positioning {
     bool turns = true;  ///< MOVE, TURN
     int side = 0;       ///< SEQ, SYM
     double feed = 0;    ///< [rad/s]; 0: a rapid
-    /// MB: how far the tool moves back along its axis before [mm]; infinite: MB MAX.
+    /// MB: retraction of the tool along its axis before the turn [mm]; infinite: MB MAX.
     std::optional<double> retract;
     bool shifts = false;  ///< MOVE, which turns about a place at a distance from the tip (DIST)
   };

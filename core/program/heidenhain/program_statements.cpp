@@ -10,7 +10,7 @@ namespace feedscope::heidenhain {
 
 namespace {
 
-/// The plane across the tool axis.
+/// Reads the plane across the tool axis.
 std::optional<Plane> take_tool_axis(Scanner& scanner) {
   for (const auto& [letter, plane] : {std::pair{'Z', Plane::xy}, {'Y', Plane::zx}, {'X', Plane::yz}}) {
     if (letters::to_upper(scanner.peek()) == letter &&

@@ -17,7 +17,7 @@ class ProgramStatements : private Part {
   ProgramStatements(Parts& parts, Words& words, UnsupportedStatements& unsupported)
       : Part(parts.context), parts_(parts), words_(words), unsupported_(unsupported) {}
 
-  /// False for a name that is none of them. Throws ReadFault.
+  /// Returns false for any other name. Throws ReadFault.
   bool run(std::string_view name, Scanner& scanner, std::uint32_t column);
 
  private:

@@ -21,19 +21,19 @@ struct FunctionCall {
   bool computes() const { return number <= 8 || number == 13; }
 };
 
-/// Assigns Q parameters, by formulas and by FN functions, and jumps where these compare.
+/// Assigns Q parameters by formulas and FN functions, and jumps where these compare.
 class QFunctions : private Part {
  public:
   /// All outlive it.
   QFunctions(Context& context, Calls& calls) : Part(context), calls_(calls) {}
 
-  /// "Q1 = ..." from the name on. Throws ReadFault.
+  /// Reads "Q1 = ..." from the name on. Throws ReadFault.
   void assign(Scanner& scanner);
   /// Throws ReadFault.
   void run(const FunctionCall& call);
 
  private:
-  /// FN 14 and the functions that do not touch the path.
+  /// FN 14 and the functions without effect on the path.
   void note(int number, std::uint32_t column);
 
   Calls& calls_;

@@ -20,7 +20,7 @@ using Prefix = ExpressionGrammar::Prefix;
 using Function = ExpressionGrammar::Function;
 
 constexpr int sign_rank = 4;
-/// What a word may hold; formulas may go beyond on the way.
+/// Largest value of a word; intermediate results of formulas may exceed it.
 constexpr double largest_value = 1e9;
 
 constexpr auto infixes = std::to_array<Infix>({

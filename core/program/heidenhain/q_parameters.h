@@ -22,11 +22,11 @@ struct QName {
   std::string text() const;
 };
 
-/// Takes the name of a parameter; none, and the scanner stays, if none stands here.
-/// Throws ReadFault "parameter-number" for one that no control has.
+/// Reads the name of a parameter; none, with the scanner unmoved, if none is next. Throws ReadFault
+/// "parameter-number" for one that no control has.
 std::optional<QName> take_parameter(Scanner& scanner);
 
-/// The values of a program's parameters. QL ones belong to one program or called program.
+/// Values of a program's parameters. QL ones belong to one program or called program.
 class QParameters {
  public:
   std::optional<double> get(const QName& name) const;
@@ -38,7 +38,7 @@ class QParameters {
   void set_text(int number, std::string value);
 
   using Locals = std::vector<std::optional<double>>;
-  /// Puts the values of all QL in place of those in force, which it returns.
+  /// Replaces the values of all QL. Returns the previous ones.
   Locals exchange_locals(Locals values);
 
  private:
@@ -53,14 +53,14 @@ class QParameters {
 /// Formulas with Q parameters, angles in degrees.
 class QFormulas : public ExpressionReader {
  public:
-  /// What a parameter holds that the program has not set.
+  /// Returns the value of a parameter that the program has not set.
   using Unset = std::function<double(const QName&)>;
 
   /// `parameters` outlives it.
   QFormulas(const QParameters& parameters, Unset unset);
 
-  /// A number or a parameter with its sign: what stands behind an address letter or an operand of FN.
-  /// Throws ReadFault "malformed-number" if none stands here, "number-range" beyond +-1e9.
+  /// Reads a number or a parameter with its sign, after an address letter or as an operand of FN. Throws
+  /// ReadFault "malformed-number" if none is next, "number-range" beyond +-1e9.
   double read_value(Scanner& scanner);
 
  private:

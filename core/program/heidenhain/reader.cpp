@@ -4,7 +4,7 @@ namespace feedscope::heidenhain {
 
 namespace {
 
-/// Behind the number of the block and the sign that hides it; true if it is hidden.
+/// Moves after the number of the block and the sign that hides it; true if it is hidden.
 bool skip_line_number(Scanner& scanner) {
   const bool before = scanner.take('/');
   if (letters::to_upper(scanner.peek()) == 'N' && letters::is_digit(scanner.peek_at(1))) {
@@ -16,7 +16,7 @@ bool skip_line_number(Scanner& scanner) {
   return before || behind;
 }
 
-/// Empty, a heading, or a setup sheet's line that a CAM system has left before the program.
+/// True for an empty line, a heading, or a line of a setup sheet that a CAM system put before the program.
 bool is_no_block(Scanner& scanner) {
   return scanner.at_end() || scanner.peek() == '*' || scanner.peek() == '(';
 }
@@ -37,7 +37,7 @@ bool is_parameter_name(std::string_view name, char after) {
                                       letters::same(name, "QR") || letters::same(name, "QS"));
 }
 
-/// "X+50 R+ FMAX", "IZ-5", "M3", "F500": the words of a block without a name.
+/// True for words of a block without a name: "X+50 R+ FMAX", "IZ-5", "M3", "F500".
 bool starts_words(std::string_view name) {
   constexpr std::string_view first = "XYZABCUVWIMFR";
   return name.size() <= 2 && first.find(letters::to_upper(name.front())) != std::string_view::npos;
@@ -75,14 +75,14 @@ void HeidenhainReader::run_statement(std::string_view statement) {
   }
 }
 
-/// A block that does not begin with the name of a statement.
+/// Runs a block that does not begin with the name of a statement.
 void HeidenhainReader::run_words(std::string_view name, std::size_t start, Scanner& scanner,
                                  std::uint32_t column) {
   if (is_parameter_name(name, scanner.peek_at(0))) {
     scanner.move_to(start);
     parts().q_functions.assign(scanner);
   } else if (unsupported_.report_known(name, column)) {
-    // Reported.
+    // It is reported.
   } else if (starts_words(name)) {
     scanner.move_to(start);
     path_statements_.line(scanner, column);

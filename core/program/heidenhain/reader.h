@@ -13,8 +13,8 @@
 
 namespace feedscope::heidenhain {
 
-/// Reads Heidenhain conversational programs; README.md beside this file gives the words. The name of a
-/// statement says which part runs it.
+/// Reads Heidenhain conversational programs; README.md in this folder lists the words. The name of a
+/// statement selects the part that runs it.
 class HeidenhainReader : public StatementReader {
  public:
   HeidenhainReader(std::shared_ptr<const SourceText> source, const ReadOptions& options, Progress* progress);

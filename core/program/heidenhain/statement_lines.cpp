@@ -6,7 +6,7 @@ namespace feedscope::heidenhain {
 
 namespace {
 
-/// No more than a block's number.
+/// True if the statement is only a block number.
 bool is_number_only(std::string_view statement) {
   return statement.find_first_not_of("0123456789Nn/ \t") == std::string_view::npos;
 }
@@ -26,7 +26,7 @@ std::string_view StatementLines::add(std::string_view line) {
   if (!goes_on && parts_.empty() && !comment_goes_on_) {
     return last != std::string_view::npos ? statement : std::string_view();
   }
-  // "3 ;a long remark that goes on~": all of its lines are remark.
+  // "3 ;a long remark that goes on~": all of its lines are a remark.
   const bool remark =
       comment_goes_on_ || (parts_.empty() && comment != std::string_view::npos && is_number_only(statement));
   comment_goes_on_ = remark && goes_on;

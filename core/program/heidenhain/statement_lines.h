@@ -9,20 +9,20 @@
 
 namespace feedscope::heidenhain {
 
-/// Makes statements of lines: comments removed, lines that "~" continues joined. Knows from which line a
-/// column of the statement comes.
+/// Joins lines into statements: removes comments and joins lines continued by "~". Finds the line of a
+/// statement's column.
 class StatementLines {
  public:
   /// `lines` outlives it.
   explicit StatementLines(const LineRunner& lines) : lines_(lines) {}
 
-  /// Takes the line in force. The statement that ends with it; empty if it goes on or there is none.
+  /// Adds the current line. Returns the statement that ends with it; empty if it goes on or there is none.
   std::string_view add(std::string_view line);
-  /// Lines are joined: the statement that they are is not over yet, or runs.
+  /// True while joined lines form a statement that is not complete or is running.
   bool is_joined() const { return !parts_.empty(); }
-  /// The lines joined so far; empty if they are blank. To be called where no further line can follow.
+  /// The lines joined so far; empty if they are blank. Call it where no further line can follow.
   std::string_view joined();
-  /// The joined statement has run.
+  /// Call when the joined statement has run.
   void clear();
 
   /// The place of a column of the statement; 0: the statement as a whole.

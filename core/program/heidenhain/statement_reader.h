@@ -8,7 +8,7 @@
 
 namespace feedscope::heidenhain {
 
-/// Runs the statements that the lines of a program make; what a statement means is the language's.
+/// Runs the statements of a program's lines; the language interprets them.
 class StatementReader : public Reader {
  protected:
   StatementReader(std::shared_ptr<const SourceText> source, const ReadOptions& options, Progress* progress,
@@ -16,7 +16,7 @@ class StatementReader : public Reader {
       : Reader(std::move(source), options, progress),
         parts_(machining(), dialect, subprogram_files(), std::move(label_of_line)) {}
 
-  /// One statement, comments removed, that may come from several lines. ReadFault is caught.
+  /// Runs one statement, comments removed, possibly from several lines. ReadFault is caught.
   virtual void run_statement(std::string_view statement) = 0;
 
   Parts& parts() { return parts_; }

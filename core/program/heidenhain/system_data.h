@@ -9,19 +9,19 @@
 
 namespace feedscope::heidenhain {
 
-/// FN 18: values that the control has.
+/// FN 18: values of the control.
 class SystemData : private Part {
  public:
   /// All outlive it.
   SystemData(Context& context, const Tools& tools, const Targets& targets, const Coordinates& coordinates)
       : Part(context), tools_(tools), targets_(targets), coordinates_(coordinates) {}
 
-  /// From "SYSREAD" on. Throws ReadFault.
+  /// Reads from "SYSREAD" on. Throws ReadFault.
   void read(Scanner& scanner, std::uint32_t column);
 
  private:
   void assign(const QName& result, double group, double number, double index, std::uint32_t column);
-  /// None where only the machine knows.
+  /// Empty where only the machine knows the value.
   std::optional<double> value(double group, double number, double index) const;
 
   const Tools& tools_;

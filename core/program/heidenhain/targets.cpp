@@ -20,7 +20,7 @@ Vec3 Targets::of(const MotionWords& words) const {
 
 Vec3 Targets::polar(const MotionWords& words) {
   const Vec2 from_pole = in_plane(contour_.position() - *modal_.pole, modal_.pole_plane);
-  // On the pole itself the angle is the last one.
+  // On the pole itself the last angle applies.
   const double angle_before =
       from_pole.norm() > same_point ? std::atan2(from_pole.y(), from_pole.x()) : last_polar_angle_;
   const double radius = words.polar_radius.from(from_pole.norm());

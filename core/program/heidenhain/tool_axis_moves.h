@@ -18,7 +18,7 @@ class ToolAxisMoves {
   double height() const { return plan_.level(); }
   const DrillPlan& plan() const { return plan_; }
   void rapid(double to) { plan_.rapid(to); }
-  /// An infinite speed is rapid traverse.
+  /// Cuts to a height; an infinite speed means a rapid.
   void cut(double to, double speed) {
     if (std::isinf(speed)) {
       rapid(to);
@@ -28,7 +28,7 @@ class ToolAxisMoves {
   }
   void dwell(double seconds) { plan_.dwell(seconds); }
   void tap(const Tapping& thread) { feedscope::tap(thread, plan_); }
-  /// In the plane, by an offset.
+  /// Moves in the plane by an offset.
   void shift(int direction, double by) {
     const int axis = direction % 2 == 1 ? first_axis(plane_) : second_axis(plane_);
     plan_.shift((direction <= 2 ? -by : by) * Vec3::Unit(axis));

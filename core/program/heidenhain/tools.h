@@ -20,14 +20,14 @@ struct ToolCall {
   double radius_excess = 0;  ///< DR [mm]
 };
 
-/// Tools: their definitions and calls, the side on which they run, the spindle.
+/// Tools: their definitions and calls, the side of the contour, the spindle.
 class Tools : private Part {
  public:
   /// All outlive it.
   Tools(Context& context, const Labels& labels, Feeds& feeds)
       : Part(context), labels_(labels), feeds_(feeds) {}
 
-  /// Takes a tool's number or name, as a key; none if none is next. Throws ReadFault.
+  /// Reads a tool's number or name, as a key; none if none is next. Throws ReadFault.
   std::optional<std::string> read_name(Scanner& scanner) const;
   /// TOOL DEF; radius in mm.
   void define(const std::string& tool, double radius) { defined_radii_.set(tool, radius); }
@@ -37,7 +37,7 @@ class Tools : private Part {
   /// M3, M4, M5 and the like; other M functions do nothing.
   void run_spindle(int m, std::uint32_t column);
 
-  /// None for a tool without a number.
+  /// Number of the tool; none if it has only a name.
   std::optional<double> number() const;
   std::optional<double> radius_of(const std::string& tool) const;
 

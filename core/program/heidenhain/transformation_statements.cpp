@@ -12,7 +12,7 @@ namespace feedscope::heidenhain {
 
 namespace {
 
-/// Takes the letter of an axis: 0 to 2. Throws ReadFault.
+/// Reads the letter of an axis: 0 to 2. Throws ReadFault.
 int axis_letter(Scanner& scanner) {
   const char letter = letters::to_upper(scanner.peek());
   if (letter < 'X' || letter > 'Z') {
@@ -89,7 +89,7 @@ void TransformationStatements::run_cycle(int number, Scanner& scanner, std::uint
 
 void TransformationStatements::shift(Scanner& scanner, std::uint32_t column) {
   if (scanner.take('#') || scanner.take_keyword("TABLE")) {
-    // The line of the table, taken as zero, takes the place of the shift in force.
+    // The line of the table, taken as zero, replaces the shift in force.
     coordinates_.transformations().reset(Transformations::Kind::shift);
     coordinates_.set_datum("a line of the datum table", column);
     return;

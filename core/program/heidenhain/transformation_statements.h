@@ -15,11 +15,11 @@ class TransformationStatements : private Part {
   TransformationStatements(Context& context, Words& words, Coordinates& coordinates)
       : Part(context), words_(words), coordinates_(coordinates) {}
 
-  /// From behind "TRANS" on. Throws ReadFault.
+  /// Reads from after "TRANS". Throws ReadFault.
   void run(Scanner& scanner, std::uint32_t column);
-  /// False for a cycle that is none of them.
+  /// Returns false for any other cycle.
   static bool has_cycle(int number);
-  /// A line of such a cycle. Throws ReadFault.
+  /// Runs a line of such a cycle. Throws ReadFault.
   void run_cycle(int number, Scanner& scanner, std::uint32_t column);
 
  private:

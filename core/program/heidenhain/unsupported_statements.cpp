@@ -11,7 +11,7 @@ namespace feedscope::heidenhain {
 
 namespace {
 
-/// Statements that are known and not followed.
+/// Statements that are known but not simulated.
 struct UnreadStatement {
   std::string_view name;
   Severity severity = Severity::error;

@@ -57,7 +57,7 @@ bool Words::read_word(Scanner& scanner, char letter, std::uint32_t column, Motio
         words.length = read_length(scanner);
         return true;
       }
-      // LIN_Z-5: the axis that an arc takes along.
+      // LIN_Z-5: the axis that moves along with an arc.
       return scanner.take("LIN_") &&
              read_axis(scanner, letters::to_upper(scanner.peek()), false, column, words);
     case 'N':
@@ -158,7 +158,7 @@ void Words::read_feed(Scanner& scanner, std::uint32_t column, MotionWords& words
     });
   } else if (const char next = letters::to_upper(scanner.peek());
              next == '\0' || next == 'M' || next == 'R') {
-    // Older controls print words that have no value.
+    // Older controls print words without a value.
     words.feed_word = FeedWord::none;
   } else {
     words.feed_word = scanner.take('Z')   ? FeedWord::per_tooth
@@ -174,7 +174,7 @@ void Words::read_radius(Scanner& scanner, std::uint32_t column, MotionWords& wor
   const char after = scanner.peek_at(1);
   const bool number_goes_on = letters::is_digit(after) || after == '.' || after == ',';
   if (next == '\0' || letters::is_blank(next)) {
-    // Older controls print words that have no value.
+    // Older controls print words without a value.
     return;
   }
   const bool sign_alone = (next == '+' || next == '-') && (after == '\0' || letters::is_blank(after));

@@ -12,11 +12,11 @@ class Words : private Part {
   /// Both outlive it.
   Words(Context& context, const MFunctions& m_functions) : Part(context), m_functions_(m_functions) {}
 
-  /// All words up to the end of the statement. Throws ReadFault.
+  /// Reads all words up to the end of the statement. Throws ReadFault.
   MotionWords read(Scanner& scanner);
 
  private:
-  /// False, and nothing is consumed, if the letter is not a word.
+  /// Returns false, with nothing consumed, if the letter is not a word.
   bool read_word(Scanner& scanner, char letter, std::uint32_t column, MotionWords& words);
   bool read_axis(Scanner& scanner, char letter, bool incremental, std::uint32_t column, MotionWords& words);
   bool read_normal(Scanner& scanner, char kind, std::uint32_t column, MotionWords& words);

@@ -15,8 +15,8 @@ namespace {
 
 constexpr double max_times = 1e9;
 
-/// Variable of an argument letter, by Fanuc's first way of giving arguments; 0: none. I, J and K may stand
-/// several times, the second way.
+/// Variable of an argument letter in Fanuc's first form of arguments; 0: none. I, J and K may occur several
+/// times in the second form.
 std::uint32_t variable_of(char letter) {
   constexpr std::string_view letters = "ABCIJKDEF?H?M???QRSTUVWXYZ";
   const std::size_t at = letters.find(letter);
@@ -66,7 +66,7 @@ void Calls::call_program(const Word& word) {
 }
 
 void Calls::call_named_file(const Word& word) {
-  // The name is in brackets, which the lexer takes for a comment.
+  // The name is in brackets, which the lexer reads as a comment.
   const std::string_view line = lines().text().line(lines().line());
   const std::size_t from = line.find('(', word.column);
   const std::size_t to = line.find(')', from == std::string_view::npos ? 0 : from);

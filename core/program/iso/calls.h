@@ -12,7 +12,7 @@
 
 namespace feedscope::iso {
 
-/// Calls subprograms and macros and comes back from them: M97 to M99 and M198, O words, G65 to G67.
+/// Calls of subprograms and macros and returns from them: M97 to M99 and M198, O words, G65 to G67.
 class Calls : private Part {
  public:
   /// All outlive it.
@@ -24,7 +24,7 @@ class Calls : private Part {
         indexes_(indexes),
         subprograms_(subprograms) {}
 
-  /// What the block in force calls, once it has moved; a block that is not `sound` only returns.
+  /// Runs the calls of the current block, once it has moved; a block that is not `sound` only returns.
   void run(bool sound);
   /// G65, G66: the words of the block are arguments.
   void run_macro_call(const Block& block);
@@ -32,26 +32,26 @@ class Calls : private Part {
   void cancel_modal_macro() { modal_macro_.reset(); }
   /// "o<label> call" with its arguments; `column` of the label.
   void call_sub(const std::string& label, std::uint32_t column, const std::vector<double>& arguments);
-  /// Back to the caller, or the call once more. Nothing outside of calls.
+  /// Returns to the caller, or runs the call once more. Does nothing outside of calls.
   void leave();
-  /// Fanuc: a program ends where the O number of the next one stands. `begun`: words have run before.
+  /// Fanuc: true if the program ends at the O number of the next one. `begun`: words have run before.
   bool ends_at_program_number(bool begun);
 
-  /// A repeat of LinuxCNC that runs.
+  /// An active repeat of LinuxCNC.
   struct Repeat {
     std::uint32_t line = 0;
-    double left = 0;  ///< passes, the one that runs included
+    double left = 0;  ///< passes, including the current one
   };
-  /// Those of the call in force, innermost last.
+  /// Repeats of the current call, innermost last.
   std::vector<Repeat>& repeats() { return frames_.back().repeats; }
 
  private:
-  /// What a call holds; the first is the program's own.
+  /// State of a call; the first is the program's own.
   struct Frame {
     std::uint32_t called_from = 0;               ///< line
-    std::optional<Variables::Locals> arguments;  ///< none: the caller's local variables go on
+    std::optional<Variables::Locals> arguments;  ///< none: the caller's local variables continue
     std::vector<Repeat> repeats;
-    std::uint32_t program = 0;  ///< line of the O number that it began with; 0: none
+    std::uint32_t program = 0;  ///< line of its own O number; 0: none
   };
   struct MacroCall {
     double program = 0;
@@ -59,7 +59,7 @@ class Calls : private Part {
     double times = 1;
     Subprogram found;
     Variables::Locals arguments{};
-    std::size_t depth = 0;  ///< of calls, at which G66 stands
+    std::size_t depth = 0;  ///< call depth of the G66
   };
 
   void call_program(const Word& word);

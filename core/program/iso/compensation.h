@@ -8,18 +8,18 @@
 
 namespace feedscope::iso {
 
-/// Runs G40 to G42.1, cutter radius compensation, and keeps the radii that the program gives.
+/// Runs G40 to G42.1, cutter radius compensation, and stores the radii that the program gives.
 class Compensation : private Part {
  public:
   explicit Compensation(Context& context) : Part(context) {}
 
-  /// D without a G word of compensation, before the G words run: its offset is the one that they use.
+  /// Applies D without a G word of compensation, before the G words run, because they use its offset.
   void select_offset();
   /// By ten times the G number.
   void run(int code, std::uint32_t column);
-  /// Behind the block's G words: another D or another plane holds from now on.
+  /// After the block's G words: brings another D or another plane into force.
   void follow_block();
-  /// G10 L1 and L10 to L13: radius, or wear on top of it.
+  /// G10 L1 and L10 to L13: radius, or wear added to it.
   void set_radius(int kind, std::uint32_t column);
 
  private:

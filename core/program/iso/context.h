@@ -9,8 +9,7 @@
 
 namespace feedscope::iso {
 
-/// What all parts of the reader work on: the words of the block in force and what stays in force from block
-/// to block.
+/// Shared state of all parts of the reader: the words of the current block and the modal state.
 struct Context {
   Machining& machining;
   Dialect dialect = Dialect::iso;
@@ -18,7 +17,7 @@ struct Context {
   ModalState modal = {};
 };
 
-/// What the parts of the reader have in common: short names for what they work on.
+/// Short names for the shared state, for the parts of the reader.
 class Part {
  protected:
   using Text = DiagnosticLog::Text;
@@ -42,8 +41,8 @@ class Part {
   void report(Severity severity, MessageCode code, int detail, std::uint32_t column, MakeText&& text) const {
     machining_.report(severity, code, detail, column, text);
   }
-  /// True, and reported, if the block has no word `letter`, which G word `g` needs; `effect` says what
-  /// happens without it.
+  /// Returns true, with a report, if the block lacks word `letter`, which G word `g` needs; `effect`
+  /// describes the consequence.
   bool lacks(MessageCode code, char letter, int g, std::uint32_t column, std::string_view effect) const;
 
   BlockWords& words_;

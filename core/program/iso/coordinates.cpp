@@ -78,7 +78,8 @@ bool Coordinates::run_frame_code(int code, std::uint32_t column) {
   }
 }
 
-/// G92 after a move to a machine position: how far the new coordinates are from those before it is not known.
+/// G92 after a move to a machine position: the shift from the previous coordinates to the new ones is not
+/// known.
 void Coordinates::set_position(std::uint32_t column) {
   const Vec3 here = path().position();
   frames_.set_position(here, targets_.axes(here));
@@ -242,8 +243,8 @@ void Coordinates::rotate(std::uint32_t column) {
   frames_.rotate(modal_.plane, targets_.axes(here), modal_.incremental ? frames_.angle() + angle : angle);
 }
 
-/// G68 X Y Z I J K R: about the axis (I, J, K) through X Y Z, counter-clockwise seen against it. A second one
-/// turns what the first one has turned.
+/// G68 X Y Z I J K: about the axis (I, J, K) through X Y Z, counter-clockwise seen against it. A second one
+/// turns the result of the first.
 void Coordinates::rotate_in_space(std::uint32_t column) {
   Vec3 axis = Vec3::Zero();
   for (int i = 0; i < 3; ++i) {
@@ -262,9 +263,9 @@ void Coordinates::rotate_in_space(std::uint32_t column) {
   report_tilt(column);
 }
 
-/// G68.2 X Y Z I J K: the plane with its origin at X Y Z, instead of one before it. P0: turned by the Euler
-/// angles I about Z, J about the X that this makes, K about the Z that this makes. P1 Q123: turned by I, J
-/// and K about the X, Y and Z of the workpiece in the order of Q. Last by R about its own Z.
+/// G68.2 X Y Z I J K: replaces the plane by one with its origin at X Y Z. P0: turned by the Euler angles I
+/// about Z, J about the new X, K about the new Z. P1 Q123: turned by I, J and K about the X, Y and Z of the
+/// workpiece in the order of Q. Finally turned by R about its own Z.
 void Coordinates::tilt(std::uint32_t column) {
   frames_.end_rotation();
   const auto angle_of = [&](char letter) {

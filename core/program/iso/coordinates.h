@@ -10,8 +10,8 @@
 
 namespace feedscope::iso {
 
-/// Runs the G words that set coordinates: work offsets, shifts, rotation, scale, mirror image. The path's
-/// frame follows at once.
+/// Runs the G words that set coordinates: work offsets, shifts, rotation, scale, mirror image. They change
+/// the path's frame at once.
 class Coordinates : private Part {
  public:
   /// Both outlive it. Work offsets of ReadOptions are in force from the start.
@@ -22,7 +22,7 @@ class Coordinates : private Part {
   /// G10 L2 and L20: sets a work offset.
   void set_work_offset(bool further, std::uint32_t column);
   void preset_work_offset(std::uint32_t column);
-  /// The work offset is in force, as M72 restores it.
+  /// Brings a work offset into force as M72 restores it.
   void restore_work_offset(int key);
 
   /// Coordinate of a work offset [mm]; none if the program and ReadOptions do not give it.

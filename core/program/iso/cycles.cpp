@@ -76,7 +76,7 @@ void Cycles::begin(const GCode& code, const Word& word) {
     modal_.motion = MotionMode::cycle;
   }
   if (code.number != modal_.cycle_code && motion_of(code.number) == DrillingMotion::tap) {
-    // Pecks of a drilling cycle before it are not strokes of a thread.
+    // Pecks of a previous drilling cycle are not strokes of a thread.
     series_.peck = 0;
   }
   modal_.cycle_code = code.number;
@@ -119,7 +119,7 @@ void Cycles::gather() {
   }
 }
 
-/// The level before the cycle is not known, so G98 has none to return to.
+/// The level before the cycle is not known, so G98 cannot return to it.
 void Cycles::return_to_retract_plane() {
   series_.initial = series_.retract;
   report(Severity::warning, "unknown-position", 1, words_.first_column("XYZR"), [&] {
@@ -239,7 +239,7 @@ void Cycles::run() {
   }
   if (const std::optional<DrillingCycle> cycle = drilling_cycle(words_.first_column("XYZR"), repeats)) {
     const PathControl modal = path().path_control();
-    if (is_linuxcnc()) {  // which runs cycles as under G61, but not the way up before them
+    if (is_linuxcnc()) {  // it runs cycles as under G61, but not the way up before them
       rise(path(), *cycle);
       PathControl exact = modal;
       exact.mode = PathMode::exact_stop;

@@ -20,13 +20,13 @@ class Cycles : private Part {
   void begin(const GCode& code, const Word& word);
   /// G80.
   void cancel();
-  /// A block while a cycle is in force.
+  /// Runs a block while a cycle is in force.
   void run();
-  /// G70 to G72, about where the tool is.
+  /// G70 to G72, around the tool's position.
   void run_pattern(int code, std::uint32_t column);
 
  private:
-  /// What the blocks of a series of holes have in common; along the tool's axis.
+  /// Values shared by the blocks of a series of holes, along the tool's axis.
   struct Series {
     bool begun = false;
     double initial = 0;                ///< level before the series [mm]
@@ -36,7 +36,7 @@ class Cycles : private Part {
     bool has_retract = false;
     bool has_bottom = false;
     double peck = 0;            ///< Q, or the first one, I of Haas [mm]
-    double peck_less = 0;       ///< J of Haas: by which each peck is smaller than the one before [mm]
+    double peck_less = 0;       ///< J of Haas: decrease of each peck [mm]
     double peck_least = 0;      ///< K of Haas [mm]
     Vec3 aside = Vec3::Zero();  ///< I J K of G76 and G87, instead of Q [mm]
     double dwell = 0;           ///< [s]
@@ -47,13 +47,13 @@ class Cycles : private Part {
   void return_to_retract_plane();
   bool check(std::uint32_t column) const;
   double bottom() const { return series_.bottom + (series_.bottom_from_retract ? series_.retract : 0); }
-  /// None, and reported, if it has no bottom or no levels that fit.
+  /// None, with a report, without a bottom or with levels that do not fit.
   std::optional<DrillingCycle> drilling_cycle(std::uint32_t column, double repeats) const;
   double repeats() const;
 
   Targets& targets_;
   Series series_;
-  MotionMode before_ = MotionMode::none;  ///< G0 to G3, which Fanuc's G80 goes back to
+  MotionMode before_ = MotionMode::none;  ///< G0 to G3, to which Fanuc's G80 returns
 };
 
 }  // namespace feedscope::iso

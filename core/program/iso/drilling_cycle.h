@@ -7,7 +7,7 @@
 
 namespace feedscope::iso {
 
-/// What a drilling cycle does between its retract plane and the bottom of the hole.
+/// Motion of a drilling cycle between its retract plane and the bottom of the hole.
 enum class DrillingMotion : std::uint8_t {
   rapid_out,   ///< one feed down, rapid out: G81, G82, G86
   feed_out,    ///< one feed down, feed out: reaming, G85, G89
@@ -18,7 +18,7 @@ enum class DrillingMotion : std::uint8_t {
   back_bore,   ///< aside, rapid down, back, feed up, aside, rapid out, back: G87
 };
 
-/// A hole in programmed coordinates; levels are those along the tool's axis, which points out of the hole.
+/// A hole in programmed coordinates; levels are along the tool's axis, which points out of the hole.
 struct DrillingCycle {
   DrillingMotion motion = DrillingMotion::rapid_out;
   int axis = 2;           ///< of the tool
@@ -26,17 +26,17 @@ struct DrillingCycle {
   double retract = 0;     ///< level from which the tool feeds [mm]
   double bottom = 0;      ///< level the tool feeds to [mm]
   double peck = 0;        ///< depth of one feed or stroke, > 0; 0: all at once [mm]
-  double peck_less = 0;   ///< by which each feed is shorter than the one before, >= 0 [mm]
-  double peck_least = 0;  ///< which no feed falls below, > 0 with `peck_less` [mm]
+  double peck_less = 0;   ///< decrease of each feed from the one before, >= 0 [mm]
+  double peck_least = 0;  ///< lower limit of a feed, > 0 with `peck_less` [mm]
   double clearance = 0;   ///< lift of a chip break; distance from the last depth at which a peck begins [mm]
   double dwell = 0;       ///< at the bottom [s]
   Vec3 aside = Vec3::Zero();  ///< off the wall [mm]
   bool to_initial = true;     ///< ends at the initial level, else at the retract level
-  /// `feed_out` feeds as far as the cycle ends, else to the retract level and goes on with a rapid.
+  /// `feed_out` feeds to the end level of the cycle, else to the retract level and continues with a rapid.
   bool feeds_to_the_end = false;
 };
 
-/// Feeds down that the cycle needs at most; of use as long as it is small.
+/// Upper bound of the downward feeds of the cycle; useful as long as it is small.
 double peck_count(const DrillingCycle& cycle);
 
 /// Rapid up to the level where the cycle begins, if the tool is below it.

@@ -8,7 +8,7 @@ namespace feedscope::iso {
 
 namespace {
 
-/// Controls that take milliseconds have no shorter dwells, others that take seconds no longer ones.
+/// Controls that read milliseconds have no shorter dwells, those that read seconds no longer ones.
 constexpr double shortest_plain_p = 50;
 
 }  // namespace
@@ -20,7 +20,7 @@ bool Dwells::is_printer() {
   return *is_printer_;
 }
 
-/// A dwell so long that it was hardly meant in seconds.
+/// Warns of a dwell that is probably too long to be in seconds.
 void Dwells::check_seconds(const Word& word, bool milliseconds) const {
   if (milliseconds || word.has_point || word.value < shortest_plain_p) {
     return;

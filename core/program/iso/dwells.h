@@ -6,7 +6,7 @@
 
 namespace feedscope::iso {
 
-/// Runs G4, whose time has the unit of the dialect.
+/// Runs G4; the unit of its time depends on the dialect.
 class Dwells : private Part {
  public:
   explicit Dwells(Context& context) : Part(context) {}
@@ -14,7 +14,7 @@ class Dwells : private Part {
   void run();
 
  private:
-  /// The words are those of a printer or plotter, not of grbl.
+  /// True if the words are those of a printer or plotter, not of grbl.
   bool is_printer();
   void check_seconds(const Word& word, bool milliseconds) const;
 

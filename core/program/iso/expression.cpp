@@ -146,7 +146,7 @@ constexpr auto linuxcnc_infixes = std::to_array<Infix>({
     {"XOR", 2, linuxcnc::one_of},
 });
 
-// Fanuc's AND binds as a product, its OR and XOR as a sum.
+// Fanuc's AND has the rank of a product, its OR and XOR that of a sum.
 constexpr auto fanuc_infixes = std::to_array<Infix>({
     {"**", 6, power},
     {"*", 5, multiply},
@@ -196,7 +196,7 @@ constexpr auto linuxcnc_functions = with_shared({
     {"ROUND", 1, [](double v, double) { return std::round(v); }},
 });
 
-// FIX goes towards zero, FUP away from it. ROUND depends on the word and is read beside the table.
+// FIX rounds towards zero, FUP away from it. ROUND depends on the word and is not in the table.
 constexpr auto fanuc_functions = with_shared({
     {"FIX", 1, [](double v, double) { return std::trunc(number(v)); }},
     {"FUP", 1, [](double v, double) { return std::copysign(std::ceil(std::abs(number(v))), number(v)); }},

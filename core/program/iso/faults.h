@@ -5,7 +5,7 @@
 
 namespace feedscope::iso {
 
-/// Reports what the lexer could not read of a line.
+/// Reports everything in a line that the lexer could not read.
 void report_faults(const Machining& machining, const Block& block);
 
 }  // namespace feedscope::iso

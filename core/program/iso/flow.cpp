@@ -294,7 +294,7 @@ bool Flow::condition(Scanner& scan) {
     const double value = expression_.read(scan);
     return !is_null(value) && value != 0;
   } catch (const ReadFault& fault) {
-    // Taken as not fulfilled, so that a loop ends.
+    // Treated as false, so that a loop ends.
     machining_.report(fault);
     skip_rest(scan);
     return false;
@@ -347,7 +347,7 @@ bool Flow::run_macro_loop(Scanner& scan) {
     scan.take_keyword("DO");
   }
   scan.number();
-  // What the line holds behind DO belongs to the loop.
+  // Everything after DO in the line belongs to the loop.
   if (!holds) {
     skip_rest(scan);
   } else if (scan.take_keyword("IF")) {

@@ -28,8 +28,8 @@ class Flow : private Part {
         indexes_(indexes),
         run_words_(std::move(run_words)) {}
 
-  /// True if the line is a statement of program flow (GOTO, IF, WHILE, O words). `line`: its plain words,
-  /// `scan` what stands behind them. Throws ReadFault.
+  /// True if the line is a statement of program flow (GOTO, IF, WHILE, O words). `line`: its plain words;
+  /// `scan`: the rest of the line. Throws ReadFault.
   bool run(const Block& line, Scanner& scan);
 
  private:
@@ -45,12 +45,12 @@ class Flow : private Part {
   bool run_output(Scanner& scan);
   void run_macro_if(Scanner& scan);
   void go_to(Scanner& scan);
-  /// A condition that cannot be read is reported and does not hold.
+  /// An unreadable condition is reported and false.
   bool condition(Scanner& scan);
   /// Reports words that are left after a statement.
   void report_rest(Scanner& scan) const;
   void report_nested_subs(const Statement& statement) const;
-  /// That of the line in force, as `written` in column `column`. Throws ReadFault if its counterpart is
+  /// Statement of the current line, as `written` in column `column`. Throws ReadFault if its counterpart is
   /// `missing`.
   const Statement& paired_statement(std::string_view written, std::string_view missing, std::uint32_t column);
   void begin_branch(bool holds, const Statement& statement);
@@ -65,7 +65,7 @@ class Flow : private Part {
   Calls& calls_;
   FlowIndexes& indexes_;
   RunWords run_words_;
-  std::uint32_t tested_branch_ = 0;  ///< line of an "elseif" or "else" that an if jumps to; 0: none
+  std::uint32_t tested_branch_ = 0;  ///< line of an "elseif" or "else" to which an if jumps; 0: none
 };
 
 }  // namespace feedscope::iso

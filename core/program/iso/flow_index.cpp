@@ -34,7 +34,7 @@ constexpr auto o_words = std::to_array<NamedWord>({
     {"RETURN", FlowWord::return_},
 });
 
-/// Digits, without leading zeros; empty if none stand here or the number has more than nine.
+/// Reads digits, without leading zeros; empty for none or for a number of more than nine.
 std::string take_digits(Scanner& scan) {
   scan.peek();
   const std::size_t from = scan.at();
@@ -56,7 +56,7 @@ std::optional<std::uint32_t> take_number(Scanner& scan) {
   return digits.empty() ? std::nullopt : std::optional(static_cast<std::uint32_t>(std::stoul(digits)));
 }
 
-/// Moves behind comments "(...)".
+/// Moves after comments "(...)".
 void skip_comments(Scanner& scan) {
   CommentEnds ends;
   while (scan.peek() == '(') {
@@ -77,7 +77,7 @@ std::string loop_of_while(std::string_view text) {
   return {};
 }
 
-/// What an IF of many lines ends in: THEN, with no statement behind it.
+/// True if an IF over many lines ends in THEN, with no statement after it.
 bool ends_in_then(std::string_view text) {
   text = text.substr(0, text.find_first_of("(;"));
   text = text.substr(0, text.find_last_not_of(" \t") + 1);

@@ -13,7 +13,7 @@
 
 namespace feedscope::iso {
 
-/// Words that O words of LinuxCNC and macro statements of Fanuc rule the flow with.
+/// Flow words of LinuxCNC's O words and Fanuc's macro statements.
 enum class FlowWord : std::uint8_t {
   none,
   sub,
@@ -35,23 +35,23 @@ enum class FlowWord : std::uint8_t {
   macro_end,
 };
 
-/// Takes a word of Fanuc's macro statements, of which the first two letters are enough: "WH" for WHILE.
+/// Reads a word of Fanuc's macro statements, of which the first two letters are enough: "WH" for WHILE.
 bool take_macro_word(Scanner& scan, std::string_view word);
-/// FlowWord::none for a name that is none of an O word.
+/// FlowWord::none for a name that is not one of an O word.
 FlowWord o_word_named(std::string_view name);
-/// Takes the label of an O word behind its O: "100" without leading zeros, "<name>" normal; empty if it is
+/// Reads the label of an O word after its O: "100" without leading zeros, "<name>" normal; empty if it is
 /// neither digits nor a name.
 std::string take_o_label(Scanner& scanner);
 
-/// Where the jumps, loops and subprograms of a text begin and end.
+/// Places where the jumps, loops and subprograms of a text begin and end.
 class FlowIndex {
  public:
   struct Statement {
     std::uint32_t line = 0;  ///< 1-based
     FlowWord word = FlowWord::none;
-    std::uint32_t begin = 0;  ///< line of the word that opens what this one belongs to; 0: none
+    std::uint32_t begin = 0;  ///< line of the word that opens its group; 0: none
     std::uint32_t next = 0;   ///< line of the next branch of an if, or of its end; 0: none
-    std::uint32_t end = 0;    ///< line of the word that closes what this one opens; 0: none
+    std::uint32_t end = 0;    ///< line of the word that closes its group; 0: none
   };
 
   FlowIndex() = default;
@@ -66,8 +66,8 @@ class FlowIndex {
   std::uint32_t sub(const std::string& label) const;
   /// Line of an O number that begins a program; 0: none.
   std::uint32_t program(std::uint32_t number) const;
-  /// Line of block N`number`, searched from `line` on and then from the start of the program that `line`
-  /// belongs to; 0: none.
+  /// Line of block N`number`, searched from `line` on and then from the start of the program that contains
+  /// `line`; 0: none.
   std::uint32_t block(std::uint32_t number, std::uint32_t line) const;
 
  private:

@@ -6,7 +6,7 @@
 
 namespace feedscope::iso {
 
-/// The flow index of each text that runs, made once.
+/// The flow index of each text that runs, created once.
 class FlowIndexes {
  public:
   explicit FlowIndexes(bool skip_deleted) : skip_deleted_(skip_deleted) {}

@@ -11,13 +11,13 @@
 
 namespace feedscope::iso {
 
-/// Shifts, rotation, scales and mirror images of an ISO program, and the frame they make together. A point
-/// goes through them in the controls' order: mirror image, scale, rotation, G52 and G92, rotation of the work
-/// offset, work offset. What the program does not set is zero.
+/// Shifts, rotation, scales and mirror images of an ISO program, and their combined frame. They apply to a
+/// point in the controls' order: mirror image, scale, rotation, G52 and G92, rotation of the work offset,
+/// work offset. Everything that the program does not set is zero.
 class Frames {
  public:
   static constexpr int first_work_offset = 540;  ///< key of G54
-  /// Of G54 to G59 and G59.1 to G59.3.
+  /// Keys of G54 to G59 and G59.1 to G59.3.
   static constexpr std::array work_offset_keys{540, 550, 560, 570, 580, 590, 591, 592, 593};
   /// Key of G54.1 Pn.
   static constexpr int further_work_offset(int n) { return 10000 + n; }
@@ -32,14 +32,14 @@ class Frames {
   };
 
   CoordinateFrame frame() const { return rotated() * inner(); }
-  /// Of the offsets and shifts alone.
+  /// Frame of the offsets and shifts alone.
   CoordinateFrame offsets() const;
-  /// The same with what turns in space.
+  /// The same with the turns in space.
   CoordinateFrame tilted() const { return offsets() * tilt_; }
   /// The same with the rotations of G68 and G68.2.
   CoordinateFrame rotated() const;
 
-  /// Of all coordinates [mm]; nullptr if the program has not set it.
+  /// Work offset in all coordinates [mm]; nullptr if the program has not set it.
   const WorkOffset* work_offset(int key) const;
   /// Zero point of a work offset [mm]; none if the program has not set it.
   std::optional<Vec3> zero_of(int key) const;
@@ -51,7 +51,7 @@ class Frames {
   /// G52 [mm].
   const Vec3& local_shift() const { return local_; }
   void set_local_shift(const Vec3& shift) { local_ = shift; }
-  /// G92, and G52 of LinuxCNC, which share their store [mm].
+  /// G92, and G52 of LinuxCNC, which share one value [mm].
   const Vec3& preset() const { return preset_; }
   void set_preset(const Vec3& shift) {
     preset_ = shift;
@@ -59,20 +59,20 @@ class Frames {
   }
   /// G92: the programmed `from` gets the coordinates `to` [mm].
   void set_position(const Vec3& from, const Vec3& to);
-  /// G92.1: forgotten; G92.2: omitted; G92.3: in force again.
+  /// G92.1 deletes it; G92.2 omits it; G92.3 brings it into force again.
   void forget_position();
   void hold_position() { preset_on_ = false; }
   void restore_position() { preset_on_ = true; }
 
   /// G68 [rad]; about `center` in the coordinates of the work offset [mm].
   void rotate(Plane plane, const Vec3& center, double angle);
-  /// In force; 0: none.
+  /// Angle in force; 0: none.
   double angle() const { return rotation_ ? rotation_->angle : 0; }
   void end_rotation() {
     rotation_.reset();
     tilt_ = {};
   }
-  /// In space, behind those in force.
+  /// Turns in space, after those in force.
   void tilt(const CoordinateFrame& frame) { tilt_ = tilt_ * frame; }
   /// G51: no factor may be zero.
   void scale(const Vec3& center, const Vec3& factors) { scale_ = Scale{center, factors}; }

@@ -8,9 +8,9 @@
 
 namespace feedscope::iso {
 
-/// What a G word does to the reader.
+/// Effect of a G word on the reader.
 enum class GAction : std::uint8_t {
-  accept,  ///< leaves the programmed geometry as it is
+  accept,  ///< leaves the programmed geometry unchanged
   rapid,
   line,
   arc_cw,
@@ -26,7 +26,7 @@ enum class GAction : std::uint8_t {
   absolute_centers,
   incremental_centers,
   feed_per_minute,
-  other_feed,     ///< F means something else from here on
+  other_feed,     ///< changes the meaning of F
   path_control,   ///< exact stop, continuous path, look-ahead
   cancel_macro,   ///< G67
   function,       ///< IsoReader::run_function(); the block moves as programmed
@@ -61,12 +61,12 @@ struct GCode {
   GGroup group = GGroup::none;
   GAction action = GAction::accept;
   Severity severity = Severity::info;  ///< of the report, where there is one
-  std::string_view subject;            ///< what it is; empty: nothing to report
-  std::string_view effect;             ///< what that means for the path shown
+  std::string_view subject;            ///< its meaning; empty: nothing to report
+  std::string_view effect;             ///< effect on the path shown
   bool needs_axes = false;             ///< harmless in a block without X, Y and Z
 };
 
-/// The code with ten times its G number, or nullptr for one that is not known.
+/// The code with ten times its G number, or nullptr for an unknown one.
 const GCode* find_g_code(int number);
 
 }  // namespace feedscope::iso

@@ -9,7 +9,7 @@
 
 namespace feedscope::iso {
 
-/// M70 to M73 of LinuxCNC: keeps the modal state of a call, and restores it.
+/// M70 to M73 of LinuxCNC: stores the modal state of a call, and restores it.
 class KeptModes : private Part {
  public:
   /// Both outlive it.
@@ -17,7 +17,7 @@ class KeptModes : private Part {
 
   /// 70 to 73.
   void run(int code, std::uint32_t column);
-  /// A call was left: its M73 restores the state, its M70 is forgotten.
+  /// Call when a call was left: restores the state of its M73 and forgets that of its M70.
   void leave_call();
 
  private:
@@ -30,13 +30,13 @@ class KeptModes : private Part {
     bool until_return = false;  ///< M73
   };
 
-  /// nullptr if the call in force has kept nothing.
+  /// nullptr if the current call has stored nothing.
   Kept* of_call();
   void forget();
   void restore(const Kept& kept);
 
   Coordinates& coordinates_;
-  std::vector<Kept> kept_;  ///< deepest call last, one for a call at most
+  std::vector<Kept> kept_;  ///< deepest call last, at most one for each call
 };
 
 }  // namespace feedscope::iso

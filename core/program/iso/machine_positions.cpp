@@ -23,7 +23,7 @@ void MachinePositions::run(int code, std::uint32_t column) {
   }
 }
 
-/// LinuxCNC and grbl store where the axes are. With axes it is a word of other controls.
+/// LinuxCNC and grbl store the current axis positions. With axes it is a word of other controls.
 void MachinePositions::store(int code) {
   if (!words_.has_any("XYZ")) {
     stored_[code == 281 ? 0 : 1] = path().places();

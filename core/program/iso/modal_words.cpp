@@ -15,7 +15,7 @@ namespace {
 constexpr int constant_cutting_speed = 960;
 constexpr int constant_spindle_speed = 970;
 
-/// Ten times a G number; -1 for what cannot be one.
+/// Ten times a G number; -1 for an impossible one.
 int g_number(double value) {
   const double tenfold = std::round(value * 10);
   return value >= 0 && tenfold < 100000 && std::abs(tenfold - value * 10) < 1e-6 ? static_cast<int>(tenfold)
@@ -246,8 +246,8 @@ void ModalWords::apply_m(const Word& word) {
   }
 }
 
-/// As LinuxCNC's configurations of five-axis machines remap them: M428 asks for the machine's own kinematics,
-/// in which X, Y and Z are the tip, M429 and M430 for others.
+/// As remapped in LinuxCNC's configurations of five-axis machines: M428 selects the machine's own kinematics,
+/// in which X, Y and Z are the tip, M429 and M430 others.
 void ModalWords::switch_kinematics(int number, std::uint32_t column) {
   modal_.tip_kinematics = number == 428;
   report(Severity::info, "rotary-feed", number, column, [&] {
@@ -262,7 +262,7 @@ void ModalWords::switch_kinematics(int number, std::uint32_t column) {
 }
 
 /// F in mm a minute. LinuxCNC sets the feed before it changes the unit (Interp::execute_block); grbl and the
-/// others take F in the unit of its block.
+/// others read F in the unit of its block.
 double ModalWords::length_of_feed(const Word& word) const {
   if (dialect() != Dialect::linuxcnc || !words_.changes_unit) {
     return modal_.to_mm(word.value);

@@ -9,8 +9,8 @@
 
 namespace feedscope::iso {
 
-/// Applies the G and M words of a block, and F, S and T: what holds from this block on. What G words do with
-/// the block's coordinates is kept in BlockWords::functions.
+/// Applies the G and M words of a block, and F, S and T: everything that is valid from this block on. G words
+/// that use the block's coordinates are stored in BlockWords::functions.
 class ModalWords : private Part {
  public:
   /// All outlive it.
@@ -29,7 +29,7 @@ class ModalWords : private Part {
   /// F and S, T.
   void apply_feed();
   void apply_tool();
-  /// The program says G90.1 or G91.1.
+  /// True if the program contains G90.1 or G91.1.
   bool names_centers() const { return names_centers_; }
 
  private:

@@ -11,7 +11,8 @@ namespace feedscope::iso {
 
 namespace {
 
-/// Its interpreter takes 2 sqrt(2) of 0.01 mm or 0.001 inch, or 0.1 %, but not a hundred times the former.
+/// LinuxCNC's interpreter accepts 2 sqrt(2) of 0.01 mm or 0.001 inch, or 0.1 %, but at most a hundred times
+/// the former.
 ArcTolerance linuxcnc_tolerance(bool inch) {
   const double least = 2 * std::numbers::sqrt2 * (inch ? units::from_inch(0.001) : 0.01);
   return {least, 0.001, 100 * least};
@@ -89,7 +90,7 @@ void Motions::move() {
       splines_.run();
       break;
     case MotionMode::unread:
-      targets_.target();  // keeps radius and angle of G16
+      targets_.target();  // updates radius and angle of G16
       break;
     case MotionMode::none:
     case MotionMode::cycle:
@@ -97,7 +98,7 @@ void Motions::move() {
   }
 }
 
-/// LinuxCNC starts as after G80, grbl as after G0.
+/// LinuxCNC starts in the state after G80, grbl in the state after G0.
 void Motions::report_no_motion_word() const {
   const bool is_refused = dialect() == Dialect::linuxcnc || (dialect() == Dialect::grbl && modal_.after_g80);
   report(is_refused ? Severity::error : Severity::warning, "motion-mode", is_refused ? 1 : 0,

@@ -9,7 +9,7 @@
 
 namespace feedscope::iso {
 
-/// Moves what a block whose words are gathered moves: lines, arcs, cycles, splines, dwells.
+/// Runs the motion of a block whose words are gathered: lines, arcs, cycles, splines, dwells.
 class Motions : private Part {
  public:
   /// All outlive it.
@@ -27,7 +27,7 @@ class Motions : private Part {
   void check_center_axis() const;
   void check_inverse_time() const;
   void report_no_motion_word() const;
-  /// ",R" and ",C" at the end of the motion that follows.
+  /// ",R" and ",C" at the end of the next motion.
   void cut_corner(bool at_line_or_arc) const;
 
   Targets& targets_;

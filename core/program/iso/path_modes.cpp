@@ -69,7 +69,7 @@ void PathModes::apply(const GCode& code) {
   path().set_path_control(control);
 }
 
-/// A word that chooses between sets of parameters of the control.
+/// Reports a word that chooses between sets of parameters of the control.
 void PathModes::report_mode(char letter, std::string_view of) const {
   if (words_.has(letter)) {
     const Word& word = words_[letter];

@@ -8,13 +8,13 @@
 
 namespace feedscope::iso {
 
-/// Turns exact stops, path modes and look-ahead of a program into the path's PathControl: G5 P, G5.1 Q, G8 P,
+/// Sets the path's PathControl by exact stops, path modes and look-ahead of a program: G5 P, G5.1 Q, G8 P,
 /// G9, G61 to G64, G187.
 class PathModes : private Part {
  public:
   explicit PathModes(Context& context) : Part(context) {}
 
-  /// G9 marks the block only.
+  /// G9 applies to the block only.
   void apply(const GCode& code);
 
  private:

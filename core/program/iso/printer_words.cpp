@@ -67,7 +67,7 @@ bool has_printer_word(std::string_view line) {
   return false;
 }
 
-/// What names of Klipper's commands begin with, and those of macros that slicers write.
+/// Beginnings of the names of Klipper's commands and of macros that slicers write.
 constexpr auto klipper_names = std::to_array<std::string_view>({"SET_VELOCITY_LIMIT",
                                                                 "SET_PRESSURE_ADVANCE",
                                                                 "SET_GCODE_",

@@ -13,14 +13,14 @@ namespace feedscope::iso {
 
 namespace {
 
-/// The arguments of a macro call may hold E behind a number, "K1.E5.".
+/// The arguments of a macro call may have E after a number, "K1.E5.".
 bool calls_macro(const Block& block) {
   return std::any_of(block.words.begin(), block.words.end(), [](const Word& word) {
     return word.letter == 'G' && (word.value == 65 || word.value == 66);
   });
 }
 
-/// "M117 Layer 3": what follows is for the operator of a printer.
+/// "M117 Layer 3": the rest is text for the operator of a printer.
 bool ends_in_text(const Block& block) {
   return !block.words.empty() && block.words.back().letter == 'M' &&
          (block.words.back().value == 117 || block.words.back().value == 118);
@@ -58,7 +58,7 @@ IsoReader::IsoReader(std::shared_ptr<const SourceText> source, const ReadOptions
 }
 
 bool IsoReader::doubts_centers() const {
-  // A single wrong centre may fit as a position by chance.
+  // A single wrong centre may happen to fit as a position.
   constexpr std::uint64_t fewest = 3;
   const PathWriter::CenterCount& centers = path().centers();
   const bool has_parameter = !follows_linuxcnc(context_.dialect);

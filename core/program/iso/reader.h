@@ -23,18 +23,20 @@
 
 namespace feedscope::iso {
 
-/// Reads what ISO controls share, and Fanuc, LinuxCNC and grbl. README.md beside program.h gives the words.
-/// A line becomes words (Lexer, Statements), the words modal state (ModalWords), functions and motions.
+/// Reads the words shared by ISO controls, and Fanuc, LinuxCNC and grbl; README.md next to program.h lists
+/// the words. A line becomes words (Lexer, Statements), the words modal state (ModalWords), functions and
+/// motions.
 class IsoReader : public Reader {
  public:
-  /// `options.dialect` says which of them; none: Dialect::iso. `absolute_centers`: I J K are positions until
-  /// the program says otherwise (G91.1), a parameter of some controls.
+  /// `options.dialect` selects one of them; none: Dialect::iso. `absolute_centers`: I J K are positions until
+  /// the program sets otherwise (G91.1), a parameter of some controls.
   IsoReader(std::shared_ptr<const SourceText> source, const ReadOptions& options, Progress* progress,
             bool absolute_centers = false);
 
-  /// After read(): most arcs by a centre do not fit, and the program does not say how its I J K are meant.
+  /// After read(): true if most arcs by a centre do not fit and the program does not define the meaning of
+  /// its I J K.
   bool doubts_centers() const;
-  /// After read(): every arc by a centre fits.
+  /// After read(): true if every arc by a centre fits.
   bool centers_fit() const { return path().centers().misfits == 0; }
 
  private:
@@ -45,16 +47,16 @@ class IsoReader : public Reader {
 
   /// True if "%" follows.
   bool run_statement(const Block& line);
-  /// False: the line has none.
+  /// Returns false if the line has none.
   bool report_klipper_command(const Scanner& scan);
   void run_words(Scanner& scan);
-  /// `readable`: false for a block of which words could not be read; it does not move.
+  /// `readable`: false for a block with unreadable words; it does not move.
   void run_block(const Block& block, bool readable);
   void gather(const Block& block);
   void run_functions();
   void run_function(int code, std::uint32_t column);
   void set_data(std::uint32_t column);
-  /// A line of words that are none to the dialect; it is dealt with.
+  /// True for a line whose words are none of the dialect; it is handled.
   bool is_no_block(const Block& block);
   bool is_grbl_command(const Block& block);
 

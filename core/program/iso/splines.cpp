@@ -159,7 +159,7 @@ void Splines::add_control_point() {
   }
 }
 
-/// G6.2 P order K knot X Y Z R weight; K X Y Z R; ... and as many blocks with K alone as the order says.
+/// G6.2 P order K knot X Y Z R weight; K X Y Z R; ... and as many blocks with K alone as the order demands.
 void Splines::add_fanuc_control_point() {
   constexpr std::size_t min_order = 2;
   if (nurbs_.points.empty()) {

@@ -18,11 +18,11 @@ class Splines : private Part {
 
   /// The G word of a spline.
   void begin(const GCode& code, const Word& word);
-  /// A block while a spline is in force moves although it names no axis.
+  /// True if a block moves although it names no axis, while a spline is in force.
   bool moves_without_axes() const;
-  /// A block while a spline is in force.
+  /// Runs a block while a spline is in force.
   void run();
-  /// Writes a NURBS that is not closed: another motion follows, or the end of the program.
+  /// Writes a NURBS that is not closed, before another motion or the end of the program.
   void finish();
 
  private:
@@ -45,7 +45,7 @@ class Splines : private Part {
   void write_curve(const ParametricCurve& curve) const;
   /// In the plane XY [mm].
   Vec3 offset_words(char first, char second) const;
-  /// True, reported and a line written, if the block has neither of the two.
+  /// Returns true, with a report and a line instead, if the block has neither of the two.
   bool lacks_words(char first, char second);
   void add_control_point();
   void add_fanuc_control_point();
@@ -56,7 +56,7 @@ class Splines : private Part {
 
   Targets& targets_;
   bool has_tangent_ = false;
-  /// From the end of the last G5 to the control point that goes on straight [mm].
+  /// From the end of the last G5 to the control point that continues straight [mm].
   Vec3 tangent_ = Vec3::Zero();
   Nurbs nurbs_;
 };

@@ -19,15 +19,15 @@ class Statements : private Part {
   Statements(Context& context, Expression& expression, SystemVariables& system, Variables& variables)
       : Part(context), expression_(expression), system_(system), variables_(variables) {}
 
-  /// A line that holds more than plain words: what stands before its first statement belongs to the words.
-  /// The text without comments, from that statement on.
+  /// Begins a line with more than plain words: everything before its first statement belongs to the words.
+  /// Returns the text without comments, from that statement on.
   Scanner begin(const Block& line);
-  /// The words before the first statement belong to the block too.
+  /// Adds the words before the first statement to the block.
   void keep_words(const Block& line);
-  /// Words and assignments from here on to the line's end. False, and reported, if one cannot be read; then
-  /// nothing of the line is left to scan.
+  /// Reads words and assignments up to the line's end. Returns false, with a report, if one is unreadable;
+  /// the rest of the line is then skipped.
   bool read(Scanner& scan);
-  /// What has been read, valid until the next begin().
+  /// Everything read, valid until the next begin().
   const Block& block() const { return block_; }
   /// True once a variable has been given a value.
   bool has_assigned() const { return has_assigned_; }
@@ -55,7 +55,7 @@ class Statements : private Part {
   bool has_assigned_ = false;
 };
 
-/// The rest of the line is ignored.
+/// Ignores the rest of the line.
 inline void skip_rest(Scanner& scan) {
   scan.move_to(scan.text().size());
 }

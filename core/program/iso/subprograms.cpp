@@ -11,8 +11,8 @@ namespace feedscope::iso {
 
 namespace {
 
-/// File names that a program number may have beside the program: O0100, O100, 0100, 100, without an ending
-/// and with those in use, the program's own first.
+/// File names for a program number in the program's folder: O0100, O100, 0100, 100, without an extension and
+/// with the usual ones, the program's own first.
 std::vector<std::string> file_names(std::uint32_t number, const std::string& own_ending) {
   std::vector<std::string> names;
   for (const std::string& stem : {fmt::format("O{:04}", number), fmt::format("O{}", number),

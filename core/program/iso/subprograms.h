@@ -11,16 +11,16 @@
 
 namespace feedscope::iso {
 
-/// Where a subprogram begins.
+/// Start of a subprogram.
 struct Subprogram {
   std::shared_ptr<const SourceText> text;  ///< nullptr: not found
   std::uint32_t line = 0;                  ///< 1-based
 };
 
-/// A number that a program may have.
+/// True for a possible program number.
 bool is_program_number(double value);
 
-/// Finds subprograms: in the text in force, in the program itself, then in files beside the program.
+/// Finds subprograms: in the current text, in the program itself, then in files of the program's folder.
 class Subprograms {
  public:
   /// All outlive it.
@@ -31,7 +31,7 @@ class Subprograms {
   Subprogram program(double number);
   /// "o<name> sub", by its normal label: "<name>" or "100".
   Subprogram sub(const std::string& label);
-  /// By the name of its file.
+  /// By file name.
   Subprogram file(const std::string& name);
 
  private:

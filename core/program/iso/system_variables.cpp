@@ -12,7 +12,7 @@ namespace feedscope::iso {
 
 namespace {
 
-constexpr std::uint32_t first_of_control = 1000;  ///< Fanuc; below are the program's own
+constexpr std::uint32_t first_of_control = 1000;  ///< Fanuc; lower ones are the program's own
 constexpr std::uint32_t first_kept = 500;         ///< Fanuc; kept when the control is switched off
 
 double in_unit(double mm, bool inch) {

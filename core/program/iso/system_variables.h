@@ -11,7 +11,7 @@
 
 namespace feedscope::iso {
 
-/// What the variables of expressions hold: those that the program sets, and those of the control, as modal
+/// Values of the variables in expressions: those set by the program, and those of the control, such as modal
 /// state, position and work offsets.
 class SystemVariables : public VariableSource, private Part {
  public:
@@ -23,7 +23,7 @@ class SystemVariables : public VariableSource, private Part {
   double named(const std::string& name, std::uint32_t column) override;
   bool has_name(const std::string& name) const override;
 
-  /// #number = value. Throws ReadFault for one that cannot be given a value.
+  /// #number = value. Throws ReadFault for one that is read-only.
   void set(std::uint32_t number, double value, std::uint32_t column);
 
  private:

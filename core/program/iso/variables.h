@@ -12,8 +12,8 @@
 
 namespace feedscope::iso {
 
-/// The variables that a program has set, with the local ones of each call: #1 to #30 and named ones in
-/// LinuxCNC, #1 to #33 in Fanuc's macro B. What was not set holds the null value.
+/// Variables set by a program, with the local ones of each call: #1 to #30 and named ones in LinuxCNC, #1 to
+/// #33 in Fanuc's macro B. Unset ones have the null value.
 class Variables {
  public:
   static constexpr std::size_t max_locals = 33;
@@ -22,17 +22,17 @@ class Variables {
 
   explicit Variables(Dialect dialect);
 
-  /// All null; in LinuxCNC, where a missing argument is zero, all zero.
+  /// All null; in LinuxCNC all zero, because a missing argument is zero there.
   Locals no_arguments() const;
   bool is_local(std::uint32_t number) const { return number >= 1 && number <= local_count_; }
 
   double get(std::uint32_t number) const;
   void set(std::uint32_t number, double value);
-  /// Names that begin with "_" are global, others the call's. By normal_name().
+  /// Names that begin with "_" are global, others belong to the call. By normal_name().
   std::optional<double> get(const std::string& name) const;
   void set(const std::string& name, double value);
 
-  /// A call with local variables of its own; leave() brings the caller's back.
+  /// Begins a call with its own local variables; leave() restores the caller's.
   void enter(const Locals& arguments);
   void leave();
 

@@ -12,7 +12,7 @@ void WordChecks::run() {
   check_unused();
 }
 
-/// Components that are not written are zero.
+/// Missing components are zero.
 void WordChecks::orient_tool() {
   const bool cuts = modal_.motion == MotionMode::line;
   if (!modal_.tool_vectors || words_.own_words || words_.dwell > 0 || !words_.has_any("IJK") ||
@@ -59,8 +59,8 @@ void WordChecks::check_other_axes() {
   }
 }
 
-/// F of Fanuc and its kin holds along all axes, a degree as a millimetre or inch; LinuxCNC's along X, Y and
-/// Z.
+/// F of Fanuc and similar controls applies along all axes, with a degree as a millimetre or inch; LinuxCNC's
+/// along X, Y and Z.
 AxisBlock WordChecks::beside_motion(bool alone, bool rapid) const {
   AxisBlock block = turning_alone(path(), modal_.to_mm(1), rapid);
   block.alone = alone;

@@ -24,12 +24,12 @@ struct Letters {
 
 inline constexpr std::string_view axis_letters = "XYZ";
 
-/// The words of one block by letter, and what its G and M words ask for beyond modal changes.
+/// Words of one block by letter, and the effects of its G and M words beyond modal changes.
 struct BlockWords {
   std::array<Word, 26> by_letter;
   std::uint32_t present = 0;                         ///< bit per letter
   std::array<const GCode*, g_group_count> groups{};  ///< the block's code of each group
-  bool other_codes = false;                          ///< G or M words that P, Q, L, R, I ... may belong to
+  bool other_codes = false;                          ///< G or M words to which P, Q, L, R, I ... may belong
   bool own_words = false;                            ///< an unsupported code owns the coordinates
   std::uint32_t dwell = 0;                           ///< column of G4; 0: none
   bool exact_stop = false;                           ///< G9
@@ -65,7 +65,7 @@ struct BlockWords {
   std::uint32_t column_or(char letter, std::uint32_t otherwise) const {
     return has(letter) ? (*this)[letter].column : otherwise;
   }
-  /// Of those that the block has; 0: none.
+  /// Smallest column of the given letters in the block; 0: none.
   std::uint32_t first_column(Letters letters) const;
 };
 

@@ -11,7 +11,7 @@ namespace feedscope {
 
 namespace {
 
-/// Of brackets, signs and functions inside each other; a line is short, the stack is not endless.
+/// Limit of nested brackets, signs and functions; a line is short, but the stack is finite.
 constexpr int deepest = 200;
 
 double finite(double value, std::string_view text, std::uint32_t column) {

@@ -10,31 +10,30 @@
 
 namespace feedscope {
 
-/// Which line of which text runs next: jumps, calls and repeats.
+/// Order in which the lines of the texts run: jumps, calls and repeats.
 class LineRunner {
  public:
   /// `options` and `log` outlive it.
   LineRunner(std::shared_ptr<const SourceText> program, const ReadOptions& options, DiagnosticLog& log);
 
-  /// The text in force, and that of the program itself, to call.
+  /// The current text, and that of the program itself, for calls.
   const SourceText& text() const { return *text_; }
   const std::shared_ptr<const SourceText>& text_in_force() const { return text_; }
   const std::shared_ptr<const SourceText>& main_text() const { return program_; }
   bool in_main_text() const { return text_ == program_; }
-  /// 1-based, of the line in force, in text().
+  /// 1-based current line, in text().
   std::uint32_t line() const { return line_; }
-  /// Line of the program itself that the line in force was called from, or is.
+  /// Current line, or the line of the program itself that called it.
   std::uint32_t shown_line() const;
   std::size_t call_depth() const { return calls_.size(); }
   DiagnosticLog::Place place(std::uint32_t column) const;
 
-  /// False if the text in force has no further line; else the next one is in force.
+  /// Moves to the next line; false if the current text has no further one.
   bool advance();
-  /// The next line that runs is `line` of the text in force.
+  /// Continues with `line` of the current text.
   void jump_to(std::uint32_t line) { next_line_ = line; }
-  /// The next line that runs is `line` of `text`; after return_from_call() it goes on behind the line in
-  /// force, or runs the call again until it has run `times` (>= 1). False, and reported, beyond the depth
-  /// that ReadOptions allow.
+  /// Continues with `line` of `text`. return_from_call() then continues after the current line, or repeats
+  /// the call until it has run `times` (>= 1). Returns false, with a report, beyond the depth of ReadOptions.
   bool call(std::shared_ptr<const SourceText> text, std::uint32_t line, std::uint32_t times = 1);
   bool call(std::uint32_t line, std::uint32_t times = 1) { return call(text_, line, times); }
 
@@ -46,24 +45,24 @@ class LineRunner {
   Returned return_from_call();
   void end_program() { end_line_ = shown_line(); }
   bool ended() const { return end_line_ != 0; }
-  /// Shown line at which the program ended; 0: it has not.
+  /// Shown line at which the program ended; 0: not yet.
   std::uint32_t end_line() const { return end_line_; }
   /// The farthest shown line that ran.
   std::uint32_t last_run() const { return last_run_; }
 
-  /// Lines that ran, and calls.
+  /// Number of lines that ran, and of calls.
   std::uint64_t lines_run() const { return lines_run_; }
   std::uint64_t call_count() const { return call_count_; }
-  /// A block is a line that holds words.
+  /// A block is a line with words.
   void count_block() { ++block_count_; }
   std::uint64_t block_count() const { return block_count_; }
 
  private:
   struct Call {
-    std::shared_ptr<const SourceText> text;  ///< that goes on
+    std::shared_ptr<const SourceText> text;  ///< the caller's
     std::uint32_t line = 0;                  ///< of the call
-    std::uint32_t start = 0;                 ///< first line of what is called
-    std::uint32_t times = 0;                 ///< left to run, this one included
+    std::uint32_t start = 0;                 ///< first line of the call
+    std::uint32_t times = 0;                 ///< left to run, including this one
   };
 
   const ReadOptions& options_;

@@ -9,11 +9,11 @@
 
 namespace feedscope {
 
-/// A statement and the method of the part that runs it, from behind its name on.
+/// A statement and the method of the part that runs it, called after its name was read.
 template <typename PartType, typename... Args>
 using StatementEntry = std::pair<std::string_view, void (PartType::*)(Scanner&, Args...)>;
 
-/// Has `part` run the statement `name`, in upper or lower case; false if the table does not have it.
+/// Makes `part` run the statement `name`, in upper or lower case; false if it is not in the table.
 template <typename PartType, std::size_t count, typename... Args>
 bool run_statement(PartType& part, const std::array<StatementEntry<PartType, Args...>, count>& table,
                    std::string_view name, Scanner& scanner, Args... args) {

@@ -49,7 +49,7 @@ void UnitTracker::settle() {
                                                                   : Source::assumed};
 }
 
-/// grbl and printers start in mm whatever the machine; only sizes that look like inches are worth a word.
+/// grbl and printers start in mm on every machine; only sizes that look like inches deserve a report.
 void UnitTracker::finish(DiagnosticLog& log) {
   watch();
   settle();

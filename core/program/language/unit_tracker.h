@@ -14,14 +14,14 @@ class UnitTracker {
   /// Both outlive it.
   UnitTracker(const ReadOptions& options, Program& program) : options_(options), program_(program) {}
 
-  /// That holds until the program programs one.
+  /// Unit until the program programs one.
   LengthUnit first() const { return options_.unit.value_or(LengthUnit::mm); }
   /// The program programs its unit.
   void set(LengthUnit unit) { programmed_ = unit; }
 
-  /// After each line.
+  /// Call after each line.
   void watch();
-  /// After the last one: an assumed unit is reported.
+  /// Call after the last line; reports an assumed unit.
   void finish(DiagnosticLog& log);
 
  private:

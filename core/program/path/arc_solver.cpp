@@ -29,8 +29,8 @@ ArcSolution one_arc(const Vec3& end, const Vec3& center, const Vec3& axis, doubl
   return solution;
 }
 
-/// Splits an arc of sweep `sweep` half way; the second half is the circle that touches the first half at its
-/// end and runs through the programmed end.
+/// Splits an arc of sweep `sweep` half way. The second half is the circle that touches the first half at its
+/// end and passes through the programmed end.
 ArcSolution two_arcs(const Vec3& start, const Vec3& end, const Vec3& center, const Vec3& axis, double sweep,
                      double extra_turns) {
   const Vec3 from = in_plane(start - center, axis);

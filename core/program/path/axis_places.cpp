@@ -18,7 +18,7 @@ void PlaceTracker::go_to(const std::array<bool, 3>& moved, const AxisPlaces& to,
 void PlaceTracker::move(const CoordinateFrame& frame, const ProgrammedAxes& axes, const Vec3& from,
                         const Vec3& to) {
   std::array<bool, 3> moves{};
-  std::array<bool, 3> known{};  // in programmed coordinates, behind the block
+  std::array<bool, 3> known{};  // in programmed coordinates, after the block
   for (int axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<std::size_t>(axis);
     const bool changes = to[axis] != from[axis];

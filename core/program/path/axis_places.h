@@ -8,31 +8,31 @@
 
 namespace feedscope {
 
-/// Which coordinates a line of the program names, and how.
+/// Coordinates that a line of the program names, absolute or incremental.
 struct ProgrammedAxes {
   std::array<bool, 3> named{};
-  std::array<bool, 3> absolute{};     ///< of those: with the coordinate itself
-  std::array<bool, 3> incremental{};  ///< of those: with a distance from where the axis is
+  std::array<bool, 3> absolute{};     ///< of those: by the coordinate itself
+  std::array<bool, 3> incremental{};  ///< of those: by a distance
 };
 
-/// Follows where the axes are when a program sends them to places that only the machine knows, until it says
-/// where each of them is again. Coordinates are those that are shown.
+/// Tracks the axes that a program sends to places that only the machine knows, until it gives each of them a
+/// coordinate again. Coordinates are shown ones.
 class PlaceTracker {
  public:
   bool all_shown() const { return all_shown_; }
   bool is_shown(int axis) const { return places_[static_cast<std::size_t>(axis)].is_shown(); }
   /// Meaningful while not all_shown().
   const AxisPlaces& places() const { return places_; }
-  /// Where the axes are, which the path shows at `shown` [mm].
+  /// Places of the axes, which the path shows at `shown` [mm].
   AxisPlaces places_at(const Vec3& shown) const;
 
-  /// The axes `moved` go to `to`; `shown`: where the others are.
+  /// Sends the axes `moved` to `to`; `shown`: place of the others.
   void go_to(const std::array<bool, 3>& moved, const AxisPlaces& to, const Vec3& shown);
-  /// The tool moves by a block with the words `axes` from `from` to `to`, in programmed coordinates of
-  /// `frame`. An axis is known from then on where it was named with its coordinate, or moves without being
-  /// named by a distance, as in cycles.
+  /// Moves the tool by a block with the words `axes` from `from` to `to`, in programmed coordinates of
+  /// `frame`. From then on an axis is known if it was named with its coordinate, or if it moves without a
+  /// distance word, as in cycles.
   void move(const CoordinateFrame& frame, const ProgrammedAxes& axes, const Vec3& from, const Vec3& to);
-  /// Of the axes `these`, those that are not known are where the path shows them.
+  /// Assumes for the unknown ones of the axes `these` that they are at their shown place.
   void assume(const Vec3& shown, const std::array<bool, 3>& these = {true, true, true});
 
  private:

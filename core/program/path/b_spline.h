@@ -17,13 +17,13 @@ inline Eigen::Vector4d weighted(const Vec3& place, double weight) {
   return {weight * place.x(), weight * place.y(), weight * place.z(), weight};
 }
 
-/// Knots one apart with `degree` + 1 equal ones at both ends, so that the curve begins and ends on its first
+/// Knots one apart with `degree` + 1 equal ones at both ends, so that the curve begins and ends at its first
 /// and last of `count` control points; `degree` < `count`.
 std::vector<double> clamped_knots(std::size_t count, std::size_t degree);
 
-/// The curve and its slope at `parameter`, which lies in the knot interval that begins with knot number
-/// `interval`, by de Boor's algorithm. As many knots as control points, plus `degree` + 1; `degree` at most
-/// `max_spline_degree`.
+/// Point and slope of the curve at `parameter`, which lies in the knot interval that begins with knot number
+/// `interval`, by de Boor's algorithm. There are `degree` + 1 more knots than control points; `degree` at
+/// most `max_spline_degree`.
 CurvePlace b_spline_place(std::span<const Eigen::Vector4d> points, std::span<const double> knots,
                           std::size_t degree, std::size_t interval, double parameter);
 

@@ -11,7 +11,7 @@ namespace feedscope {
 
 namespace {
 
-/// What is left of a motion, its target aside, that loses a part at one of its ends.
+/// The rest of a motion, without its target, after a part was cut off at one of its ends.
 PathMotion part_of(PathMotion motion, const PlaneElement& curve, const Vec2& from, const Vec2& to) {
   if (curve.is_arc()) {
     const double part = PlaneElement::arc(from, to, curve.center, curve.turn, 0).sweep;

@@ -13,7 +13,7 @@
 
 namespace feedscope {
 
-/// What takes the place of the corner at the end of a motion.
+/// Rounding or chamfer in place of the corner at the end of a motion.
 struct CornerCut {
   enum class Kind : std::uint8_t {
     rounding,
@@ -22,40 +22,40 @@ struct CornerCut {
   };
   Kind kind = Kind::rounding;
   double size = 0;                                   ///< > 0 [mm]
-  std::optional<double> feed = std::nullopt;         ///< [mm/s]; none: that of a motion beside it
-  bool feed_of_next = false;                         ///< of the motion behind it, else of that before it
-  bool shrinks = false;                              ///< what does not fit is made smaller until it does
-  bool at_feed_only = false;                         ///< none where a rapid stands next to it
-  bool modal = false;                                ///< of all corners: nothing is said where there is none
+  std::optional<double> feed = std::nullopt;         ///< [mm/s]; none: that of an adjacent motion
+  bool feed_of_next = false;                         ///< of the motion after it, else of the one before it
+  bool shrinks = false;                              ///< is reduced until it fits
+  bool at_feed_only = false;                         ///< not next to a rapid
+  bool modal = false;                                ///< of all corners: no report where there is none
   std::optional<std::uint32_t> line = std::nullopt;  ///< shown; none: that of the motion before it
   DiagnosticLog::Place place;
 };
 
 /// Cuts corners off a contour: roundings and chamfers between lines and arcs in a plane.
 ///
-///     motion before         corner             motion behind
+///     motion before         corner             motion after
 ///     ----------------------.  . . .  +
 ///                              `.     |        it is cut off from both
 ///                                `.   |
 ///                                  .  |
 ///
-/// The motion before is held back until the one behind it is known. Where a corner cannot be cut it stays
-/// sharp and "corner" says why.
+/// The motion before is pending until the next one is known. A corner that cannot be cut stays
+/// sharp, and "corner" reports why.
 class ContourCorners {
  public:
   explicit ContourCorners(DiagnosticLog& log) : log_(log) {}
 
-  /// Motions need not be taken through it.
+  /// True if motions need not pass through it.
   bool is_idle() const { return !next_ && !held_; }
-  /// The motion taken next, in one piece or several up to end_motion(), ends in this corner.
+  /// Makes the next motion, in one piece or several up to end_motion(), end in this corner.
   void cut_next(const CornerCut& cut, const ContourPlane& plane);
   void end_motion();
 
-  /// `from`: where it starts.
+  /// `from`: its start.
   void take(PathMotion motion, Vec3 from);
-  /// What follows is no part of the contour.
+  /// Ends the contour.
   void finish();
-  /// Motions in their order; the caller takes them out.
+  /// Motions in order; the caller removes them.
   std::vector<PathMotion>& ready() { return ready_; }
 
  private:
@@ -74,7 +74,7 @@ class ContourCorners {
 
   DiagnosticLog& log_;
   std::optional<CornerCut> next_;
-  std::optional<CornerCut> corner_;  ///< at the end of the held motion
+  std::optional<CornerCut> corner_;  ///< at the end of the pending motion
   ContourPlane plane_;
   std::optional<Held> held_;
   std::vector<PathMotion> ready_;

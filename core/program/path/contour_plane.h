@@ -6,13 +6,13 @@
 
 namespace feedscope {
 
-/// A plane of contours with coordinates of its own, somewhere in the shown coordinates.
+/// A plane of contours with its own coordinates, anywhere in the shown coordinates.
 struct ContourPlane {
   Vec3 normal = Vec3::UnitZ();      ///< unit
   Vec3 first_axis = Vec3::UnitX();  ///< unit, in the plane
 
   Vec2 in_plane(const Vec3& point) const;
-  /// The point as high along the normal as `height_of`.
+  /// The point at the height of `height_of` along the normal.
   Vec3 in_space(const Vec2& point, const Vec3& height_of) const;
   /// The motion from `start`; an arc must turn about the normal.
   PlaneElement element_of(const PathMotion& motion, const Vec2& start) const;

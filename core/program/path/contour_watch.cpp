@@ -11,12 +11,12 @@ namespace feedscope {
 
 namespace {
 
-/// Ends of a round of the contour are this close [mm].
+/// Distance within which the ends of a round of the contour coincide [mm].
 constexpr double same_place = 1e-3;
-/// The same of levels [mm].
+/// The same for levels [mm].
 constexpr double same_level = 1e-3;
 
-/// How far along the element a point of it lies [mm].
+/// Position of a point of the element along it [mm].
 double place_along(const PlaneElement& element, const Vec2& point) {
   if (!element.is_arc()) {
     return (point - element.start).dot(element.tangent_at_start());

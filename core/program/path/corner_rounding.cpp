@@ -67,7 +67,7 @@ PlaneCorner round_corner(const PlaneElement& first, const PlaneElement& second, 
     const double distance = (center - first.end).norm();
     if (distance < nearest && lies_on(first, from) && lies_on(second, to)) {
       nearest = distance;
-      const bool vanishes = (to - from).norm() <= same_point;  // would read as a full circle
+      const bool vanishes = (to - from).norm() <= same_point;  // otherwise it would be read as a full circle
       piece = {vanishes ? CornerFault::smooth : CornerFault::none, from, to, center, piece.turn};
     }
   }

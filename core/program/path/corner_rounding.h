@@ -8,13 +8,13 @@ namespace feedscope {
 
 enum class CornerFault : std::uint8_t {
   none,
-  smooth,     ///< the curves have one tangent at the corner: nothing to round
+  smooth,     ///< the curves are tangent at the corner: nothing to round
   reversal,   ///< the path turns back at the corner, or a curve has no length
-  too_large,  ///< what is put in does not fit between the ends of the curves
+  too_large,  ///< the rounding or chamfer does not fit between the ends of the curves
   not_lines,  ///< a chamfer next to an arc
 };
 
-/// What takes the place of the corner where two curves meet.
+/// Rounding or chamfer in place of the corner where two curves meet.
 struct PlaneCorner {
   CornerFault fault = CornerFault::none;
   Vec2 from = Vec2::Zero();    ///< on the first curve

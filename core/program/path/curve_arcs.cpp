@@ -10,24 +10,25 @@ namespace feedscope {
 
 namespace {
 
-/// Looked at inside a part, evenly; a curve of degree 7 cannot meet its biarc at all of them by chance.
+/// Evenly spaced checks inside a part; a curve of degree 7 cannot meet its biarc at all of them by chance.
 constexpr int looks = 7;
-/// Of the way over all places looked at, at most this share lies between two of them. Where a curve rushes,
-/// as weights far apart make it, a bend could else be overlooked; 0.33 is where its slope vanishes as that of
-/// t^3.
+/// Largest share of the way over all checked places that may lie between two of them. Where a curve speeds
+/// up, as with very different weights, a bend could otherwise be missed; 0.33 is where its slope vanishes
+/// like that of t^3.
 constexpr double max_share = 0.4;
-/// Share of the tolerance that a biarc may use up where it is looked at; the rest is for the places between:
-/// each half of it errs like sin^2 over four looks, of which the nearest is cos^2(pi / 8) as high as the top.
+/// Share of the tolerance that a biarc may use at the checked places; the rest is for the places between.
+/// Each half of it has an error like sin^2 over four checks, of which the nearest is cos^2(pi / 8) as high as
+/// the maximum.
 constexpr double looked_share = 0.85;
-/// Beyond this radius an arc is a line [mm].
+/// Above this radius an arc is a line [mm].
 constexpr double flat_radius = 1e7;
-/// Chords of arcs are longer, far enough above the distance of equal points [mm].
+/// Least chord of an arc, well above the distance of equal points [mm].
 constexpr double min_chord = 10 * same_point;
 
 struct End {
   double parameter = 0;
   Vec3 point;
-  Vec3 before;  ///< unit direction of motion on the side of smaller parameters
+  Vec3 before;  ///< unit direction of motion on the side of lower parameters
   Vec3 behind;  ///< the same on the other side: different at a cusp
 };
 
@@ -118,8 +119,8 @@ class Fitter {
   CurvePieces pieces_;
 };
 
-/// Direction of motion where the slope vanishes, on the side that `step` leads to: carried on from two places
-/// beside it, which leaves an error of second order.
+/// Direction of motion where the slope vanishes, on the side of `step`: extrapolated from two places near it,
+/// with an error of second order.
 Vec3 Fitter::direction_from(double parameter, double step) const {
   const Vec3 near = unit(curve_(parameter + step).slope);
   const Vec3 far = unit(curve_(parameter + 2 * step).slope);

@@ -7,8 +7,8 @@ namespace feedscope {
 
 namespace {
 
-/// Halvings of the parameter's range. The first ones are made in any case, so that no bend is overlooked
-/// where the curve crosses its chord at the places looked at.
+/// Halvings of the parameter's range. The first ones are always made, so that no bend is missed where the
+/// curve crosses its chord at the checked places.
 constexpr int min_halvings = 2;
 
 struct Place {

@@ -12,17 +12,16 @@ namespace feedscope {
 
 namespace {
 
-/// Paths whose ends are this close run on into each other: what the rounding of coordinates leaves between
-/// elements that touch with one tangent [mm].
+/// Gap within which paths join: the rounding of coordinates between tangent elements [mm].
 constexpr double join_gap = 1e-3;
-/// The same beside an arc that is as small as the tool, whose end directions are rounded more [mm].
+/// The same next to an arc as small as the tool, whose end directions have a larger rounding error [mm].
 constexpr double join_gap_at_point = 1e-2;
-/// A cut into the contour that the rounding of coordinates explains [mm].
+/// Depth of a cut into the contour that the rounding of coordinates explains [mm].
 constexpr double allowed_cut = 2e-3;
-/// The same where it takes more blocks than two to see it, whose joints may each be off by join_gap_at_point.
+/// The same over more than two blocks, whose joints may each be off by join_gap_at_point.
 constexpr double allowed_cut_further_on = 1e-2;
 constexpr double reversal_sine = 1e-9;
-/// The same next to an arc, whose end direction is rounded more.
+/// The same next to an arc, whose end direction has a larger rounding error.
 constexpr double reversal_sine_at_arc = 1e-2;
 
 /// Curvature, positive to the left [1/mm].
@@ -30,8 +29,8 @@ double bend(const PlaneElement& element) {
   return element.is_arc() ? element.turn / element.radius : 0;
 }
 
-/// Whether a tool `left` of the contour has less than half a turn to go around between the elements. Where
-/// the contour turns back, in a tip or a notch without width, the curvatures say which of the two it is; two
+/// True if a tool `left` of the contour has less than half a turn to go around between the elements. Where
+/// the contour turns back, in a tip or a notch without width, the curvatures decide between the two; two
 /// lines make a tip.
 bool is_inside_corner(const PlaneElement& last, const PlaneElement& next, double left) {
   const double sine = cross(last.tangent_at_end(), next.tangent_at_start());
@@ -41,7 +40,7 @@ bool is_inside_corner(const PlaneElement& last, const PlaneElement& next, double
   return reverses ? bends * left < 0 : sine * left >= 0;
 }
 
-/// Of the direction from `last` to `next`, in [0, pi] [rad].
+/// Turn of the direction from `last` to `next`, in [0, pi] [rad].
 double turn_of(const PlaneElement& last, const PlaneElement& next) {
   const Vec2 before = last.tangent_at_end();
   const Vec2 after = next.tangent_at_start();
@@ -64,7 +63,7 @@ bool same_normal(const Compensation& a, const Compensation& b) {
 
 }  // namespace
 
-/// The block programs an axis that lies in the plane, were it only where the contour is already.
+/// True if the block programs an axis in the plane, even if only at its current coordinate.
 bool CutterCompensation::names_plane(const PathMotion& motion) const {
   constexpr double across = 0.9;
   bool named = false;
@@ -267,7 +266,7 @@ Vec2 CutterCompensation::inside_corner(const PlaneElement& last, const PlaneElem
   if (found.count == 1) {
     return found.points[0];
   }
-  // In a notch without width both are as far away: then the one before the ends.
+  // In a notch without width both are equally far: then the point before the ends.
   constexpr double similar = 0.02;
   const std::array<double, 2> far{cut_off(found.points[0]), cut_off(found.points[1])};
   const bool tie = std::abs(far[1] - far[0]) <= similar * (far[0] + far[1]);
@@ -300,7 +299,7 @@ void CutterCompensation::go_around(const PlaneElement& next, const PathMotion& m
   write(linking, in_space(path_beside(next).start, tool_));
 }
 
-/// Where OutsideCorner::meeting goes on to: the nearest meeting of both paths. None: an arc leads around.
+/// End point for OutsideCorner::meeting: the nearest meeting point of both paths. None: an arc leads around.
 std::optional<Vec2> CutterCompensation::outside_meeting(const PlaneElement& next) const {
   constexpr double rounding = 1e-9;  // [rad]
   if (compensation_.rule.corner != OutsideCorner::meeting ||
@@ -388,7 +387,7 @@ void CutterCompensation::write_arc(const PlaneElement& path, const Vec2& end) {
     return;
   }
   const double turns = std::ceil((sweep - same_point / path.radius) / (2 * std::numbers::pi)) - 1;
-  ArcTolerance tolerance;  // the tool may be off the arc by what a corner that is none leaves
+  ArcTolerance tolerance;  // the tool may be off the arc by the size of a corner that does not count as one
   tolerance.least = std::max(tolerance.least, compensation_.rule.smallest_corner * std::abs(left_));
   const ArcSolution solution = solve_center_arc(tool_, target, in_space(path.center, target), motion.arc.axis,
                                                 std::max(0.0, turns), tolerance);

@@ -16,80 +16,80 @@
 
 namespace feedscope {
 
-/// Side of the contour that the tool runs on, looking the way it moves.
+/// Side of the contour on which the tool runs, seen in its direction of motion.
 enum class ToolSide : std::uint8_t { left, right };
 
-/// How the tool gets around an outside corner of the contour.
+/// Way of the tool around an outside corner of the contour.
 enum class OutsideCorner : std::uint8_t {
   arc,    ///< on an arc about the corner
-  lines,  ///< straight on to where the paths beside both blocks meet; above a quarter turn the tip is cut off
-  meeting,      ///< on along both paths to where they meet; on an arc if they do not, or above
+  lines,  ///< straight on to the meeting point of both offset paths; above a quarter turn the tip is cut off
+  meeting,      ///< on along both paths to their meeting point; on an arc if there is none, or above
                 ///< largest_meeting_turn
   arc_at_feed,  ///< on an arc about the corner; before a rapid straight across to its path
 };
 
-/// Largest turn of a corner at which OutsideCorner::meeting goes on along the paths [rad]: the preset
-/// of machine data 20210 ($MC_CUTCOM_CORNER_LIMIT) of a Sinumerik 840D, 100 degrees.
+/// Largest turn of a corner at which OutsideCorner::meeting continues along the paths [rad]: the preset of
+/// machine data 20210 ($MC_CUTCOM_CORNER_LIMIT) of a Sinumerik 840D, 100 degrees.
 inline constexpr double largest_meeting_turn = 100 * std::numbers::pi / 180;
 
-/// What a control does beside the contour.
+/// Rules of a control for the offset path.
 struct CompensationRule {
   OutsideCorner corner = OutsideCorner::arc;
-  /// The entry ends square beside the end of its own line, and meets the next element in a corner like any
-  /// other; else square beside the start of that element.
+  /// The entry ends at right angles to the end of its own line, and meets the next element in a corner like
+  /// any other; else at right angles to the start of that element.
   bool enters_beside_itself = false;
-  /// Corners that turn by less are no corners: the path of the earlier element runs to its end, and that of
-  /// the later one begins there [rad].
+  /// Corners with a smaller turn do not count as corners: the path of the earlier element runs to its end,
+  /// and that of the later one begins there [rad].
   double smallest_corner = 0;
-  /// Cuts into later parts of the contour are errors. If false, the control runs them, and they are warnings.
-  /// It then does not check either whether a block before an outside corner that leads to an arc has room.
-  /// Its path keeps its end; if it starts after that end, a line runs backwards and an arc nearly a whole
-  /// turn.
+  /// Cuts into later parts of the contour are errors. If false, the control runs them, and they are warnings;
+  /// it also does not check whether a block before an outside corner that leads to an arc has room. The path
+  /// of such a block keeps its end; if it starts after that end, a line runs backwards and an arc nearly a
+  /// whole turn.
   bool looks_ahead = true;
 
   bool operator==(const CompensationRule&) const = default;
 };
 
-/// Rule of LinuxCNC, from what its interpreter makes of random contours (tests/oracle).
+/// Rule of LinuxCNC, from its interpreter's paths for random contours (tests/oracle).
 inline constexpr CompensationRule linuxcnc_compensation{OutsideCorner::arc_at_feed, true, 0.05, false};
 
 struct Compensation {
   ToolSide side = ToolSide::left;
-  double radius = 0;  ///< of the tool [mm]; negative: the other side
+  double radius = 0;  ///< of the tool [mm]; negative: the opposite side
   CompensationRule rule;
-  ContourPlane plane;  ///< left is left seen against its normal
+  ContourPlane plane;  ///< left means left seen against its normal
 };
 
-/// Turns a contour into the path of the tool's centre beside it.
+/// Turns a contour into the offset path of the tool's centre.
 ///
-/// Entry: the first motion in the plane is a straight line from where the tool is to the place square beside
-/// the start of the next one, or as the rule of the control has it. Exit: the contour ends square beside its
-/// last point; the next motion in the plane is a straight line to its programmed end. Inside corners: both
-/// paths end where they meet. Outside corners: as the rule says; what is put in belongs to the later block.
-/// Motions across the plane and dwells take place where the block before them ends. A motion is ready when
+/// Entry: the first motion in the plane is a straight line from the tool's position to the place at right
+/// angles to the start of the next one, or by the rule of the control. Exit: the contour ends at right angles
+/// to its last point; the next motion in the plane is a straight line to its programmed end. Inside corners:
+/// both paths end where they meet. Outside corners: by the rule; inserted elements belong to the later block.
+/// Motions across the plane and dwells take place where the previous block ends. A motion is ready when
 /// the next one in the plane is known.
 ///
-/// Reported: "compensation-gouge" where the tool is too large for the contour: for two blocks that follow
-/// each other, and as ContourWatch sees it farther along; "compensation-entry" and "compensation-exit" for
-/// arcs that should be lines; "compensation-plane" where it is switched to another plane on the way.
+/// Reports: "compensation-gouge" where the tool is too large for the contour, for two consecutive blocks and,
+/// by ContourWatch, farther along; "compensation-entry" and "compensation-exit" for arcs that should be
+/// lines; "compensation-plane" where it is switched to another plane on the way.
 class CutterCompensation {
  public:
   explicit CutterCompensation(DiagnosticLog& log) : log_(log) {}
 
-  /// Neither on, nor on the way out: motions need not be taken through it.
+  /// True if neither on nor on the way out: motions need not pass through it.
   bool is_off() const { return stage_ == Stage::off; }
   bool is_on() const { return stage_ == Stage::entry || stage_ == Stage::contour; }
-  /// From the next motion on. `tool` is where the tool is if the compensation is off. Another side or radius
-  /// makes an entry of the next motion.
+  /// Switches on from the next motion. `tool`: place of the tool if the compensation is off. Another side or
+  /// radius makes the next motion an entry.
   void switch_on(const Compensation& compensation, const Vec3& tool, const DiagnosticLog::Place& place);
   void switch_off();
-  /// At once: the way out is not part of the path.
+  /// Switches off at once: the way out is not part of the path.
   void break_off();
 
   void take(const PathMotion& motion);
-  /// No motion follows.
+  /// Call when no motion follows.
   void finish();
-  /// Motions of the tool's centre in their order; the caller takes them out.
+  /// Motions of the tool's centre in order; the caller removes them.
   std::vector<PathMotion>& ready() { return ready_; }
 
  private:
@@ -99,7 +99,7 @@ class CutterCompensation {
     PathMotion motion;
     PlaneElement contour;
     bool is_entry = false;
-    bool runs_unchecked = false;  ///< by CompensationRule::looks_ahead, whether or not it has room
+    bool runs_unchecked = false;  ///< by CompensationRule::looks_ahead, even without room
   };
 
   Vec2 in_plane(const Vec3& point) const { return compensation_.plane.in_plane(point); }
@@ -121,7 +121,7 @@ class CutterCompensation {
   std::optional<Vec2> outside_meeting(const PlaneElement& next) const;
   void go_around_on_lines(const PlaneElement& next, const PathMotion& linking);
   Vec2 inside_corner(const PlaneElement& last, const PlaneElement& next);
-  /// Writes the held motion with this end, and what waits behind it.
+  /// Writes the pending motion with this end, and the motions that wait after it.
   void release(const Vec2& end);
   void release_square();
   void write_arc(const PlaneElement& path, const Vec2& end);
@@ -137,13 +137,13 @@ class CutterCompensation {
   Stage stage_ = Stage::off;
   Compensation compensation_;
   double left_ = 0;              ///< of the contour [mm]
-  Vec3 tool_ = Vec3::Zero();     ///< where the centre is after what is ready [mm]
-  Vec3 contour_ = Vec3::Zero();  ///< end of what was taken [mm]
+  Vec3 tool_ = Vec3::Zero();     ///< place of the centre after the ready motions [mm]
+  Vec3 contour_ = Vec3::Zero();  ///< end of the last motion taken [mm]
   std::optional<Held> held_;
   ContourWatch watch_;
-  bool watches_ = false;             ///< the path beside the contour, without entry and exit
-  bool gouges_ = false;              ///< reported where the held motion meets its neighbours
-  std::vector<PathMotion> waiting_;  ///< behind the held one: no motion in the plane
+  bool watches_ = false;             ///< the path along the contour, without entry and exit
+  bool gouges_ = false;              ///< reported where the pending motion meets its neighbours
+  std::vector<PathMotion> waiting_;  ///< after the pending one: no motion in the plane
   std::vector<PathMotion> ready_;
 };
 

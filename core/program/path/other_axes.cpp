@@ -25,7 +25,7 @@ AxisBlock turning_alone(const PathWriter& path, double unit, bool rapid) {
   return block;
 }
 
-/// What the block in force has said of rotary axes, or a new one.
+/// Rotary move of the current block, or a new one.
 RotaryMove& OtherAxes::move_of_block() {
   std::vector<RotaryMove>& moves = program_.rotary_moves;
   const std::uint64_t block = lines_.block_count();

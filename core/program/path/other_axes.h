@@ -12,51 +12,52 @@
 
 namespace feedscope {
 
-/// How an axis other than X, Y and Z moves.
+/// Motion of an axis other than X, Y and Z.
 enum class AxisMotion : std::uint8_t {
-  positions,  ///< on its own, or with a rapid: the path beside it is right
+  positions,  ///< on its own, or with a rapid: the path of X, Y and Z is right
   cuts,       ///< in a feed move
   at_tip,     ///< in a feed move whose X, Y and Z are those of the tool's tip
 };
 
-/// What else a block with rotary axes says.
+/// Other properties of a block with rotary axes.
 struct AxisBlock {
   bool alone = false;         ///< X, Y and Z do not move in it
   double feed = 0;            ///< of the rotary axes [rad/s]; 0: a rapid
-  double time = 0;            ///< that the program gives it [s]; 0: none
+  double time = 0;            ///< given by the program [s]; 0: none
   bool at_tip = false;        ///< in a feed motion or alone: X, Y and Z are those of the tool's tip
-  bool great_circle = false;  ///< in one at the tip: RotaryMove::great_circle
-  double per_degree = 0;      ///< in one: RotaryMove::per_degree [mm]
-  /// Which way an endless axis goes to its angle: as written, the shortest, or always this one.
+  bool great_circle = false;  ///< in a motion at the tip: RotaryMove::great_circle
+  double per_degree = 0;      ///< in a motion at the tip: RotaryMove::per_degree [mm]
+  /// Way of an endless axis to its angle: as written, the shortest, or always in this direction.
   enum class Way : std::uint8_t { written, shortest, positive, negative };
   Way way = Way::written;
 };
 
-/// The speed of rotary axes that move alone: F is in degrees where it is in `unit` [mm] for X, Y and Z, and
-/// inverse time stays that.
+/// Speed of rotary axes that move alone: F is in degrees where it is in `unit` [mm] for X, Y and Z; inverse
+/// time stays the same.
 AxisBlock turning_alone(const PathWriter& path, double unit, bool rapid);
 
-/// Axes other than X, Y and Z. Program::other_axes names those that move, and each is reported once for each
-/// kind of motion, unless it is a rotary axis of ReadOptions; what A, B and C do is in
-/// Program::rotary_moves.
+/// Axes other than X, Y and Z. Program::other_axes names those that move. Each is reported once for each kind
+/// of motion, unless it is a rotary axis of ReadOptions. Program::rotary_moves contains the moves of A, B and
+/// C.
 class OtherAxes {
  public:
   /// All outlive it.
   OtherAxes(Program& program, const LineRunner& lines, DiagnosticLog& log, const ReadOptions& options)
       : program_(program), lines_(lines), log_(log), options_(options) {}
 
-  /// It goes to `target` [mm], [deg]; a name with a blank in it, "tool orientation", stands for several axes.
+  /// Moves an axis to `target` [mm], [deg]; a name with a blank in it, "tool orientation", means several
+  /// axes.
   void move(std::string_view axis, double target, AxisMotion motion, std::uint32_t column,
             const AxisBlock& block = {});
-  /// The control turns the rotary axes so that the tool has this unit direction in the coordinates shown.
+  /// Makes the control turn the rotary axes so that the tool has this unit direction in shown coordinates.
   void turn_tool(const Vec3& direction, int side = 0, double feed = 0);
-  /// With the block, the control turns the rotary axes so that the tool comes to have this unit direction in
-  /// the coordinates shown (tool vectors of five-axis programs); a machine without rotary axes is reported.
+  /// Makes the control turn the rotary axes during the block so that the tool reaches this unit direction in
+  /// shown coordinates (tool vectors of five-axis programs). Reports a machine without rotary axes.
   void orient_tool(const Vec3& direction, AxisMotion motion, std::uint32_t column,
                    const AxisBlock& block = {});
-  /// All of them go to zero.
+  /// Sends all of them to zero.
   void turn_to_zero(double feed = 0);
-  /// The machine has rotary axes.
+  /// True if the machine has rotary axes.
   bool turns() const { return !options_.rotary_axes.empty(); }
 
  private:
@@ -76,7 +77,7 @@ class OtherAxes {
   const ReadOptions& options_;
   std::vector<Axis> axes_;
   std::array<double, 3> programmed_{};  ///< last words of A, B and C [deg]
-  std::array<double, 3> at_{};          ///< where they have sent the axes, whole turns included [deg]
+  std::array<double, 3> at_{};          ///< resulting angles, including whole turns [deg]
 };
 
 }  // namespace feedscope

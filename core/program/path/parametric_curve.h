@@ -15,9 +15,9 @@ struct CurvePlace {
 /// Continuous, with a continuous slope; the slope may vanish.
 using ParametricCurve = std::function<CurvePlace(double)>;
 
-/// Largest distance from a curve of the lines or arcs that it is read as [mm].
+/// Largest distance between a curve and its lines or arcs [mm].
 inline constexpr double curve_tolerance = 1e-3;
-/// How often a stretch of a curve is halved at most to get there.
+/// Largest number of halvings of a stretch of a curve for that.
 inline constexpr int max_curve_halvings = 16;
 
 }  // namespace feedscope

@@ -14,8 +14,8 @@ bool holds(const Bounds& bounds, const Vec3& low, const Vec3& high) {
   return (bounds.min.array() <= low.array()).all() && (bounds.max.array() >= high.array()).all();
 }
 
-/// Found without looking at the arc's end: its whole circle lies within, or, up to half a turn, the circle
-/// about its ends. Most arcs of a long program do.
+/// Quick test without the arc's end: its whole circle lies within or, up to half a turn, the circle about its
+/// ends. True for most arcs of a long program.
 bool lies_within(const Bounds& bounds, const Vec3& start, const Vec3& end, const ArcWords& words,
                  const Vec3& from, const Vec3& to) {
   const Vec3 climb = words.axis.dot(end - start) * words.axis;
@@ -52,7 +52,7 @@ void add_arc(Bounds& bounds, const Vec3& start, const Vec3& end, const ArcWords&
   }
   sweep += full_turn * words.turns;
   const Vec3 across = axis.cross(from);
-  const Vec3 rise = axis.dot(end - start) / sweep * axis;  // a radian
+  const Vec3 rise = axis.dot(end - start) / sweep * axis;  // per radian
   // A coordinate at the angle a is center + from cos(a) + across sin(a) + rise a.
   const auto coordinate = [&](int i, double a) {
     return start[i] - from[i] + from[i] * std::cos(a) + across[i] * std::sin(a) + rise[i] * a;
@@ -70,7 +70,7 @@ void add_arc(Bounds& bounds, const Vec3& start, const Vec3& end, const ArcWords&
       if (first > sweep) {
         continue;
       }
-      // From turn to turn the same place moves by the rise alone: the first and the last time are enough.
+      // From turn to turn the same place moves by the rise alone: the first and the last turn are enough.
       bounds.add(i, coordinate(i, first));
       bounds.add(i, coordinate(i, first + full_turn * std::floor((sweep - first) / full_turn)));
     }
@@ -97,7 +97,7 @@ void PathExtents::add(const MotionBlock& block, const ArcWords& arc, const std::
     }
   }
   if (block.motion == Motion::arc) {
-    // What is within the cutting bounds is within both.
+    // Everything within the cutting bounds is within both.
     add_arc(program_.cutting_bounds, position_, block.target, arc);
     program_.bounds.add(program_.cutting_bounds.min);
     program_.bounds.add(program_.cutting_bounds.max);

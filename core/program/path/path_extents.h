@@ -9,21 +9,21 @@ namespace feedscope {
 /// Adds the full extent of the arc or helix from `start` to `end` [mm].
 void add_arc(Bounds& bounds, const Vec3& start, const Vec3& end, const ArcWords& words);
 
-/// Follows the motions of a program and keeps the bounds that Program documents.
+/// Follows the motions of a program and maintains the bounds that Program documents.
 class PathExtents {
  public:
   /// `program` outlives it.
   explicit PathExtents(Program& program) : program_(program) {}
 
-  /// The next motion. `axes`: those that its block programs; `arc`: of arcs only.
+  /// Adds the next motion. `axes`: programmed by its block; `arc`: of arcs only.
   void add(const MotionBlock& block, const ArcWords& arc, const std::array<bool, 3>& axes);
-  /// The path goes on at `to`; `axes`: those that the program has said by now.
+  /// Continues the path at `to`; `axes`: those programmed so far.
   void go_on_at(const Vec3& to, const std::array<bool, 3>& axes);
 
  private:
   Program& program_;
   Vec3 position_ = Vec3::Zero();  ///< end of the last motion [mm]
-  std::array<bool, 3> known_{};   ///< axes whose position the program has said
+  std::array<bool, 3> known_{};   ///< axes whose position the program has given
 };
 
 }  // namespace feedscope

@@ -12,7 +12,7 @@ struct PathMotion {
   MotionBlock block;  ///< its `arc` is not used
   ArcWords arc;       ///< arcs only
   DiagnosticLog::Place place;
-  std::array<bool, 3> axes{};  ///< that the block programs
+  std::array<bool, 3> axes{};  ///< programmed by the block
 };
 
 }  // namespace feedscope

@@ -264,8 +264,8 @@ bool PathWriter::name_place(const std::array<bool, 3>& axes) {
   return assumes;
 }
 
-/// Of a motion that begins while not every axis is known and has brought the path to position(). False if it
-/// is written, as a machine move.
+/// Checks a motion that begins while some axes are unknown and that has brought the path to position().
+/// Returns false if it is written, as a machine move.
 bool PathWriter::starts_at_known_place(Motion motion, double feed, const Vec3& programmed,
                                        const Vec3& shown) {
   const AxisPlaces before = places_.places();

@@ -21,100 +21,101 @@
 
 namespace feedscope {
 
-/// What the messages say of an arc that cannot be.
+/// Part of the messages about an impossible arc.
 inline constexpr std::string_view straight_instead = "a straight line to its end is used instead";
 
-/// An arc to be, in programmed coordinates.
+/// A requested arc, in programmed coordinates.
 struct ArcRequest {
   Vec3 target = Vec3::Zero();
   Vec3 center = Vec3::Zero();   ///< used by arc_by_center()
   double radius = 0;            ///< used by arc_by_radius(); negative for the larger arc [mm]
   Vec3 axis = Vec3::UnitZ();    ///< unit; counter-clockwise seen against it
-  double extra_turns = 0;       ///< whole turns more
+  double extra_turns = 0;       ///< additional whole turns
   std::uint32_t column = 0;     ///< of centre or radius, for messages
   ArcTolerance tolerance = {};  ///< used by arc_by_center()
-  /// A centre that the words would give if they were read another way, and that way's name: a hint where
-  /// the centre itself does not fit.
+  /// Centre by another reading of the words, and the name of that reading: a hint where the centre itself
+  /// does not fit.
   Vec3 other_center = Vec3::Zero();
   std::string_view other_reading;
 };
 
-/// What the motion words of every dialect come to: takes motions in programmed coordinates, one after the
-/// other, and appends them to the Program in the coordinates that are shown, with feed, path control, line
-/// and bounds. The tool starts at X0 Y0 Z0.
+/// Common target of the motion words of every dialect: takes motions in programmed coordinates, one after the
+/// other, and appends them to the Program in shown coordinates, with feed, path control, line and bounds. The
+/// tool starts at X0 Y0 Z0.
 class PathWriter {
  public:
   /// Both outlive it.
   PathWriter(Program& program, DiagnosticLog& log);
 
-  /// What follows is of this line: `shown` of the program, `place` where the words stand.
+  /// Assigns everything that follows to this line: `shown` of the program, `place` of the words.
   void begin_line(std::uint32_t shown, const DiagnosticLog::Place& place);
   /// Column of the motion's words, for messages.
   void set_column(std::uint32_t column) { place_.column = column; }
-  /// The line programs this axis, 0 to 2: the extent counts it from now on, and unless it is an `incremental`
-  /// coordinate the axis is where the line says.
+  /// Marks an axis, 0 to 2, as programmed by the line: the extent counts it from now on, and unless its
+  /// coordinate is `incremental` the axis is known.
   void program_axis(int axis, bool incremental = false) {
     const auto i = static_cast<std::size_t>(axis);
     axes_.named[i] = true;
     axes_.absolute[i] = !incremental;
     axes_.incremental[i] = incremental;
   }
-  /// All three for the extent.
+  /// Marks all three, for the extent.
   void program_axes() { axes_.named.fill(true); }
-  /// After the last line.
+  /// Call after the last line.
   void finish();
 
-  /// Where the programmed path has come to [mm], in programmed and in shown coordinates.
+  /// End of the programmed path so far [mm], in programmed and in shown coordinates.
   const Vec3& position() const { return programmed_; }
   const Vec3& shown_position() const { return shown_; }
   bool has_moved() const { return has_moved_; }
-  /// False while the axis, 0 to 2, is at a place that only the machine knows: position() has its last one.
+  /// False while the axis, 0 to 2, is at a place that only the machine knows: position() then returns its
+  /// last one.
   bool knows(int axis) const { return places_.is_shown(axis); }
 
-  /// What follows is programmed in this work offset with this zero point [mm], for Program::work_offsets;
-  /// none: it is assumed as zero.
+  /// Makes the following motions use this work offset with this zero point [mm], for Program::work_offsets;
+  /// none: assumed as zero.
   void use_work_offset(std::string_view name, const std::optional<Vec3>& zero);
-  /// The program gives the work offset in use another zero point [mm]; nothing while none is in use.
+  /// Gives the work offset in use another zero point [mm]; does nothing while none is in use.
   void set_zero_in_use(const Vec3& zero);
 
   const CoordinateFrame& frame() const { return frame_; }
-  /// The tool stays where it is; its programmed coordinates change.
+  /// Changes the programmed coordinates of the tool, which does not move.
   void set_frame(const CoordinateFrame& frame);
 
   void rapid(const Vec3& target);
   void line(const Vec3& target);
-  /// An arc that cannot be one is reported and becomes a line to its end, so that the position goes on.
+  /// An impossible arc is reported and becomes a line to its end, so that the position stays correct.
   void arc_by_center(const ArcRequest& arc);
   void arc_by_radius(const ArcRequest& arc);
   void dwell(double seconds);
-  /// Of a tool change, a spindle start or a stop, at the end of what came before.
+  /// Pause of a tool change, a spindle start or a stop, at the end of the previous motion.
   void pause(Pause kind);
-  /// On these axes a shown coordinate is one of the machine: the program itself gives the zero point.
+  /// Axes on which a shown coordinate is one of the machine, because the program itself gives the zero point.
   void set_machine_axes(const std::array<bool, 3>& axes) { machine_axes_ = axes; }
-  /// Where the axes are, for go_to_machine_place() later on.
+  /// Places of the axes, for a later go_to_machine_place().
   AxisPlaces places() const { return places_.places_at(shown_); }
-  /// The axes `moved` go to places of the machine, at `feed` [mm/s] or as a rapid (0): a line where the path
-  /// shows both ends. Else what follows is a machine move until the program says where every axis is; a feed
-  /// motion before that is taken as starting where the path has come to, with a warning. False where only the
-  /// machine knows one of the places.
+  /// Sends the axes `moved` to places of the machine, at `feed` [mm/s] or as a rapid (0): a line where the
+  /// path shows both ends. Otherwise the following motions are machine moves until the program gives every
+  /// axis a coordinate; a feed motion before that starts at the end of the path so far, with a warning.
+  /// Returns false if only the machine knows one of the places.
   bool go_to_machine_place(const std::array<bool, 3>& moved, const AxisPlaces& to, double feed = 0);
-  /// The program gives these axes coordinates where they are, as G92 does. Those that are not known are taken
-  /// to be where the path shows them; true if there are any.
+  /// Gives these axes coordinates at their current place, as G92 does. Unknown ones are assumed at their
+  /// shown place; returns true if there are any.
   bool name_place(const std::array<bool, 3>& axes);
-  /// Along a curve in programmed coordinates that starts where the path has come to, from parameter `from` to
-  /// `to`: as arcs (arcs_of_curve), under cutter compensation or at a corner that is cut off as lines
-  /// (lines_of_curve). `column` for messages. Returns the unit direction at its end, zero if it has no
-  /// length.
+  /// Adds a curve in programmed coordinates that starts at the current position, from parameter `from` to
+  /// `to`: as arcs (arcs_of_curve), or as lines (lines_of_curve) under cutter compensation or at a corner
+  /// that is cut off. `column` for messages. Returns the unit direction at its end, zero for a length of
+  /// zero.
   Vec3 curve(const ParametricCurve& curve, double from, double to, std::uint32_t column);
 
-  /// The arcs by a centre so far, and those of them that the centre does not fit.
+  /// Number of arcs by a centre so far, and of those that the centre does not fit.
   struct CenterCount {
     std::uint64_t arcs = 0;
     std::uint64_t misfits = 0;
   };
   const CenterCount& centers() const { return centers_; }
 
-  /// What ProgrammedFeed says of it.
+  /// See ProgrammedFeed.
   void set_feed_mode(FeedMode mode) { feed_.set_mode(mode); }
   FeedMode feed_mode() const { return feed_.mode(); }
   void set_feed(double feed) { feed_.set_value(feed); }
@@ -122,19 +123,19 @@ class PathWriter {
   double feed_rate() const { return feed_.rate(); }
   void set_spindle_speed(double revolutions_per_second) { feed_.set_spindle_speed(revolutions_per_second); }
   double spindle_speed() const { return feed_.spindle_speed(); }
-  /// What else is said of the spindle.
+  /// All other spindle state.
   SpindleTracker& spindle() { return spindle_; }
   void set_tooth_count(double teeth) { feed_.set_tooth_count(teeth); }
 
-  /// What follows is a contour of which the tool's centre is written, see CutterCompensation; `column` for
-  /// messages. Positions stay those of the contour.
+  /// Starts a contour for which the tool's centre is written, see CutterCompensation; `column` for messages.
+  /// Positions stay those of the contour.
   void set_compensation(ToolSide side, double radius, const CompensationRule& rule, Plane plane,
                         std::uint32_t column);
   void end_compensation();
   bool is_compensated() const { return compensation_.is_on() || compensation_waits_; }
 
-  /// The motion that follows, a line or an arc, ends in a corner that is cut off, see ContourCorners;
-  /// `cut.size` in programmed coordinates. Positions stay those of the contour.
+  /// Cuts off the corner at the end of the next motion, a line or an arc, see ContourCorners; `cut.size` in
+  /// programmed coordinates. Positions stay those of the contour.
   void cut_next_corner(CornerCut cut, Plane plane);
 
   const PathControl& path_control() const { return path_control_; }

@@ -10,7 +10,7 @@ namespace feedscope {
 
 namespace {
 
-/// A point of the arc's circle: whether it lies on the arc, its ends included.
+/// True if a point of the arc's circle lies on the arc, its ends included.
 bool on_arc(const PlaneElement& arc, const Vec2& point) {
   constexpr double rounding = 1e-9;
   const Vec2 from = arc.start - arc.center;
@@ -35,8 +35,8 @@ bool meet(const PlaneElement& a, const PlaneElement& b) {
                      [&](const Vec2& point) { return holds(a, point) && holds(b, point); });
 }
 
-/// From the places of the arc `a` that lie on the way from its centre to the nearest or farthest place of the
-/// endless line or circle of `b`.
+/// Least distance from the points of the arc `a` on the line from its centre to the nearest or farthest point
+/// of the endless line or circle of `b`.
 double distance_square_to(const PlaneElement& a, const PlaneElement& b) {
   double nearest = std::numeric_limits<double>::infinity();
   Vec2 target = b.center;

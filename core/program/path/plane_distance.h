@@ -13,7 +13,7 @@ struct PlaneBox {
 
   void add(const Vec2& point);
   void add(const PlaneBox& box);
-  /// No gap between the boxes is larger than `distance`.
+  /// True if no gap between the boxes is larger than `distance`.
   bool is_near(const PlaneBox& box, double distance) const {
     return (box.min.array() <= max.array() + distance).all() &&
            (min.array() <= box.max.array() + distance).all();
@@ -24,8 +24,9 @@ PlaneBox box_of(const PlaneElement& element);
 
 /// Shortest distance [mm].
 double distance(const Vec2& point, const PlaneElement& element);
-/// 0 where they meet. Else the shortest way begins at one of the four ends or is square to both: on a line
-/// it begins next to the other one's centre, on an arc on the line of both centres.
+/// Shortest distance [mm]; 0 where they meet. Otherwise the shortest connection begins at one of the four
+/// ends or is at right angles to both: on a line it begins next to the other one's centre, on an arc on the
+/// line through both centres.
 double distance(const PlaneElement& a, const PlaneElement& b);
 
 }  // namespace feedscope

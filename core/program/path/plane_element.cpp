@@ -10,7 +10,7 @@ namespace feedscope {
 
 namespace {
 
-/// From `a` to `b`, counter-clockwise, in (-pi, pi].
+/// Angle from `a` to `b`, counter-clockwise, in (-pi, pi].
 double angle_between(const Vec2& a, const Vec2& b) {
   return std::atan2(cross(a, b), a.dot(b));
 }
@@ -19,8 +19,8 @@ void add(Meetings& meetings, const Vec2& point) {
   meetings.points[static_cast<std::size_t>(meetings.count++)] = point;
 }
 
-/// Points of the line through `foot` along unit `along` that lie `far` from `foot`, which is at `height` from
-/// the centre of a circle of `radius`; a circle missed by no more than rounding is touched.
+/// Points of a circle on the line through `foot` along unit `along` that lie `far` from `foot`, which is at
+/// `height` from the centre of the circle of `radius`; a circle missed by no more than rounding is touched.
 Meetings on_circle(const Vec2& foot, const Vec2& along, double height, double radius) {
   constexpr double rounding = 1e-9;
   Meetings found;

@@ -6,7 +6,7 @@
 
 namespace feedscope {
 
-/// How F is meant.
+/// Meaning of F.
 enum class FeedMode : std::uint8_t {
   per_minute,      ///< G94
   inverse_time,    ///< G93: F is one over the minutes of the block
@@ -14,16 +14,16 @@ enum class FeedMode : std::uint8_t {
   per_tooth,       ///< per revolution and tooth
 };
 
-/// The feed that a program asks for, with the spindle and the teeth that it depends on.
+/// Feed of a program, with the spindle and the teeth on which it depends.
 class ProgrammedFeed {
  public:
   /// `log` outlives it.
   explicit ProgrammedFeed(DiagnosticLog& log) : log_(log) {}
 
-  /// Another mode than before has no feed yet.
+  /// A new mode has no feed yet.
   void set_mode(FeedMode mode);
   FeedMode mode() const { return mode_; }
-  /// > 0; mm/s, 1/s, mm a revolution or a tooth as the mode says.
+  /// > 0; mm/s, 1/s, or mm per revolution or tooth, by the mode.
   void set_value(double value) { value_ = value; }
   /// The last valid one; 0: none yet in this mode.
   double value() const { return value_; }
@@ -32,9 +32,9 @@ class ProgrammedFeed {
   double spindle_speed() const { return spindle_speed_; }
   void set_tooth_count(double teeth) { tooth_count_ = teeth; }
 
-  /// What it comes to for motions [mm/s]; meaningless under G93.
+  /// Resulting speed of motions [mm/s]; meaningless under G93.
   double rate() const;
-  /// Of a motion of this length [mm]; 0, reported once at `place`, if the program gives none.
+  /// Feed of a motion of this length [mm]; 0, with one report at `place`, if the program gives none.
   double over(double length, const DiagnosticLog::Place& place);
 
  private:

@@ -9,7 +9,7 @@
 
 namespace feedscope {
 
-/// The spindle as the program has left it, and the table of its states that motions point to.
+/// Current state of the spindle, and the table of its states to which motions point.
 class SpindleTracker {
  public:
   /// `states` outlives it and gets its first one; `log` outlives it.
@@ -21,8 +21,8 @@ class SpindleTracker {
   /// G96: constant cutting speed.
   void set_surface_speed(bool on) { surface_speed_ = on; }
 
-  /// Of a motion that begins now; `speed` [1/s]. Where there are more states than a motion can point to, the
-  /// first one, of which nothing is known, reported at `place`.
+  /// State for a motion that begins now; `speed` [1/s]. Returns the first, unknown state, with a report at
+  /// `place`, if there are more states than a motion can point to.
   std::uint16_t index(double speed, const DiagnosticLog::Place& place);
 
  private:

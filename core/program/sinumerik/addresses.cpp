@@ -89,7 +89,7 @@ void Addresses::run_numbered(Scanner& scanner, std::string_view name, std::uint3
   }
   const char letter = letters::to_upper(name[0]);
   if (std::string_view("SMHTDFG").find(letter) != std::string_view::npos) {
-    // Of a spindle or channel; S1 is the spindle that the path depends on.
+    // Address of a spindle or channel; the path depends on spindle S1.
     const bool value = scanner.peek() == '=';
     Scanner ahead = scanner;
     parts_.values.skip(scanner);
@@ -103,7 +103,7 @@ void Addresses::run_numbered(Scanner& scanner, std::string_view name, std::uint3
   }
   require(scanner, '=');
   const BlockWords::Value value = read_coordinate(parts_.values, scanner, column);
-  // The machine's names of the axes, as G74 and G75 have them: "Z1=0".
+  // The machine's axis names, as in G74 and G75: "Z1=0".
   const bool names_axis =
       functions_.machine_axes != nullptr && letter >= 'X' && letter <= 'Z' && name.substr(1) == "1";
   if (names_axis) {
@@ -130,7 +130,7 @@ bool Addresses::run_letter(Scanner& scanner) {
   }
   const bool is_address = letter >= 'A' && letter <= 'Z' && next != '[';
   if (!is_address || !(assigned || starts_number(next))) {
-    // Of a spindle: "S[2]=1000".
+    // Address of a spindle: "S[2]=1000".
     if (next != '[' || std::string_view("SMHTD").find(letter) == std::string_view::npos) {
       scanner.move_to(from);
       return false;

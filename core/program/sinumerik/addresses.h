@@ -18,7 +18,7 @@ namespace feedscope::sinumerik {
 /// the words of the block, G and M to ModalWords, L to Calls.
 class Addresses : private Part {
  public:
-  /// What it hands words to; all outlive it.
+  /// Receivers of the words; all outlive it.
   struct Parts {
     Values& values;
     Assignments& assignments;
@@ -31,14 +31,13 @@ class Addresses : private Part {
 
   /// A letter with a plain number; `written`: both.
   void set(const Word& word, std::string_view written);
-  /// A letter with a number after it, with "=" and a value, or with an index. False, and nothing taken, for
-  /// everything else. Throws ReadFault.
+  /// Reads a letter with a number after it, with "=" and a value, or with an index. False, with nothing
+  /// taken, for everything else. Throws ReadFault.
   bool run_letter(Scanner& scanner);
-  /// "CR=5", whose `name` in `column` has just been read. False, and nothing taken, if it is not an address.
-  /// Throws ReadFault.
+  /// Reads "CR=5" after its `name` in `column`. False, with nothing taken, if it is not an address. Throws
+  /// ReadFault.
   bool run_address(Scanner& scanner, std::string_view name, std::uint32_t column);
-  /// The same for a letter with a number, "I1=", "S2=", "Z1=", used as an axis if it is nothing
-  /// else.
+  /// The same for a letter with a number, "I1=", "S2=", "Z1=", which is an axis if it is nothing else.
   void run_numbered(Scanner& scanner, std::string_view name, std::uint32_t column);
 
  private:

@@ -72,7 +72,7 @@ double Arcs::extra_turns() const {
   return 0;
 }
 
-/// By a radius, a center, or the pole.
+/// Arc by a radius, a centre, or the pole.
 void Arcs::plain_arc(const Vec3& target, ArcRequest& request) {
   const bool has_center = words_.has_any("IJK");
   if (words_.has(Address::cr)) {
@@ -99,7 +99,7 @@ void Arcs::plain_arc(const Vec3& target, ArcRequest& request) {
   by_center(request);
 }
 
-/// By its opening angle, with a centre or with an end.
+/// Arc by its opening angle, with a centre or with an end.
 void Arcs::angle_arc(const Vec3& target, ArcRequest& request) {
   const BlockWords::Value& word = words_[Address::ar];
   request.column = word.column;
@@ -167,7 +167,7 @@ void Arcs::arc_through(const Vec3& target) {
   by_center(request);
 }
 
-/// CT: leaves the motion before along its end's direction, in the plane.
+/// CT: continues along the end direction of the previous motion, in the plane.
 void Arcs::tangent_arc(const Vec3& target) {
   const Vec3 normal = normal_of(modal_.plane);
   const auto level = [&normal](const Vec3& v) -> Vec3 { return v - normal.dot(v) * normal; };

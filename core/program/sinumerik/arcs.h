@@ -7,7 +7,7 @@
 namespace feedscope::sinumerik {
 
 /// Arcs: G2 and G3 by a centre, radius, opening angle or about the pole, CIP through a point, CT tangential
-/// to the motion before. One that cannot be made is reported and becomes a line.
+/// to the previous motion. An impossible one is reported and becomes a line.
 class Arcs : private Part {
  public:
   /// All outlive it.
@@ -18,7 +18,7 @@ class Arcs : private Part {
     return action == Action::arc_cw || action == Action::arc_ccw || action == Action::arc_through ||
            action == Action::arc_tangent;
   }
-  /// From the position to `target`, programmed coordinates [mm], as the motion word in force says.
+  /// Moves from the position to `target`, programmed coordinates [mm], by the motion word in force.
   void move(const Vec3& target);
 
  private:

@@ -8,24 +8,23 @@
 
 namespace feedscope::sinumerik {
 
-/// The counter of FOR: an R parameter or an element of a variable.
+/// Counter of FOR: an R parameter or an element of a variable.
 struct LoopCounter {
   int r = -1;
   Variable* variable = nullptr;  ///< used if `r` is negative
   std::size_t element = 0;
 };
 
-/// Gives variables their values: single ones, and lists for arrays by SET and REP.
+/// Assigns values to variables: single ones, and lists to arrays by SET and REP.
 class Assignments {
  public:
   /// `values` outlives it.
   explicit Assignments(Values& values) : values_(values) {}
 
-  /// One or more assignments to a variable whose name has just been read: index, "=" and the value. Throws
-  /// ReadFault.
+  /// Reads one or more assignments to a variable after its name: index, "=" and the value. Throws ReadFault.
   void assign(Scanner& scanner, Variable& variable, std::string_view name);
-  /// The same for an R parameter whose "R" has just been read: "5=1", "[5]=1". False, and nothing taken, if
-  /// no number is next. Throws ReadFault.
+  /// The same for an R parameter after its "R": "5=1", "[5]=1". False, with nothing taken, if no number is
+  /// next. Throws ReadFault.
   bool assign_r(Scanner& scanner);
   /// Values after DEF's "=": one, or a list in brackets. Throws ReadFault.
   void initialise(Scanner& scanner, Variable& variable);

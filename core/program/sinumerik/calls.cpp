@@ -59,7 +59,7 @@ void Calls::run_call(Scanner& scanner) {
   }
 }
 
-/// A program from outside of the control, with its folder or without: EXTCALL("D:/PART.WPD/OP10.SPF").
+/// Program from outside the control, with or without its folder: EXTCALL("D:/PART.WPD/OP10.SPF").
 void Calls::run_extcall(Scanner& scanner) {
   if (parts_.values.text_follows(scanner) || scanner.peek() == '(') {
     call_by_text(scanner);
@@ -80,7 +80,7 @@ void Calls::run_isocall(Scanner& scanner) {
   skip_rest(scanner);
 }
 
-/// With a name: it is called after every motion from now on; alone: no longer.
+/// With a name: calls it after every motion from now on; alone: ends that.
 void Calls::run_mcall(Scanner& scanner) {
   modal_call_.reset();
   if (!scanner.at_end()) {
@@ -201,7 +201,7 @@ void Calls::enter(const SubprogramCall& call, const Subprogram& subprogram, std:
   parts_.values.variables().enter();
 }
 
-/// False outside of calls.
+/// Returns false outside of calls.
 bool Calls::leave() {
   const LineRunner::Returned returned = lines().return_from_call();
   if (returned == LineRunner::Returned::left) {
@@ -227,7 +227,7 @@ void Calls::come_back() {
   }
 }
 
-/// VAR parameters: the caller's variables get what the subprogram has left in its own.
+/// VAR parameters: copies the final values of the subprogram's parameters to the caller's variables.
 void Calls::return_values(const Parameters& parameters) {
   Variables& variables = parts_.values.variables();
   std::vector<std::pair<std::string, Variable>> returned;

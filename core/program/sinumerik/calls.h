@@ -18,10 +18,10 @@
 
 namespace feedscope::sinumerik {
 
-/// Calls subprograms and cycles and comes back from them: names, L, CALL, PCALL, EXTCALL, MCALL, RET, M17.
+/// Calls of subprograms and cycles and returns from them: names, L, CALL, PCALL, EXTCALL, MCALL, RET, M17.
 class Calls : private Part {
  public:
-  /// What calls work with; all outlive it.
+  /// Parts used by calls; all outlive it.
   struct Parts {
     Values& values;
     Splines& splines;
@@ -32,24 +32,25 @@ class Calls : private Part {
   };
   Calls(Context& context, const Parts& parts) : Part(context), parts_(parts) {}
 
-  /// Forgets the call of the block before.
+  /// Forgets the call of the previous block.
   void begin_block() { call_.reset(); }
-  /// True if `name`, which has just been read, is one of its statements, which is run. Throws ReadFault.
+  /// Runs the statement `name`, which has just been read; false if it is not one of this part. Throws
+  /// ReadFault.
   bool run(std::string_view name, Scanner& scanner);
-  /// The block calls `name`, or what is written here with its arguments. Throws ReadFault.
+  /// Makes the block call `name`, or the call written here with its arguments. Throws ReadFault.
   void set(std::string name, std::uint32_t column);
   void read(Scanner& scanner) { call_ = read_call(scanner); }
 
-  /// After a motion of the block: what MCALL calls.
+  /// Runs the call of MCALL, after a motion of the block.
   void run_modal();
-  /// At the block's end: what the block calls, and its return.
+  /// Runs the call of the block and its return, at the block's end.
   void run_block();
-  /// M2, M17, M30, RET: back to the caller, or the program ends.
+  /// M2, M17, M30, RET: returns to the caller, or ends the program.
   void end_or_return();
-  /// The text in force has no further line.
+  /// Call when the current text has no further line.
   void run_out() { leave(); }
 
-  /// What the call in force passes to its subprogram, and what PROC does with it.
+  /// Arguments of the current call, and their use by PROC.
   struct Parameters {
     Arguments arguments;
     std::vector<std::pair<std::string, std::string>> returned;  ///< own variable, caller's: VAR parameters
@@ -58,16 +59,16 @@ class Calls : private Part {
   /// nullptr in the program itself.
   Parameters* parameters() { return scopes_.empty() ? nullptr : &scopes_.back().parameters; }
 
-  /// Words have been met in the program or subprogram in force, whose next head ends it.
+  /// True if the current program or subprogram has had words, so that the next head ends it.
   bool words_met() const { return scopes_.empty() ? words_met_ : scopes_.back().words_met; }
   void note_words() { (scopes_.empty() ? words_met_ : scopes_.back().words_met) = true; }
 
  private:
-  /// A subprogram that runs.
+  /// A running subprogram.
   struct Scope {
     Parameters parameters;
     bool words_met = false;
-    bool ends_caller = false;  ///< the block of the call holds M17 or M30 too
+    bool ends_caller = false;  ///< the block of the call also contains M17 or M30
     KeptModes::Kept kept;      ///< of the caller
   };
   struct ModalCall {

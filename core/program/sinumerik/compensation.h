@@ -14,18 +14,18 @@ class Compensation : private Part {
   /// Both outlive it.
   Compensation(Context& context, Values& values) : Part(context), values_(values) {}
 
-  /// "$TC_DP6[tool, edge]=radius", whose name has just been read. Throws ReadFault.
+  /// Reads "$TC_DP6[tool, edge]=radius" after its name. Throws ReadFault.
   void set_tool_radius(Scanner& scanner);
-  /// The program asks for a tool, by number or name.
+  /// Selects a tool, by number or name.
   void choose_tool(const std::string& name);
   /// Number or name; empty: none yet.
   const std::string& tool() const { return modes_.tool; }
-  /// G451: around outside corners to where the paths meet; else G450.
+  /// G451: around outside corners to the meeting point of the paths; else G450.
   void set_corner_meeting(bool on) { modes_.corner_meeting = on; }
-  /// T, D, plane and G words of the block.
+  /// Applies T, D, plane and G words of the block.
   void run();
 
-  /// What stays in force.
+  /// Modal state.
   struct Modes {
     std::string tool;
     double edge = 1;                 ///< D
@@ -41,7 +41,7 @@ class Compensation : private Part {
 
   Values& values_;
   Modes modes_;
-  CutterRadii radii_;  ///< that the program sets
+  CutterRadii radii_;  ///< set by the program
 };
 
 }  // namespace feedscope::sinumerik

@@ -11,22 +11,21 @@
 
 namespace feedscope::sinumerik {
 
-/// What all parts of the reader work on: the words of the block in force and what stays in force from block
-/// to block.
+/// Shared state of all parts of the reader: the words of the current block and the modal state.
 struct Context {
   Machining& machining;
   BlockWords words = {};
   BlockFunctions functions = {};
   ModalState modal = {};
-  std::optional<Macros::Line> replaced = std::nullopt;  ///< the line in force, if it has macros
+  std::optional<Macros::Line> replaced = std::nullopt;  ///< the current line, if it has macros
 
-  /// Column in the line as it is written; `column` is one of the line with its macros replaced.
+  /// Column in the line as written; `column` is one of the line with its macros replaced.
   std::uint32_t written(std::uint32_t column) const {
     return replaced ? replaced->written_column(column) : column;
   }
 };
 
-/// What the parts of the reader have in common: short names for what they work on.
+/// Short names for the shared state, for the parts of the reader.
 class Part {
  protected:
   using Text = DiagnosticLog::Text;

@@ -7,8 +7,8 @@
 
 namespace feedscope::sinumerik {
 
-/// Takes the value of an address after its "=": an expression, or AC(), IC(), DIC() and similar around one.
-/// `column` is that of the address. Throws ReadFault.
+/// Reads the value of an address after its "=": an expression, or AC(), IC(), DIC() and similar around one.
+/// `column`: of the address. Throws ReadFault.
 BlockWords::Value read_coordinate(Values& values, Scanner& scanner, std::uint32_t column);
 
 }  // namespace feedscope::sinumerik

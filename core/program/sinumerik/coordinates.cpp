@@ -93,7 +93,7 @@ Vec3 Coordinates::values(double missing) const {
   return values;
 }
 
-/// [rad]; RPL turns in the plane.
+/// Angles of the block [rad]; RPL turns in the plane.
 Vec3 Coordinates::angles() const {
   Vec3 angles = values(0);
   if (words_.has(Address::rpl)) {

@@ -12,23 +12,23 @@
 namespace feedscope::sinumerik {
 
 /// Frames and work offsets: TRANS, ROT, SCALE, MIRROR and their additive forms, G58, G59, G54 to G599, the
-/// plane of CYCLE800, and what variables set. The path's frame follows at once.
+/// plane of CYCLE800, and frame variables. Changes the path's frame at once.
 class Coordinates : private Part {
  public:
   /// All outlive it. Work offsets of ReadOptions are settable frames from the start.
   Coordinates(Context& context, Targets& targets, Splines& splines);
 
-  /// The frame function of the block (BlockFunctions::own_block), if it is one.
+  /// Runs the frame function of the block (BlockFunctions::own_block), if it has one.
   void run();
-  /// G54 to G599: the frame that the program or ReadOptions give this number, else none.
+  /// G54 to G599: selects the frame of this number from the program or ReadOptions, else none.
   void select_work_offset(int g, std::uint32_t column);
-  /// The swivelled plane, or `additive`ly one more inside of it.
+  /// Sets the swivelled plane or, if `additive`, one more inside it.
   void swivel(const CoordinateFrame& plane, bool additive);
 
   /// $P_PFRAME.
   CoordinateFrame programmed() const { return modes_.frames.programmed(); }
   void set_programmed(const CoordinateFrame& frame);
-  /// Coordinate of its coarse or `fine` shift [mm].
+  /// Coordinate of the coarse or `fine` shift of the programmable frame [mm].
   void set_programmed_shift(int axis, double value, bool fine);
   /// $P_UIFR by number, G54 is 1; takes effect with its G word.
   FrameValue settable(int number) const;
@@ -37,7 +37,7 @@ class Coordinates : private Part {
   const FrameValue& settable_in_force() const { return in_force_; }
   void set_settable_in_force(const FrameValue& value);
 
-  /// What stays in force.
+  /// Modal state.
   struct Modes {
     int work_offset = 0;  ///< G number; 0: none yet
     Frames frames;

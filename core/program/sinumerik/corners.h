@@ -12,12 +12,12 @@ class Corners : private Part {
   /// Both outlive it.
   Corners(Context& context, const Feeds& feeds) : Part(context), feeds_(feeds) {}
 
-  /// RNDM and FRCM of the block.
+  /// Applies RNDM and FRCM of the block.
   void run_modal();
-  /// At the end of the motion that follows, if it is a line or arc: the corner of the block, else RNDM.
+  /// Cuts the end of the next motion, if it is a line or arc: by the corner of the block, else by RNDM.
   void cut(bool at_line_or_arc) const;
 
-  /// What stays in force.
+  /// Modal state.
   struct Modes {
     double rounding = 0;  ///< RNDM [mm]; 0: none
     double feed = 0;      ///< FRCM as written; 0: none

@@ -68,8 +68,8 @@ bool Cycles::run(const SubprogramCall& call, const SubprogramCall* modal) {
   return true;
 }
 
-/// _GMODE of centring and drilling: the depth may be meant of the tool's diameter or shank, whose height over
-/// the tip the program does not tell.
+/// _GMODE of centring and drilling: the depth may refer to the tool's diameter or shank, whose height above
+/// the tip the program does not give.
 void Cycles::check_depth(int number, const SubprogramCall& call) const {
   const bool by_tip = static_cast<int>(number_at(call.arguments, 6)) / 10 % 10 == 0;
   if (by_tip || (number != 81 && number != 82)) {
@@ -99,7 +99,7 @@ void Cycles::drill(const DrillPlan& plan) {
   });
 }
 
-/// The modal cycle at every hole.
+/// Runs the modal cycle at every hole.
 void Cycles::hole_pattern(const SubprogramCall& call, const SubprogramCall* modal) {
   constexpr double max_holes = 1000;
   const double count = number_at(call.arguments, 5);
@@ -163,8 +163,8 @@ void Cycles::high_speed_settings(const SubprogramCall& call) {
   parts_.path_modes.set_cycle(to_mm(tolerance), digits, orientation, call.column);
 }
 
-/// CYCLE800(FR, TC, ST, MODE, X0, Y0, Z0, A, B, C, X1, Y1, Z1, ...): the plane is shifted by X0, turned about
-/// one axis after the other and shifted by X1.
+/// CYCLE800(FR, TC, ST, MODE, X0, Y0, Z0, A, B, C, X1, Y1, Z1, ...): shifts the plane by X0, turns it about
+/// one axis after the other and shifts it by X1.
 void Cycles::swivel(const SubprogramCall& call) {
   parts_.splines.finish();
   const Arguments& values = call.arguments;
@@ -199,8 +199,8 @@ void Cycles::swivel(const SubprogramCall& call) {
   turn_tool(call);
 }
 
-/// Before the axes turn: by _FR_I along the tool, which stands normal to the plane in force, or to where the
-/// machine's data says.
+/// Before the axes turn: by _FR_I along the tool, which is normal to the plane in force, or to the place
+/// given by machine data.
 void Cycles::retract(const SubprogramCall& call) {
   constexpr int along_tool = 5;
   constexpr std::size_t way_place = 14;
@@ -220,7 +220,7 @@ void Cycles::retract(const SubprogramCall& call) {
   }
 }
 
-/// Where CYCLE800 turns the rotary axes: _DIR is the side, 0: it only calculates the plane. Without arguments
+/// Turn of the rotary axes by CYCLE800: _DIR is the side, 0: it only calculates the plane. Without arguments
 /// it cancels the plane, and the axes stay.
 void Cycles::turn_tool(const SubprogramCall& call) {
   constexpr std::size_t direction_place = 13;

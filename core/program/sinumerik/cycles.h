@@ -18,7 +18,7 @@ namespace feedscope::sinumerik {
 /// CYCLE800 and CYCLE832.
 class Cycles : private Part {
  public:
-  /// What cycles work with; all outlive it.
+  /// Parts used by cycles; all outlive it.
   struct Parts {
     const Feeds& feeds;
     Targets& targets;
@@ -29,7 +29,7 @@ class Cycles : private Part {
   };
   Cycles(Context& context, const Parts& parts) : Part(context), parts_(parts) {}
 
-  /// False if `call` is not one of these cycles. `modal`: what MCALL calls, nullptr for nothing; a pattern
+  /// Returns false if `call` is not one of these cycles. `modal`: call of MCALL, nullptr for none; a pattern
   /// runs it at its holes.
   bool run(const SubprogramCall& call, const SubprogramCall* modal);
 

@@ -22,7 +22,7 @@ constexpr auto types = std::to_array<std::pair<std::string_view, Type>>({{"REAL"
                                                                          {"STRING", Type::text},
                                                                          {"AXIS", Type::axis}});
 
-/// The next type, with the length of a text; none, and nothing taken, if there is none.
+/// Reads the next type, with the length of a text; none, with nothing taken, if there is none.
 std::optional<Type> take_type(Scanner& scanner) {
   for (const auto& [name, type] : types) {
     if (scanner.take_name(name)) {
@@ -122,7 +122,7 @@ void Definitions::run_proc(Scanner& scanner) {
   }
 }
 
-/// What the call passes; nullptr if it passes nothing there.
+/// Argument of the call at a position; nullptr for none.
 const Argument* Definitions::argument(std::size_t position) {
   const Calls::Parameters* const parameters = calls_.parameters();
   return parameters != nullptr && position < parameters->arguments.size() ? &parameters->arguments[position]
@@ -165,8 +165,8 @@ void Definitions::read_parameter(Scanner& scanner, std::size_t position) {
   values_.variables().define(name, std::move(variable));
 }
 
-/// Of a parameter whose type and name have just been read. "A[3]" and "A[]" take all elements of the array
-/// that is passed.
+/// Variable of a parameter whose type and name have just been read. "A[3]" and "A[]" take all elements of the
+/// array that is passed.
 Variable Definitions::parameter_variable(Scanner& scanner, Type type, std::string_view name,
                                          const Argument* passed) {
   const std::uint32_t column = scanner.column();

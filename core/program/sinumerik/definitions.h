@@ -25,7 +25,8 @@ class Definitions : private Part {
         macros_(macros),
         calls_(calls) {}
 
-  /// True if `name`, which has just been read, is one of its statements, which is run. Throws ReadFault.
+  /// Runs the statement `name`, which has just been read; false if it is not one of this part. Throws
+  /// ReadFault.
   bool run(std::string_view name, Scanner& scanner);
 
  private:

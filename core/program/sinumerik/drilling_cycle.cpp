@@ -21,7 +21,7 @@ constexpr auto metric_leads = std::to_array<std::pair<double, double>>(
      {14, 2},   {16, 2},   {18, 2.5}, {20, 2.5}, {22, 2.5}, {24, 3},   {27, 3},
      {30, 3.5}, {33, 3.5}, {36, 4},   {39, 4},   {42, 4.5}, {45, 4.5}, {48, 5}});
 
-/// PIT in the unit that _PITA says, or the lead of the thread of size MPIT [mm]; 0 if neither is given.
+/// PIT in the unit of _PITA, or the lead of the thread of size MPIT [mm]; 0 if neither is given.
 double lead_of(double size, double lead, double unit, double mm) {
   if (lead != 0) {
     constexpr double inch = 25.4;
@@ -48,7 +48,7 @@ double lead_of(double size, double lead, double unit, double mm) {
 }
 
 /// Depths of the strokes of CYCLE83, from the top. Each is shorter than the one before by `degression` (a
-/// share of it if negative), but not shorter than `least`; the last two are equal.
+/// share of it if negative), but not below `least`; the last two are equal.
 std::vector<double> stroke_depths(double total, double first, double degression, double least) {
   std::vector<double> depths;
   double stroke = first > 0 ? std::min(first, total) : total;
@@ -76,7 +76,7 @@ class DrillingCycle {
  public:
   DrillingCycle(const Arguments& arguments, const DrillingPlace& place, int axis);
 
-  /// False if `number` is not that of a drilling cycle.
+  /// Returns false if `number` is not that of a drilling cycle.
   bool add(int number);
   void end();
   const DrillPlan& plan() const { return plan_; }
@@ -96,10 +96,10 @@ class DrillingCycle {
   void tap(const Thread& thread);
   void lift_off(double first, double second, double up);
   void rapid(double height) { plan_.rapid(place_.mm * height); }
-  /// At the programmed feed times `share`.
+  /// Feeds at the programmed feed times `share`.
   void feed(double height, double share = 1);
   void own_feed(double height, double feed);
-  /// Seconds; negative: revolutions.
+  /// Waits for seconds; negative: revolutions.
   void dwell(double time);
 
   const Arguments& arguments_;
@@ -170,7 +170,7 @@ bool DrillingCycle::add(int number) {
   }
 }
 
-/// At the retract height, above the hole.
+/// Goes to the retract height, above the hole.
 void DrillingCycle::end() {
   Vec3 back = -aside_;
   back[plan_.axis()] = place_.mm * retract_ - plan_.level();
@@ -218,7 +218,8 @@ void DrillingCycle::deep_hole() {
       break;
     }
     if (clears) {
-      // How far above the last depth the feed begins again: given, 0.6 mm, or a fiftieth of deep holes.
+      // Distance above the last depth at which the feed begins again: given, 0.6 mm, or a fiftieth of deep
+      // holes.
       constexpr double shallow = 30;
       const double given = number_of(16);
       const double gap = given > 0 ? given : depths[i] <= shallow ? 0.6 : std::min(depths[i] / 50, 7.0);
@@ -248,7 +249,8 @@ void DrillingCycle::tap(const Thread& thread) {
                  plan_);
 }
 
-/// The spindle is at rest: the edge leaves the wall by RPA, RPO and RPAP, and the hole beside its axis.
+/// Moves the edge off the wall by RPA, RPO and RPAP while the spindle is at rest; it then leaves the hole off
+/// its axis.
 void DrillingCycle::lift_off(double first, double second, double up) {
   if (first == 0 && second == 0 && up == 0) {
     return;
@@ -261,7 +263,7 @@ void DrillingCycle::lift_off(double first, double second, double up) {
   rapid(safe_);
 }
 
-/// Deep holes and threads may name another axis than that across the plane: 1 its first one, 2 its second.
+/// Deep holes and threads may name another axis than the normal of the plane: 1 its first one, 2 its second.
 int axis_of(int number, const Arguments& arguments, Plane plane) {
   const bool names_axis = number == 83 || number == 84 || number == 840;
   const double axis = names_axis ? number_at(arguments, number == 840 ? 11 : 12) : 0;

@@ -4,7 +4,7 @@
 
 namespace feedscope::sinumerik {
 
-/// Feed and spindle speed: F, S, and the G words that say how they are meant (G93 to G97, G961 to G973).
+/// Feed and spindle speed: F, S, and the G words that define their meaning (G93 to G97, G961 to G973).
 class Feeds : private Part {
  public:
   explicit Feeds(Context& context) : Part(context) {}
@@ -13,10 +13,10 @@ class Feeds : private Part {
   void set_mode(const Function& function);
   /// F and S of the block.
   void run();
-  /// Of a number as F has it, in the unit of PathWriter::set_feed().
+  /// Feed of a number in the sense of F, in the unit of PathWriter::set_feed().
   double feed_of(double value) const;
 
-  /// G96, G961: S is not a spindle speed.
+  /// True under G96, G961: S is not a spindle speed.
   bool has_surface_speed() const { return surface_speed_; }
   void restore_surface_speed(bool on) {
     surface_speed_ = on;

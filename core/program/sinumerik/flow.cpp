@@ -25,7 +25,7 @@ bool Flow::run(std::string_view name, Scanner& scanner) {
   return run_statement(*this, statements, name, scanner);
 }
 
-/// That of the line in force, which begins or ends with `word`.
+/// Structure of the current line, which begins or ends with `word`.
 ProgramIndex::Structure Flow::structure(Scanner& scanner, std::string_view word) {
   const ProgramIndex::Structure found = indexes_.of(lines().text()).structure(lines().line());
   if (found.end == 0) {
@@ -88,7 +88,7 @@ void Flow::run_endfor(Scanner& scanner) {
       lines().jump_to(all.begin + 1);
     }
   } catch (ReadFault& fault) {
-    // The column of the fault is in the line of FOR.
+    // The column of the fault refers to the line of FOR.
     fault.column = scanner.column();
     throw;
   }

@@ -17,7 +17,8 @@ class Flow : private Part {
   Flow(Context& context, Values& values, Assignments& assignments, ProgramIndexes& indexes, Jumps& jumps)
       : Part(context), values_(values), assignments_(assignments), indexes_(indexes), jumps_(jumps) {}
 
-  /// True if `name`, which has just been read, is one of its statements, which is run. Throws ReadFault.
+  /// Runs the statement `name`, which has just been read; false if it is not one of this part. Throws
+  /// ReadFault.
   bool run(std::string_view name, Scanner& scanner);
 
  private:

@@ -9,8 +9,8 @@
 
 namespace feedscope::sinumerik {
 
-/// A frame as the control's variables hold it: shift, rotation, scale and mirror image, in this order from
-/// outside (Programming Manual NC, 3.8.2). Of a chain of several frames the parts are not known any more.
+/// Value of a frame variable: shift, rotation, scale and mirror image, in this order from outside
+/// (Programming Manual NC, 3.8.2). A chain of several frames no longer has these parts.
 class FrameValue {
  public:
   enum class Part { shift, fine_shift, angle, scale, mirror };
@@ -20,13 +20,13 @@ class FrameValue {
 
   /// TR, FI, RT, SC, MI.
   static std::optional<Part> part(std::string_view name);
-  /// Of an axis, 0 to 2: lengths [mm], angles [rad], a factor other than zero, other than zero for a mirror
-  /// image. False, and nothing is set, in a chain.
+  /// Sets a part of an axis, 0 to 2: lengths [mm], angles [rad], a factor other than zero, other than zero
+  /// for a mirror image. False, with nothing set, for a chain.
   bool set(Part part, int axis, double value);
 
   CoordinateFrame frame() const;
 
-  std::array<bool, 3> set_by_program{};  ///< axes with a zero point in coordinates of the machine
+  std::array<bool, 3> set_by_program{};  ///< axes with a zero point in machine coordinates
 
  private:
   Vec3 shift_ = Vec3::Zero();

@@ -63,7 +63,7 @@ bool FrameVariables::run_system_variable(Scanner& scanner, std::string_view name
   return true;
 }
 
-/// The number of a settable frame.
+/// Reads the number of a settable frame.
 int FrameVariables::index(Scanner& scanner) {
   const std::uint32_t column = scanner.column();
   const double number = std::floor(values_.read(scanner) + 0.5);
@@ -75,7 +75,7 @@ int FrameVariables::index(Scanner& scanner) {
   return static_cast<int>(number);
 }
 
-/// After the name or its "[": a part, as "X,TR]=5", or the whole, as "]=CTRANS(X,5)".
+/// Reads the rest after the name or its "[": a part, as "X,TR]=5", or the whole, as "]=CTRANS(X,5)".
 void FrameVariables::assign(Scanner& scanner, FrameValue& value, bool one_part) {
   if (!one_part) {
     scanner.take(']');
@@ -115,7 +115,7 @@ void FrameVariables::set_part(FrameValue& value, FrameValue::Part part, std::str
   value.set_by_program[static_cast<std::size_t>(linear)] |= part == FrameValue::Part::shift;
 }
 
-/// Of the programmable frame, whose shifts alone have parts.
+/// Sets a part of the programmable frame; only its shifts have parts.
 void FrameVariables::set_programmed_part(Scanner& scanner) {
   const std::uint32_t column = scanner.column();
   const int axis = linear_axis(scanner.name());
@@ -131,7 +131,7 @@ void FrameVariables::set_programmed_part(Scanner& scanner) {
   coordinates_.set_programmed_shift(axis, number, fine);
 }
 
-/// One frame or several, joined by ":": the one after acts inside the one before.
+/// Reads one frame or several joined by ":", each inside the previous one.
 FrameValue FrameVariables::read(Scanner& scanner) {
   FrameValue value = operand(scanner);
   while (scanner.take(':')) {
@@ -162,7 +162,7 @@ FrameValue FrameVariables::operand(Scanner& scanner) {
   return frame_of_list(scanner, constructor->second);
 }
 
-/// After "$", which is in `column`.
+/// Reads the name after "$", which is in `column`.
 FrameValue FrameVariables::system_operand(Scanner& scanner, std::uint32_t column) {
   const std::string name = upper_case(scanner.name());
   if (name == "P_PFRAME") {
@@ -180,7 +180,7 @@ FrameValue FrameVariables::system_operand(Scanner& scanner, std::uint32_t column
   throw_frame(column, fmt::format("{} is a control-internal value", feedscope::in_quotes("$" + name)));
 }
 
-/// "(X,10,Y,5)"; of a mirror image the axes alone.
+/// Reads "(X,10,Y,5)"; for a mirror image only the axes.
 FrameValue FrameVariables::frame_of_list(Scanner& scanner, FrameValue::Part part) {
   FrameValue value;
   value.set_by_program.fill(true);

@@ -13,8 +13,8 @@
 
 namespace feedscope::sinumerik {
 
-/// Frames in variables: $P_PFRAME, $P_IFRAME, $P_UIFR, and those of DEF FRAME; CTRANS, CROT, CSCALE, CMIRROR
-/// and CFINE make their values.
+/// Frame variables: $P_PFRAME, $P_IFRAME, $P_UIFR, and those of DEF FRAME; CTRANS, CROT, CSCALE, CMIRROR and
+/// CFINE make their values.
 class FrameVariables : private Part {
  public:
   /// All outlive it.
@@ -26,12 +26,12 @@ class FrameVariables : private Part {
         splines_(splines),
         other_axes_(other_axes) {}
 
-  /// "$P_PFRAME=...", "$P_UIFR[1,X,TR]=...", whose `name`, in upper case, has just been read. False, and
-  /// nothing taken, for other variables. Throws ReadFault.
+  /// Reads "$P_PFRAME=...", "$P_UIFR[1,X,TR]=..." after `name`, in upper case. False, with nothing taken, for
+  /// other variables. Throws ReadFault.
   bool run_system_variable(Scanner& scanner, std::string_view name);
   /// The same for "F1=..." and "F1[X,TR]=..." of DEF FRAME.
   bool run_assignment(Scanner& scanner, std::string_view name);
-  /// After "DEF FRAME": names, with values or without. Throws ReadFault.
+  /// Reads the names after "DEF FRAME", with values or without. Throws ReadFault.
   void define(Scanner& scanner);
 
  private:

@@ -5,19 +5,19 @@
 
 namespace feedscope::sinumerik {
 
-/// The frames that a program sets: settable ones that it gives values itself, inside them the swivelled plane
-/// of CYCLE800, and inside this what TRANS, ROT, SCALE, MIRROR and their additive forms build. Other work
-/// offsets are zero.
+/// Frames of a program: the settable ones with values from the program itself, inside them the swivelled
+/// plane of CYCLE800, and inside this the frame of TRANS, ROT, SCALE, MIRROR and their additive forms. Other
+/// work offsets are zero.
 class Frames {
  public:
   /// All of them, one after the other.
   CoordinateFrame frame() const;
-  /// Of TRANS, ROT, SCALE, MIRROR and their additive forms alone.
+  /// Frame of TRANS, ROT, SCALE, MIRROR and their additive forms alone.
   CoordinateFrame programmed() const { return CoordinateFrame::shift(coarse_ + fine_) * chain_; }
 
-  /// TRANS, ROT, SCALE, MIRROR: in place of what was programmed before.
+  /// TRANS, ROT, SCALE, MIRROR: replaces the previous programmable frame.
   void replace(const CoordinateFrame& by);
-  /// ATRANS, AROT, ASCALE, AMIRROR: inside what was programmed before.
+  /// ATRANS, AROT, ASCALE, AMIRROR: adds inside the previous programmable frame.
   void add(const CoordinateFrame& more) { chain_ = chain_ * more; }
   /// G58, G59: coordinate of the coarse or the `fine` shift.
   void set_shift(int axis, double value, bool fine) { (fine ? fine_ : coarse_)[axis] = value; }
@@ -35,7 +35,7 @@ class Frames {
   CoordinateFrame chain_;
 };
 
-/// About Z, then the turned Y, then the turned X, angles in rad: how ROT takes several angles.
+/// Rotation about Z, then the turned Y, then the turned X, angles in rad: order of several angles in ROT.
 CoordinateFrame turned_about(const Vec3& angles);
 
 }  // namespace feedscope::sinumerik

@@ -192,7 +192,7 @@ constexpr auto functions = std::to_array<Function>({
     {"TRAFOON", Group::none, report, error, "transformation", path_as_programmed},
 });
 
-/// Names and G words that leave the path as it is.
+/// Names and G words that leave the path unchanged.
 constexpr auto accepted = std::to_array<std::string_view>(
     {"FNORM",     "FLIN",     "FCUB",         "FIFOCTRL",  "CFC",       "CFTCP",     "CFIN",
      "NORM",      "CDON",     "CDOF",         "CDOF2",     "STOPRE",    "STARTFIFO", "STOPFIFO",

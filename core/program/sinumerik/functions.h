@@ -8,7 +8,7 @@
 
 namespace feedscope::sinumerik {
 
-/// What a G word or a name without value ("CIP", "SOFT") does to the reader.
+/// Effect of a G word or a name without value ("CIP", "SOFT") on the reader.
 enum class Action : std::uint8_t {
   accept,         ///< does not change the path; values, indices and arguments after it are skipped
   report,         ///< the same, and reported
@@ -42,7 +42,7 @@ enum class Action : std::uint8_t {
   compensation_off,
   corner_arc,             ///< G450
   corner_meeting,         ///< G451
-  diameters,              ///< DIAMON: X is one
+  diameters,              ///< DIAMON: X is a diameter
   diameters_if_absolute,  ///< DIAM90
   radii,                  ///< DIAMOF
   machine_axes,           ///< SUPA, G53, G153, G74, G75: positions that depend on the machine
@@ -60,8 +60,8 @@ enum class Action : std::uint8_t {
   pole_from_zero,
   pole_from_pole,
   exact_stop_once,  ///< G9
-  path_control,     ///< PathWords knows it by its name
-  spline_end,       ///< SplineEnds knows it by its name
+  path_control,     ///< selected by name in PathWords
+  spline_end,       ///< selected by name as a SplineEnd
 };
 
 /// Functions of one group exclude each other in a block.
@@ -91,11 +91,11 @@ struct Function {
   Group group = Group::none;
   Action action = Action::accept;
   Severity severity = Severity::info;  ///< of the report, where there is one
-  std::string_view subject = {};       ///< what it is; empty: nothing to report
-  std::string_view effect = {};        ///< what that means for the path shown
+  std::string_view subject = {};       ///< its meaning; empty: nothing to report
+  std::string_view effect = {};        ///< effect on the path shown
 };
 
-/// nullptr for what is not known. G numbers without leading zeros: "G1", "G641".
+/// nullptr for an unknown one. G numbers without leading zeros: "G1", "G641".
 const Function* find_function(std::string_view name);
 const Function* find_g(int number);
 

@@ -4,8 +4,8 @@
 
 namespace feedscope::sinumerik {
 
-/// Operators and functions of the control's expressions. Comparisons bind least, below AND and OR. Angles
-/// are in degrees.
+/// Operators and functions of the control's expressions. Comparisons have the lowest rank, below AND and OR.
+/// Angles are in degrees.
 const ExpressionGrammar& grammar();
 
 }  // namespace feedscope::sinumerik

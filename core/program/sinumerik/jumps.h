@@ -18,12 +18,13 @@ class Jumps : private Part {
   Jumps(Context& context, Values& values, Splines& splines, ProgramIndexes& indexes)
       : Part(context), values_(values), splines_(splines), indexes_(indexes) {}
 
-  /// True if `name`, which has just been read, is one of its statements, which is run. Throws ReadFault.
+  /// Runs the statement `name`, which has just been read; false if it is not one of this part. Throws
+  /// ReadFault.
   bool run(std::string_view name, Scanner& scanner);
-  /// GOTOF and similar after a condition: jumps if it holds. False, and nothing taken, if something else
-  /// follows. Throws ReadFault.
+  /// Reads GOTOF and similar after a condition; jumps if `holds`. False, with nothing taken, if something
+  /// else follows. Throws ReadFault.
   bool jump_if(Scanner& scanner, bool holds);
-  /// Takes a label, written or as a text. Throws ReadFault.
+  /// Reads a label, written or as a text. Throws ReadFault.
   std::string label(Scanner& scanner);
 
  private:

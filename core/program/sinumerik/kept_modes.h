@@ -11,10 +11,10 @@
 
 namespace feedscope::sinumerik {
 
-/// Keeps what stays in force in all parts, and restores it after a subprogram with PROC ... SAVE.
+/// Stores the modal state of all parts, and restores it after a subprogram with PROC ... SAVE.
 class KeptModes : private Part {
  public:
-  /// Whose modes they are; all outlive it.
+  /// Parts whose modes are stored; all outlive it.
   struct Parts {
     Feeds& feeds;
     Targets& targets;
@@ -37,7 +37,7 @@ class KeptModes : private Part {
     PositioningAxes::AxisFeeds axis_feeds{};
   };
   Kept keep() const;
-  /// The path's frame follows.
+  /// Also restores the path's frame.
   void restore(const Kept& kept);
 
  private:

@@ -11,7 +11,7 @@ namespace feedscope::sinumerik {
 /// coordinates [mm].
 class LastMotion {
  public:
-  /// Where the motion started that the path ends with.
+  /// Sets the start of the last motion of the path.
   void set_start(const Vec3& start) { start_ = start; }
   void set_line() { arc_.reset(); }
   void set_arc_by_center(const ArcRequest& arc) { set_arc(arc, false); }

@@ -4,7 +4,7 @@
 
 namespace feedscope::sinumerik {
 
-/// The first fixed point is where tools are changed.
+/// Tools are changed at the first fixed point.
 AxisPlace MachinePositions::place_of(std::size_t axis) const {
   const Function* const own = functions_.own_block;
   const char letter = coordinate_names[axis];

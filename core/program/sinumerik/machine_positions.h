@@ -12,7 +12,7 @@ class MachinePositions : private Part {
   /// Both outlive it.
   MachinePositions(Context& context, PathModes& path_modes) : Part(context), path_modes_(path_modes) {}
 
-  /// As the functions of the block say; without X, Y and Z all three axes move.
+  /// Moves by the functions of the block; without X, Y and Z all three axes move.
   void move();
 
  private:

@@ -9,13 +9,13 @@
 
 namespace feedscope::sinumerik {
 
-/// DEFINE NAME AS words: names that stand for the words of their definition. They are replaced before a line
-/// is read; one inside another is not (Programming Manual NC, macro technique).
+/// DEFINE NAME AS words: names for the words of their definition. They are replaced before a line is read;
+/// nested ones are not (Programming Manual NC, macro technique).
 class Macros {
  public:
   /// A line with macros replaced.
   struct Line {
-    /// Where a macro's words stand in `text`, and where its name does as written; 0-based.
+    /// Range of a macro's words in `text`, and of its name as written; 0-based.
     struct Piece {
       std::size_t begin = 0;
       std::size_t end = 0;
@@ -25,13 +25,13 @@ class Macros {
     std::string text;
     std::vector<Piece> pieces;
 
-    /// The column as written of a column of `text`, both 1-based; 0 stays 0.
+    /// Column as written for a column of `text`, both 1-based; 0 stays 0.
     std::uint32_t written_column(std::uint32_t column) const;
   };
 
   bool empty() const { return words_.empty(); }
   void define(std::string_view name, std::string_view words);
-  /// None if the line holds no macro's name outside of quoted texts and comments, or defines one.
+  /// None if the line has no macro name outside of quoted texts and comments, or if it defines one.
   std::optional<Line> replaced(std::string_view line) const;
 
  private:

@@ -7,7 +7,7 @@
 
 namespace feedscope::sinumerik {
 
-/// What stays in force from block to block and more than one part of the reader uses.
+/// Modal state shared by several parts of the reader.
 struct ModalState {
   const Function* motion = nullptr;  ///< nullptr: no motion word yet
   Plane plane = Plane::xy;
@@ -19,7 +19,7 @@ struct ModalState {
   bool is_incremental(const BlockWords::Value& word) const {
     return word.reading == Reading::incremental || (word.reading == Reading::modal && incremental);
   }
-  /// A motion word other than G0 is in force.
+  /// True if a motion word other than G0 is in force.
   bool moves_at_feed() const { return motion != nullptr && motion->action != Action::rapid; }
 };
 

@@ -14,11 +14,11 @@
 
 namespace feedscope::sinumerik {
 
-/// Applies G words, M words and functions without value: what holds from this block on. What they do with the
-/// block itself is kept in BlockFunctions.
+/// Applies G words, M words and functions without value: everything that is valid from this block on. Their
+/// effects on the block itself are stored in BlockFunctions.
 class ModalWords : private Part {
  public:
-  /// What it hands functions to; all outlive it.
+  /// Receivers of the functions; all outlive it.
   struct Parts {
     Feeds& feeds;
     Targets& targets;

@@ -13,11 +13,11 @@
 
 namespace feedscope::sinumerik {
 
-/// Moves X, Y and Z of a block along the path: rapids, lines, threads; arcs, splines, polynomials and machine
-/// positions by their parts.
+/// Moves X, Y and Z of a block along the path: rapids, lines, threads; other parts run arcs, splines,
+/// polynomials and machine positions.
 class Motions : private Part {
  public:
-  /// What it hands motions to; all outlive it.
+  /// Receivers of the motions; all outlive it.
   struct Parts {
     const Feeds& feeds;
     Targets& targets;
@@ -31,9 +31,9 @@ class Motions : private Part {
   };
   Motions(Context& context, const Parts& parts) : Part(context), parts_(parts) {}
 
-  /// The block has words of a motion along the path.
+  /// True if the block has words of a motion along the path.
   bool has_words() const;
-  /// False if the block does not move along the path.
+  /// Returns false if the block does not move along the path.
   bool run();
 
  private:

@@ -6,13 +6,13 @@
 
 namespace feedscope::sinumerik {
 
-/// Names are the same in upper and lower case.
+/// Upper-case form of a name; upper and lower case are the same.
 std::string upper_case(std::string_view name);
 
 /// 0 to 2 for X, Y, Z; -1 for other axes.
 int linear_axis(std::string_view name);
 
-/// "AC_TIMER", "AC_TIME" ...: what the control measures while it runs, 0 while a program is read.
+/// True for "AC_TIMER", "AC_TIME" ...: measurements of the running control, 0 while a program is read.
 inline bool is_timer(std::string_view name) {
   return upper_case(name).starts_with("AC_TIM");
 }

@@ -12,31 +12,31 @@
 namespace feedscope::sinumerik {
 
 /// Words of axes other than X, Y and Z, which are not simulated: rotary and secondary axes, tool orientation.
-/// Each one that moves is passed on to OtherAxes.
+/// Passes each one that moves on to OtherAxes.
 class OtherAxisWords : private Part {
  public:
   explicit OtherAxisWords(Context& context) : Part(context) {}
 
-  /// Angles that turn the tool, and components of the vectors that give its direction: "A3", "LEAD".
+  /// True for angles that turn the tool, and components of the vectors that give its direction: "A3", "LEAD".
   static bool is_orientation(std::string_view name);
 
   /// TRAORI and TRAFOOF: whether X, Y and Z are those of the tool's tip. ORIVECT, ORIPLANE and ORIAXES:
-  /// whether its direction goes along great circles or the axes go linearly.
+  /// whether its direction follows great circles or the axes go linearly.
   void follow(const Function& function) {
     oriented_ = (oriented_ || function.name == "TRAORI") && function.name != "TRAFOOF";
     const bool vector = function.name == "ORIVECT" || function.name == "ORIPLANE";
     great_circle_ = (great_circle_ || vector) && function.name != "ORIAXES";
   }
   void begin_block() { named_.clear(); }
-  /// The axis goes to `value`, [mm] or [deg], with the block; nothing if it is there.
+  /// Moves the axis to `value`, [mm] or [deg], with the block; does nothing if it is there.
   void move(std::string_view name, const BlockWords::Value& value) { named_.emplace_back(name, value); }
-  /// A, B, C, U, V, W of the block and what move() was given; `own`: the block's coordinates are not a
+  /// Runs A, B, C, U, V, W of the block and the axes of move(); `own`: the block's coordinates are not a
   /// motion.
   void run(bool own);
 
  private:
-  /// A3, B3, C3 under TRAORI: the tool's direction; those that are not written are zero. False if the block
-  /// has none of them that is to be followed.
+  /// A3, B3, C3 under TRAORI: the tool's direction; missing ones are zero. False if the block has none that
+  /// is simulated.
   bool orient(bool alone);
   void go(const std::string& name, const BlockWords::Value& value, bool alone);
 

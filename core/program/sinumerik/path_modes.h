@@ -10,21 +10,20 @@
 
 namespace feedscope::sinumerik {
 
-/// Gives motions the path control that the program sets: G60, G64x, ADIS, CTOL, COMPCAD, SOFT, CYCLE832 and
-/// similar.
+/// Gives motions the program's path control: G60, G64x, ADIS, CTOL, COMPCAD, SOFT, CYCLE832 and similar.
 class PathModes : private Part {
  public:
   /// Both outlive it.
   PathModes(Context& context, Values& values) : Part(context), values_(values) {}
 
-  /// A function with Action::path_control, by its name.
+  /// Applies a function with Action::path_control, by its name.
   void apply(std::string_view name);
-  /// "ADIS=1", whose name has just been read: ADIS, ADISPOS, CTOL, OTOL. False, and nothing taken, for other
-  /// names. Throws ReadFault.
+  /// Reads "ADIS=1" after its name: ADIS, ADISPOS, CTOL, OTOL. False, with nothing taken, for other names.
+  /// Throws ReadFault.
   bool run(Scanner& scanner, std::string_view name, std::uint32_t column);
   /// CYCLE832: tolerance [mm], code, orientation tolerance [rad]; `column` for messages.
   void set_cycle(double tolerance, int code, std::optional<double> orientation, std::uint32_t column);
-  /// The motion that follows has the path control in force.
+  /// Gives the next motion the path control in force.
   void use(bool rapid);
 
   const PathWords& words() const { return path_words_; }
@@ -33,12 +32,12 @@ class PathModes : private Part {
  private:
   enum class Applied : std::uint8_t { none, feed, rapid };
 
-  /// The least tolerance or distance [mm] in place of a smaller one, with a warning about `words`.
+  /// Least tolerance or distance [mm] instead of a smaller one, with a warning about `words`.
   double simulated(double tolerance, std::string_view words, std::uint32_t column) const;
 
   Values& values_;
   PathWords path_words_;
-  Applied applied_ = Applied::none;  ///< what the PathWriter has
+  Applied applied_ = Applied::none;  ///< last state set in the PathWriter
 };
 
 }  // namespace feedscope::sinumerik

@@ -76,16 +76,16 @@ PathControl PathWords::control(bool rapid, bool stop) const {
   if (stop) {
     control.mode = PathMode::exact_stop;
   }
-  // Without G60 or G9 the windows mean nothing (Programming Manual NC, 12/2019, 2.11.1).
+  // Without G60 or G9 the windows have no effect (Programming Manual NC, 12/2019, 2.11.1).
   if (control.mode == PathMode::exact_stop) {
     control.exact_stop_window = window_;
   }
   const bool blends = control.mode == PathMode::continuous;
   if (blends && blend_ == Blend::distance) {
-    // Without ADIS the control takes zero: as G64.
+    // Without ADIS the control uses zero, as in G64.
     control.blend_distance = (rapid ? rapid_distance_ : distance_).value_or(0);
   }
-  // What the machine does unless it is told may be a blend with a tolerance.
+  // The machine's default may be a blend with a tolerance.
   const bool tolerates = control.mode == PathMode::machine || (blends && blend_ == Blend::tolerance);
   if (tolerates || control.compaction == Switch::on) {
     control.contour_tolerance = tolerance_;

@@ -7,11 +7,11 @@
 
 namespace feedscope::sinumerik {
 
-/// The path control that is in force, kept in the control's own terms and turned into a PathControl for every
-/// motion: what a tolerance or distance means depends on the G word that rules it.
+/// Path control in force, stored in the control's own terms and turned into a PathControl for every motion,
+/// because the meaning of a tolerance or distance depends on its G word.
 class PathWords {
  public:
-  /// G60, G601 to G603, G64, G641 to G645, COMPON, COMPOF, SOFT, BRISK, DRIVE, FFWON, FFWOF and their kin.
+  /// G60, G601 to G603, G64, G641 to G645, COMPON, COMPOF, SOFT, BRISK, DRIVE, FFWON, FFWOF and similar.
   void apply(std::string_view name);
   /// CTOL [mm]; negative: the machine's again.
   void set_tolerance(double value);
@@ -22,10 +22,10 @@ class PathWords {
   void set_rapid_distance(double value) { rapid_distance_ = value; }
 
   /// CYCLE832: tolerance [mm], code and orientation tolerance [rad]. A code of more than three digits is that
-  /// of older controls, whose digits choose G64x, FFWON or FFWOF with SOFT or BRISK, and the compressor too.
+  /// of older controls: its digits also choose G64x, FFWON or FFWOF with SOFT or BRISK, and the compressor.
   void set_cycle(double tolerance, int code, std::optional<double> orientation);
 
-  /// Of one motion; `stop`: with G9.
+  /// Path control of one motion; `stop`: with G9.
   PathControl control(bool rapid, bool stop) const;
 
  private:

@@ -24,7 +24,7 @@ bool Polynomials::run(std::string_view name, Scanner& scanner) {
   return true;
 }
 
-/// After "PO"; "PO[X]=value" is an end alone.
+/// Reads the rest after "PO"; "PO[X]=value" is only an end.
 void Polynomials::read(Scanner& scanner) {
   const std::uint32_t column = scanner.column();
   require(scanner, '[');

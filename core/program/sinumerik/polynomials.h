@@ -18,12 +18,12 @@ class Polynomials : private Part {
   Polynomials(Context& context, Values& values, LastMotion& last)
       : Part(context), values_(values), last_(last) {}
 
-  /// Forgets those of the block before.
+  /// Forgets those of the previous block.
   void begin_block();
-  /// True, and its value is taken, if `name`, which has just been read, is PO. Throws ReadFault.
+  /// Reads the value of `name`, which has just been read, if it is PO; else returns false. Throws ReadFault.
   bool run(std::string_view name, Scanner& scanner);
-  /// Along the polynomials of the block to `target`, programmed coordinates [mm]. Where a line would start
-  /// that ends as the curve does.
+  /// Moves along the polynomials of the block to `target`, programmed coordinates [mm]. Returns the start of
+  /// a line with the curve's end and end direction.
   Vec3 move(const Vec3& target);
 
  private:

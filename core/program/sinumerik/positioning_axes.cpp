@@ -10,7 +10,7 @@ namespace feedscope::sinumerik {
 
 namespace {
 
-/// "[X]".
+/// Reads "[X]".
 std::string_view take_index(Scanner& scanner) {
   require(scanner, '[');
   const std::string_view axis = scanner.name();
@@ -38,7 +38,7 @@ bool PositioningAxes::run(std::string_view name, Scanner& scanner) {
   return true;
 }
 
-/// After "POS": "[X]=10".
+/// Reads "[X]=10" after "POS".
 void PositioningAxes::read_position(Scanner& scanner) {
   const std::uint32_t column = scanner.column();
   const std::string_view name = take_index(scanner);
@@ -53,7 +53,7 @@ void PositioningAxes::read_position(Scanner& scanner) {
   has_positions_ = true;
 }
 
-/// After "FA": "[X]=1000".
+/// Reads "[X]=1000" after "FA".
 void PositioningAxes::read_feed(Scanner& scanner) {
   const int axis = linear_axis(take_index(scanner));
   require(scanner, '=');
@@ -64,7 +64,7 @@ void PositioningAxes::read_feed(Scanner& scanner) {
   }
 }
 
-/// Each goes to its place at its own feed, on its own: that is a line for one axis. Several are shown as a
+/// Each axis goes to its place at its own feed, on its own: a line for one axis. Several are shown as a
 /// rapid, and so is one without a feed, whose speed depends on the machine.
 void PositioningAxes::move(bool path_moves) {
   splines_.finish();
@@ -105,7 +105,7 @@ void PositioningAxes::move(bool path_moves) {
   move_to(target, feed, column);
 }
 
-/// At `feed` [mm/s], or as a rapid (0).
+/// Moves at `feed` [mm/s], or as a rapid (0).
 void PositioningAxes::move_to(const Vec3& target, double feed, std::uint32_t column) {
   last_.set_line();
   last_.set_start(path().position());

@@ -26,14 +26,15 @@ class PositioningAxes : private Part {
         path_modes_(path_modes),
         last_(last) {}
 
-  /// Forgets the positions of the block before.
+  /// Forgets the positions of the previous block.
   void begin_block();
-  /// True, and its value is taken, if `name`, which has just been read, is POS, POSA or FA. Throws ReadFault.
+  /// Reads the value of `name`, which has just been read, if it is POS, POSA or FA; else returns false.
+  /// Throws ReadFault.
   bool run(std::string_view name, Scanner& scanner);
 
-  /// The block positions X, Y or Z.
+  /// True if the block positions X, Y or Z.
   bool has_positions() const { return has_positions_; }
-  /// Moves them; `path_moves`: the block moves along the path too, which is not supported.
+  /// Moves them; `path_moves`: the block also moves along the path, which is not supported.
   void move(bool path_moves);
 
   using AxisFeeds = std::array<double, 3>;  ///< FA by axis [mm/s]; 0: none

@@ -9,7 +9,7 @@ namespace feedscope::sinumerik {
 
 namespace {
 
-/// The words that open a structure, and what closes it.
+/// Words that open a structure, and those that close it.
 constexpr std::pair<std::string_view, std::string_view> pairs[] = {
     {"IF", "ENDIF"}, {"FOR", "ENDFOR"}, {"WHILE", "ENDWHILE"}, {"LOOP", "ENDLOOP"}, {"REPEAT", "UNTIL"},
 };
@@ -18,7 +18,7 @@ bool jumps(std::string_view condition) {
   return upper_case(condition).find("GOTO") != std::string::npos;
 }
 
-/// Takes the digits from here on.
+/// Reads the digits from here on.
 std::string_view digits(Scanner& scanner) {
   const std::string_view rest = scanner.rest();
   const std::size_t count = std::min(rest.find_first_not_of("0123456789"), rest.size());
@@ -26,7 +26,7 @@ std::string_view digits(Scanner& scanner) {
   return rest.substr(0, count);
 }
 
-/// What is before a line's first word.
+/// Part of a line before its first word.
 struct Prefix {
   std::string_view number;  ///< "N20", ":20"; may be empty
   std::string_view label;   ///< without its colon; may be empty
@@ -85,7 +85,7 @@ std::string_view without_comment(std::string_view line) {
       return line.substr(0, at);
     }
   }
-  // A text that is not closed holds no ";" on any control.
+  // An unclosed text contains no ";" on any control.
   return inside_text ? line.substr(0, line.find(';')) : line;
 }
 

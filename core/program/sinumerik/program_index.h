@@ -14,10 +14,10 @@ namespace feedscope::sinumerik {
 /// A line without its comment, which ";" starts outside of quoted texts.
 std::string_view without_comment(std::string_view line);
 
-/// At the first word after block delete, block number and label of a line without comment.
+/// Scanner at the first word after block delete, block number and label of a line without comment.
 Scanner first_statement(std::string_view line);
 
-/// Where in a text one can go to: labels, block numbers, the ends of IF, FOR, WHILE, LOOP and REPEAT, and the
+/// Jump targets of a text: labels, block numbers, the ends of IF, FOR, WHILE, LOOP and REPEAT, and the
 /// programs that share the file, each after a head such as "%_N_PART_MPF".
 class ProgramIndex {
  public:
@@ -25,7 +25,7 @@ class ProgramIndex {
 
   /// One of the programs of the file; a file without heads is one.
   struct Section {
-    std::string name;  ///< upper case, without "_N_" and ending
+    std::string name;  ///< upper case, without "_N_" and extension
     bool main = false;
     std::uint32_t first = 1;  ///< line after the head
     std::uint32_t last = 0;
@@ -39,7 +39,7 @@ class ProgramIndex {
 
   /// nullptr if the file has none of that name.
   const Section* section(std::string_view name) const;
-  /// The program that `line` belongs to.
+  /// The program that contains `line`.
   const Section& section_of(std::uint32_t line) const;
   /// The first main program of a file with heads; nullptr if there is none.
   const Section* main_section() const;
@@ -48,7 +48,7 @@ class ProgramIndex {
   /// 0 if there is none.
   std::uint32_t forward(std::string_view label, std::uint32_t from) const;
   std::uint32_t backward(std::string_view label, std::uint32_t from) const;
-  /// What the control word in `line` belongs to.
+  /// Structure of the control word in `line`.
   Structure structure(std::uint32_t line) const;
 
  private:

@@ -6,7 +6,7 @@
 
 namespace feedscope::sinumerik {
 
-/// The index of each text that runs, made once.
+/// The index of each text that runs, created once.
 class ProgramIndexes {
  public:
   /// Valid as long as this; `text` outlives it.

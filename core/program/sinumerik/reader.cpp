@@ -14,7 +14,7 @@ SinumerikReader::SinumerikReader(std::shared_ptr<const SourceText> source, const
       context_{.machining = machining()},
       values_(path(),
               [this](MessageCode code, int detail, std::uint32_t column, const Text& text) {
-                // ENDFOR reads the line of FOR, whose columns are not its own.
+                // ENDFOR reads the line of FOR, whose columns differ from its own.
                 const bool own = column <= lines().text().line(lines().line()).size();
                 report(Severity::warning, code, detail, own ? column : 0, [&] { return text; });
               }),
@@ -76,7 +76,7 @@ void SinumerikReader::run_line(std::string_view line) {
   }
 }
 
-/// "%_N_NAME_MPF" ends the program before it; the first main program of a file runs.
+/// "%_N_NAME_MPF" ends the previous program; the first main program of a file runs.
 void SinumerikReader::run_head(std::string_view line) {
   if (calls_.words_met()) {
     calls_.end_or_return();
@@ -137,7 +137,7 @@ void SinumerikReader::gather(const Block& block) {
   }
 }
 
-/// False if they could not be read.
+/// Returns false if they are unreadable.
 bool SinumerikReader::run_statements(const Block& block) {
   try {
     Scanner scanner(without_comment(block.text), block.statement - 1);
@@ -177,7 +177,7 @@ void SinumerikReader::execute_block(bool sound) {
   calls_.run_block();
 }
 
-/// Those that act before the block moves.
+/// Runs those that act before the block moves.
 void SinumerikReader::run_m_functions() {
   const BlockFunctions& functions = context_.functions;
   if (!functions.tool_change && !functions.spindle_start && !functions.spindle_stop) {
@@ -196,7 +196,7 @@ void SinumerikReader::run_m_functions() {
   }
 }
 
-/// The function to which the block's coordinates belong.
+/// Runs the function to which the block's coordinates belong.
 void SinumerikReader::run_own_block() {
   const Function& own = *context_.functions.own_block;
   const Function* const motion = context_.functions[Group::motion];

@@ -41,8 +41,8 @@
 
 namespace feedscope::sinumerik {
 
-/// Reads programs of the Sinumerik 840D and its relatives; README.md beside it gives the words. A line
-/// becomes words (Lexer, Statements), the words modal state (ModalWords), motions and calls.
+/// Reads programs of the Sinumerik 840D and similar controls; README.md in this folder lists the words. A
+/// line becomes words (Lexer, Statements), the words modal state (ModalWords), motions and calls.
 class SinumerikReader : public Reader {
  public:
   SinumerikReader(std::shared_ptr<const SourceText> source, const ReadOptions& options, Progress* progress);
@@ -56,11 +56,11 @@ class SinumerikReader : public Reader {
   void run_head(std::string_view line);
   void run_block(const Block& block);
   void begin_block();
-  /// False if words could not be read.
+  /// Returns false for unreadable words.
   bool report_faults(const Block& block) const;
   void gather(const Block& block);
   bool run_statements(const Block& block);
-  /// `sound`: all of the block could be read; else it does not move.
+  /// `sound`: the whole block is readable; otherwise it does not move.
   void execute_block(bool sound);
   void run_m_functions();
   void run_own_block();

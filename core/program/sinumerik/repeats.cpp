@@ -49,7 +49,7 @@ void Repeats::run_line(Scanner& scanner) {
   add(begin, begin, scanner);
 }
 
-/// Of the next label; `column` for messages.
+/// Line of the next label; `column` for messages.
 std::uint32_t Repeats::label_line(Scanner& scanner, std::uint32_t column) {
   const ProgramIndex& index = indexes_.of(lines().text());
   const std::string label = jumps_.label(scanner);

@@ -20,13 +20,13 @@ class Repeats : private Part {
   Repeats(Context& context, Values& values, Splines& splines, ProgramIndexes& indexes, Jumps& jumps)
       : Part(context), values_(values), splines_(splines), indexes_(indexes), jumps_(jumps) {}
 
-  /// True if `name`, which has just been read, is one of its statements, which is run. REPEAT without a label
-  /// begins a loop and is none. Throws ReadFault.
+  /// Runs the statement `name`, which has just been read; false if it is not one of this part, or if it is
+  /// REPEAT without a label, which begins a loop. Throws ReadFault.
   bool run(std::string_view name, Scanner& scanner);
-  /// True if line `next` is after the part that is repeated: it runs again, or the program continues after
-  /// the statement.
+  /// True if line `next` is after the repeated part: it runs again, or the program continues after the
+  /// statement.
   bool is_over(std::uint32_t next);
-  /// A subprogram was left: what it repeats is over.
+  /// Ends the repeats of a subprogram that was left.
   void leave_call();
 
  private:
@@ -34,7 +34,7 @@ class Repeats : private Part {
     std::uint32_t begin = 0;
     std::uint32_t end = 0;     ///< last line that runs
     std::uint32_t resume = 0;  ///< line after the statement
-    std::uint32_t left = 0;    ///< runs, this one included
+    std::uint32_t left = 0;    ///< runs, including this one
     std::size_t depth = 0;     ///< of calls
   };
 

@@ -4,14 +4,14 @@
 
 namespace feedscope::sinumerik {
 
-/// Takes `c`. Throws ReadFault "syntax" if it is not next.
+/// Reads `c`. Throws ReadFault "syntax" if it is not next.
 void require(Scanner& scanner, char c);
 
-/// Skips what is in the next brackets, "()" or "[]", and quoted texts in it. Throws
-/// ReadFault "syntax" if it is not closed.
+/// Skips the next brackets, "()" or "[]", with their content, including quoted texts. Throws ReadFault
+/// "syntax" if they are not closed.
 void skip_brackets(Scanner& scanner);
 
-/// The rest of the line is ignored.
+/// Ignores the rest of the line.
 inline void skip_rest(Scanner& scanner) {
   scanner.move_to(scanner.text().size());
 }

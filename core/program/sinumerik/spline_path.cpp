@@ -9,7 +9,7 @@ namespace feedscope::sinumerik {
 
 namespace {
 
-/// Clamped knots: the curve begins at the first point and ends at the last one. Between them lie the
+/// Clamped knots: the curve begins at the first point and ends at the last one. Between them are the
 /// intervals of the points from number `degree` on.
 std::vector<double> knots_of(const std::vector<SplinePath::Point>& points, std::size_t degree) {
   std::vector<double> knots(degree + 1, 0.0);
@@ -135,7 +135,7 @@ std::vector<Vec3> SplinePath::akima_slopes(const std::vector<double>& steps, con
     m.push_back(m[0]);
   }
   const std::size_t count = m.size();
-  // Two differences more at either end, as Akima continues them.
+  // Two more differences at either end, by Akima's extrapolation.
   const Vec3 first = 2 * m[0] - m[1];
   const Vec3 last = 2 * m[count - 1] - m[count - 2];
   m.insert(m.begin(), {Vec3(2 * first - m[0]), first});

@@ -27,16 +27,16 @@ struct PolynomialWord {
   double first(double start, double interval) const;  ///< a1
 };
 
-/// How a spline leaves its first point or reaches its last one.
+/// End condition of a spline at its first or last point.
 enum class SplineEnd {
-  automatic,  ///< BAUTO, EAUTO: as its next points say
+  automatic,  ///< BAUTO, EAUTO: by its next points
   natural,    ///< BNAT, ENAT: straight
   tangent,    ///< BTAN, ETAN: along the neighbouring motion
 };
 
-/// The points of an ASPLINE, BSPLINE or CSPLINE, which follow each other over many blocks, and the curve
-/// that they make. ASPLINE (Akima) and CSPLINE (cubic, continuous curvature) go through their points, whose
-/// parameter is the length of the chords; a BSPLINE approaches its inner points, by weights.
+/// Points of an ASPLINE, BSPLINE or CSPLINE over many blocks, and the curve through them. ASPLINE (Akima) and
+/// CSPLINE (cubic, continuous curvature) interpolate their points, with the length of the chords as
+/// parameter; a BSPLINE approximates its inner points, by weights.
 class SplinePath {
  public:
   struct Point {
@@ -51,7 +51,7 @@ class SplinePath {
   bool empty() const { return points_.size() < 2; }
   bool begun() const { return !points_.empty(); }
   std::string_view kind() const { return kind_; }
-  /// `direction`: of the motion before, for BTAN; zero for none.
+  /// `direction`: of the previous motion, for BTAN; zero for none.
   void begin(std::string_view kind, const Point& start, const Vec3& direction);
   void add(const Point& point) { points_.push_back(point); }
   const Point& last() const { return points_.back(); }
@@ -61,10 +61,10 @@ class SplinePath {
   /// BAUTO to ETAN.
   void set_end(std::string_view name);
 
-  /// A part of the curve: from and to which of its parameters, and the point whose block it belongs to.
+  /// Receives a part of the curve: its first and last parameter, and the point of its block.
   using TakeSpan = std::function<void(const ParametricCurve&, double, double, const Point&)>;
 
-  /// The parts in their order. `direction`: of the motion after it, for ETAN; zero for none.
+  /// Passes on the parts in order. `direction`: of the next motion, for ETAN; zero for none.
   void spans(const Vec3& direction, const TakeSpan& take) const;
 
  private:

@@ -16,13 +16,12 @@ class Splines : private Part {
   Splines(Context& context, const Targets& targets, LastMotion& last)
       : Part(context), targets_(targets), last_(last) {}
 
-  /// The block in force goes to `target`, programmed coordinates [mm], along the spline.
+  /// Moves the current block to `target`, programmed coordinates [mm], along the spline.
   void collect(const Vec3& target);
-  /// Writes the spline that is collected, if there is one: what follows depends on where the path has come
-  /// to.
+  /// Writes the collected spline, if there is one, before anything that depends on the position.
   void finish();
   bool begun() const { return spline_.begun(); }
-  /// Where the block in force starts: the last point, or that of the path.
+  /// Start of the current block: the last point, or the position of the path.
   Vec3 position() const { return spline_.begun() ? spline_.last().at : path().position(); }
 
   /// BAUTO to ETAN, by its name.

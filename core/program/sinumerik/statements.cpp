@@ -26,7 +26,7 @@ namespace {
 }  // namespace
 
 void Statements::run(Scanner& scanner) {
-  // Before the block number, or a label without one.
+  // Colon before the block number, or a label without one.
   if (scanner.take(':') && !scanner.number()) {
     throw_unknown(scanner);
   }
@@ -128,7 +128,7 @@ void Statements::run_name(Scanner& scanner) {
   parts_.calls.read(scanner);
 }
 
-/// To a variable of DEF.
+/// Assigns to a variable of DEF.
 bool Statements::run_assignment(Scanner& scanner, std::string_view name) {
   Variable* const variable = parts_.values.variables().find(name);
   const char after = scanner.peek();
@@ -173,7 +173,7 @@ bool Statements::run_function(std::string_view name, std::uint32_t column, Scann
   return true;
 }
 
-/// "FP=2", "A3=0.5", and values of names that are not known.
+/// "FP=2", "A3=0.5", and values of unknown names.
 bool Statements::run_value(std::string_view name, std::uint32_t column, Scanner& scanner) {
   const char after = scanner.peek();
   if (after != '=' && after != '[') {

@@ -22,11 +22,10 @@
 
 namespace feedscope::sinumerik {
 
-/// Reads lines that hold more than letters with plain numbers: finds out what each item is and has the part
-/// run it whose it is.
+/// Reads lines with more than letters with plain numbers: identifies each item and runs it by its part.
 class Statements : private Part {
  public:
-  /// Whose statements they are; all outlive it.
+  /// Parts that run the statements; all outlive it.
   struct Parts {
     Values& values;
     Assignments& assignments;
@@ -46,7 +45,7 @@ class Statements : private Part {
   };
   Statements(Context& context, const Parts& parts) : Part(context), parts_(parts) {}
 
-  /// From the first item that is not a plain word to the line's end; what plain words say is known. Throws
+  /// Runs from the first item that is not a plain word to the line's end, after the plain words. Throws
   /// ReadFault.
   void run(Scanner& scanner);
 

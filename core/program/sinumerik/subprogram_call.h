@@ -7,7 +7,7 @@
 
 namespace feedscope::sinumerik {
 
-/// A subprogram or cycle as a block calls it.
+/// Call of a subprogram or cycle in a block.
 struct SubprogramCall {
   std::string name;          ///< as written
   std::uint32_t column = 0;  ///< of its name

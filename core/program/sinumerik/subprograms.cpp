@@ -8,7 +8,7 @@ namespace feedscope::sinumerik {
 
 namespace {
 
-/// Without folder and drive.
+/// File name without folder and drive.
 std::string_view file_name(std::string_view written) {
   return written.substr(written.find_last_of("/\\:") + 1);
 }

@@ -11,17 +11,17 @@
 
 namespace feedscope::sinumerik {
 
-/// Where a subprogram begins.
+/// Start of a subprogram.
 struct Subprogram {
   std::shared_ptr<const SourceText> text;  ///< nullptr: not found
   std::uint32_t line = 1;                  ///< 1-based
 };
 
-/// The name without folder and ending, in upper case: "/_N_SPF_DIR/_N_NAME_SPF", "name.SPF" and "NAME" are
-/// one subprogram.
+/// The name without folder and extension, in upper case: "/_N_SPF_DIR/_N_NAME_SPF", "name.SPF" and "NAME" are
+/// the same subprogram.
 std::string plain_name(std::string_view written);
 
-/// Finds subprograms: in the text in force, in the program itself, then in files beside the program.
+/// Finds subprograms: in the current text, in the program itself, then in files of the program's folder.
 class Subprograms {
  public:
   /// All outlive it.

@@ -41,9 +41,9 @@ Vec3 Targets::target(const Vec3& start) const {
   return target;
 }
 
-/// Where an increment of the axis starts from. Once a frame has changed, that is the coordinate of before in
-/// the new frame: the change is traversed with the increment, as with the control's setting data 42440 at its
-/// default of 1 (Function Manual K2, frames with G91).
+/// Start of an increment of the axis. After a change of frame, that is the previous coordinate in the new
+/// frame: the increment also traverses the change, as with the control's setting data 42440 at its default of
+/// 1 (Function Manual K2, frames with G91).
 double Targets::increment_base(int axis, const Vec3& start) const {
   const std::optional<double>& kept = kept_coordinates_[static_cast<std::size_t>(axis)];
   if (!kept || std::abs(*kept - start[axis]) <= same_point) {
@@ -99,8 +99,8 @@ void Targets::keep_coordinates() {
   }
 }
 
-/// AP and RP about the pole; the axis across the plane as in the other words. Both stay in force, AP up to a
-/// new pole or plane; where one is missing, it is that of the start (Programming Manual NC, 2.9.3.2).
+/// AP and RP about the pole; the axis across the plane as in the other words. Both are modal, AP up to a new
+/// pole or plane; a missing one is that of the start (Programming Manual NC, 2.9.3.2).
 Targets::Polar Targets::polar_of_block() const {
   const Polar& polar = modes_.polar;
   const Vec3 from = path().position() - modes_.pole;

@@ -8,28 +8,28 @@
 
 namespace feedscope::sinumerik {
 
-/// Places that the words of the block name: Cartesian, polar (AP, RP), by an angle (ANG), X as a diameter
+/// Places named by the words of the block: Cartesian, polar (AP, RP), by an angle (ANG), X as a diameter
 /// (DIAMON). Programmed coordinates [mm].
 class Targets : private Part {
  public:
   /// `context` outlives it.
   explicit Targets(Context& context) : Part(context) {}
 
-  /// Where the motion of the block ends that starts at `start`.
+  /// End of the block's motion that starts at `start`.
   Vec3 target(const Vec3& start) const;
-  /// I J K, from the position on or by AC(). Missing ones are those of the position.
+  /// I J K, relative to the position or by AC(). Missing ones are those of the position.
   Vec3 center() const;
   const Vec3& pole() const { return modes_.pole; }
 
-  /// The block programs these axes: AP and RP stay in force, the places of the axes are known.
+  /// Marks the axes of the block as programmed: AP and RP stay in force, the places of the axes are known.
   void program_axes();
   void program_axis(int axis);
-  /// A frame changes: an increment of an axis starts from where the axis is now.
+  /// Call at a change of frame: an increment of an axis starts from its current place.
   void keep_coordinates();
 
   /// G110 to G112.
   void set_pole();
-  /// Another plane.
+  /// Call at a change of plane.
   void end_polar_angle() { modes_.polar.angle.reset(); }
   /// Action::diameters, diameters_if_absolute or radii.
   void set_diameters(Action action) { modes_.diameters = action; }
@@ -39,7 +39,7 @@ class Targets : private Part {
     std::optional<double> angle;   ///< [rad]
     std::optional<double> radius;  ///< [mm]
   };
-  /// What stays in force.
+  /// Modal state.
   struct Modes {
     Vec3 pole = Vec3::Zero();
     Polar polar;
@@ -56,7 +56,7 @@ class Targets : private Part {
   void angle_target(Vec3& target) const;
 
   Modes modes_;
-  /// Of axes that have not been programmed since a frame changed: what they were before it [mm].
+  /// Previous coordinates of axes that have not been programmed since a frame changed [mm].
   std::array<std::optional<double>, 3> kept_coordinates_;
 };
 

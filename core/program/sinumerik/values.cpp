@@ -21,7 +21,7 @@ constexpr std::size_t max_elements = 100'000;
 constexpr int max_r = 32'535;
 constexpr double max_value = 1e9;
 
-/// Names that the control's cycles give to numbers.
+/// Names of numbers in the control's cycles.
 constexpr auto constants = std::to_array<std::pair<std::string_view, double>>({{"TRUE", 1},
                                                                                {"FALSE", 0},
                                                                                {"_OFF", 0},

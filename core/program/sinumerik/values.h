@@ -18,25 +18,25 @@ class Values : public ExpressionReader {
   /// Reports something about a value: code, kind, column, text. The code lives as long as the program.
   using Warn = std::function<void(MessageCode, int, std::uint32_t, DiagnosticLog::Text)>;
 
-  /// `path` is asked where the tool is ($P_EP) and outlives this.
+  /// `path` gives the position of the tool ($P_EP) and outlives this.
   Values(const PathWriter& path, Warn warn);
 
   Variables& variables() { return variables_; }
 
-  /// The value of the longest expression from here on, as read() gives it; of a size that a word may have.
-  /// Throws ReadFault "number-range" beyond +-1e9.
+  /// Value of the longest expression from here on, like read(), within the range of words. Throws ReadFault
+  /// "number-range" beyond +-1e9.
   double read_bounded(Scanner& scanner);
   static double bounded(double value, std::uint32_t column);
-  /// A decimal number, signed or not, that is a whole value: at the line's end or before the next word. None,
-  /// and nothing taken, for everything else. Most values are one, and this is many times as quick as read().
+  /// Reads a decimal number, signed or not, that is the whole value: at the line's end or before the next
+  /// word. None, with nothing taken, for everything else. Most values are such numbers, and this is many
+  /// times as fast as read().
   static std::optional<double> plain_number(Scanner& scanner);
   /// Texts and values joined by "<<". Throws ReadFault.
   std::string read_text(Scanner& scanner);
-  /// A text or a variable with a text is next.
+  /// True if a text or a variable with a text is next.
   bool text_follows(Scanner scanner);
 
-  /// The number of "R5" or "R[5]", whose "R" has just been read; none, and nothing taken, if it is not an R
-  /// parameter.
+  /// The number of "R5" or "R[5]" after its "R"; none, with nothing taken, if it is not an R parameter.
   std::optional<int> r_number(Scanner& scanner);
   /// The element that follows a name: 0, or by its indices in "[...]". Throws ReadFault.
   std::size_t element(Scanner& scanner, const Variable& variable, std::string_view name);

@@ -12,7 +12,7 @@ namespace feedscope::sinumerik {
 
 enum class Type : std::uint8_t { real, integer, boolean, text, axis };
 
-/// A variable or an array of up to three dimensions, as DEF makes it.
+/// A variable or an array of up to three dimensions, as defined by DEF.
 struct Variable {
   Type type = Type::real;
   std::array<std::size_t, 3> size{1, 1, 1};
@@ -27,7 +27,7 @@ struct Variable {
   void set(std::size_t index, double value);
 };
 
-/// What a program's variables hold: R parameters for all, others by the program that defines them. A
+/// Values of a program's variables: R parameters for all, others by the program that defines them. A
 /// subprogram sees its own and those of the main program.
 class Variables {
  public:
@@ -39,7 +39,7 @@ class Variables {
 
   /// nullptr if there is none.
   Variable* find(std::string_view name);
-  /// The same for a name of one letter, in upper case. Controls know none; textbooks do.
+  /// The same for a name of one letter, in upper case. Controls have none; textbooks do.
   Variable* find_letter(char letter) {
     return (letters_ >> (letter - 'A') & 1U) != 0 ? find(std::string_view(&letter, 1)) : nullptr;
   }
@@ -47,7 +47,7 @@ class Variables {
   /// Replaces one of the same name.
   Variable& define(std::string_view name, Variable variable);
 
-  /// A subprogram begins, ends.
+  /// Begins and ends a subprogram.
   void enter() { levels_.emplace_back(); }
   void leave() { levels_.pop_back(); }
 

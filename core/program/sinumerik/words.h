@@ -8,19 +8,19 @@
 
 namespace feedscope::sinumerik {
 
-/// How a coordinate is meant.
+/// Meaning of a coordinate.
 enum class Reading : std::uint8_t {
-  modal,        ///< as G90 or G91 say
+  modal,        ///< by G90 or G91
   absolute,     ///< AC()
   incremental,  ///< IC()
   shortest,     ///< DC()
-  positive,     ///< ACP(): absolute, turning that way
+  positive,     ///< ACP(): absolute, in the positive direction
   negative,     ///< ACN()
 };
 
-/// How a coordinate across the turning axis is meant.
+/// Meaning of a coordinate across the turning axis.
 enum class Across : std::uint8_t {
-  modal,     ///< as DIAMON, DIAM90, DIAMOF say
+  modal,     ///< by DIAMON, DIAM90, DIAMOF
   diameter,  ///< DAC(), DIC()
   radius,    ///< RAC(), RIC()
 };
@@ -44,7 +44,7 @@ enum class Address : std::uint8_t {
   rnd,   ///< radius at the corner at the end
   rndm,  ///< the same for every corner
   chf,   ///< length of a chamfer at the corner
-  chr,   ///< what a chamfer takes off both sides
+  chr,   ///< side that a chamfer cuts off both elements
   frc,   ///< feed of the rounding or chamfer
   frcm,  ///< the same for every one
   p,     ///< runs of a call or repeat
@@ -96,7 +96,7 @@ class BlockWords {
     }
   }
 
-  /// The first of these letters in the block; 0 if there is none.
+  /// Column of the first of these letters in the block; 0 if there is none.
   std::uint32_t first_column(std::string_view letters) const {
     std::uint32_t column = 0;
     for (const char letter : letters) {
@@ -116,7 +116,7 @@ class BlockWords {
   std::uint32_t addresses_present_ = 0;
 };
 
-/// What the functions of one block ask for: G words, names without value, M words.
+/// Effects of the functions of one block: G words, names without value, M words.
 struct BlockFunctions {
   std::array<const Function*, group_count> groups{};  ///< the block's function of each group
   const Function* own_block = nullptr;                ///< to which the block's coordinates belong

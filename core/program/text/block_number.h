@@ -5,7 +5,7 @@
 
 namespace feedscope {
 
-/// The number that a line of a program bears: "N120", of conversational programs the "12" at its start; empty
+/// Block number of a line of a program: "N120", or in conversational programs the "12" at its start; empty
 /// for a line without one.
 std::string block_number(std::string_view line);
 

@@ -13,9 +13,9 @@
 
 namespace feedscope {
 
-/// Collects diagnostics so that a long program with a fault on every line stays readable and small: of one
-/// kind the first ten are kept, of an info the first, and the others counted in one closing line. What is
-/// said of one place again, as in a loop, counts once.
+/// Collects diagnostics so that a long program with a fault on every line stays readable and small: keeps the
+/// first ten of each kind, of an info only the first, and counts the others in one closing line. A repeated
+/// report of the same place, as in a loop, counts once.
 class DiagnosticLog {
  public:
   static constexpr std::uint32_t kept_of_a_kind = 10;
@@ -31,8 +31,8 @@ class DiagnosticLog {
     std::string hint;
   };
 
-  /// A kind is `code` and `detail`, such as the number of a G word.
-  /// `text()` gives the Text; it is called for what is kept only.
+  /// A kind is `code` and `detail`, such as the number of a G word. `text()` returns the Text; it is called
+  /// only for diagnostics that are kept.
   template <typename MakeText>
   void add(Severity severity, MessageCode code, int detail, Place place, MakeText&& text) {
     if (admit(severity, code, detail, place)) {
@@ -43,7 +43,7 @@ class DiagnosticLog {
     }
   }
 
-  /// All of them by place; the log is empty afterwards.
+  /// Returns all of them by place and empties the log.
   std::vector<Diagnostic> take();
 
  private:

@@ -36,7 +36,7 @@ std::size_t name_end(std::string_view text, std::size_t at) {
   return at;
 }
 
-/// End of what was meant as a number: up to a blank, a comment or a letter that starts the next word.
+/// End of a malformed number: up to a blank, a comment or a letter that starts the next word.
 std::size_t bad_number_end(std::string_view text, std::size_t at) {
   while (at < text.size()) {
     const bool exponent = to_upper(text[at]) == 'E' && at + 1 < text.size() && is_number_part(text[at + 1]);

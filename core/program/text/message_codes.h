@@ -6,11 +6,11 @@
 
 namespace feedscope {
 
-/// One kind of message about programs, for the page of messages in the handbook.
+/// One kind of message about programs, for the handbook's page of messages.
 struct MessageCodeInfo {
   std::string_view code;      ///< stable short name
-  std::string_view severity;  ///< which it may have
-  std::string_view example;   ///< what leads to it, in Markdown
+  std::string_view severity;  ///< possible severities
+  std::string_view example;   ///< cause of the message, in Markdown
   std::string_view group;     ///< heading of the page
 };
 
@@ -194,7 +194,7 @@ class MessageCode {
   std::string_view text_;
 };
 
-/// All of them in Markdown: a heading of the third level and a list for each group.
+/// All codes in Markdown: a third-level heading and a list for each group.
 std::string message_code_lists();
 
 }  // namespace feedscope

@@ -7,7 +7,7 @@
 
 namespace feedscope {
 
-/// Thrown where a statement cannot be read; the reader catches it at the end of the block and makes it a
+/// Thrown for an unreadable statement; the reader catches it at the end of the block and turns it into a
 /// diagnostic.
 struct ReadFault {
   MessageCode code;

@@ -21,7 +21,7 @@ constexpr char to_upper(char c) {
 constexpr bool is_letter(char c) {
   return to_upper(c) >= 'A' && to_upper(c) <= 'Z';
 }
-/// May stand in a name after its first character.
+/// True for characters of a name after its first one.
 constexpr bool is_name_part(char c) {
   return is_letter(c) || is_digit(c) || c == '_';
 }
@@ -30,8 +30,8 @@ bool same(std::string_view a, std::string_view b);
 
 }  // namespace letters
 
-/// A place in a line that moves on as statements are read; for what is more than letters with numbers.
-/// Blanks before what is looked for are skipped; upper and lower case are the same.
+/// A place in a line that moves on as statements are read, for syntax beyond letters with numbers. Skips
+/// blanks before the text it looks for; upper and lower case are the same.
 class Scanner {
  public:
   explicit Scanner(std::string_view text, std::size_t at = 0) : text_(text), at_(at) {}
@@ -48,20 +48,20 @@ class Scanner {
   char peek_at(std::size_t ahead) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
   std::string_view rest();
 
-  /// Takes what is named and returns true, or stays.
+  /// Reads the given text and returns true, or stays.
   bool take(char c);
   bool take(std::string_view symbol);
   /// The same for a name that no name character follows.
   bool take_name(std::string_view name);
   /// The same for a name that a digit may follow, "DO1".
   bool take_keyword(std::string_view name);
-  /// Takes letters, digits and underscores from a letter or underscore on; empty if none stands here.
+  /// Reads letters, digits and underscores that begin with a letter or underscore; empty if none is next.
   std::string_view name();
-  /// Takes the digits that stand here, however many.
+  /// Skips all digits that follow.
   void skip_digits();
 
-  /// Takes an unsigned decimal number, its point a comma too if `comma`; none if none stands here.
-  /// Throws ReadFault "malformed-number" and "number-range".
+  /// Reads an unsigned decimal number, with a point or, if `comma`, a comma; none if none is next. Throws
+  /// ReadFault "malformed-number" and "number-range".
   std::optional<double> number(bool comma = false);
 
  private:

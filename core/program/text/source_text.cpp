@@ -19,7 +19,7 @@ namespace {
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 constexpr std::size_t size_limit = std::numeric_limits<std::uint32_t>::max();
 
-/// Offset of every line. LF, CR LF, CR CR LF (left behind by a text-mode copy) and CR alone end a line.
+/// Offset of every line. LF, CR LF, CR CR LF (from a text-mode copy) and CR alone end a line.
 std::vector<std::uint32_t> line_starts(std::string_view text, std::size_t at) {
   const auto find = [text](char c, std::size_t from, std::size_t to) {
     const void* const found = from < to ? std::memchr(text.data() + from, c, to - from) : nullptr;
@@ -57,8 +57,8 @@ constexpr bool is_noise(char c) {
       "{}: is not a text file ({}); give an NC program as ASCII, UTF-8 or Latin-1 text", name, reason));
 }
 
-/// Makes blanks of control characters. Throws InputError where so many stand between the first and the last
-/// printed one, that is without the leader and trailer of a tape, that it is no text.
+/// Replaces control characters by blanks. Throws InputError if there are too many for a text between the
+/// first and the last printed one, that is without the leader and trailer of a tape.
 std::size_t clear_noise(const std::string& name, std::string& text) {
   constexpr std::size_t always_allowed = 16;
   constexpr std::size_t one_in = 200;
@@ -90,7 +90,7 @@ std::size_t clear_noise(const std::string& name, std::string& text) {
   return count;
 }
 
-/// Whether every byte beyond ASCII belongs to a UTF-8 sequence of two to four bytes.
+/// True if every non-ASCII byte belongs to a UTF-8 sequence of two to four bytes.
 bool is_utf8(std::string_view text) {
   constexpr std::uint64_t beyond_ascii = 0x8080808080808080;
   std::size_t left = 0;

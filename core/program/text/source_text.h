@@ -10,32 +10,32 @@ namespace feedscope {
 
 enum class Encoding : std::uint8_t { utf8, latin1 };
 
-/// The text of an NC program, every line kept as written.
+/// Text of an NC program, every line as written.
 ///
-/// A file is read in one piece, not mapped: a CAM system that writes a mapped file again would end the
-/// program that shows it. Control characters of punched tape and serial lines (NUL, DEL, XON, Ctrl-Z ...)
+/// A file is read in one piece, not mapped: a CAM system that overwrites a mapped file would crash the
+/// application that shows it. Control characters of punched tape and serial lines (NUL, DEL, XON, Ctrl-Z ...)
 /// become blanks.
 class SourceText {
  public:
   static constexpr std::size_t longest_line = 10'000'000;  ///< [bytes]
 
   SourceText() = default;
-  /// Takes a text; `name` is what messages call it. Throws InputError beyond 4 GiB, for a line beyond
-  /// longest_line, and for what is no text (many zero bytes).
+  /// Takes a text; `name` is its name in messages. Throws InputError above 4 GiB, for a line longer than
+  /// longest_line, and for binary data (many zero bytes).
   SourceText(std::string name, std::string text);
 
-  /// Reads a file, or standard input for "-".
-  /// Throws InputError if it does not exist, is a directory or cannot be read, and as the constructor does.
+  /// Reads a file, or standard input for "-". Throws InputError if it does not exist, is a directory or
+  /// cannot be read, and like the constructor.
   static SourceText from_file(const std::filesystem::path& path);
 
   const std::string& name() const { return name_; }
   const std::string& text() const { return text_; }
-  /// Where the file lies, for what it calls; empty if the text did not come from a file.
+  /// Folder of the file, to find called files; empty if the text did not come from a file.
   const std::filesystem::path& folder() const { return folder_; }
   /// The same as UTF-8, for display.
   std::string utf8_text() const { return to_utf8(text_); }
   std::string utf8_line(std::uint32_t number) const { return to_utf8(line(number)); }
-  /// Latin-1 where the bytes are no UTF-8.
+  /// Latin-1 for invalid UTF-8.
   Encoding encoding() const { return encoding_; }
   /// Bytes that became blanks.
   std::size_t noise_count() const { return noise_count_; }

@@ -23,7 +23,7 @@ void SubprogramFiles::list() {
   for (auto entry = std::filesystem::directory_iterator(folder_, error);
        !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
     if (entry->is_regular_file(error)) {
-      // Of names that differ in case only the first in order counts, whatever the folder's own order.
+      // Of names that differ only in case the first in sorted order counts, whatever the order of the folder.
       std::filesystem::path& file = files_[upper(entry->path().filename().string())];
       file = file.empty() ? entry->path() : std::min(file, entry->path());
     }
@@ -57,7 +57,7 @@ std::shared_ptr<const SourceText> SubprogramFiles::find(const std::vector<std::s
       try {
         read->second = std::make_shared<const SourceText>(SourceText::from_file(file->second));
       } catch (const InputError&) {
-        // Stays empty: the caller says that the subprogram is missing.
+        // Stays empty: the caller reports the missing subprogram.
       }
     }
     if (read->second != nullptr) {

@@ -11,16 +11,17 @@
 
 namespace feedscope {
 
-/// The files that a program calls: those beside it, by name whatever its case. Each is read once.
+/// Files called by a program: those in its folder, by name whatever the case. Each is read once.
 class SubprogramFiles {
  public:
-  /// `folder` empty: nothing is found.
+  /// For an empty `folder` it finds nothing.
   explicit SubprogramFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  /// The first of `names` that is a file beside the program; nullptr if none is, or it cannot be read.
+  /// The first of `names` that is a file in the program's folder; nullptr if none is, or if it cannot be
+  /// read.
   std::shared_ptr<const SourceText> find(const std::vector<std::string>& names);
 
-  /// In the order of their names.
+  /// All files read, in the order of their names.
   std::vector<std::shared_ptr<const SourceText>> all_read() const;
 
  private:

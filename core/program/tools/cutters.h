@@ -11,11 +11,11 @@
 
 namespace feedscope {
 
-/// Where the radius of each cutter comes from: what ReadOptions say, else the program, else the tool table
-/// that they name or that is in the program's folder.
+/// Source of the radius of each cutter: ReadOptions, else the program, else the tool table that the options
+/// name or that is in the program's folder.
 class Cutters {
  public:
-  /// `files` outlives it. Throws InputError for a table of `options` that cannot be read.
+  /// `files` outlives it. Throws InputError for an unreadable table of `options`.
   Cutters(const ReadOptions& options, SubprogramFiles& files);
 
   struct Found {
@@ -24,9 +24,9 @@ class Cutters {
   };
   Found find(std::string_view tool, std::optional<double> programmed);
 
-  /// Name of the table that was used; empty: none was.
+  /// Name of the table used; empty: none.
   const std::string& table_name() const { return table_name_; }
-  /// What is wrong with a table beside the program; empty: nothing, or there is none.
+  /// Fault of a table in the program's folder; empty: no fault, or no table.
   const std::string& table_fault() const { return table_fault_; }
 
  private:

@@ -36,7 +36,7 @@ std::vector<std::string_view> split(std::string_view line, char separator) {
   return parts;
 }
 
-/// Where words that blanks separate begin.
+/// Starts of the words that blanks separate.
 std::vector<std::size_t> word_starts(std::string_view line) {
   std::vector<std::size_t> starts;
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -125,7 +125,7 @@ double ToolColumns::number(std::string_view cell, std::uint32_t line) const {
       return sign * *value;
     }
   } catch (const ReadFault&) {
-    // Said below, with the line.
+    // Reported below, with the line.
   }
   throw InputError(
       fmt::format("tool table '{}', line {}: {} is not a number", text_->name(), line, in_quotes(cell)));

@@ -10,14 +10,13 @@
 
 namespace feedscope {
 
-/// A tool table in columns under a line of headings: Heidenhain's TOOL.T, lists of spreadsheets.
+/// A tool table in columns under a line of headings: Heidenhain's TOOL.T, spreadsheet lists.
 class ToolColumns {
  public:
-  /// None if no line of the text heads a column of tools and one of radii or diameters.
+  /// None if no line of the text is a heading with a column of tools and one of radii or diameters.
   static std::optional<ToolColumns> find(const SourceText& text, double unit);
 
-  /// Throws InputError naming line and value. Rows without a tool, or without a radius of 0 or more, are left
-  /// out.
+  /// Throws InputError with line and value. Omits rows without a tool or without a radius of 0 or more.
   CutterRadii read() const;
 
  private:

@@ -12,32 +12,32 @@
 
 namespace feedscope {
 
-/// The tools that a program names, the one in the spindle, and whether the spindle turns.
+/// Tools of a program, the one in the spindle, and whether the spindle turns.
 class ToolRack {
  public:
-  /// All outlive it. Throws InputError for a tool table of `options` that cannot be read.
+  /// All outlive it. Throws InputError for an unreadable tool table of `options`.
   ToolRack(const ReadOptions& options, SubprogramFiles& files, Program& program, PathWriter& path,
            const LineRunner& lines, DiagnosticLog& log);
 
-  /// The program asks for a tool, by number or name.
+  /// Selects a tool, by number or name.
   void select(std::string_view name);
-  /// The tool comes into the spindle; nothing if it is there.
+  /// Brings the tool into the spindle; does nothing if it is there.
   void change_to(std::string_view name);
 
-  /// M3, M4: nothing where the spindle turns. M5 and similar.
+  /// M3, M4: does nothing if the spindle turns. M5 and similar.
   void start_spindle();
   void stop_spindle();
   bool spindle_turns() const { return spindle_turns_; }
 
-  /// Radius of a cutter [mm], for which the program gives `programmed`; none if nothing gives it.
+  /// Radius of a cutter [mm], for which the program gives `programmed`; none if it is not given anywhere.
   std::optional<double> radius_of(std::string_view tool, std::optional<double> programmed);
-  /// The same where the path depends on it: Program::cutters names it.
+  /// The same where the path depends on it: adds the tool to Program::cutters.
   std::optional<double> use_radius_of(std::string_view tool, std::optional<double> programmed);
-  /// What to do about a radius that nothing gives, behind "the path shown is the programmed contour; ".
+  /// Hint for a radius that is not given anywhere, after "the path shown is the programmed contour; ".
   static std::string radius_hint(std::string_view tool);
 
  private:
-  /// In Program::tools; -1 if it is not there.
+  /// Index in Program::tools; -1 if it is not there.
   std::int32_t index_of(std::string_view name) const;
 
   Program& program_;

@@ -29,7 +29,7 @@ double signed_number(Scanner& scanner) {
   return sign * unsigned_number(scanner, true);
 }
 
-/// Radii, and what is added to them, until all lines have been read.
+/// Sum of each radius and its additions, until all lines have been read.
 class RadiusSum {
  public:
   void radius(const std::string& tool, double value) { sums_[tool].radius = value; }
@@ -76,7 +76,7 @@ class LineReader {
 class SinumerikLines : public LineReader {
  public:
   using LineReader::LineReader;
-  /// A line may hold several of them.
+  /// A line may contain several of them.
   void read(std::string_view line) override {
     for (std::size_t at = line.find('$'); at != std::string_view::npos; at = line.find('$', at + 1)) {
       Scanner scanner(line, at);
