@@ -16,7 +16,7 @@ struct ShareBarRow {
   QString tip;
 };
 
-/// Shares of a whole as bars behind their names, the values at the right. A click asks for a row.
+/// Shares of a whole as bars, with names on the left and values on the right. A click requests a row.
 class ShareBars : public QWidget {
   Q_OBJECT
 
