@@ -8,14 +8,14 @@ class QPainter;
 
 namespace feedscope::ui {
 
-/// Runs as bars as long as their cycle times, cut by what limits the feed, with a letter before and the cycle
-/// time after each, the seconds in parts that have room for them, and a legend of the parts below.
+/// Runs as bars as long as their cycle times, divided by limiting cause, with a letter before and the cycle
+/// time after each, seconds in parts with room for them, and a legend below.
 class CauseBars {
  public:
-  /// `width`: of all [1/96 inch].
+  /// `width`: total [1/96 inch].
   CauseBars(ComparisonBars bars, double width);
 
-  /// Width, and the height that they need.
+  /// Width and required height.
   QSizeF size() const { return size_; }
   void paint(QPainter& painter) const;
 

@@ -11,7 +11,7 @@ namespace feedscope::ui {
 
 namespace {
 
-constexpr int colour_step = 8;  // of 255: less is not seen
+constexpr int colour_step = 8;  // of 255: smaller differences are invisible
 
 int difference(QRgb one, QRgb other) {
   return std::max({std::abs(qRed(one) - qRed(other)), std::abs(qGreen(one) - qGreen(other)),
@@ -24,7 +24,7 @@ QRgb mixed(QRgb one, QRgb other, double share) {
                part(qAlpha(one), qAlpha(other)));
 }
 
-/// The shares of a line at which it enters and leaves a rectangle, as Liang and Barsky clip; none: it misses.
+/// The fractions of a line at which it enters and leaves a rectangle, by Liang and Barsky; none if it misses.
 std::optional<std::array<double, 2>> inside(const QRectF& room, const QPointF& from, const QPointF& to) {
   std::array<double, 2> shares{0, 1};
   const QPointF along = to - from;
@@ -52,7 +52,7 @@ bool LinePieces::look_alike(QRgb one, QRgb other) {
 }
 
 bool LinePieces::add(const LineEnd& from, const LineEnd& to, double width, bool round) {
-  const double half = width / 2 + 0.5;  // smoothed edges too
+  const double half = width / 2 + 0.5;  // including antialiased edges
   const auto shares = inside(room_.adjusted(half, half, -half, -half), from.at, to.at);
   if (!shares) {
     return true;

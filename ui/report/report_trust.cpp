@@ -31,7 +31,7 @@ QString trust_line(const QString& html) {
   return QStringLiteral("<p class=\"fine\">%1</p>\n").arg(html);
 }
 
-/// A paper, in the language that it has.
+/// A publication, in its own language.
 QString source_span(const std::string& reference) {
   return QStringLiteral("<span class=\"source\">%1</span>").arg(html_text(reference));
 }
@@ -59,7 +59,7 @@ QString limit_text(const Machine& machine, char axis, const SettingSpec& spec) {
                                                                       : text;
 }
 
-/// Velocity, acceleration and jerk of some axes, with the specs of these limits for such axes.
+/// Velocity, acceleration and jerk of some axes, with the specs of these limits.
 QString limits_table(const Machine& machine, const QString& title, std::span<const SettingSpec> specs,
                      const std::vector<char>& axes) {
   constexpr std::size_t limits = 3;
@@ -103,7 +103,7 @@ QString machine_part(const Machine& machine) {
                         .arg(source_span(machine.reference)));
 }
 
-/// "contour_tolerance_mm=0.02": what of a setup is not that of the machine's file.
+/// "contour_tolerance_mm=0.02": settings of a setup that differ from the machine's file.
 QStringList changed_settings(const Setup& setup) {
   QStringList texts;
   const Settings usual = complete_settings(*setup.model, setup.machine);

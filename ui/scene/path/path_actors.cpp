@@ -92,7 +92,7 @@ vtkSmartPointer<vtkPolyData> rapid_dashes(const SampledPath& path, double dash) 
       left = step;
       continue;
     }
-    // In double precision: a rapid may come from far away to a small part.
+    // In double precision: a rapid may be far longer than a small part.
     const Eigen::Vector3d from = path.positions[i].cast<double>();
     const Eigen::Vector3d span = path.positions[i + 1].cast<double>() - from;
     const double span_length = span.norm();
