@@ -14,9 +14,7 @@ namespace feedscope {
 CLI::Option* add_number_option(CLI::App& command, const std::string& name, SettingSpec bounds,
                                const std::function<void(double)>& set, const std::string& text);
 
-/// Whole numbers from `least` to `most`.
 SettingSpec whole_numbers(double least, double most);
-/// Numbers from `least` to `most`.
 SettingSpec numbers(double least, double most);
 
 /// Adds the permitted decimal signs of a command's numbers to its --help.

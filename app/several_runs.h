@@ -34,8 +34,8 @@ std::vector<AskedRun> asked_runs(const SeveralRunsOptions& options, Dialect dial
 /// The program, then all options as given, quoted for a shell.
 std::string options_text(const SeveralRunsOptions& options);
 
-/// Prints the notes on the runs to standard error, the runs that failed with their requested tolerances, and
-/// the messages on the program and on motions that machines cannot do. Returns the exit code.
+/// Prints to standard error the notes on the runs, the failed runs, and the messages on the program and on
+/// motions that machines cannot do. `tolerances`: the requested ones. Returns the exit code.
 int tell_of_shown_runs(const ui::ReportInput& input, const std::vector<std::string>& tolerances);
 /// Setups of the runs of `input`.
 std::vector<Setup> setups_of(const ui::ReportInput& input);

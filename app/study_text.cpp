@@ -108,7 +108,6 @@ bool none_possible(std::span<const StudyRun> runs) {
   return std::ranges::none_of(runs, &StudyRun::is_possible);
 }
 
-/// For runs of which none is possible.
 std::string none_possible_text(std::span<const StudyRun> runs) {
   return std::ranges::all_of(runs, &StudyRun::refused)
              ? refused_text

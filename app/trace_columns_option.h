@@ -7,7 +7,6 @@
 
 namespace feedscope {
 
-/// Adds --columns.
 void add_columns_option(CLI::App& command, std::string& columns);
 /// The columns that --columns describes: a specification, a preset, or a file with a specification. Throws
 /// InputError.

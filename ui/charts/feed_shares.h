@@ -22,8 +22,7 @@ class FeedShares : public QWidget {
   /// Achieved feeds, ascending [mm/s]: each represents the same time.
   void set_feeds(std::vector<float> feeds);
   bool is_empty() const { return feeds_.empty(); }
-  /// Shares of the bars from the lowest non-negative feed of the ordinate upwards; their sum is 1. Empty
-  /// without feeds.
+  /// Shares of the bars from feed 0 upwards; their sum is 1. Empty without feeds.
   std::vector<double> shares() const;
   /// "820 to 860 mm/min: 12 % of the time" for the bar at this height; empty outside.
   QString tip_at(int y) const;

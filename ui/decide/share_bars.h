@@ -7,7 +7,6 @@
 
 namespace feedscope::ui {
 
-/// A row of ShareBars.
 struct ShareBarRow {
   QString text;
   QString value;

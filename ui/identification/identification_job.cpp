@@ -24,7 +24,7 @@ Recordings recordings_of(const IdentificationRequest& request) {
   return recordings;
 }
 
-/// Fits one model with the first `matched` recordings matched to the program; `share` of the work.
+/// Fits one model. `matched`: number of recordings to match to the program; `share`: of the work.
 Identification fit(Recordings& recordings, std::size_t matched, const IdentificationStart& start,
                    const std::string& date, Progress& whole, double share) {
   IdentifyOptions options;

@@ -8,8 +8,8 @@ namespace feedscope::ui {
 
 /// A place between two lines of a laid out text where a page may end. Lengths in units of the layout.
 struct PageGap {
-  double above = 0;     ///< lower end of what is above
-  double below = 0;     ///< upper end of what is below
+  double above = 0;     ///< lower end of the lines above
+  double below = 0;     ///< upper end of the lines below
   double cost = 0;      ///< of a break here: 0 is ideal, see page_cost
   bool forced = false;  ///< a page must end here
   double head = 0;      ///< height of the table heads repeated on a page that begins here

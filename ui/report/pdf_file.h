@@ -29,9 +29,9 @@ struct PdfLink {
 struct PdfProperties {
   QString title;
   QString author;
-  QString date;  ///< code of the texts; empty: not set
+  QString date;  ///< of creation, in PDF notation: "D:20250131120000Z"; empty: none
   std::vector<PdfBookmark> outline;
-  QString language = {};  ///< code of the texts; empty: not said
+  QString language = {};  ///< code of the texts; empty: not set
   std::vector<PdfLink> links = {};
   std::vector<PdfTag> tags = {};  ///< marked by mark_tag() on the pages
 };

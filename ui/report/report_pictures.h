@@ -95,11 +95,12 @@ std::vector<Annotation> annotations_between(const ReportInput& input, double fro
 
 // Blocks with pictures as HTML.
 
-/// The current run in 3D as in view_block(), with a height for a page with charts of one run [1/96 inch].
+/// The current run in 3D as in view_block(), but with this height [1/96 inch].
 QString run_view(const ReportInput& input, ReportPictures& pictures, double height,
                  const QString& caption = {});
 /// The current run in 3D, as high as the rest of its page.
 QString elastic_view(const ReportInput& input, ReportPictures& pictures, const QString& caption);
+/// Charts of run `row` with this height [1/96 inch].
 QString run_charts(const ReportInput& input, std::size_t row, ReportPictures& pictures, double height,
                    const QString& caption = {});
 

@@ -38,7 +38,6 @@ class ScenePicture {
   void paint(QPainter& painter, const QRectF& place, const SceneScale& scale);
   /// Places of the annotations in a picture prepared like this.
   std::vector<PlacedAnnotation> annotations(const QSizeF& size, const SceneScale& scale) const;
-  /// Texts of the annotations.
   QStringList annotation_texts();
 
  private:

@@ -12,9 +12,9 @@
 
 namespace feedscope::ui {
 
-/// The lens at the cursor over the bottom right corner of a 3D view: the current run and those that are
-/// ticked, over each other. It shows itself while there are two or more in a view that is large enough; the
-/// key L says otherwise. A click enlarges it to half of the view and back.
+/// The lens at the cursor over the bottom right corner of a 3D view: the current run and the ticked ones,
+/// over each other. It appears if there are two or more runs and the view is large enough, or by the key L. A
+/// click enlarges it to half of the view and back.
 class LensOverlay : public QWidget {
   Q_OBJECT
 
@@ -22,11 +22,11 @@ class LensOverlay : public QWidget {
   /// Becomes a part of `view`. `workbench` outlives this.
   LensOverlay(Workbench& workbench, SceneView& view);
 
-  /// Shows or hides it, whatever there is to compare.
+  /// Shows or hides it, even without runs to compare.
   QAction* action() { return action_; }
-  /// Whether it shows itself; else only by its action.
+  /// Whether it appears by itself; else only by its action.
   void set_offered(bool offered);
-  /// What is shown; null while nothing is.
+  /// The shown lens; null if hidden.
   const Lens* lens() const { return isVisible() && lens_ ? &*lens_ : nullptr; }
   QSize sizeHint() const override;
 

@@ -164,8 +164,7 @@ FittedOutline fit_outline(const std::vector<Vec2>& hull, const ScreenRectangle& 
     return {high, *place};
   }
   double low = 0;
-  FittedOutline best{high,
-                     room.centre() - high * box_around(hull).centre()};  // if all of the room is covered
+  FittedOutline best{high, room.centre() - high * box_around(hull).centre()};  // if all of it is covered
   while (high - low > 1e-3 * high) {
     const double factor = (low + high) / 2;
     if (const auto place = fitter.free_place(factor)) {

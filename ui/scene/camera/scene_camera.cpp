@@ -11,7 +11,8 @@
 namespace feedscope::ui {
 namespace {
 
-constexpr double parallel_eye_distance = 40;  // scene units; irrelevant in a parallel projection
+constexpr double parallel_eye_distance =
+    40;  // scene units; a parallel projection shows the same from anywhere
 constexpr double scene_radius = 1.5;
 constexpr double view_angle = units::pi / 6;  // of a perspective view, vertical
 constexpr double quarter = units::pi / 2;

@@ -26,8 +26,7 @@ constexpr double upright = 0.9;       // smallest vertical part of the direction
 constexpr int enough_labels = 4;      // on a short edge, if there is room between them
 constexpr double shortest_axis = 24;  // an edge that appears shorter has no labels
 constexpr double end_on = 1e-6;
-constexpr double shown_around =
-    1;  // of the window, on each side: labels extend into it, and fits consider it
+constexpr double shown_around = 1;  // of the window, on each side: labels and fits extend into it
 
 double side(const Bounds& box, int axis, bool high) {
   return high ? box.max[axis] : box.min[axis];

@@ -296,8 +296,7 @@ struct ColourBar {
 
   void draw_bar(Canvas& canvas, const Vec2& low, double top, const Captions& captions) const {
     constexpr int bands = colour_map_size / 2;
-    for (int i = 0; i < bands;
-         ++i) {  // each overlaps the next: PDF viewers show the background between edges
+    for (int i = 0; i < bands; ++i) {  // each overlaps the next: PDF viewers show gaps between edges
       canvas.rectangle({low.x() + length * i / bands, low.y()},
                        {low.x() + length * std::min(i + 2, bands) / bands, top},
                        scale_colour(captions.key.scale, (i + 0.5) / bands, captions.colours->kind));

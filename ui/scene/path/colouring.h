@@ -61,7 +61,6 @@ static_assert(sizeof(Rgba) == 4);
 /// Colour at every point. `run`: for Colouring::run.
 std::vector<Rgba> point_colours(const SampledPath& path, const ColourKey& key, Background background,
                                 const Rgb& run);
-/// Colour at `position` of a scale.
 Rgb scale_colour(const ColourScale& scale, double position, Background background);
 
 }  // namespace feedscope::ui

@@ -74,7 +74,7 @@ class PathLayers {
 
   /// Whether rapids are drawn in a view.
   bool shows_rapids(const Projection& view, double scale) const;
-  /// Contents of the legend since the last place().
+  /// Legend entries for the lines that the last place() made visible.
   LegendEntries entries() const;
   /// Meaning of the colours.
   const ColourKey& key() const { return key_; }
