@@ -241,7 +241,7 @@ int run_reported(int argc, char** argv) {
 int run_command_line(int argc, char** argv) {
   report_file_limits();
   report_memory_limits(out_of_memory);
-  ui::speak(ui::languages().front());  // whatever the desktop's; window and --language choose theirs
+  ui::speak(ui::languages().front());  // by default from the desktop; window and --language choose theirs
   const int code = run_reported(argc, argv);
   return code == exit_code::done || code == exit_code::program_errors ? flushed(code) : code;
 }

@@ -69,7 +69,7 @@ class RunTable {
     add({run.setup.model->info().id, range_text(run.tolerance)}, std::move(cells));
   }
 
-  /// Another line of the run above.
+  /// Adds another line of the run above.
   void add_more(Cells cells) { add({"", ""}, std::move(cells)); }
 
   /// `alignments`: of the cells.

@@ -10,7 +10,7 @@ inline constexpr int wrong_use =
     2;  ///< wrong option, call, machine file or trace; unreadable or unwritable file
 inline constexpr int failed = 3;  ///< out of memory, or a defect of Feedscope itself
 
-/// Ended by a signal, as shells report it: 130 for Ctrl-C, 143 for a termination.
+/// Exit code after a signal, as shells report it: 130 for Ctrl-C, 143 for a termination.
 constexpr int stopped_by(int signal) {
   return 128 + signal;
 }

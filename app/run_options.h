@@ -39,7 +39,7 @@ struct RunOptions : ProgramOptions {
   std::string tolerance;  ///< [mm], as typed
   std::vector<std::string> set;
 
-  /// For a program in `dialect`. Throws InputError if the tolerance is no number.
+  /// For a program in `dialect`. Throws InputError if the tolerance is not a number.
   SetupRequest request(Dialect program_dialect) const;
 };
 
@@ -54,16 +54,16 @@ std::vector<GivenOption> given_of_run(const RunOptions& options);
 /// The chosen dialect, or else the recognised one.
 Dialect dialect_of(const ProgramOptions& options, const SourceText& source);
 
-/// Reads a length [mm] of `option`. Throws InputError if it is no number or below 0.
+/// Reads a length [mm] of `option`. Throws InputError if it is not a number or below 0.
 double parse_length(const std::string& text, const std::string& option);
-/// Reads a --tolerance [mm]. Throws InputError if it is no number or below 0.
+/// Reads a --tolerance [mm]. Throws InputError if it is not a number or below 0.
 double parse_tolerance(const std::string& text);
 
 /// Moves `tolerance=MM` from the assignments of --set to `tolerances`: it equals --tolerance. Throws
 /// InputError if the tolerance is given twice: --tolerance with --set tolerance or
 /// --set contour_tolerance_mm.
 void move_tolerance(std::vector<std::string>& set, std::vector<std::string>& tolerances);
-/// The same for a command with one run.
+/// As above, for a command with one run.
 void move_tolerance(RunOptions& options);
 
 /// Help text of --machine.

@@ -1,4 +1,4 @@
-// The module feedscope._native: programs, runs and their motion for Python. What people call is in
+// The module feedscope._native: programs, runs and their motion for Python. Its public interface is in
 // feedscope/__init__.py.
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>

@@ -25,7 +25,7 @@ struct AnnotatedView {
   RunSources sources;  ///< of the run
 };
 
-/// Where an annotation is in a picture, in pixels from its upper left corner.
+/// Place of an annotation in a picture, in pixels from its upper left corner.
 struct PlacedAnnotation {
   int id = 0;
   AnnotationKind kind = AnnotationKind::text;

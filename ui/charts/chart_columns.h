@@ -16,7 +16,7 @@ class ChartColumns {
   void set_run(std::shared_ptr<const Trajectory> trajectory, std::shared_ptr<const Envelope> envelope);
   /// Discards all columns, after a change of the abscissa or of showing rapids.
   void clear() { cache_.clear(); }
-  /// Brings `count` columns over the range up to date.
+  /// Updates to `count` columns over the range.
   void update(const ViewRange& range, int count);
 
   const std::shared_ptr<const Trajectory>& trajectory() const { return trajectory_; }

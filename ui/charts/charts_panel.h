@@ -71,8 +71,8 @@ class ChartsPanel : public Panel {
   Interval shown_times() const { return {range_.lower_time(), range_.upper_time()}; }  ///< of the run [s]
   /// Times of the pixel columns' borders at the last refresh() [s].
   const std::vector<double>& column_times() const { return columns_.times(); }
-  /// 0 feed, 1 acceleration, 2 jerk; 3 following error: shown where the run has drives; 4 cutting force,
-  /// 5 chip thickness: shown where it has a cutting load.
+  /// 0 feed, 1 acceleration, 2 jerk; 3 following error: shown if the run has drives; 4 cutting force,
+  /// 5 chip thickness: shown if it has a cutting load.
   KinematicChart& chart(std::size_t i) { return *rows_.charts[i]; }
   ChartHeader& header(std::size_t i) { return *rows_.headers[i]; }
   CauseStrip& causes() { return *causes_; }

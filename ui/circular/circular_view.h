@@ -39,7 +39,7 @@ class CircularView : public Panel {
   void run();
   /// The shown test and its drawn circle; none: nothing, or circles of the program.
   std::optional<CircularShown> shown() const;
-  /// Shows a test of the present setup again, as returned by shown().
+  /// Shows a test of the current setup again, as returned by shown().
   void show_again(CircularShown shown);
   CircularState state() const;
   void set_state(const CircularState& state);

@@ -14,7 +14,7 @@ QString error_text(double mm);
 QString error_amount_text(double mm);
 /// "12 (N120)".
 QString line_text(const ContourFinding& finding);
-/// "left", "right"; "–" where the deviation is not in XY.
+/// "left", "right"; "–" if the deviation is not in XY.
 QString side_text(const ContourPlace& place);
 /// "Corner of 90°, inside", "Arc R 5 mm, inside", "Line of 0.2 mm".
 QString spot_text(const ContourSpot& spot);

@@ -18,8 +18,8 @@ class DecisionChart;
 class NumberBox;
 
 /// The run to take: a sentence with the reason, cycle time over contour error with a bound that can be
-/// dragged, the runs, the use of time of the current run and helpful changes. For one run: how much of its
-/// time is lost and to which causes, and an offer to compare tolerances.
+/// dragged, the runs, where the time of the current run goes and helpful changes. For one run: how much of
+/// its time is lost and to which causes, and an offer to compare tolerances.
 class DecideView : public Panel {
   Q_OBJECT
 

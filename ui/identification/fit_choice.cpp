@@ -334,7 +334,7 @@ void FitChoice::list_parameters() {
   fit_heights();
 }
 
-/// Sets heights for the intended number of rows at the present font size.
+/// Sets heights for the intended number of rows at the current font size.
 void FitChoice::fit_heights() {
   models_->setFixedHeight(shown_models * models_->sizeHintForRow(0) + 2 * models_->frameWidth() + 2);
   parameters_->setFixedHeight(shown_parameters * std::max(1, parameters_->sizeHintForRow(0)) +

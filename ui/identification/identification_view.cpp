@@ -247,7 +247,7 @@ void IdentificationView::follow_input() {
   }
 }
 
-/// A restored result is accepted for the present choices if it is equal, as soon as they have been read.
+/// A restored result is accepted for the current choices if it is equal, as soon as they have been read.
 void IdentificationView::settle(const IdentificationRequest& asked) {
   if (unsettled_ && asked.program.program != nullptr && !recordings_->is_reading()) {
     unsettled_ = false;

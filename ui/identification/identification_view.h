@@ -38,7 +38,7 @@ class IdentificationView : public Panel {
 
   /// Adds a table of section times of the program; shows errors in it below.
   void add_table(const std::filesystem::path& file);
-  /// Starts the search with the present choices, unless something is missing.
+  /// Starts the search with the current choices, unless something is missing.
   void identify();
   void cancel() { job_.cancel(); }
   /// Adds a run on the machine that the chosen model has found, and makes it current.
@@ -101,7 +101,7 @@ class IdentificationView : public Panel {
   std::filesystem::path file_;      ///< of the program that the tables belong to
   IdentificationRequest searched_;  ///< by the running search
   IdentificationRequest asked_;     ///< answered by the result
-  bool unsettled_ = false;          ///< not yet known whether the result fits the present choices
+  bool unsettled_ = false;          ///< not yet known whether the result fits the current choices
   bool stale_ = false;              ///< whether the result does not fit them
 };
 

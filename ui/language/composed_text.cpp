@@ -271,7 +271,7 @@ constexpr std::array sentences{
 
 /// Patterns whose places contain only numbers and texts with a pattern.
 constexpr std::array clauses{
-    // What is not in the cycle time (analysis/not_counted).
+    // Items that are not in the cycle time (analysis/not_counted).
     QT_TRANSLATE_NOOP("core", "%1 tool change"),
     QT_TRANSLATE_NOOP("core", "%1 tool changes"),
     QT_TRANSLATE_NOOP("core", "%1 spindle start"),
@@ -322,7 +322,7 @@ constexpr std::array clauses{
     QT_TRANSLATE_NOOP("core", "also in lines %1 and %2"),
     QT_TRANSLATE_NOOP("core", "%1 more up to line %2"),
     QT_TRANSLATE_NOOP("core", "%1 more"),
-    // What a control model guarantees (models/guarantees).
+    // Guarantees of a control model (models/guarantees).
     QT_TRANSLATE_NOOP("core",
                       "The source covers lines and their corners; arcs and helices follow the shared rules."),
     QT_TRANSLATE_NOOP("core", "The source covers arcs; lines follow the shared rules."),

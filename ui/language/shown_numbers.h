@@ -37,7 +37,7 @@ int decimals_of(Dimension dimension, int metric_decimals);
 QString number_text(double value, Dimension dimension, int metric_decimals = -1);
 /// "12.5 mm".
 QString amount_text(double value, Dimension dimension, int metric_decimals = -1);
-/// With this many significant digits, as "0.02 mm".
+/// With this many significant digits: "0.02 mm".
 QString significant_text(double value, Dimension dimension, int digits);
 
 /// The core's unit of a key, as in a setting ("mm", "m/s2"), in the shown unit system.

@@ -7,7 +7,7 @@
 
 namespace feedscope::ui {
 
-/// Texts on the use of time, in the language and with the numbers of the user.
+/// Texts on the breakdown of time, in the language and with the numbers of the user.
 class TimeTexts {
   Q_DECLARE_TR_FUNCTIONS(TimeTexts)
 

@@ -8,7 +8,7 @@
 
 namespace feedscope::ui {
 
-// Blocks of a report as HTML. Numbers have a decimal point and the units of people; all texts are escaped.
+// Blocks of a report as HTML. Numbers have a decimal point and display units; all texts are escaped.
 
 /// Runs side by side in one table; further ones follow in another.
 inline constexpr std::size_t runs_a_table = 4;

@@ -6,7 +6,7 @@
 
 namespace feedscope::ui {
 
-// Use of time of the current run and helpful changes, as HTML, as in `explain` and the panel Time.
+// Breakdown of the current run's time and helpful changes, as HTML, as in `explain` and the panel Time.
 
 /// `input` with ReportInput::time. `with_changes`: including helpful changes, each simulated. Throws
 /// Cancelled if `progress` is cancelled.

@@ -31,7 +31,7 @@ class ScenePicture {
   PathScene& scene() { return scene_; }
   /// Sets the size of the scene's window, so that later fits suit the picture. Throws as image().
   void prepare(const QSizeF& size, const SceneScale& scale);
-  /// The present scene. Throws InputError if a side is too long for software OpenGL.
+  /// The current scene. Throws InputError if a side is too long for software OpenGL.
   QImage image(const QSizeF& size, const SceneScale& scale);
   /// Paints the scene into a larger picture, with the annotations on top. Devices of shapes (SVG, PDF) get
   /// vectors; with too many lines for that (see paint_vectors), the scene is a bitmap.

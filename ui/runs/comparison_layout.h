@@ -51,7 +51,7 @@ ComparisonLayout lay_out(const ComparisonBars& bars, const QSize& size, const QF
 int natural_comparison_height(const ComparisonBars& bars, int width, const QFont& font);
 int min_comparison_height(const ComparisonBars& bars, int width, const QFont& font);
 
-/// The least width of a comparison [px].
+/// Smallest width of a comparison [px].
 inline constexpr int min_comparison_width = 640;
 /// At least min_comparison_height for the runs of `bars`, whatever their limiting causes.
 int enough_comparison_height(const ComparisonBars& bars, int width);

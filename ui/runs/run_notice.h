@@ -38,7 +38,7 @@ class RunNotice : public QFrame {
   QLabel* text_;
   QProgressBar* progress_;
   QString without_program_;
-  QString activity_;  ///< present work
+  QString activity_;  ///< current activity
   QToolButton* again_;
 };
 

@@ -47,7 +47,7 @@ class RunsView : public Panel {
   void move_up();
   void move_down();
   void choose_colour();
-  /// None: a run is selected.
+  /// None if a run is selected.
   std::optional<std::size_t> chosen_trace() const;
   void follow_current();
   void follow_status();

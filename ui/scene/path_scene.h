@@ -122,7 +122,7 @@ class PathScene {
   /// While true, paths of many points are drawn coarsely.
   void set_moving(bool moving);
 
-  /// Marks the executed path between two times [s]; none marks nothing.
+  /// Highlights the executed path between two times [s]; none: no highlight.
   void set_highlight(std::optional<std::array<double, 2>> range);
   /// Range of the executed path that is drawn: all, the highlighted part, or up to the cursor. The rest
   /// cannot be picked.
@@ -130,7 +130,8 @@ class PathScene {
   const StretchChoice& stretch() const;
   /// Zooms to the executed path between two times [s].
   void fit_times(double from, double to);
-  /// First and last time [s] at which the executed path is visible, in the window or in a rectangle of it.
+  /// First and last time [s] at which the executed path is visible in the window, or in a rectangle of it;
+  /// none if it never is.
   std::optional<std::array<double, 2>> visible_times() const;
   std::optional<std::array<double, 2>> times_within(const Pixel& corner, const Pixel& opposite) const;
 

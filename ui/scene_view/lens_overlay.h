@@ -37,7 +37,7 @@ class LensOverlay : public QWidget {
 
  private:
   void follow();
-  /// The runs, the current one first.
+  /// Lists the runs, the current one first.
   void list_runs();
   bool has_room() const;
   void place();

@@ -17,7 +17,7 @@ class SceneRun : public QObject {
   /// All outlive this.
   SceneRun(SceneView& view, RunList& runs, RunComparison& comparison, QObject* parent = nullptr);
 
-  /// Shows the run with this id, with its present result; 0: none.
+  /// Shows the run with this id, with its current result; 0: none.
   void show(int id);
   /// The shown run; null without a result.
   const std::shared_ptr<const ShownRun>& shown() const { return shown_; }

@@ -47,7 +47,7 @@ class SplitOverlay : public QObject {
   double share() const { return share_; }
   void step(int steps);
   SplitHandle& handle() { return *handle_; }
-  /// The name over the left half, on a square of its colour.
+  /// Sets the name over the left half, on a square of its colour.
   void set_left_name(const QString& name, const QColor& colour);
   /// Further notes on the halves, below the names.
   void set_notes(const QString& left, const QString& right);

@@ -18,7 +18,7 @@ class SetupBar : public QToolBar {
   /// `workbench` outlives this.
   explicit SetupBar(Workbench& workbench, QWidget* parent = nullptr);
 
-  /// Commands before the machine.
+  /// Inserts commands before the machine.
   void insert_first(const QList<QAction*>& actions);
   /// Adds after the tolerance: whether changes apply to all runs, the comparing command, and at the end the
   /// output commands.

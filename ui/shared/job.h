@@ -57,7 +57,7 @@ class JobBase : public QObject {
   bool busy() const { return control_ != nullptr; }
   /// Fraction of the work done, 0 to 1; 1 while idle.
   double fraction() const { return control_ == nullptr ? 1 : control_->progress.fraction(); }
-  /// Makes the present work end as soon as it notices; it is delivered as cancelled.
+  /// Makes the running work end as soon as it notices; it is delivered as cancelled.
   void cancel();
 
  signals:
@@ -79,11 +79,11 @@ class JobBase : public QObject {
 
   QFutureWatcher<Deliver> watcher_;
   QTimer poll_;
-  std::shared_ptr<JobControl> control_;  ///< of the present work
-  Task next_;                            ///< waits until the present work has noticed its cancellation
+  std::shared_ptr<JobControl> control_;  ///< of the running work
+  Task next_;                            ///< waits until the running work has noticed its cancellation
 };
 
-/// Work on another thread, one at a time: new work cancels the present one, whose outcome is then never
+/// Work on another thread, one at a time: new work cancels the running one, whose outcome is then never
 /// delivered. Work must own all data that it reads; its exceptions, and lack of memory, become a message for
 /// the user.
 template <class Result>

@@ -28,10 +28,10 @@ class TypeSize : public QObject {
   double scale_ = 1;
 };
 
-/// Present size of something that has `usual` pixels at the usual font size.
+/// Current size of something that has `usual` pixels at the usual font size.
 int type_pixels(int usual);
 
-/// Present width of a line that has `usual` pixels at the usual font size.
+/// Current width of a line that has `usual` pixels at the usual font size.
 double line_pixels(double usual);
 /// As above for drawings of `widget`: its lines also grow with a main window larger than 1920x1080, like its
 /// pictures.

@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t most_rows = 8;
 constexpr double worth_a_row = 1e-3;  // of the cycle time
 
-/// Builds the rows in the language of the user.
+/// Builds the rows in the user's language.
 class TimeRows {
   Q_DECLARE_TR_FUNCTIONS(TimeRows)
 

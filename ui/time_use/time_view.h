@@ -14,8 +14,8 @@ class QTreeWidgetItem;
 
 namespace feedscope::ui {
 
-/// Use of time of the current run and helpful changes: a conclusion, then the parts of the cycle time, the
-/// places with the largest loss grouped by common properties, simulated changes, causes and operations. A
+/// Breakdown of the current run's time and helpful changes: a conclusion, then the parts of the cycle time,
+/// the places with the largest loss grouped by common properties, simulated changes, causes and operations. A
 /// click goes to the place; a change becomes a run.
 class TimeView : public Panel {
   Q_OBJECT

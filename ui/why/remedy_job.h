@@ -23,7 +23,7 @@ struct RemedyTrial {
   QString failure;          ///< reason without a result; "" otherwise
 };
 
-/// Simulates a run with one change after another on another thread. A new request cancels the present one.
+/// Simulates a run with one change after another on another thread. A new request cancels the running one.
 /// All signals in the thread of this object.
 class RemedyJob : public QObject {
   Q_OBJECT

@@ -17,8 +17,8 @@ class DockSizes : public QObject {
   Q_OBJECT
 
  public:
-  /// Watches all present panels of the window. `left`, `right`, `bottom`: initial sizes in a window that is
-  /// large enough [logical pixels].
+  /// Watches all panels of the window at this time. `left`, `right`, `bottom`: initial sizes in a window that
+  /// is large enough [logical pixels].
   DockSizes(QMainWindow& window, int left, int right, int bottom);
 
   /// Another layout has been restored: its sizes are the user's.

@@ -28,7 +28,7 @@ class FileMenu : public QMenu {
   void ask_for_program();
   /// Starts among the programs supplied with Feedscope.
   void ask_for_sample();
-  /// Asks for a report of the open program in its present view.
+  /// Asks for a report of the open program in its current view.
   void ask_for_report();
   void ask_for_picture();
   void ask_and_share();

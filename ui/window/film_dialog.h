@@ -28,7 +28,7 @@ class FilmDialog : public QDialog {
 
  public:
   struct Subject {
-    Session session;      ///< in its present state
+    Session session;      ///< in its current state
     double duration = 0;  ///< of its current run [s]
     Interval shown{};     ///< range of the charts [s]
     QSize scene;          ///< of the 3D view, an offered size [px]

@@ -90,7 +90,7 @@ class MainWindow : public QMainWindow {
   void take_over(const Handover& before);
 
  signals:
-  /// Requests to cancel the present work.
+  /// Requests to cancel the running work.
   void cancel_wanted();
   /// The user has chosen a language or units: the window must be rebuilt.
   void remake_wanted();

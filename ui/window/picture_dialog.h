@@ -28,7 +28,7 @@ class PictureDialog : public QDialog {
 
  public:
   struct Subject {
-    Session session;  ///< in its present state
+    Session session;  ///< in its current state
     QSize scene;      ///< sizes of the parts of the window, offered as sizes [px]
     QSize charts;
     QSize window;

@@ -27,7 +27,7 @@ struct PrintSubject {
   QString language;                ///< of the window
 };
 
-/// Contents of `window` in its present state; pointers are to objects of the window.
+/// Contents of `window` in its current state; pointers are to objects of the window.
 PrintSubject print_subject(MainWindow& window);
 
 /// A table as HTML: title, headings and the rows as in the view, as text.

@@ -28,7 +28,7 @@ class ReportDialog : public QDialog {
 
  public:
   struct Subject {
-    Session session;        ///< in its present state
+    Session session;        ///< in its current state
     QStringList run_names;  ///< of its runs
     /// Whether helpful changes, which need many simulations, are off initially, for programs that take long.
     bool takes_long = false;

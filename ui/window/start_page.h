@@ -38,7 +38,7 @@ class StartPage : public QWidget {
   /// Both outlive this.
   StartPage(const Workbench& workbench, LessonDesk& desk, QWidget* parent = nullptr);
 
-  /// Covers this part of its parent.
+  /// Makes it cover this part of its parent.
   void cover(const QRect& place);
   /// Shows it, even if a program is open.
   void open();

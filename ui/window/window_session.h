@@ -26,7 +26,7 @@ class WindowSession : public QObject {
   WindowSession(MainWindow& window, Workbench& workbench);
   ~WindowSession() override;
 
-  /// The present state of everything.
+  /// The current state of everything.
   Session capture() const;
   /// Shows a session; parts that need a simulated run follow when it is ready.
   void show(const Session& session);
@@ -44,7 +44,7 @@ class WindowSession : public QObject {
   /// Whether runs, annotations, identification or answers to lessons differ from the saved state, or from
   /// that after opening the program.
   bool changed() const;
-  /// Treats the present contents as the initial ones of a lesson or command line, without work of the user.
+  /// Treats the current contents as the initial ones of a lesson or command line, without work of the user.
   void begin_here() { start_ = essence(); }
   /// Stores the window's contents, to be restored after a lesson has replaced them. Does nothing without a
   /// program, or if something is already stored.

@@ -38,15 +38,15 @@ class RunComparison : public QObject {
   /// The compared path of `row`; null until ready() is emitted, or if it cannot be made.
   std::shared_ptr<const SampledPath> samples(std::size_t row);
   bool busy() const;
-  /// Of the present computation, in [0, 1].
+  /// Of the running computation, in [0, 1].
   double progress() const;
-  /// Cancels the present computation; a request starts it again.
+  /// Cancels the running computation; a request starts it again.
   void cancel();
 
  signals:
   /// Emitted some times a second while busy, and once afterwards.
   void progressed();
-  /// The present computation was cancelled.
+  /// The running computation was cancelled.
   void cancelled();
   /// The reference has changed.
   void reference_changed();

@@ -56,7 +56,7 @@ QStringList numbered(QStringList names);
 
 /// The runs of one program and the current one, which is edited, played and shown in full. There is always at
 /// least one. Changes of runs can be undone; results are not part of that and are discarded with their run. A
-/// result always belongs to the present setup of its run, or there is none.
+/// result always belongs to the current setup of its run, or there is none.
 class RunList : public QObject {
   Q_OBJECT
 
@@ -109,7 +109,7 @@ class RunList : public QObject {
   /// None if the model follows none.
   std::optional<ToleranceInForce> tolerance(const RunItem& item) const;
 
-  /// Result of the run's present setup; null until that is simulated.
+  /// Result of the run's current setup; null until that is simulated.
   std::shared_ptr<const ShownRun> result(std::size_t row) const;
   /// Drawable part of the run: result(), or set_drawn() before its summary is known.
   std::shared_ptr<const ShownRun> drawn(std::size_t row) const;
@@ -122,7 +122,7 @@ class RunList : public QObject {
   void set_result(int id, std::shared_ptr<const ShownRun> result);
   /// Sets the drawable part of the run being simulated, until it has a result or is given up.
   void set_drawn(int id, std::shared_ptr<const ShownRun> drawn);
-  /// The run's present setup is not simulated: cancelled, or failed with a message for the user.
+  /// The run's current setup is not simulated: cancelled, or failed with a message for the user.
   void give_up(int id, const QString& failure = {});
   /// Puts a run that was given up in the queue again.
   void resume(std::size_t row);
@@ -162,7 +162,7 @@ class RunList : public QObject {
   int next_id_ = 1;
   struct Result {
     std::shared_ptr<const ShownRun> shown;
-    bool holds;  ///< whether it is of the run's present setup
+    bool holds;  ///< whether it is of the run's current setup
   };
   std::map<int, Result> results_;  ///< the last of each run
   struct Drawn {

@@ -22,7 +22,7 @@ struct JobRequest {
 
 enum class JobStage { reading, simulating };
 
-/// Reads and simulates on another thread. One request at a time; a new one cancels the present one, whose
+/// Reads and simulates on another thread. One request at a time; a new one cancels the running one, whose
 /// result is never delivered. All signals in the thread of this object.
 class SimulationJob : public QObject {
   Q_OBJECT
@@ -40,7 +40,7 @@ class SimulationJob : public QObject {
   void progressed(feedscope::ui::JobStage stage, double fraction);
   /// A file has been read; its simulation follows.
   void program_read(const feedscope::ui::ShownProgram& program);
-  /// The drawable part of the present run; the rest follows.
+  /// The drawable part of the run being simulated; the rest follows.
   void drawable(const std::shared_ptr<const feedscope::ui::ShownRun>& drawn);
   void finished(std::shared_ptr<const feedscope::ui::ShownRun> run);
   /// `message` for the user: unreadable file, missing limit, out of memory.
@@ -51,7 +51,7 @@ class SimulationJob : public QObject {
 
   Result work(const JobRequest& request, JobControl& control, std::atomic<JobStage>& stage);
 
-  std::shared_ptr<std::atomic<JobStage>> stage_;  ///< of the present request
+  std::shared_ptr<std::atomic<JobStage>> stage_;  ///< of the running request
   Job<Result> job_;
 };
 

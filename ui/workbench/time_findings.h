@@ -11,7 +11,7 @@
 
 namespace feedscope::ui {
 
-/// Use of time of the current run and helpful changes, for all panels that show them.
+/// Breakdown of the current run's time and helpful changes, for all panels that show them.
 ///
 /// Computes while one of them is visible. If simulation takes long, changes are tried on request only. For a
 /// run that follows another one, they are tried once, after a pause without other simulations.

@@ -9,15 +9,15 @@
 
 namespace feedscope::ui {
 
-/// Computes the use of time of a run, and tries changes, on another thread. New work cancels the present one.
-/// All signals in the thread of this object.
+/// Breaks down the time of a run, and tries changes, on another thread. New work cancels the running one. All
+/// signals in the thread of this object.
 class TimeJob : public QObject {
   Q_OBJECT
 
  public:
   explicit TimeJob(QObject* parent = nullptr);
 
-  /// Computes the use of time.
+  /// Computes the breakdown of the time.
   void look(std::shared_ptr<const ShownRun> shown);
   /// Simulates changes of `shown`, whose `report` is from look().
   void try_changes(std::shared_ptr<const ShownRun> shown, std::shared_ptr<const TimeReport> report);

@@ -124,7 +124,7 @@ void Workbench::open(const std::filesystem::path& file, std::vector<RunItem> run
   open(file);
 }
 
-/// Keeps one run of those set up for the previous program, on its present machine; it follows the tolerances
+/// Keeps one run of those set up for the previous program, on its current machine; it follows the tolerances
 /// of the new program.
 void Workbench::begin_runs_again() {
   SetupState setup = runs_.current_item().setup;

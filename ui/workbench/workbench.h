@@ -90,7 +90,7 @@ class Workbench : public QObject {
   Playback& playback() { return playback_; }
   /// Range of the current run in the charts.
   ViewRange& view_range() { return view_range_; }
-  /// Use of time of the current run, and helpful changes.
+  /// Breakdown of the current run's time, and helpful changes.
   TimeFindings& time_findings() { return time_findings_; }
   /// Moves the cursor to a place that lasts from one time to another [s], and shows it with as much time
   /// before and after.
@@ -101,7 +101,7 @@ class Workbench : public QObject {
   /// Null until a program has been read.
   std::shared_ptr<const Program> program() const { return program_.input.program; }
   const ShownProgram& shown_program() const { return program_; }
-  /// Result of the current run with its present setup; null until that is simulated.
+  /// Result of the current run with its current setup; null until that is simulated.
   std::shared_ptr<const ShownRun> shown() const { return runs_.result(runs_.current()); }
   /// Drawable part of the current run: shown(), or the data for charts and 3D before its summary is known.
   std::shared_ptr<const ShownRun> drawn() const { return runs_.drawn(runs_.current()); }
@@ -117,7 +117,7 @@ class Workbench : public QObject {
   void busy_changed(bool busy);
   /// Emitted by show_place() [s].
   void place_shown(double from, double to);
-  /// Present work, for the user, and the fraction done [0, 1].
+  /// Current activity, for the user, and the fraction done [0, 1].
   void progressed(const QString& activity, double fraction);
   void failed(const QString& message);
   /// A message for the status bar.

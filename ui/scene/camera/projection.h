@@ -11,7 +11,7 @@ namespace feedscope::ui {
 /// Display coordinates: device pixels from the window's lower left corner, as in VTK.
 using Vec2 = Eigen::Vector2d;
 
-/// A rectangle of the window [pixels], upwards; empty where it has no height.
+/// A rectangle of the window [pixels], upwards; empty if it has no height.
 struct ScreenRectangle {
   Vec2 low = Vec2::Zero();
   Vec2 high = Vec2::Zero();

@@ -85,7 +85,7 @@ vtkSmartPointer<vtkPolyData> rapid_dashes(const SampledPath& path, double dash) 
     cells->InsertNextCell(2, ends);
   };
   bool drawing = true;
-  double left = step;  // of the present dash or gap [mm]
+  double left = step;  // of the current dash or gap [mm]
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
     if (path.kinds[i] != SpanKind::rapid) {
       drawing = true;

@@ -22,7 +22,7 @@ enum class PathStretch {
   to_cursor,  ///< up to the cursor
 };
 
-/// First and last time of a stretch [s].
+/// First and last time of a range [s].
 using TimeStretch = std::array<double, 2>;
 
 /// The user's choice of the visible executed path.
