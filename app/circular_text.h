@@ -7,10 +7,10 @@
 
 namespace feedscope {
 
-/// Circular tests of one setup for people: a row for each direction, and what the letters mean.
+/// Circular tests of one setup for people: a row for each direction, and the meaning of the letters.
 std::string circular_text(const Setup& setup, std::span<const CircularTest> tests);
 
-/// The full circles of a program in the same way, or that there are none.
+/// The full circles of a program as such a table, or a sentence if there are none.
 std::string program_circles_text(const Run& run, const ProgramCircles& circles);
 
 }  // namespace feedscope

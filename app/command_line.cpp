@@ -61,12 +61,12 @@ std::string lone_file(const CLI::App& app) {
   return file == nullptr || file->count() == 0 ? "" : file->results().front();
 }
 
-/// Whether a word is no file and does not look like one: a misspelt command.
+/// Whether a word neither is a file nor looks like one: a misspelt command.
 bool is_no_file(const std::string& word) {
   return !word.empty() && word.find_first_of("./\\") == std::string::npos && !std::filesystem::exists(word);
 }
 
-/// What is missing behind an option that stands without its value; "" for another error.
+/// Message for an option without its value, with the value that is missing; "" for another error.
 std::string option_without_value(const CLI::App& command, const CLI::ParseError& error) {
   const std::string what = error.what();
   const CLI::Option* option = command.get_option_no_throw(what.substr(0, what.find(':')));
@@ -76,7 +76,7 @@ std::string option_without_value(const CLI::App& command, const CLI::ParseError&
   return fmt::format("{0} has no value; write {0} {1}", option->get_name(), option->get_type_name());
 }
 
-/// How to give the option in front of `word` several values, if that is what was meant; otherwise "".
+/// Hint how to give several values to the option before `word`, if that was intended; otherwise "".
 std::string repeat_hint(const CLI::App& command, std::span<char* const> words, const std::string& word) {
   const auto place = std::find(words.begin(), words.end(), word);
   const auto before = std::find_if(std::make_reverse_iterator(place), words.rend(), [](const char* given) {
@@ -121,7 +121,7 @@ std::string explain(const CLI::App& app, std::span<char* const> words, const CLI
                                         repeat_hint(*chosen.front(), words, extra.front()));
 }
 
-/// An option that was given as '' names no file and no value; "nothing was asked for" would hide a mistake.
+/// Refuses options given as '': ignoring them would hide a mistake.
 void refuse_empty_values(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     const std::vector<std::string> values =
@@ -133,7 +133,7 @@ void refuse_empty_values(const CLI::App& command) {
   }
 }
 
-/// Options of the window in front of a command would have no effect on it.
+/// Refuses options of the window before a command, where they would have no effect.
 void refuse_options_before_command(const CLI::App& app) {
   for (const CLI::Option* option : app.get_options()) {
     if (option->count() > 0 && !app.get_subcommands().empty()) {
@@ -155,7 +155,7 @@ int report(const std::string& message, int code) {
   return code;
 }
 
-/// What no input should bring about.
+/// Reports an exception that no input should cause.
 int report_mistake(const std::exception& error) {
   return report(
       fmt::format(
@@ -205,7 +205,8 @@ int report_unwritten_text(const std::string& reason) {
   return report(fmt::format("cannot write '-': {}", reason), exit_code::wrong_use);
 }
 
-/// What is printed may only fail to arrive at the end: `code`, unless it did not all get to standard output.
+/// Flushes standard output. Returns `code`, or the code of an unwritable file if not everything was written:
+/// printing may fail only at the end.
 int flushed(int code) {
   errno = 0;
   std::cout.flush();
@@ -240,7 +241,7 @@ int run_reported(int argc, char** argv) {
 int run_command_line(int argc, char** argv) {
   report_file_limits();
   report_memory_limits(out_of_memory);
-  ui::speak(ui::languages().front());  // whatever the desktop's; window and --language choose theirs
+  ui::speak(ui::languages().front());  // by default from the desktop; window and --language choose theirs
   const int code = run_reported(argc, argv);
   return code == exit_code::done || code == exit_code::program_errors ? flushed(code) : code;
 }

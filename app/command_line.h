@@ -2,8 +2,8 @@
 
 namespace feedscope {
 
-/// Parses the arguments, runs the command they name and prints what went wrong to standard error.
-/// Gives the exit code (exit_codes.h); never throws.
+/// Parses the arguments, runs the command they name and prints errors to standard error.
+/// Returns the exit code (exit_codes.h); never throws.
 int run_command_line(int argc, char** argv);
 
 }  // namespace feedscope

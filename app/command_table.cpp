@@ -9,7 +9,7 @@
 namespace feedscope {
 namespace {
 
-/// Words of "{en,fr}", as CLI11 describes what a value may be; none for another description.
+/// Words of "{en,fr}", CLI11's description of a value; none for another description.
 std::vector<std::string> words_of(const std::string& description) {
   std::vector<std::string> words;
   const std::size_t open = description.find('{');
@@ -39,14 +39,14 @@ std::vector<std::string> dialect_ids() {
   return ids;
 }
 
-/// What may stand for the ID of `feedscope machines`.
+/// Words that complete the ID of `feedscope machines`.
 std::vector<std::string> machines_words() {
   std::vector<std::string> words = shipped_machines().ids();
   words.emplace_back("import");
   return words;
 }
 
-/// `type`: as CLI11 has it, with what a validator says behind a colon.
+/// `type`: CLI11's type name, followed by a colon and the validator's description.
 std::vector<std::string> choices_of(const std::string& command, const std::string& name,
                                     const std::string& type) {
   return name == "--machine"                     ? shipped_machines().ids()

@@ -54,7 +54,7 @@ std::vector<std::string> causes_text(const Summary& summary) {
 
 using Cells = std::vector<std::string>;
 
-/// A table with the name of a run in front of its cells and the machine above its runs.
+/// A table with the name of a run before its cells and the machine above its runs.
 class RunTable {
  public:
   void add_head(Cells cells) { add({"model", "tolerance"}, std::move(cells)); }
@@ -69,7 +69,7 @@ class RunTable {
     add({run.setup.model->info().id, range_text(run.tolerance)}, std::move(cells));
   }
 
-  /// Another line of the run above.
+  /// Adds another line of the run above.
   void add_more(Cells cells) { add({"", ""}, std::move(cells)); }
 
   /// `alignments`: of the cells.
@@ -129,7 +129,7 @@ void add_shares(Cells& cells, const ComparedRun& run, double AxisPeaks::*peak, d
   }
 }
 
-/// One line each of what the cycle times do not contain, with the machines of which this holds.
+/// One line for each item that cycle times do not contain, with its machines.
 std::string not_counted_text(std::span<const ComparedRun> runs) {
   std::vector<std::pair<std::string, std::vector<std::string>>> texts;
   for (const ComparedRun& run : runs) {

@@ -10,7 +10,7 @@ namespace feedscope {
 
 /// Figures of several runs for people, in lines of at most 120 characters unless names are long: times,
 /// largest values in percent of the limits, time by limiting cause; each machine above its runs.
-/// `assignments`: what --set changed, told in the heading.
+/// `assignments`: those of --set, named in the heading.
 std::string comparison_text(const LoadedProgram& program, std::span<const ComparedRun> runs,
                             const std::vector<std::string>& assignments);
 

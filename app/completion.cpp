@@ -40,7 +40,7 @@ std::vector<std::string> choices_of_positional(const CommandRow& command) {
 // bash
 // ----------------------------------------------------------------------------------------------------------
 
-/// The reply for one value: files, words or nothing.
+/// The bash reply for one value: files, words or nothing.
 std::string bash_reply(const OptionRow& option) {
   const std::string files = option.takes_file() ? " -f" : "";
   if (option.choices.empty() && files.empty()) {
@@ -88,7 +88,7 @@ std::string bash(const std::vector<CommandRow>& commands) {
 // zsh
 // -----------------------------------------------------------------------------------------------------------
 
-/// For a single-quoted specification of _arguments: what it and the quotes take as theirs.
+/// Escapes `text` for a single-quoted specification of _arguments.
 std::string zsh_text(const std::string& text) {
   std::string out;
   for (const char c : text) {
@@ -107,7 +107,7 @@ bool is_word_or_file(const OptionRow& option) {
   return option.takes_file() && !option.choices.empty();
 }
 
-/// Name of the function that completes such a value.
+/// Name of the zsh function that completes such a value.
 std::string zsh_function(const OptionRow& option) {
   std::string name = "_feedscope_";
   for (const char c : option.name) {
@@ -118,7 +118,7 @@ std::string zsh_function(const OptionRow& option) {
   return name;
 }
 
-/// Of all values that are a word or a file.
+/// The zsh functions of all values that are a word or a file.
 std::string zsh_functions(const std::vector<CommandRow>& commands) {
   std::map<std::string, std::string> functions;
   for (const CommandRow& command : commands) {
@@ -137,7 +137,7 @@ std::string zsh_functions(const std::vector<CommandRow>& commands) {
   return text;
 }
 
-/// What completes a value: words, files, both or nothing.
+/// The zsh action that completes a value: words, files, both or nothing.
 std::string zsh_action(const OptionRow& option) {
   if (is_word_or_file(option)) {
     return zsh_function(option);
@@ -153,7 +153,7 @@ std::string zsh_arguments(const CommandRow& command, const std::string& indent) 
   std::ptrdiff_t place = 0;
   for (const OptionRow& option : command.options) {
     if (option.positional) {
-      // The last one takes all that follows.
+      // The last positional takes all following words.
       const std::string which = ++place < positionals ? std::to_string(place) : "*";
       text += fmt::format(" \\\n{}'{}:{}:{}'", indent, which, zsh_text(option.name), zsh_action(option));
     } else if (option.value.empty()) {
@@ -178,7 +178,7 @@ std::string zsh(const std::vector<CommandRow>& commands) {
       text += fmt::format("    '{}:{}'\n", command.name, zsh_text(command.text));
     }
   }
-  // Behind the command _arguments finds what it would behind a program.
+  // After the command, _arguments sees the words that it would see after a program's name.
   text += fmt::format(
       "  )\n  local i command=\n  for ((i = 2; i < CURRENT; ++i)); do\n    case $words[i] in\n"
       "    {}) command=$words[i]; words=(\"${{(@)words[i,-1]}}\"); (( CURRENT -= i - 1 )); break ;;\n"

@@ -10,8 +10,8 @@ namespace feedscope {
 /// Names that completion() takes.
 std::vector<std::string> completed_shells();
 
-/// What has a shell (bash, zsh, fish) complete commands, options and values. Throws InputError for another
-/// one.
+/// Script with which a shell (bash, zsh, fish) completes commands, options and values. Throws InputError for
+/// another shell.
 std::string completion(const std::vector<CommandRow>& commands, const std::string& shell);
 
 }  // namespace feedscope

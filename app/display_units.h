@@ -5,9 +5,9 @@
 
 namespace feedscope {
 
-/// Adds --display-units: the unit system in which pictures and reports of this process show numbers.
+/// Adds --display-units: the unit system of numbers in pictures and reports of this process.
 void add_display_units_option(CLI::App& command);
-/// What that option asked for, "" for the usual units.
+/// Value of --display-units, "" for the usual units.
 std::string asked_display_units();
 
 }  // namespace feedscope

@@ -32,7 +32,7 @@ std::string gain_text(double seconds) {
   return fmt::format("{:.{}f} s", seconds, decimals_of_gain(seconds));
 }
 
-/// "Mean feed 1672.2 mm/min, without pauses of 4.000 s. "; empty where nothing moves.
+/// "Mean feed 1672.2 mm/min, without pauses of 4.000 s. "; empty if nothing moves.
 std::string mean_feed_text(const TimeUse& use) {
   return use.mean_feed > 0 ? fmt::format("Mean feed {:.1f} mm/min{}. ", units::to_mm_min(use.mean_feed),
                                          without_pauses_text(use.pauses()))
@@ -113,7 +113,8 @@ std::string causes_text(const TimeUse& use) {
       rest.lost += cost.lost;
     }
   }
-  constexpr double path_worth_a_row = 1e-4;  // among the others it would hide what causes lose
+  // A row of its own: among "others" it would hide time that causes lose.
+  constexpr double path_worth_a_row = 1e-4;
   if (std::abs(use.saved_by_path) > path_worth_a_row * use.cycle_time) {
     table.add({std::string(path_title(use)), "", "", seconds_text(-use.saved_by_path)});
   } else {
@@ -128,7 +129,7 @@ std::string causes_text(const TimeUse& use) {
   return table.text("lrrr");
 }
 
-/// A comment may be of any length; its line leads to the whole.
+/// Shortens a comment of any length; its line leads to the whole.
 std::string short_title(const std::string& title) {
   std::string start = fmt::format("{:.50}", title);
   return start == title ? title : start + "...";
@@ -153,7 +154,7 @@ std::string operations_text(const TimeUse& use) {
   }
   const std::size_t others = shown.size() - count;
   shown.resize(count);
-  std::ranges::sort(shown);  // as they come in the program
+  std::ranges::sort(shown);  // in program order
   const auto add = [&](const std::string& title, const std::string& line, const OperationTime& operation,
                        const std::string& cause) {
     table.add({title, line, seconds_text(operation.all.time), percent(operation.all.time, use.cycle_time),
@@ -219,7 +220,7 @@ std::string groups_text(const TimeReport& report) {
   return text;
 }
 
-/// "jerk of all axes +50 %", where that is all that changes of the setup; else "".
+/// "jerk of all axes +50 %" if the remedy changes nothing else of the setup; else "".
 std::string all_axes_text(const Remedy& remedy, const Setup& setup) {
   std::optional<double> factor;
   std::string limit;
@@ -279,9 +280,8 @@ std::string error_text(const TriedChange& change) {
   return change.cutting_contour_error ? fmt::format("{:.4f} mm", *change.cutting_contour_error) : "";
 }
 
-/// "feedscope simulate part.nc --set X.jerk=20", which gives what the trial gave; "" where the program has to
-/// be changed, or the machine of a session is in no file. Another machine takes the place of all that was
-/// asked for.
+/// "feedscope simulate part.nc --set X.jerk=20", which repeats the trial; "" where the program has to be
+/// changed, or no file contains the session's machine. Another machine replaces all options of `asked`.
 std::string command_text(const Remedy& remedy, const Setup& setup, const ProgramOptions& program,
                          const RunOptions* asked) {
   const std::string options = as_options(remedy, setup);

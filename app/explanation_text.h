@@ -7,8 +7,8 @@
 
 namespace feedscope {
 
-/// Where the time of a run goes and what would help, for people. For the commands that make the changes:
-/// `program` and how it is read, and `asked`, what asked for the run; null for a run of a session.
+/// Where the time of a run goes, and which changes would help, for people. `program` and `asked` (the options
+/// of the run; null for a run of a session) are used to print the commands that make the changes.
 std::string explanation_text(const Run& run, const TimeReport& report, const ProgramOptions& program,
                              const RunOptions* asked);
 

@@ -8,12 +8,12 @@
 
 namespace feedscope {
 
-/// The pictures of a film, which are there all or not at all: written into a folder of their own beside their
-/// places, moved there by commit(), and removed with this otherwise.
+/// The pictures of a film, written all or not at all. add() writes them into a temporary folder next to their
+/// places, commit() moves them there; the destructor removes those not moved.
 class FrameFolder {
  public:
-  /// `pattern` as of FramePattern. Throws InputError for one that is none, and where its folder is missing or
-  /// cannot be written.
+  /// `pattern`: as of FramePattern. Throws InputError for an invalid pattern, and if its folder is missing or
+  /// not writable.
   explicit FrameFolder(const std::string& pattern);
   ~FrameFolder();
   FrameFolder(const FrameFolder&) = delete;
@@ -24,7 +24,7 @@ class FrameFolder {
   /// Throws InputError naming the picture that could not be moved to its place.
   void commit();
 
-  /// A picture of an older, longer film that would be taken for the next one of this; empty: there is none.
+  /// A leftover picture of an older, longer film that would be taken for this film's next; empty: none.
   std::string left_over() const;
 
  private:
@@ -32,7 +32,7 @@ class FrameFolder {
 
   std::string name_;
   ui::FramePattern pattern_;
-  std::filesystem::path folder_;  ///< of the parts
+  std::filesystem::path folder_;  ///< of the parts, temporary
   std::size_t count_ = 0;
 };
 

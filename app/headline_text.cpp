@@ -18,7 +18,7 @@ std::string error_text(const ComparedRun& run) {
                      short_length(deciding_error(run.summary)));
 }
 
-/// Of runs of which one can be chosen without the bound.
+/// For runs that can be chosen without the bound.
 std::string none_keeps_text(std::span<const ComparedRun> runs, std::span<const std::string> names,
                             const std::vector<bool>& can, double within) {
   std::size_t least = 0;

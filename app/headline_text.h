@@ -8,9 +8,9 @@
 
 namespace feedscope {
 
-/// The decision between runs in one or two sentences: which to take, what it gains and its contour error, or
-/// that none keeps the bound `within` [mm] (recommendation.h). `names`: what the runs are called among each
-/// other. "" where there is nothing to choose: none or one that can be, without a bound.
+/// The decision between runs in one or two sentences: the run to take, what it gains and its contour error,
+/// or that none keeps the bound `within` [mm] (recommendation.h). `names`: short names of the runs, unique
+/// among them. "" without a choice: no run, or one possible run without a bound.
 std::string headline_text(std::span<const ComparedRun> runs, std::span<const std::string> names,
                           std::optional<double> within);
 

@@ -58,7 +58,7 @@ std::string identification_report(const IdentificationReport& made, const std::s
   }
   input.identification.outcome = outcome_of(made);
   input.commands = {QString::fromStdString(made.command)};
-  input.without = {QStringLiteral("time_changes")};  // of the program, and it takes long
+  input.without = {QStringLiteral("time_changes")};  // they are of the program, and take long
   const ui::OffscreenApplication application;
   speak_in(made.language, input, std::nullopt);
   const bool is_pdf = output_format(file, "", formats) == "pdf";

@@ -57,7 +57,7 @@ std::string traces_text(const Identification& found, const std::vector<std::stri
   return table.text("llrrrr");
 }
 
-/// Drives that were looked for, and what of the following errors they explain.
+/// Drives that were fitted, and the part of the following errors that they explain.
 std::string drives_text(const Identification& found) {
   if (found.drives.empty()) {
     return "";
@@ -76,7 +76,7 @@ std::string drives_text(const Identification& found) {
   return table.text("lrrrl");
 }
 
-/// The sections that a run misses most, of each table.
+/// Of each table, the sections with the largest deviation of a run.
 std::string sections_text(const Identification& found) {
   constexpr std::size_t most = 5;
   std::string text;
@@ -101,7 +101,8 @@ std::string sections_text(const Identification& found) {
   return text;
 }
 
-/// That a model does not explain the traces; the drives, which are found without it, are told all the same.
+/// States that a model does not explain the traces. The drives are found without it and reported all the
+/// same.
 std::string unexplained_text(const Identification& found) {
   if (found.explains) {
     return "";

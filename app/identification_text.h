@@ -8,11 +8,11 @@
 
 namespace feedscope {
 
-/// What identification found, for people; the best model first. `unfitted`: models that failed.
+/// Results of the identification for people; the best model first. `unfitted`: models that failed.
 std::string identification_text(const std::vector<Identification>& models,
                                 const std::vector<std::string>& traces,
                                 const std::vector<UnfittedModel>& unfitted = {});
-/// Which numbers the machine file keeps without being determined, on a line of its own; "" for none.
+/// A line with the numbers of the machine file that are not determined; "" for none.
 std::string undetermined_text(const Identification& found);
 
 }  // namespace feedscope

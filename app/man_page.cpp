@@ -7,7 +7,7 @@
 namespace feedscope {
 namespace {
 
-/// For roff: a backslash, a hyphen as people type it, and a control character at the start of a line.
+/// Escapes for roff: a backslash, a typed hyphen, and a control character at the start of a line.
 std::string roff(const std::string& text) {
   std::string out;
   for (const char c : text) {

@@ -13,7 +13,7 @@ namespace feedscope {
 
 namespace {
 
-/// "2 errors, read in part", "no motion"; "" for a program that can be counted on.
+/// "2 errors, read in part", "no motion"; "" for a program without defects.
 std::string defect_text(const MergedProgram& program) {
   const std::string errors = program.errors == 0 ? ""
                                                  : fmt::format("{} error{}, read in part", program.errors,

@@ -8,18 +8,16 @@
 
 namespace feedscope {
 
-/// Adds an option with one number, read by typed_number() and checked against `bounds` while the command line
-/// is parsed, and handed to `set`. The key of `bounds` is set to `name`. Every option with a number goes
-/// through here or through parse_setting(), so that one rule for decimal signs holds in all of them.
+/// Adds an option with one number: read by typed_number(), checked against `bounds` while the command line is
+/// parsed, and passed to `set`. The key of `bounds` is set to `name`. Options with numbers use this or
+/// parse_setting(), so that all follow one rule for decimal signs.
 CLI::Option* add_number_option(CLI::App& command, const std::string& name, SettingSpec bounds,
                                const std::function<void(double)>& set, const std::string& text);
 
-/// `least` to `most`, whole numbers only.
 SettingSpec whole_numbers(double least, double most);
-/// `least` to `most`.
 SettingSpec numbers(double least, double most);
 
-/// Tells in --help which decimal signs the numbers of a command may have.
+/// Adds the permitted decimal signs of a command's numbers to its --help.
 void state_number_rule(CLI::App& command);
 
 }  // namespace feedscope

@@ -24,8 +24,8 @@ std::string message(int error) {
   return error != 0 ? std::generic_category().message(error) : "not everything could be written";
 }
 
-/// What was written is on the disk before its name is, so that it is whole after a power cut too. Not every
-/// file system knows how to, and a file that its own user may not read is moved without.
+/// Flushes the file to the disk before it is renamed, so that it is whole after a power cut. Skipped where
+/// the file system cannot, or the user may not read the file.
 void reach_disk(const fs::path& file, const std::string& name) {
   const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) {
@@ -42,7 +42,7 @@ void reach_disk(const fs::path& file, const std::string& name) {
   }
 }
 
-/// Where links and "." are resolved, the file itself need not be there.
+/// Resolves links and "."; the file itself need not exist.
 fs::path place_of(const std::string& name) {
   std::error_code error;
   const fs::path place = fs::weakly_canonical(fs::absolute(name), error);

@@ -10,12 +10,12 @@
 
 namespace feedscope {
 
-/// Passes text on to another buffer, and keeps why the first of it did not arrive.
+/// Passes text on to another buffer and keeps the reason of the first failure.
 class WatchedBuffer : public std::streambuf {
  public:
   /// `inner` must outlive it.
   explicit WatchedBuffer(std::streambuf& inner) : inner_(inner) {}
-  /// Of errno; 0 where all arrived, or the system gave no reason.
+  /// errno of the failure; 0 if all was written or the system gave no reason.
   int error() const { return error_; }
 
  protected:
@@ -30,8 +30,9 @@ class WatchedBuffer : public std::streambuf {
   int error_ = 0;
 };
 
-/// A result file that is there whole or not at all: written beside its place and moved there by commit(),
-/// and removed if a signal ends the process before.
+/// A result file, written whole or not at all: to a temporary file next to its place, which commit() moves
+/// there.
+/// Removed if a signal ends the process before.
 /// "-" is standard output; devices and pipes are written directly.
 class OutputFile {
  public:
@@ -42,13 +43,13 @@ class OutputFile {
   OutputFile& operator=(const OutputFile&) = delete;
 
   std::ostream& stream() { return stream_; }
-  /// The file until commit(), for a library that writes to the name of a file instead of the stream; empty
-  /// for standard output.
+  /// The file until commit(), for a library that writes to a named file instead of the stream; empty for
+  /// standard output.
   const std::filesystem::path& written_to() const { return written_; }
-  /// Everything is on the disk, but not at its place. Throws InputError naming the file if not everything
-  /// could be written (disk full).
+  /// Writes everything to the disk, but not yet to its place. Throws InputError naming the file if not
+  /// everything could be written (disk full).
   void finish();
-  /// Finishes the file and moves it to its place, where it is whole after a power cut too. Throws as
+  /// Finishes the file and moves it to its place, where it is whole even after a power cut. Throws as
   /// finish().
   void commit();
 
@@ -66,16 +67,17 @@ class OutputFile {
 /// The result files of one command: all of them are written, or none.
 class OutputFiles {
  public:
-  /// Opens one more; its stream, which lives as long as this. Throws as the constructor of OutputFile.
+  /// Opens another file; returns its stream, which lives as long as this. Throws as the constructor of
+  /// OutputFile.
   std::ostream& add(const std::string& name) { return files_.emplace_back(name).stream(); }
   /// Finishes all files, then moves them to their places. Throws as OutputFile::finish().
   void commit();
 
  private:
-  std::deque<OutputFile> files_;  // they stay where they are
+  std::deque<OutputFile> files_;  // its elements are not moved in memory
 };
 
-/// Throws InputError if two outputs, or an output and the input, are the same file. "" stands for no output.
+/// Throws InputError if two outputs, or an output and the input, are the same file. "" means no output.
 void check_outputs(const std::string& input, const std::vector<std::string>& outputs,
                    const std::string& what = "the program itself");
 

@@ -5,13 +5,12 @@
 
 namespace feedscope {
 
-/// What is written to --out: `asked` by --format, else by the ending of `out` in any case; the first of
-/// `known` for standard output. Throws InputError naming `out` and the endings that can be written.
+/// The format of --out: `asked` by --format, else the ending of `out` in any case; the first of `known` for
+/// standard output. Throws InputError naming `out` and the supported endings.
 std::string output_format(const std::string& out, const std::string& asked,
                           const std::vector<std::string>& known);
 
-/// Whether `out` ends as files of pages that the window prints (ui::RecordedPages): it asks for them, people
-/// do not.
+/// Whether `out` has the ending of page files that only the window requests (ui::RecordedPages).
 bool asks_for_pages(const std::string& out);
 
 }  // namespace feedscope

@@ -9,7 +9,7 @@
 namespace feedscope::part_files {
 namespace {
 
-// A signal handler reads what stands here; lock-free, so that it may.
+// Read by a signal handler, therefore lock-free.
 std::array<std::atomic<const char*>, 64> files;
 static_assert(std::atomic<const char*>::is_always_lock_free);
 

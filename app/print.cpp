@@ -37,7 +37,7 @@ std::string peak_and_limit(double peak, double limit) {
   return std::isnan(peak) ? "jumps" : fmt::format("{:.4g} of {:.4g}", peak, limit);
 }
 
-/// On blends, where the limit is another one: "; 10 on blends".
+/// "; 10 on blends" where the limit on blends differs.
 std::string blend_limit(const Machine& machine, char axis) {
   const double on_blends = axis_limit(machine, axis, "blend_jerk");
   return on_blends == axis_limit(machine, axis, "jerk") ? "" : fmt::format("; {:.4g} on blends", on_blends);
@@ -61,7 +61,7 @@ std::string axis_table(const Run& run) {
   return table.text("lrrr");
 }
 
-/// The rotary axes of a run in which one turns; empty for every other one.
+/// Figures of the rotary axes; empty for a run in which none turns.
 std::string rotary_text(const Run& run) {
   if (!run.summary.rotary) {
     return "";
@@ -93,7 +93,7 @@ std::string rotary_text(const Run& run) {
   return text;
 }
 
-/// What the drives make of it; empty where all axes follow exactly.
+/// Figures of the actual path; empty where all axes follow exactly.
 std::string actual_text(const Summary& summary) {
   if (!summary.actual) {
     return "";
@@ -176,7 +176,7 @@ std::string load_text(const Summary& summary) {
   return out + times.text("lrl");
 }
 
-/// Positions of what takes any time, most of it first.
+/// Indices of the positive times, the longest first.
 std::vector<std::size_t> longest_first(const std::vector<double>& times) {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < times.size(); ++i) {
@@ -189,7 +189,7 @@ std::vector<std::size_t> longest_first(const std::vector<double>& times) {
   return order;
 }
 
-/// Time in which the tool stands because the program or the machine says so [s].
+/// Time of pauses that the program or the machine demands [s].
 double pauses_of(const Summary& summary) {
   double time = 0;
   for (std::size_t i = 0; i < summary.time_by_cause.size(); ++i) {
@@ -218,7 +218,7 @@ std::string cause_table(const Summary& summary) {
   return table.text("lrr");
 }
 
-/// The line that a diagnostic speaks of and a caret under its place; a long line is cut around it.
+/// The line of a diagnostic with a caret under its place; a long line is cut around it.
 std::string marked_line(const Program& program, const Diagnostic& diagnostic) {
   constexpr std::size_t widest = 100;
   constexpr std::size_t before = 60;
@@ -349,7 +349,7 @@ std::string figure_text(const SourceFigure& figure, const Summary& summary) {
 
 namespace {
 
-/// What is to be known of the largest values; empty where nothing is.
+/// Notes on the largest values; empty without any.
 std::string figure_notes_text(const Run& run) {
   const Guarantees promised = run.setup.model->guarantees(run.setup.settings);
   const bool has_ramps = promised.limits_jerk || jump_note(run.setup) != nullptr;

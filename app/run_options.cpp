@@ -18,10 +18,10 @@ namespace feedscope {
 
 namespace {
 
-/// Largest whole number that a double keeps exactly.
+/// Largest whole number up to which a double is exact.
 constexpr double largest_count = 9007199254740992;
 
-/// The radius stands behind the last "=".
+/// Reads TOOL=RADIUS; the radius follows the last "=".
 void add_radius(CutterRadii& radii, const std::string& assignment) {
   const std::size_t equals = assignment.rfind('=');
   if (equals == std::string::npos || CutterRadii::key(assignment.substr(0, equals)).empty()) {
@@ -33,7 +33,7 @@ void add_radius(CutterRadii& radii, const std::string& assignment) {
   radii.set(assignment.substr(0, equals), parse_length(assignment.substr(equals + 1), "--tool"));
 }
 
-/// Three numbers behind the "=", separated by commas, or by semicolons, which leave the comma to the numbers.
+/// Reads three numbers after the "=", separated by commas, or by semicolons, which permit decimal commas.
 void add_offset(WorkOffsets& offsets, const std::string& assignment) {
   const std::size_t equals = assignment.find('=');
   const std::string name = assignment.substr(0, std::min(equals, assignment.size()));

@@ -8,9 +8,9 @@
 
 namespace feedscope {
 
-/// A session whose program is there, by the name of a file; none if the file is no session. Says on standard
-/// error what of it is not known and whether the program has changed since. Throws InputError naming what is
-/// wrong: unusable session, missing program, an option that a session has of its own; `more` as of
+/// A session with its program found; none if the file name is not of a session. Prints the unknown parts of
+/// the session to standard error, and whether the program has changed since. Throws InputError with the
+/// reason: unusable session, missing program, an option that conflicts with a session; `more` as in
 /// asked_program().
 std::optional<ui::Session> asked_session(const ProgramOptions& options, std::vector<GivenOption> more);
 std::optional<ui::Session> asked_session(const SeveralRunsOptions& options);

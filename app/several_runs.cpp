@@ -19,7 +19,7 @@
 namespace feedscope {
 namespace {
 
-/// Those that a model of `models` takes.
+/// The assignments that at least one of `models` takes.
 std::vector<std::string> taken_by_any(const std::vector<std::string>& models,
                                       std::vector<std::string> assignments) {
   std::erase_if(assignments, [&](const std::string& assignment) {
@@ -84,7 +84,7 @@ std::vector<AskedRun> asked_runs(const SeveralRunsOptions& options, Dialect dial
     }
   }
   if (taken_by_any(all_used, options.set).size() < options.set.size()) {
-    setups_to_compare(options.machines, all_used, {}, options.set);  // says which key nobody knows
+    setups_to_compare(options.machines, all_used, {}, options.set);  // reports a key that no model knows
   }
   return runs;
 }

@@ -23,8 +23,8 @@ namespace {
 constexpr std::array ending_signals{SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM};
 constexpr std::array crash_signals{SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV};
 
-// What the handler reads; lock-free, so that it may.
-std::atomic<int> told_end{-1};  // of the pipe of the living StopSignals
+// Read by the handler, therefore lock-free.
+std::atomic<int> told_end{-1};  // write end of the pipe of the living StopSignals
 std::atomic<void (*)()> last_action{nullptr};
 std::atomic<int> latest_signal{0};
 std::atomic<const char*> memory_message{""};
@@ -43,19 +43,19 @@ void run_last_action() {
   }
 }
 
-/// Does what the signal would have done without us.
+/// Takes the default action of the signal.
 void end_by(int signal) {
   std::signal(signal, SIG_DFL);
   raise(signal);
 }
 
-/// The signal ends the process as it would have without us, unless it is told to a StopSignals.
+/// Passes the signal to a living StopSignals; else ends the process as by default.
 void on_signal(int signal) {
   const int saved_error = errno;
   const int end = told_end;
   if (end >= 0 && is_told(signal)) {
     const auto byte = static_cast<unsigned char>(signal);
-    [[maybe_unused]] const ssize_t written = write(end, &byte, 1);  // a full pipe has told it already
+    [[maybe_unused]] const ssize_t written = write(end, &byte, 1);  // a full pipe has reported it
     errno = saved_error;
     return;
   }
@@ -63,7 +63,7 @@ void on_signal(int signal) {
   end_by(signal);
 }
 
-/// Whether a small part of what a picture takes can still be had.
+/// Whether a small part of a picture's memory is still available.
 bool has_memory() {
   constexpr std::size_t bytes = std::size_t{64} << 20U;
   void* const found = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
@@ -88,7 +88,7 @@ void on_crash(int signal) {
   end_by(signal);
 }
 
-/// Memory that runs out in a destructor is thrown where nothing may be.
+/// Memory that runs out in a destructor throws where no exception may leave.
 void on_terminate() {
   try {
     if (const std::exception_ptr thrown = std::current_exception()) {
@@ -102,7 +102,7 @@ void on_terminate() {
   usual_end();
 }
 
-/// Those that are ignored stay so, and those of a sanitizer too.
+/// Leaves ignored signals alone, and those of a sanitizer.
 void handle(int signal, void (*handler)(int)) {
   struct sigaction action {};
   sigaction(signal, nullptr, &action);
@@ -119,8 +119,8 @@ void install_handlers() {
   }
 }
 
-/// A stack for the handlers of this thread: a library that calls itself again and again where it has no
-/// memory uses up the usual one.
+/// A separate stack for the handlers of this thread: a library that recurses without memory exhausts the
+/// usual one.
 void give_handlers_a_stack() {
   static std::array<char, 64 << 10> room;
   stack_t present{};
@@ -186,7 +186,7 @@ void StopSignals::run_before_end(void (*action)()) {
 }
 
 void report_file_limits() {
-  handle(SIGXFSZ, [](int) {});  // not ignored: programs that we start would inherit that
+  handle(SIGXFSZ, [](int) {});  // not SIG_IGN: child processes would inherit that
 }
 
 void report_memory_limits(const char* message) {

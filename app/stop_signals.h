@@ -2,27 +2,27 @@
 
 namespace feedscope {
 
-/// What ends a program from outside: hang-up, interrupt (Ctrl-C), quit, broken pipe, termination. All that
-/// the program knows of signals is in here: POSIX, tried on Linux; macOS is untested, and Windows would need
-/// SetConsoleCtrlHandler in its place.
+/// Signals that end a program from outside: hang-up, interrupt (Ctrl-C), quit, broken pipe, termination. All
+/// signal handling of the program is here: POSIX, tested on Linux; macOS is untested, and Windows would need
+/// SetConsoleCtrlHandler instead.
 class StopSignals {
  public:
-  /// While it lives, hang-up, interrupt and termination end nothing and are told by wait(); those that are
-  /// ignored (nohup, a job in the background) stay so. One at a time.
+  /// During its lifetime, wait() reports hang-up, interrupt and termination, and they end nothing; ignored
+  /// ones (nohup, a job in the background) stay ignored. One instance at a time.
   StopSignals();
   ~StopSignals();
   StopSignals(const StopSignals&) = delete;
   StopSignals& operator=(const StopSignals&) = delete;
 
   enum class Event { none, stop, wake };
-  /// Returns when a signal came, wake() was called, or `milliseconds` have passed; -1: however long it takes.
+  /// Returns at a signal, at wake(), or after `milliseconds`; -1: no time limit.
   Event wait(int milliseconds) const;
   /// Ends a wait() of another thread.
   void wake();
-  /// The latest signal that wait() told, 0 if there was none.
+  /// The latest signal that wait() reported, 0 for none.
   static int latest();
-  /// Ends the process as that signal asked for, with the exit code of exit_codes.h, whatever its other
-  /// threads do: what run_before_end() named runs, destructors do not.
+  /// Ends the process as that signal demands, with its exit code (exit_codes.h), whatever other threads do.
+  /// Runs the action of run_before_end(), but no destructors.
   [[noreturn]] static void end_now();
 
   /// Has `action` run before a signal ends the process. It may only do what is safe in a signal handler.
@@ -32,13 +32,12 @@ class StopSignals {
   int pipe_[2] = {-1, -1};
 };
 
-/// Has a write beyond the limit of a file's size (ulimit -f) fail with its reason instead of ending the
-/// process.
+/// Makes a write beyond the file size limit (ulimit -f) fail with its reason instead of ending the process.
 void report_file_limits();
 
-/// Has a process that crashes run what run_before_end() named. Where it crashes because memory ran out, as
-/// libraries that draw do that do not check what they allocate, `message` goes to standard error and the exit
-/// code is that of a failure (exit_codes.h). `message` must stay where it is.
+/// Makes a crash run the action of run_before_end(). Drawing libraries with unchecked allocations crash when
+/// memory runs out; `message` then goes to standard error and the exit code is that of a failure
+/// (exit_codes.h). `message` must not move in memory.
 void report_memory_limits(const char* message);
 
 /// Removes a file; safe in a signal handler.

@@ -31,7 +31,7 @@ std::string setting_text(const Study& study, const StudyRun& run) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-/// "essid on Spinner MVC 850, X.jerk 20 m/s3": what the runs of a curve have in common.
+/// Common part of the runs of a curve: "essid on Spinner MVC 850, X.jerk 20 m/s3".
 std::string curve_title(const Study& study, const StudyRun& run) {
   std::string title = fmt::format("{} on {}", run.setup.model->info().id, run.setup.machine.name);
   const bool sweeps_tolerance =
@@ -108,7 +108,6 @@ bool none_possible(std::span<const StudyRun> runs) {
   return std::ranges::none_of(runs, &StudyRun::is_possible);
 }
 
-/// Of runs of which none is possible.
 std::string none_possible_text(std::span<const StudyRun> runs) {
   return std::ranges::all_of(runs, &StudyRun::refused)
              ? refused_text
@@ -116,7 +115,7 @@ std::string none_possible_text(std::span<const StudyRun> runs) {
                "simulate says in which lines.";
 }
 
-/// Of `runs`, one of which is possible; of those of which most lines are run.
+/// The possible run with the least error; if none is possible, one with the fewest refused lines.
 const StudyRun& min_error(std::span<const StudyRun> runs) {
   return *std::ranges::min_element(runs, {}, [](const StudyRun& run) {
     return std::tuple(!run.is_possible(), run.lines_not_run, run.summary.cutting_contour_error);
@@ -167,7 +166,7 @@ std::string optimum_text(const Study& study, std::span<const StudyRun> runs) {
                      where, not_run_text(best->lines_not_run));
 }
 
-/// Empty where an end is not possible.
+/// The limits at both ends of a curve; empty if an end is impossible.
 std::string ends_text(const Study& study, std::span<const StudyRun> curve) {
   if (!curve.front().is_possible() || !curve.back().is_possible()) {
     return "";

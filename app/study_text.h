@@ -7,18 +7,18 @@
 
 namespace feedscope {
 
-/// Figures of a study for people: a table for every curve, in which the fastest run within the bound is
-/// marked by a star; then in sentences the fastest setting and what limits at both ends; operations, if they
-/// were asked for, of the fastest run (of the one with the least error where none keeps the bound).
-/// `assignments`: what --set changed, told in the heading.
+/// Figures of a study for people: a table for every curve, with a star at the fastest run within the bound;
+/// then sentences on the fastest setting and the limits at both ends; on request the operations of the
+/// fastest run (of the run with the least error if none keeps the bound). `assignments`: those of --set,
+/// named in the heading.
 std::string study_text(const LoadedProgram& program, const Study& study,
                        const std::vector<std::string>& assignments);
 
-/// Which of the runs is the fastest within the bound that the study has.
+/// The fastest run within the study's bound.
 std::string fastest_text(const Study& study);
 
-/// Names that tell the runs apart: machine, model, swept values or tolerance, as far as they differ; else
-/// by their number where that tells them not apart.
+/// Names that distinguish the runs: machine, model, swept values or tolerance, as far as they differ; else
+/// numbers, where names are still equal.
 std::vector<std::string> names_among(const Study& study);
 
 /// The operations of one run as a table.

@@ -7,9 +7,9 @@
 
 namespace feedscope {
 
-/// Adds --columns.
 void add_columns_option(CLI::App& command, std::string& columns);
-/// What it says: a specification, a preset, or a file that holds a specification. Throws InputError.
+/// The columns that --columns describes: a specification, a preset, or a file with a specification. Throws
+/// InputError.
 TraceColumns asked_columns(const std::string& columns);
 
 }  // namespace feedscope

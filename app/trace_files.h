@@ -9,23 +9,22 @@
 
 namespace feedscope {
 
-/// Traces that a picture or report shows beside its current run, as typed.
+/// Traces that a picture or report compares with its current run, as typed.
 struct TraceFiles {
   std::vector<std::string> files;
-  std::string columns;  ///< of all of them; empty: found from each file
+  std::string columns;  ///< of all traces; empty: detected for each file
 };
 
 /// Adds --trace and --columns.
 void add_trace_files(CLI::App& command, TraceFiles& options);
 
-/// As it is typed behind a command: " --trace a.csv --columns time=1,x=2"; empty without traces.
+/// The options as typed after a command: " --trace a.csv --columns time=1,x=2"; empty without traces.
 std::string command_text(const TraceFiles& options);
 
-/// Reads what was asked for and lays it beside the current run of `input`; what is wrong with it is told on
-/// standard error. Throws InputError naming the trace that cannot be read or is nowhere on the program, and
-/// Cancelled.
+/// Reads the traces and places them on the current run of `input`; their defects are printed to standard
+/// error. Throws InputError naming a trace that is unreadable or nowhere on the program, and Cancelled.
 void add_traces(ui::ReportInput& input, const TraceFiles& options, Watch& watch);
-/// The visible traces of a session; one that cannot be used is reported on standard error and omitted.
+/// Adds the visible traces of a session; unusable ones are reported on standard error and omitted.
 void add_traces(ui::ReportInput& input, const std::vector<ui::TraceItem>& traces, Watch& watch);
 
 }  // namespace feedscope

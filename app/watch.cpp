@@ -14,7 +14,7 @@ namespace {
 
 constexpr int redraw_ms = 100;
 constexpr auto quiet_time = std::chrono::seconds(1);
-constexpr auto patience = std::chrono::milliseconds(900);  // with work that was cancelled
+constexpr auto patience = std::chrono::milliseconds(900);  // time that cancelled work has to stop
 constexpr int bar_width = 40;
 
 }  // namespace

@@ -9,10 +9,10 @@
 
 namespace feedscope {
 
-/// Watches long work: a progress bar on standard error once it takes longer than a second (on a terminal),
-/// and Ctrl-C, a hang-up or a termination cancels it through the progress. Work that has not ended within a
-/// second, as a library that draws may not, is ended with the process; nothing half written is left. While it
-/// lives, SIGINT, SIGHUP and SIGTERM do nothing else; those that are ignored (nohup) stay so.
+/// Watches long work. After a second, a terminal shows a progress bar on standard error. Ctrl-C, a hang-up or
+/// a termination cancels the work through the progress. Work that does not stop within a second (a library
+/// that draws may not) is ended with the process, and no half-written file is left. During its lifetime,
+/// SIGINT, SIGHUP and SIGTERM do nothing else; ignored signals (nohup) stay ignored.
 class Watch {
  public:
   Watch();
@@ -25,8 +25,8 @@ class Watch {
   static constexpr const char* cancelled_message = "cancelled; no file was written";
   /// The signal that cancelled work of this process, 0 if none did.
   static int stopped_by();
-  /// From now on progress is told on standard error as lines "progress: STAGE 43 %", terminal or not, for
-  /// programs that run this one.
+  /// From now on prints progress on standard error as lines "progress: STAGE 43 %", terminal or not, for
+  /// programs that start this one.
   static void tell_in_lines() { in_lines_ = true; }
 
  private:

@@ -8,21 +8,20 @@
 
 namespace feedscope {
 
-/// What the window begins with, as it was asked for on the command line. Nothing is said where nothing was
-/// asked: the window then decides as it does without a command line.
+/// First contents of the window, from the command line. Anything not requested there is left to the window.
 class WindowStart {
  public:
-  /// Throws InputError naming what is wrong: an option beside a session or a lesson, one of the program
+  /// Throws InputError with the reason: an option that conflicts with a session or a lesson, a program option
   /// without a program, an unreadable program, an unusable setup. `lesson`: id or file, "" for none.
   /// `traces`: files to compare with the run. `unlocked`: lessons show their run before a prediction is
   /// written.
   WindowStart(const RunOptions& options, const std::string& lesson, std::vector<std::string> traces = {},
               bool unlocked = false);
 
-  /// What the first run is set up as.
+  /// Setup of the first run.
   const ui::SetupState& setup() const { return setup_; }
-  /// Shows it in a window whose first run is of setup(). A session that was left behind is offered where
-  /// nothing is opened.
+  /// Shows it in a window whose first run has setup(). If nothing is opened, the window offers an unsaved
+  /// session left by an earlier process.
   void show(ui::MainWindow& window, ui::Workbench& model) const;
 
  private:
@@ -31,7 +30,7 @@ class WindowStart {
   std::vector<std::string> traces_;
   ReadOptions reading_;
   bool unlocked_ = false;
-  bool run_asked_ = false;  ///< a machine, model, tolerance or setting
+  bool run_asked_ = false;  ///< by a machine, model, tolerance or setting
   ui::SetupState setup_;
 };
 

@@ -25,7 +25,8 @@ struct CheckOptions : ProgramOptions {
   std::string machine;  ///< id or file; "": none
 };
 
-/// Reads it for the machine, if one is asked for: its rotary axes turn, and what it cannot do is in the path.
+/// Reads the program for the machine, if one is given: its rotary axes turn, and the path includes the moves
+/// that its positions add.
 LoadedProgram load(const CheckOptions& options, const AskedProgram& asked, Progress* progress) {
   if (options.machine.empty()) {
     return load_program(asked.source, progress, asked.reading);
@@ -38,9 +39,9 @@ LoadedProgram load(const CheckOptions& options, const AskedProgram& asked, Progr
   return loaded;
 }
 
-/// Without the sign of a zero that rounding leaves.
+/// Rounds a zero of either sign to 0.
 double shown(double value) {
-  constexpr double least = 5e-5;  // below it four decimals are zeros [mm]
+  constexpr double least = 5e-5;  // smaller values show as zero in four decimals [mm]
   return std::abs(value) < least ? 0 : value;
 }
 

@@ -33,7 +33,7 @@ namespace feedscope {
 namespace {
 
 struct CircularOptions {
-  RunOptions run;                  ///< of a program; the setup of a test
+  RunOptions run;                  ///< program, and setup of a test
   std::vector<std::string> radii;  ///< as typed [mm]
   std::vector<std::string> feeds;  ///< [mm/min]
   std::string plane;
@@ -43,24 +43,24 @@ struct CircularOptions {
   std::string json, csv, program;
   std::string out, size;
   std::string language;              ///< of the picture
-  std::vector<std::string> circles;  ///< of a program, to be drawn, as typed, from 1
+  std::vector<std::string> circles;  ///< of a program, to be drawn: numbers from 1, as typed
 
   bool of_program() const { return !run.file.empty(); }
 };
 
-/// `text`, or what holds where nothing was typed.
+/// `text`, or `usual` if nothing was typed.
 std::string typed_or(const std::string& text, const char* usual) {
   return text.empty() ? usual : text;
 }
 
-/// Of a circle of the program, from 1. Throws InputError for what is none up to `most`.
+/// Number of a circle of the program, from 1. Throws InputError if `text` is not a number up to `most`.
 std::size_t circle_number(const std::string& text, std::size_t most) {
   SettingSpec bounds = whole_numbers(1, static_cast<double>(most));
   bounds.key = "--circle";
   return static_cast<std::size_t>(std::get<double>(parse_setting(bounds, text)));
 }
 
-/// Throws InputError where options of a test and of a program meet, or neither is asked for.
+/// Throws InputError if options of a test and of a program are mixed, or neither are given.
 void check_form(const CircularOptions& options) {
   std::vector<GivenOption> other;
   if (options.of_program()) {
@@ -136,7 +136,7 @@ std::vector<CircularRequest> requests_of(const CircularOptions& options) {
   return requests;
 }
 
-/// Writes what was asked for: `json` and `csv` make the texts, `tests` are drawn.
+/// Writes the requested files: `json` and `csv` make the texts, `tests` are drawn.
 template <class Json, class Csv>
 void write_outputs(const CircularOptions& options, [[maybe_unused]] const Setup& setup, Json json, Csv csv,
                    [[maybe_unused]] const std::vector<CircularTest>& tests, const std::string& program) {
@@ -191,7 +191,7 @@ int circular_test(const CircularOptions& options) {
   return exit_code::done;
 }
 
-/// Those that are drawn. Throws InputError for a number that none has, and where there is nothing to draw.
+/// The circles to draw. Throws InputError for a number without a circle, and if there is nothing to draw.
 std::vector<CircularTest> drawn(const CircularOptions& options, const ProgramCircles& circles) {
   constexpr std::size_t usual = 4;
   if (options.out.empty()) {

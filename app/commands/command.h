@@ -5,10 +5,10 @@
 
 namespace feedscope {
 
-/// A command of the command line: its options, and what it does once they are parsed.
+/// A command of the command line: its options and its action after parsing.
 struct Command {
   CLI::App* options = nullptr;
-  std::function<int()> run;  ///< gives the exit code; throws InputError and Cancelled
+  std::function<int()> run;  ///< returns the exit code; throws InputError and Cancelled
 };
 
 Command add_simulate_command(CLI::App& app);
@@ -16,9 +16,9 @@ Command add_explain_command(CLI::App& app);
 Command add_compare_command(CLI::App& app);
 Command add_check_command(CLI::App& app);
 Command add_circular_command(CLI::App& app);
-Command add_render_command(CLI::App& app);  ///< where the pictures are built (FEEDSCOPE_UI)
-Command add_report_command(CLI::App& app);  ///< the same
-Command add_window_command(CLI::App& app);  ///< what the program does without a command
+Command add_render_command(CLI::App& app);  ///< if built with pictures (FEEDSCOPE_UI)
+Command add_report_command(CLI::App& app);  ///< if built with pictures
+Command add_window_command(CLI::App& app);  ///< the program without a command
 Command add_machines_command(CLI::App& app);
 Command add_models_command(CLI::App& app);
 Command add_help_command(CLI::App& app);

@@ -39,11 +39,11 @@ struct CompareOptions : ProgramOptions {
   std::string other;  ///< a newer version of the program; may be empty
   std::vector<std::string> machines;
   std::vector<std::string> models;
-  std::vector<std::string> tolerances;  // as typed, mm
+  std::vector<std::string> tolerances;  // [mm], as typed
   std::vector<std::string> set;
-  std::string load;                 // a load file
+  std::string load;                 // name of a load file
   std::vector<std::string> sweeps;  // as typed
-  std::string within;               // as typed, mm
+  std::string within;               // [mm], as typed
   std::string operations;           // as typed
   std::vector<std::string> merge;   // JSON files
   std::string csv;
@@ -53,7 +53,7 @@ struct CompareOptions : ProgramOptions {
   std::string language;  // of the picture
 };
 
-/// A file that was asked for, and what goes into it.
+/// A requested file and its contents.
 struct Result {
   std::string name;
   std::function<std::string(const LoadedProgram&, const Study&)> contents;
@@ -63,7 +63,7 @@ std::vector<ComparedRun> plain_runs(const Study& study) {
   return {study.runs.begin(), study.runs.end()};
 }
 
-/// Whether there is more to write than compare has without --sweep, --within and --operations.
+/// Whether there is nothing to write beyond compare without --sweep, --within and --operations.
 bool is_plain(const Study& study) {
   return study.sweeps.empty() && !study.within && study.operations.empty();
 }
@@ -108,7 +108,7 @@ std::vector<Result> results_of(const CompareOptions& options, [[maybe_unused]] c
   return results;
 }
 
-/// Result files that are opened before the work begins and moved to their place after all are written.
+/// Result files, opened before the work begins and moved to their place after all are written.
 class ResultFiles {
  public:
   ResultFiles(const std::vector<std::string>& inputs, std::vector<Result> results)
@@ -138,7 +138,7 @@ class ResultFiles {
  private:
   std::vector<Result> results_;
   OutputFiles files_;
-  std::vector<std::ostream*> streams_;  // of files_, as results_
+  std::vector<std::ostream*> streams_;  // of files_, in the order of results_
   bool to_standard_output_ = false;
 };
 
@@ -209,7 +209,7 @@ int merge(const CompareOptions& options) {
   return exit_code::done;
 }
 
-/// Two programs on one setup.
+/// Compares two programs on one setup.
 int compare_two(const CompareOptions& options) {
   const auto refuse = [&](bool given, const char* option) {
     if (given) {

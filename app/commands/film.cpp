@@ -47,7 +47,7 @@ ui::FilmTimes times_of(const FilmOptions& options, double duration) {
 
 }  // namespace
 
-/// Where the frames go.
+/// Destination of the frames.
 class Film::Output {
  public:
   virtual ~Output() = default;

@@ -10,9 +10,9 @@
 
 namespace feedscope {
 
-/// What `render` is asked of a film.
+/// Options of `render` for a film.
 struct FilmOptions {
-  std::string out;             ///< "": none is asked for
+  std::string out;             ///< "": no film
   std::optional<double> from;  ///< [s]
   std::optional<double> to;    ///< [s]
   std::optional<double> speed;
@@ -23,21 +23,21 @@ struct FilmOptions {
   bool asked() const { return !out.empty(); }
 };
 
-/// Adds --film and what belongs to it; `options` must live as long as the command.
+/// Adds --film and its options; `options` must live as long as the command.
 void add_film_options(CLI::App& command, FilmOptions& options);
 
-/// A film that is there whole or not at all.
+/// A film, written whole or not at all.
 class Film {
  public:
-  /// Throws InputError, before any work is done, for options that are wrong together and where the film
-  /// cannot be written. `picture`: its size, pixel ratio and theme.
+  /// Throws InputError, before any work is done, for options that conflict and if the film cannot be written.
+  /// `picture`: its size, pixel ratio and theme.
   Film(const FilmOptions& options, const ui::PictureRequest& picture);
   ~Film();
   Film(const Film&) = delete;
   Film& operator=(const Film&) = delete;
 
-  /// Draws and writes it. Throws InputError for times that the run does not have, too many frames, and where
-  /// not everything could be written; Cancelled. Needs a QApplication with the theme.
+  /// Draws and writes the film. Throws InputError for times outside the run, too many frames, and if not
+  /// everything could be written; Cancelled. Needs a QApplication with the theme.
   void write(const ui::ReportInput& input, Progress& progress);
 
  private:

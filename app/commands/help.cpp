@@ -50,7 +50,7 @@ void write_text(const std::string& out, const std::string& text) {
 
 void write_html(const HelpOptions& options) {
   const std::filesystem::path folder = options.html;
-  std::error_code ignored;  // a folder that cannot be made shows in the first file
+  std::error_code ignored;  // an error shows when the first file is written
   std::filesystem::create_directories(folder, ignored);
   const Handbook handbook(options.language);
   OutputFiles files;
@@ -91,7 +91,7 @@ Command add_help_command(CLI::App& app) {
             } else if (!options->command.empty()) {
               show_help(app, options->command);
             } else {
-              // App::help() would be that of the command that is parsed.
+              // App::help() would give that of the parsed command.
               fmt::print("{}", app.get_formatter()->make_help(&app, "feedscope", CLI::AppFormatMode::Normal));
             }
             return exit_code::done;

@@ -92,7 +92,7 @@ void check(const IdentifyCommandOptions& options) {
 /// The recordings and their programs as the command line names them.
 class Work {
  public:
-  /// Throws InputError for a file that cannot be read or a model that is not known.
+  /// Throws InputError for an unreadable file or an unknown model.
   Work(const IdentifyCommandOptions& options, Watch& watch) : options_(options), watch_(watch) {
     TraceColumns columns = asked_columns(options.columns);
     ReadOptions reading;
@@ -125,7 +125,7 @@ class Work {
     }
   }
 
-  /// What each model that was asked for begins with.
+  /// Initial setup of each requested model.
   const std::vector<Setup>& starts() const { return starts_; }
 
   Identification fit(const Setup& start) {
@@ -140,12 +140,12 @@ class Work {
     return found;
   }
 
-  /// What is wrong with each trace that was read.
+  /// Messages on each trace from reading it.
   const std::vector<std::pair<std::string, std::vector<Diagnostic>>>& notes() const { return notes_; }
   const std::vector<LoadedProgram>& programs() const { return programs_; }
-  /// What is wrong with each trace on its program; known after fit().
+  /// Messages on each trace on its program; known after fit().
   const std::vector<std::vector<Diagnostic>>& remarks() const { return remarks_; }
-  /// By recording; null and empty where it is of the other kind.
+  /// By recording; null or empty where the recording is of the other kind.
   const std::vector<std::shared_ptr<const Trace>>& traces() const { return traces_; }
   const std::vector<std::vector<SectionTime>>& tables() const { return tables_; }
 
@@ -170,7 +170,7 @@ class Work {
   std::vector<std::vector<Diagnostic>> remarks_;
 };
 
-/// What each model found, the one that explains best first, and the models that failed.
+/// Result of each model, the best explanation first, and the models that failed.
 struct Compared {
   std::vector<Identification> models;
   std::vector<UnfittedModel> unfitted;
@@ -232,7 +232,7 @@ std::string report_of(const IdentifyCommandOptions& options, const Work& work, c
 
 #endif
 
-/// The program for the machine, when no trace is given.
+/// Writes the test program for the machine; used without traces.
 int write_program(const IdentifyCommandOptions& options) {
   if (!options.programs.empty() || !options.json.empty() || !options.columns.empty() ||
       !options.fit.empty() || !options.report.empty()) {
@@ -415,7 +415,7 @@ Command add_identify_command(CLI::App& app) {
       "\n         feedscope identify --program --dialect sinumerik --size 200 --feed-max 15000 --out "
       "test.mpf");
   return {command, [options] {
-            std::erase(options->programs, "");  // --program alone asks for the test program
+            std::erase(options->programs, "");  // --program without a value means the test program
             return identify_machine(*options);
           }};
 }

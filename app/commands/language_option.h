@@ -9,15 +9,15 @@
 
 namespace feedscope {
 
-/// English, which commands speak where nobody asks for another language.
+/// English: the language of commands without --language.
 std::string usual_language();
 
-/// Adds --language, the language of what a command draws and writes into files. A wrong one is refused with
-/// those that are there.
+/// Adds --language, the language of pictures and written files. Refuses an unknown one with a list of those
+/// available.
 void add_language_option(CLI::App& command, std::string& language);
 
-/// Makes texts and numbers of what is drawn those of a language, with the names of its runs that nobody has
-/// named. Needs a QApplication. Nothing changes for usual_language().
+/// Switches the texts and numbers of drawings to a language, with the default names of its runs. Needs a
+/// QApplication. Nothing changes for usual_language().
 void speak_in(const std::string& language, ui::ReportInput& input, const std::optional<ui::Session>& session);
 
 }  // namespace feedscope

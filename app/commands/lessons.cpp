@@ -43,7 +43,7 @@ struct LessonsOptions {
   std::string session;
 };
 
-/// The lessons in their order, and the two ways through them.
+/// Prints the lessons in their order, and the two ways through them.
 void list_lessons(const std::string& language) {
   const auto word = [&](const char* english) { return lesson_word(english, language); };
   std::vector<std::size_t> half_day;
@@ -134,7 +134,7 @@ std::string result_text(const Claim& claim, const ClaimResult& result) {
   return text;
 }
 
-/// What a lesson says in a language that nothing checks, and what it does not say in it.
+/// Notes a language without checks, and the texts of a lesson that lack a translation.
 void note_texts(const Lesson& lesson, const std::string& language, bool shipped) {
   const bool english = language == lesson_languages().front();
   const bool translated = lesson.language == language;
@@ -161,7 +161,7 @@ bool is_shipped(const std::filesystem::path& file) {
   });
 }
 
-/// Simulates every claim and says what it comes to; how many do not hold.
+/// Simulates every claim and prints its result; returns how many do not hold.
 int check_lesson(const Lesson& lesson) {
   struct Line {
     std::size_t question;
@@ -221,7 +221,7 @@ std::string format_of(const LessonsOptions& options) {
 #endif
 }
 
-/// The hand-out in a format, with pictures where this Feedscope can draw.
+/// The hand-out in a format, with pictures if this build can draw.
 std::string handout([[maybe_unused]] const std::string& format, const LessonsOptions& options,
                     const Lesson& lesson, LessonRuns& runs, Progress* progress) {
   const HandoutReader reader = handout_reader(options.reader);

@@ -47,7 +47,7 @@ void list_machines() {
   fmt::print("{}", table.text("llll"));
 }
 
-/// Which axes carry what, and the lines about which the rotary ones turn.
+/// Adds the order of the axes from part to tool, and the lines about which the rotary ones turn.
 void add_kinematics(const Machine& machine, TextTable& table) {
   if (machine.kinematics.empty()) {
     return;
@@ -96,7 +96,7 @@ struct MachinesOptions {
   std::string language;  ///< of the picture
 };
 
-/// Of a file, or of standard input for "-", which includes nothing.
+/// Imports a file, or standard input for "-", which includes no other files.
 ImportedMachine import_from(const std::string& file) {
   if (file != "-") {
     return import_machine(file, machine_file_settings());
@@ -105,7 +105,7 @@ ImportedMachine import_from(const std::string& file) {
   return import_machine_text(text, "standard-input", machine_file_settings());
 }
 
-/// Writes a machine file from the configuration of a control; what it does not say of it is told.
+/// Writes a machine file from the configuration of a control; reports values that are missing there.
 int import_configuration(const MachinesOptions& options) {
   const std::string out = options.out.empty() ? "-" : options.out;
   check_outputs(options.file, {out}, "the file that is imported");
@@ -128,7 +128,7 @@ int import_configuration(const MachinesOptions& options) {
 }
 
 #ifdef FEEDSCOPE_WITH_UI
-/// Instead of the numbers.
+/// Draws the machine's kinematics instead of printing its numbers.
 void draw_machine(const MachinesOptions& options) {
   const Machine machine = shipped_machines().load(options.id);
   OutputFile file(options.picture);

@@ -42,7 +42,7 @@ Settings fallback_settings(const ControlModel& model) {
   return complete_settings(model, Machine());
 }
 
-/// Guarantees with the fallbacks of all settings, then what other choices change.
+/// Prints the guarantees with the fallbacks of all settings, then the changes by other choices.
 void print_guarantees(const ControlModel& model) {
   const Settings fallbacks = fallback_settings(model);
   const std::vector<std::string> usual = sentences(model.guarantees(fallbacks));

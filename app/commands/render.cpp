@@ -94,7 +94,7 @@ ui::StandardView camera_of(const RenderOptions& options) {
   return camera_views.at(options.camera.empty() ? "iso" : options.camera);
 }
 
-/// Throws InputError for what does not go with a film, or only with one.
+/// Throws InputError for options that conflict with a film, or need one.
 void check_film_use(const RenderOptions& options) {
   const FilmOptions& film = options.film;
   if (!film.asked() && options.out.empty()) {
@@ -188,7 +188,7 @@ void check_close_up_use(const RenderOptions& options) {
   }
 }
 
-/// The instant of a run that --lens asks for [s]. Throws InputError for one that it does not have.
+/// The time in a run that --lens names [s]. Throws InputError for one outside the run.
 double lens_instant(const std::string& asked, const Run& run) {
   const double duration = run.trajectory->duration();
   if (asked.ends_with('s')) {
@@ -294,7 +294,7 @@ void set_colours(const RenderOptions& options, ui::ReportInput& input) {
   const bool available = std::ranges::any_of(
       input.runs, [source](const ui::ReportRun& run) { return run.shown->run.sources.has(source); });
   if (!available && options.colour.empty()) {
-    input.scene.colouring = ui::Colouring::feed;  // as the window does with such a session
+    input.scene.colouring = ui::Colouring::feed;  // as in the window for such a session
   } else if (!available && source == QuantitySource::drives) {
     throw InputError(fmt::format(
         "--colour {} shows what the drives do, but no axis of machine {} has one; give --set "
@@ -318,7 +318,7 @@ void set_colours(const RenderOptions& options, ui::ReportInput& input) {
   input.reference = static_cast<std::size_t>(*options.reference - 1);
 }
 
-/// The command as the foot of a sheet names it: it makes the same bytes again.
+/// The command in the foot of a sheet, which produces the same bytes again.
 QString command_of(const RenderOptions& options) {
   std::string text = fmt::format("feedscope render {} --view {}", options_text(options.runs), options.view);
   const auto add = [&](const char* name, const std::string& value) {

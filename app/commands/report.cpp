@@ -45,7 +45,7 @@ struct ReportOptions {
   std::vector<std::string> without;  ///< placeholders
   std::vector<std::string> with;     ///< sections
   bool brief = false;
-  std::string within;  ///< as typed, mm
+  std::string within;  ///< [mm], as typed
   std::string language;
   std::string paper = "A4";
   double dpi = 0;  ///< 0: not given
@@ -59,7 +59,7 @@ const std::string pages_format = "png";
 const std::string report_format = "feedpages";
 const std::vector<std::string> report_formats{"pdf", "html", pages_format};
 
-/// Throws InputError for what does not go with the format.
+/// The output format. Throws InputError for options that conflict with it.
 std::string format_of(const ReportOptions& options) {
   if (options.format.empty() && asks_for_pages(options.out)) {
     return report_format;
@@ -82,7 +82,7 @@ std::string file_of_page(const std::string& out, std::size_t page) {
       .string();
 }
 
-/// Throws InputError for a name that no placeholder of reports has.
+/// The placeholders to omit. Throws InputError for a name that is not a placeholder of reports.
 QStringList left_out(const ReportOptions& options) {
   const QStringList known = ui::report_placeholders();
   QStringList names;
@@ -102,7 +102,7 @@ QStringList left_out(const ReportOptions& options) {
   return names;
 }
 
-/// Throws InputError for a section that `page` does not offer.
+/// The sections to include. Throws InputError for a section that `page` does not offer.
 QStringList asked_sections(const ReportOptions& options, const ui::ReportTemplate& page) {
   QStringList names = options.brief ? QStringList() : ui::ReportInput().with;
   std::vector<std::string> all{"all"};

@@ -21,7 +21,7 @@ namespace {
 struct SimulateOptions {
   RunOptions run;
   std::string csv;
-  std::string step;  // as typed, s
+  std::string step;  // [s], as typed
   std::string json;
   std::string blends;
   std::string contour;
@@ -41,7 +41,7 @@ std::optional<double> parse_step(const std::string& text) {
   return std::get<double>(parse_setting(number, text));
 }
 
-/// The machine's interpolation period, whether or not the model reads it.
+/// The machine's interpolation period [s], whether or not the model reads it.
 double default_step(const Setup& setup) {
   for (const Settings* settings : {&setup.settings, &setup.machine.settings}) {
     if (settings->has("interpolation_period_s")) {
@@ -51,7 +51,7 @@ double default_step(const Setup& setup) {
   return 0.001;
 }
 
-/// The outputs that were asked for, opened before the work begins and moved to their place after it.
+/// The requested outputs, opened before the work begins and moved to their place after it.
 class Results {
  public:
   explicit Results(const SimulateOptions& options)
@@ -65,7 +65,7 @@ class Results {
     }
   }
 
-  /// `program`: as it was read, which the machine of `run` may have filled in.
+  /// `program`: as it was read; the machine of `run` may have completed it.
   void write(const LoadedProgram& program, const Run& run, double step, Watch& watch) {
     if (csv_) {
       write_csv(*csv_, *run.trajectory, step, watch.stage("writing"), run.sources);
@@ -91,7 +91,7 @@ class Results {
 
   std::size_t places_;
   OutputFiles files_;
-  // Of files_; nullptr for one that was not asked for.
+  // In files_; nullptr if not requested.
   std::ostream* csv_;
   std::ostream* json_;
   std::ostream* blends_;

@@ -102,7 +102,7 @@ std::string agreement_text(const TraceOnProgram& found, const Agreement& agreeme
   return text;
 }
 
-/// The program that the trace is laid beside, and what it runs on.
+/// The program of the trace, and its setup.
 struct Beside {
   AskedProgram asked;
   Setup setup;

@@ -35,7 +35,7 @@ void check_display() {
   }
 }
 
-/// Qt's fatal messages end in abort(); the one that happens is a display that cannot be reached.
+/// Qt ends fatal messages with abort(); in practice the cause is an unreachable display.
 void leave_on_fatal(QtMsgType type, const QMessageLogContext&, const QString& message) {
   if (type == QtFatalMsg) {
     fmt::print(stderr, "feedscope: the window cannot be opened; {}\n", picture_instead);
@@ -44,17 +44,17 @@ void leave_on_fatal(QtMsgType type, const QMessageLogContext&, const QString& me
   fmt::print(stderr, "feedscope: {}\n", message.toStdString());
 }
 
-/// What a window may have of a screen, with a frame around it.
+/// Space for a window on a screen, less the window frame.
 QSize room_on(const QScreen& screen) {
   constexpr QSize frame(16, 48);
   return screen.availableSize() - frame;
 }
 
-/// What a window ends with that is to be made again.
+/// Exit code of a window that is to be rebuilt.
 constexpr int made_again = 0x52454d;
 
-/// Shows the window until it is closed or to be made again, in another language or other units; `before`:
-/// what the window before has shown.
+/// Shows the window until it is closed or to be rebuilt in another language or other units; `before`: state
+/// of the previous window.
 int show_window(ui::Workbench& model, const WindowStart& start,
                 std::optional<ui::MainWindow::Handover>& before) {
   ui::MainWindow window(model, ui::default_backend());

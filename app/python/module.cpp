@@ -1,4 +1,4 @@
-// The module feedscope._native: programs, runs and their motion for Python. What people call is in
+// The module feedscope._native: programs, runs and their motion for Python. Its public interface is in
 // feedscope/__init__.py.
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -28,7 +28,8 @@ namespace {
 
 using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// Runs `work(progress)` beside Python, so that other threads go on and Ctrl-C cancels it.
+/// Runs `work(progress)` without the interpreter lock, so that other Python threads continue and Ctrl-C
+/// cancels it.
 template <typename Work>
 auto run_interruptible(Work work) {
   Progress progress;
@@ -103,8 +104,8 @@ py::list cause_names() {
   return names;
 }
 
-/// Columns of the CSV at instants that never fall, those of the drives among them where the machine has any,
-/// and `cause` as an index into cause_names().
+/// Columns of the CSV at ascending instants, including those of the drives if the machine has any, and
+/// `cause` as an index into cause_names().
 py::dict samples(const Run& run, const Doubles& instants) {
   const Trajectory& trajectory = *run.trajectory;
   struct Column {
@@ -150,7 +151,7 @@ py::dict samples(const Run& run, const Doubles& instants) {
   return table;
 }
 
-/// Every step [s], and the very end.
+/// Times at every step, and the end of the run [s].
 Doubles times_of(const Run& run, double step) {
   constexpr double max_samples = 1e9;
   const double duration = run.trajectory->duration();
@@ -168,7 +169,7 @@ Doubles times_of(const Run& run, double step) {
   return Doubles(static_cast<py::ssize_t>(times.size()), times.data());
 }
 
-/// The exact motion: parts of constant jerk on one element each.
+/// The exact motion: pieces of constant jerk on one element each.
 py::dict pieces(const Run& run) {
   const Trajectory& trajectory = *run.trajectory;
   std::vector<double> time;

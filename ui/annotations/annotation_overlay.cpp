@@ -93,7 +93,7 @@ QPointF AnnotationOverlay::pixel_of(const QMouseEvent& mouse) const {
 std::optional<AnnotationOverlay::Held> AnnotationOverlay::grip_at(const QPointF& pixel) const {
   const auto near = [&](const QPointF& dot) { return QLineF(dot, pixel).length() <= grip_radius * scale_; };
   std::vector<PlacedAnnotation> all = placed();
-  std::ranges::reverse(all);  // what is drawn last lies on top
+  std::ranges::reverse(all);  // the last one drawn is on top
   for (const PlacedAnnotation& placed : all) {
     if (placed.id == annotations_->selected()) {
       if (near(placed.anchor)) {
@@ -104,7 +104,7 @@ std::optional<AnnotationOverlay::Held> AnnotationOverlay::grip_at(const QPointF&
       }
     }
     if (placed.label.contains(pixel)) {
-      // The label may have been moved into the picture: it goes on from where it is seen.
+      // The label may have been moved into the picture: dragging continues from its visible place.
       return Held{placed.id, Grip::label, pixel, (placed.label.center() - placed.middle) / scale_};
     }
   }

@@ -14,9 +14,9 @@ class QMouseEvent;
 
 namespace feedscope::ui {
 
-/// The annotations over a 3D view, on which they lie without hiding it from the mouse: whoever gets the
-/// view's events offers them to take(). A label is moved by dragging it; the dots at the places of the
-/// selected annotation are moved along the path.
+/// The annotations drawn over a 3D view, transparent to the mouse: the receiver of the view's events offers
+/// them to take(). Dragging moves a label; dragging a dot moves the place of the selected annotation along
+/// the path.
 class AnnotationOverlay : public QWidget {
   Q_OBJECT
 
@@ -26,7 +26,7 @@ class AnnotationOverlay : public QWidget {
 
   /// Null for none.
   void set_annotations(AnnotationList* annotations);
-  /// The run whose values they tell, and its name.
+  /// The run whose values the labels show, and its name.
   void set_run(std::shared_ptr<const Trajectory> trajectory, const QString& name,
                const RunSources& sources = {});
   const std::shared_ptr<const Trajectory>& trajectory() const { return trajectory_; }
@@ -35,18 +35,18 @@ class AnnotationOverlay : public QWidget {
   void set_scale(double scale);
   void set_background(Background background);
 
-  /// Does what a mouse or key event of the canvas asks for; false: it is not for an annotation.
+  /// Handles a mouse or key event of the canvas; false: it does not concern an annotation.
   bool take(const QEvent& event);
-  /// Where they are drawn now, in device pixels.
+  /// Current places of the annotations, in device pixels.
   std::vector<PlacedAnnotation> placed() const;
   /// The text of an annotation with the values of the run, on one or more lines; without a run, the text as
   /// written.
   QString text_of(const Annotation& annotation) const;
 
  signals:
-  /// The values are those of another run.
+  /// The values now belong to another run.
   void run_changed();
-  /// A double click: its text is to be changed.
+  /// A double click: the user wants to change the text.
   void edit_wanted(int id);
 
  protected:
@@ -58,8 +58,8 @@ class AnnotationOverlay : public QWidget {
   struct Held {
     int id = 0;
     Grip grip = Grip::label;
-    QPointF from;    ///< of the mouse [device pixels]
-    QPointF offset;  ///< of the label when it was taken
+    QPointF from;    ///< of the mouse at the start [device pixels]
+    QPointF offset;  ///< of the label at the start
   };
 
   std::optional<AnnotatedView> view() const;

@@ -46,7 +46,7 @@ QSizeF label_size(const PlacedAnnotation& placed, double scale) {
   return QSizeF(width, height) + QSizeF(2, 2) * padding * scale;
 }
 
-/// Moved by as little as brings it into the room.
+/// `label` moved into `room` by the smallest distance.
 QRectF moved_into(QRectF label, const QRectF& room) {
   label.moveLeft(std::max(room.left(), std::min(label.left(), room.right() - label.width())));
   label.moveTop(std::max(room.top(), std::min(label.top(), room.bottom() - label.height())));
@@ -62,7 +62,7 @@ QPointF border_towards(const QRectF& label, const QPointF& place) {
   return reach <= 1 ? place : label.center() + away / reach;
 }
 
-/// From a label to what it belongs to.
+/// Line from a label to its reference point.
 QLineF leader_of(const QRectF& label, const QPointF& place) {
   return {border_towards(label, place), place};
 }
@@ -82,7 +82,7 @@ bool crosses(const QLineF& line, const QRectF& rectangle) {
          cut(-line.dy(), line.y1() - rectangle.top()) && cut(line.dy(), rectangle.bottom() - line.y1());
 }
 
-/// How much of the path is where in a picture, counted in cells.
+/// Distribution of the path over a picture, counted in cells.
 class PathCover {
  public:
   PathCover(const QSizeF& size, double cell)
@@ -98,7 +98,7 @@ class PathCover {
       at(column, row) = 1;
     }
   }
-  /// After the last point: sums over all cells to the left and above.
+  /// Call after the last point: sums over all cells to the left and above.
   void finish() {
     for (int row = 1; row < rows_; ++row) {
       for (int column = 1; column < columns_; ++column) {
@@ -106,7 +106,7 @@ class PathCover {
       }
     }
   }
-  /// Cells with a part of the path in a rectangle.
+  /// Number of cells in a rectangle that contain the path.
   int in(const QRectF& rectangle) {
     const auto column = [&](double x) {
       return std::clamp(static_cast<int>(std::ceil(x / cell_)), 0, columns_ - 1);
@@ -133,16 +133,16 @@ class PathCover {
   std::vector<int> sums_;
 };
 
-/// Gives labels places one after the other.
+/// Places labels one after the other.
 class LabelPlacer {
  public:
   LabelPlacer(const QRectF& room, double scale, PathCover cover)
       : room_(room), gap_(label_gap * scale), cover_(std::move(cover)) {}
 
-  /// No label or leader is placed over `rectangle`.
+  /// Keeps labels and leaders off `rectangle`.
   void keep_free(const QRectF& rectangle) { taken_.append(rectangle); }
 
-  /// Where a label should be kept away from, if it must move.
+  /// Place to keep away from when a label must move.
   void avoid(const QPointF& place) { places_.append(place); }
 
   /// The nearest free place for a label of the place `middle`, off the path unless the user has moved it
@@ -184,7 +184,7 @@ class LabelPlacer {
   template <class Leader>
   QRectF nearest_free(const QRectF& wanted, Leader leader, bool put) {
     constexpr double most_looks = 4000;
-    constexpr double worth = 6;  // a cell of the path is worth so many times its width on the way
+    constexpr double worth = 6;  // a covered cell of the path costs as much as a move by so many cell widths
     const QSizeF free = (room_.size() - wanted.size()).expandedTo(QSizeF(1, 1));
     const double step = std::max(2 * gap_, std::sqrt(free.width() * free.height() / most_looks));
     struct Candidate {
@@ -195,7 +195,7 @@ class LabelPlacer {
       return QLineF(moved.topLeft(), wanted.topLeft()).length();
     };
     const auto rated = [&](const QRectF& moved) {
-      // A place of the path that is covered counts as if the label were as far again.
+      // Covering a place of the path costs as much as a move by the whole width.
       const double at_place = covers_place(moved) ? room_.width() : 0;
       const double on_path = put ? 0 : worth * cover_.cell() * cover_.in(moved);
       return Candidate{covered_by(moved, leader(moved)), distance_of(moved) + at_place + on_path};
@@ -229,7 +229,8 @@ QRectF room_of(const AnnotatedView& view) {
   return QRectF(QPointF(), view.size);
 }
 
-/// How much further from its place a label is than where a person put it.
+/// Factor on a label's distance from its place: the ratio of this picture's size to that of the picture in
+/// which a person put it.
 double spread_of(const Annotation& annotation, const AnnotatedView& view) {
   if (annotation.view.isEmpty()) {
     return 1;
@@ -359,7 +360,7 @@ void draw_label(QPainter& painter, const PlacedAnnotation& placed, const Tones& 
   }
 }
 
-/// Everything but the label.
+/// Draws everything except the label.
 void draw_marks(QPainter& painter, const PlacedAnnotation& placed, const Tones& tones, bool selected,
                 double scale) {
   painter.setPen(QPen(placed.colour, line_width * scale));
@@ -446,7 +447,7 @@ void draw_annotations(QPainter& painter, std::span<const PlacedAnnotation> annot
   QPainterPath room;
   room.addRect(room_of(view));
   if (std::ranges::count(annotations, AnnotationKind::region, &PlacedAnnotation::kind) > 0) {
-    for (const auto& [upper, lower] : view.scene.covered()) {  // a wide stroke would hide what they say
+    for (const auto& [upper, lower] : view.scene.covered()) {  // a wide stroke would hide their text
       QPainterPath text;
       text.addRect(QRectF(QPointF(upper[0], upper[1]), QPointF(lower[0], lower[1])));
       room -= text;

@@ -25,29 +25,29 @@ struct AnnotatedView {
   RunSources sources;  ///< of the run
 };
 
-/// Where an annotation is in a picture, in pixels from its upper left corner.
+/// Place of an annotation in a picture, in pixels from its upper left corner.
 struct PlacedAnnotation {
   int id = 0;
   AnnotationKind kind = AnnotationKind::text;
-  QPointF anchor;     ///< its place
-  QPointF other;      ///< of two places the other one
+  QPointF anchor;     ///< the annotated place
+  QPointF other;      ///< the second of two places
   QPolygonF stretch;  ///< of a region: the path between them
-  QPointF middle;     ///< what the label belongs to and its offset counts from
-  QRectF label;       ///< moved to where all of it is in the picture
+  QPointF middle;     ///< reference point of the label and its offset
+  QRectF label;       ///< moved fully into the picture
   QStringList lines;
   QColor colour;
   double text_pixels = 0;
 };
 
-/// Those whose places are in the picture, in order. A label that nobody has put where it is goes beside the
-/// path; no label covers another one or a text of the scene, and no line from a label to its place crosses
-/// one, where there is room for that. Costs time in the number of annotations alone.
+/// The annotations whose places are in the picture, in order. A label that nobody has placed goes next to the
+/// path. If there is room, no label covers another one or a text of the scene, and no line from a label to
+/// its place crosses one. The cost depends on the number of annotations alone.
 std::vector<PlacedAnnotation> place_annotations(std::span<const Annotation> annotations,
                                                 const AnnotatedView& view);
-/// What all of them say, those out of the picture too.
+/// Texts of all annotations, including those out of the picture.
 QStringList annotation_texts(std::span<const Annotation> annotations, const AnnotatedView& view);
 
-/// Inside the part of the picture that the path has. `selected`: id of the one that is marked; 0 for none.
+/// Draws within the path's part of the picture. `selected`: id of the highlighted one; 0 for none.
 void draw_annotations(QPainter& painter, std::span<const PlacedAnnotation> annotations,
                       const AnnotatedView& view, int selected = 0);
 

@@ -7,7 +7,7 @@
 
 namespace feedscope::ui {
 
-/// The annotations as rows: kind, line of the program, text with its values. The tip has the text as it was
+/// The annotations as rows: kind, line of the program, text with its values. The tooltip has the text as
 /// written.
 class AnnotationTable : public QAbstractTableModel {
   Q_OBJECT
@@ -18,11 +18,11 @@ class AnnotationTable : public QAbstractTableModel {
   /// `list` outlives this.
   explicit AnnotationTable(AnnotationList& list, QObject* parent = nullptr);
 
-  /// What the lines are of; null for none.
+  /// The program of the lines; null for none.
   void set_toolpath(std::shared_ptr<const Toolpath> toolpath);
-  /// Tells what an annotation says of the run; without it texts stand as they were written.
+  /// Sets the function that fills in the values of the run; without it texts remain as written.
   void set_teller(std::function<QString(const Annotation&)> teller);
-  /// What they say of the run is another.
+  /// The values of the run have changed.
   void refresh_texts();
 
   int rowCount(const QModelIndex& parent = {}) const override;

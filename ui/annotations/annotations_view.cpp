@@ -136,7 +136,7 @@ QAction* AnnotationsView::add_action(const QString& text, const QString& tip, co
 }
 
 void AnnotationsView::make_layout() {
-  auto* bar = new QToolBar(this);  // gives way where the panel is narrow
+  auto* bar = new QToolBar(this);  // shrinks in a narrow panel
   bar->addActions(actions_);
   auto* style = new QHBoxLayout;
   style->addWidget(colour_);
@@ -187,7 +187,7 @@ void AnnotationsView::add(AnnotationKind kind) {
   }
   annotations_.add(annotation);
   emit attention_wanted();
-  text_->setFocus();  // letters typed now are its text, not keys of the view
+  text_->setFocus();  // letters typed now go into the text, not to the keys of the view
   text_->selectAll();
 }
 

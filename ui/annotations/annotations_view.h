@@ -20,7 +20,7 @@ namespace feedscope::ui {
 class AnnotationOverlay;
 class WholeNumberBox;
 
-/// The annotations of the program: put one at the cursor, change its text, colour and size, remove it.
+/// The annotations of the program: adds one at the cursor, changes its text, colour and size, removes it.
 class AnnotationsView : public Panel {
   Q_OBJECT
 
@@ -30,22 +30,22 @@ class AnnotationsView : public Panel {
 
   void follow(Workbench& workbench) override;
   using Stretch = std::optional<std::array<double, 2>>;
-  /// Tells the two times [s] that a new dimension or region goes between; without them it goes along the
+  /// Sets the source of the two times [s] that a new dimension or region spans; without it, it spans the
   /// block at the cursor.
   void set_stretch(std::function<Stretch()> stretch) { stretch_ = std::move(stretch); }
   void set_toolpath(std::shared_ptr<const Toolpath> toolpath);
-  /// The list tells of each annotation what it says in this picture, which outlives this.
+  /// The picture whose texts the list shows; it outlives this.
   void set_picture(const AnnotationOverlay& picture);
-  /// Selects it and puts the keyboard into its text.
+  /// Selects the annotation and moves the keyboard focus to its text.
   void edit(int id);
 
   QTableView* table() { return table_; }
   QPlainTextEdit* text() { return text_; }
-  /// One to add each kind, in the order of annotation_kinds, and one to remove the selected one.
+  /// An action to add each kind, in the order of annotation_kinds, and one to remove the selected annotation.
   QList<QAction*> panel_actions() const override { return actions_; }
 
  signals:
-  /// A row has been chosen: the place is to be looked at [s].
+  /// The user has chosen a row; the views should show its time [s].
   void time_chosen(double time);
 
  protected:

@@ -31,7 +31,7 @@ int swatch_gap() {
 int item_gap() {
   return type_pixels(14);
 }
-constexpr double min_named_share = 0.0005;  // of the visible time; below, 0.0 % would stand there
+constexpr double min_named_share = 0.0005;  // of the visible time; smaller shares would read 0.0 %
 
 QColor colour_of(CauseKind kind) {
   const Rgb rgb = cause_colour(kind);
@@ -253,7 +253,7 @@ void CauseStrip::draw_strip(QPainter& painter) const {
     while (end < columns_.size() && columns_[end] == columns_[i]) {
       ++end;
     }
-    if (is_drawn(i)) {  // a little behind the next one: viewers of PDF show the ground between edges
+    if (is_drawn(i)) {  // overlaps the next one: PDF viewers show the background between edges
       const double left = bar.left() + static_cast<double>(i) * column;
       const double right = bar.left() + (static_cast<double>(end) + (is_drawn(end) ? 0.5 : 0)) * column;
       painter.fillRect(QRectF(left, bar.top() + 1, right - left, bar.height() - 2), colour_of(*columns_[i]));

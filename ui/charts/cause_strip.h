@@ -12,10 +12,10 @@ namespace feedscope::ui {
 QString cause_kind_name(CauseKind kind);
 QString cause_name(Cause cause);
 
-/// What limits the feed along the charts: a strip with the colour of the limiting cause that takes most time
-/// in each pixel column, and above it the causes of the visible range with their shares of its time.
+/// Limiting causes along the charts: a strip with the colour of the cause that takes most time in each pixel
+/// column, and above it the causes of the visible range with their shares of its time.
 ///
-/// Tooltips name the cause, its axes, time and share. Pressing a cause of the legend shows it alone;
+/// Tooltips give the cause, its axes, time and share. Pressing a cause of the legend shows it alone;
 /// pressing it again, or anything else, shows all.
 class CauseStrip : public QWidget {
   Q_OBJECT
@@ -25,9 +25,9 @@ class CauseStrip : public QWidget {
 
   /// `columns`: over the plot's width; `times`: of all_causes() in the visible range [s].
   void set_causes(std::vector<std::optional<CauseKind>> columns, std::vector<double> times);
-  /// The cause that is shown alone.
+  /// The cause shown alone.
   std::optional<CauseKind> highlighted() const { return highlighted_; }
-  /// Where a kind stands in the legend; empty if it does not occur or has no room.
+  /// Place of a kind in the legend; empty if it does not occur or has no room.
   QRect legend_item(CauseKind kind) const;
   QRect strip() const;
   QString tip_at(const QPoint& place) const;
@@ -62,7 +62,7 @@ class CauseStrip : public QWidget {
   std::vector<double> times_;  ///< of all_causes() [s]
   double whole_ = 0;           ///< time of the visible range [s]
   std::vector<Share> shares_;  ///< the largest first
-  std::size_t listed_ = 0;     ///< of shares_, that the legend has room for
+  std::size_t listed_ = 0;     ///< number of shares_ that fit in the legend
   std::optional<CauseKind> highlighted_;
 };
 

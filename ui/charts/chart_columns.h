@@ -10,28 +10,28 @@
 
 namespace feedscope::ui {
 
-/// What the charts show of a run over the visible range: its pixel columns, and what limits it in each.
+/// The visible range of a run in the charts: its pixel columns, and the cause that limits the feed in each.
 class ChartColumns {
  public:
   void set_run(std::shared_ptr<const Trajectory> trajectory, std::shared_ptr<const Envelope> envelope);
-  /// Another abscissa, or rapids shown or not: all columns are to be found again.
+  /// Discards all columns, after a change of the abscissa or of showing rapids.
   void clear() { cache_.clear(); }
-  /// Brings `count` columns over the range up to date.
+  /// Updates to `count` columns over the range.
   void update(const ViewRange& range, int count);
 
   const std::shared_ptr<const Trajectory>& trajectory() const { return trajectory_; }
   /// Null without a run.
   const Envelope* envelope() const { return envelope_.get(); }
-  /// Of the columns' borders [s]; none without a run.
+  /// Of the column borders [s]; empty without a run.
   const std::vector<double>& times() const { return cache_.times(); }
   const std::vector<Band>& bands() const { return cache_.bands(); }
-  /// Path length over time of what is shown of each column [mm/s]; NaN where that is nothing.
+  /// Path length over time of the shown part of each column [mm/s]; NaN if nothing is shown.
   std::vector<float> means() const;
   /// The cause that takes most of the time of each column.
   std::vector<std::optional<CauseKind>> dominating() const;
   /// Times of all causes in the visible range [s].
   std::vector<double> causes() const;
-  /// Whether a column holds so many pieces of motion that its extremes say little.
+  /// Whether a column contains so many pieces of motion that its extremes are not informative.
   bool crowded() const;
 
  private:

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double zoom_a_key = 0.5;
 constexpr int long_step = 10;          // [px]
-constexpr double picture_scale = 2.0;  // pixels of a PNG to one on the screen
+constexpr double picture_scale = 2.0;  // file pixels of a PNG per screen pixel
 
 }  // namespace
 
@@ -36,7 +36,7 @@ ChartCommands::ChartCommands(ChartsPanel& panel) : QObject(&panel), panel_(panel
 QAction* ChartCommands::add_action(QMenu& menu, const QString& text, const QString& tip,
                                    const QKeySequence& key) {
   QAction* action = make_action(this, text, tip, key);
-  action->setShortcutContext(Qt::WidgetShortcut);  // plain keys mean something else in other panels
+  action->setShortcutContext(Qt::WidgetShortcut);  // plain keys have other meanings in other panels
   for (std::size_t i = 0; i < chart_count; ++i) {
     panel_.chart(i).addAction(action);
   }

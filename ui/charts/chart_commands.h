@@ -15,27 +15,27 @@ namespace feedscope::ui {
 
 class ChartsPanel;
 
-/// Commands of the charts: menu, keys and files. The plain keys hold in the charts alone.
+/// Commands of the charts: menu, keys and files. The plain keys work in the charts alone.
 class ChartCommands : public QObject {
   Q_OBJECT
 
  public:
-  /// Becomes a child of `panel`, which has its charts by then.
+  /// Becomes a child of `panel`, whose charts must exist.
   explicit ChartCommands(ChartsPanel& panel);
 
   QList<QAction*> actions() const { return menu_->actions(); }
   QMenu& menu() { return *menu_; }
 
-  /// Whether there is a view before and one after the one that is shown.
+  /// Whether there are views before and after the shown one.
   void set_steps(bool back, bool forward);
   void set_second_cursor(bool there);
   void set_chart_shown(std::size_t chart, bool shown);
   void set_curve_shown(std::size_t chart, std::size_t curve, bool shown);
   void set_causes_shown(bool shown);
 
-  /// As the file's ending says, png or svg; throws InputError.
+  /// Format by the file's ending, png or svg; throws InputError.
   void save_picture(const QString& file);
-  /// The visible range; `step` of CsvRows::samples [s]. Another thread writes it and one of exported() and
+  /// Saves the visible range; `step` of CsvRows::samples [s]. Another thread writes it; exported() or
   /// failed() follows.
   void save_csv(const QString& file, CsvRows rows, double step = 0);
 

@@ -19,7 +19,7 @@ namespace feedscope::ui {
 
 namespace {
 
-constexpr double max_samples = 2e7;  // some 5 GB
+constexpr double max_samples = 2e7;  // about 5 GB
 
 struct ChartExport {
   Q_DECLARE_TR_FUNCTIONS(ChartExport)

@@ -91,7 +91,7 @@ void ChartHeader::list_all(bool all) {
 }
 
 QString ChartHeader::number(double value) const {
-  const bool none = std::abs(value) < std::pow(10, -spec_.decimals) / 2;  // no minus before zero
+  const bool none = std::abs(value) < std::pow(10, -spec_.decimals) / 2;  // no minus sign before zero
   return QLocale().toString(none ? 0 : value, 'f', spec_.decimals);
 }
 

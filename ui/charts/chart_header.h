@@ -15,34 +15,33 @@ struct LegendEntry {
   QString name;
   QColor color;
   bool dashed = false;
-  std::optional<double> value;  ///< where the cursor is, in the chart's unit
+  std::optional<double> value;  ///< at the cursor, in the chart's unit
 };
 
-/// The label in the corner of a plot: quantity with unit, and the curves that are shown in their colours.
-/// Under the pointer, or where all is wanted, it lists hidden curves, other runs, limits and notes too. A
-/// click on a curve asks to show or hide it, with Ctrl to show it alone; the tip has the values at the
-/// cursor.
+/// The label in the corner of a plot: quantity with unit, and the shown curves in their colours. Under the
+/// pointer, or after list_all(), it also lists hidden curves, other runs, limits and notes. A click on a
+/// curve requests to show or hide it, with Ctrl to show it alone; the tooltip has the values at the cursor.
 class ChartHeader : public QWidget {
   Q_OBJECT
 
  public:
   explicit ChartHeader(ChartSpec spec, QWidget* parent = nullptr);
 
-  /// Room in the plot, of its parent [px]: it takes the width that it needs.
+  /// Fits the label into the plot, in coordinates of its parent [px]: it takes the width that it needs.
   void fit_in(const QRect& room);
-  /// Of the cursor's place; none: no values.
+  /// Shows the values at the cursor; none: no values.
   void show_values(const std::optional<Instant>& instant);
   void show_curve(std::size_t curve, bool shown);
-  /// Which curves the run has; the others are not listed.
+  /// The curves that the run has; the others are not listed.
   void set_available(std::vector<bool> available);
   void set_runs(std::vector<LegendEntry> runs);
   const std::vector<LegendEntry>& runs() const { return runs_; }
-  /// The limits that the plot shows, and notes on what it leaves out or adds.
+  /// The limits in the plot, and notes on values that it omits or adds.
   void set_notes(std::vector<LimitLine> limits, QStringList notes);
   const QStringList& notes() const { return notes_; }
-  /// All that there is, as in a picture that nobody can point at.
+  /// Lists everything, as for a picture without a pointer.
   void list_all(bool all);
-  /// Where a curve stands; null of one that is not listed.
+  /// Place of a curve in the label; null if it is not listed.
   QRect item(std::size_t curve) const;
   QString tip_at(const QPoint& place) const;
   void draw(QPainter& painter) const;
@@ -67,7 +66,7 @@ class ChartHeader : public QWidget {
     QRect place;
   };
 
-  /// In the order of their weight; those that `width` has no room for are not in it.
+  /// Items in the order of their importance, as many as fit in `width`.
   std::vector<Item> items(int width) const;
   int title_width() const;
   int width_of(Kind kind, std::size_t index) const;
@@ -83,7 +82,7 @@ class ChartHeader : public QWidget {
   std::vector<LegendEntry> runs_;
   std::vector<LimitLine> limits_;
   QStringList notes_;
-  std::vector<std::optional<double>> values_;  ///< a curve each, in the chart's unit
+  std::vector<std::optional<double>> values_;  ///< one for each curve, in the chart's unit
   QRect room_;
   bool all_ = false;
 };

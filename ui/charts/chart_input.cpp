@@ -14,11 +14,11 @@ namespace feedscope::ui {
 namespace {
 
 constexpr double zoom_a_notch = 0.8;
-constexpr double pan_a_notch = 0.1;  // of what is shown
-constexpr double flat_box = 16;      // [px] below which a box leaves the values as they are
-constexpr double narrow_box = 5;     // [px] below which it leaves the abscissa as it is
+constexpr double pan_a_notch = 0.1;  // of the shown range
+constexpr double flat_box = 16;      // [px] below this height a box does not change the values
+constexpr double narrow_box = 5;     // [px] below this width it does not change the abscissa
 
-/// With Alt some platforms turn the wheel sideways.
+/// Wheel notches; with Alt some platforms turn the wheel sideways.
 double notches_of(const QWheelEvent& event) {
   const QPoint turned = event.angleDelta();
   return (turned.y() != 0 ? turned.y() : turned.x()) / 120.0;
@@ -117,7 +117,7 @@ void ChartInput::release(const QMouseEvent& event) {
 }
 
 void ChartInput::double_click(const QMouseEvent& event) {
-  drag_ = Drag::none;  // the release that follows is no click
+  drag_ = Drag::none;  // the following release is not a click
   if (event.position().x() < chart_.chart()->plotArea().left()) {
     chart_.choose_values({});
   } else {

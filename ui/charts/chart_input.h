@@ -13,14 +13,14 @@ namespace feedscope::ui {
 class KinematicChart;
 class ViewRange;
 
-/// What mouse and wheel do to a chart, as KinematicChart says: it zooms and pans the shared range, chooses
-/// the values that the chart shows, and has the chart ask for cursors, the menu and all of the run.
+/// Mouse and wheel on a chart, as described at KinematicChart: zooms and pans the shared range, chooses the
+/// shown values, and makes the chart request cursors, the menu and the whole run.
 class ChartInput : public QObject {
  public:
-  /// Of the chart's viewport; both outlive it.
+  /// For the chart's viewport; both outlive it.
   ChartInput(KinematicChart& chart, ViewRange& range);
 
-  /// The part of the plot that the box being drawn will show [px]; none: no box is being drawn.
+  /// The part of the plot that the drawn box will show [px]; none without a box.
   std::optional<QRectF> box() const;
 
  protected:

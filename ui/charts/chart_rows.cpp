@@ -48,7 +48,7 @@ void ChartRows::show_usual(const UsualMotion& usual) const {
 
 void ChartRows::give_shares_room(QLayout& layout, int width) const {
   const int charts_alone = layout.minimumSize().width() - layout.contentsMargins().right();
-  const int enough = type_pixels(1000);  // [px] that the charts keep their width
+  const int enough = type_pixels(1000);  // [px] width that the charts keep
   const bool fits =
       !shares->is_empty() && charts_alone + FeedShares::usual_width() <= width && width >= enough;
   layout.setContentsMargins(0, 0, fits ? FeedShares::usual_width() : 0, 0);
@@ -108,13 +108,13 @@ void ChartRows::choose_values(const std::array<std::optional<Interval>, chart_co
 }
 
 QSize ChartRows::least_size(const QWidget& content) const {
-  constexpr int low = 600;  // [px]: a window in which the 3D view needs what three charts would take
+  constexpr int low = 600;  // [px]: in a lower window, three charts would take the room of the 3D view
   const double scale = TypeSize::of_application().scale();
   const auto* window = qobject_cast<const QMainWindow*>(content.window());
   const bool is_low = window != nullptr && window->height() < low;
   const int most = std::max(2, static_cast<int>(std::lround((is_low ? 2 : 3) / scale)));
   QSize size = content.minimumSizeHint();
-  size.rwidth() -= content.layout()->contentsMargins().right();  // give_shares_room() takes it back
+  size.rwidth() -= content.layout()->contentsMargins().right();  // give_shares_room() sets it again
   int shown = 0;
   for (const KinematicChart* chart : charts) {
     shown += chart->isVisibleTo(&content) ? 1 : 0;

@@ -21,44 +21,44 @@ struct ChartRows {
 
   std::array<ChartHeader*, chart_count> headers{};
   std::array<KinematicChart*, chart_count> charts{};
-  std::array<bool, chart_count> hidden{};  ///< by the user, or until the user asks for them
+  std::array<bool, chart_count> hidden{};  ///< by the user, or until the user requests them
   LostTimeChart* lost = nullptr;           ///< below the first chart
-  FeedShares* shares = nullptr;            ///< beside the first chart
+  FeedShares* shares = nullptr;            ///< to the right of the first chart
 
   /// Whether a run with this envelope (null: any run) has this chart.
   bool has(const Envelope* envelope, std::size_t chart) const;
 
-  /// Shows those that `envelope` has values for (null: the ones of every run) and that nobody has hidden; the
-  /// last of them carries the abscissa, with this title.
+  /// Shows the charts with values in `envelope` (null: those of every run) that are not hidden; the last one
+  /// has the abscissa, with this title.
   void show(const Envelope* envelope, const QString& abscissa, QVBoxLayout& layout) const;
   void show_columns(const ChartColumns& columns, const OverlayCurves& overlays) const;
-  /// Where the curves usually are, and the time at each feed.
+  /// Shows the usual range of the curves, and the time at each feed.
   void show_usual(const UsualMotion& usual) const;
-  /// Gives the time at each feed its room beside the charts where they need less than `width`; else it is
-  /// not shown. `layout`: of the charts.
+  /// Shows the time at each feed to the right of the charts if they need less than `width`; else hides it.
+  /// `layout`: of the charts.
   void give_shares_room(QLayout& layout, int width) const;
-  /// Beside each chart what its plot leaves out or adds.
+  /// Shows at each chart the values that its plot omits or adds.
   void show_notes() const;
-  /// Beside the first chart, when that has moved.
+  /// Moves the time at each feed to the first chart.
   void place_shares() const;
-  /// In the headers, at `state`; null: no values. `sources`: of its run.
+  /// Shows values at `state` in the headers; null: no values. `sources`: of its run.
   void show_values(const State* state, const RunSources& sources) const;
-  /// Ordinates that the user chose, in their unit.
+  /// Ordinates chosen by the user, in their unit.
   std::array<std::optional<Interval>, chart_count> chosen_values() const;
   void choose_values(const std::array<std::optional<Interval>, chart_count>& values) const;
-  /// What is hidden and chosen, to keep.
+  /// Adds the hidden curves and the chosen values, to be saved.
   void add_to(ChartsState& state) const;
-  /// Room for what is shown in `content`, for three charts where there are more.
+  /// Room for the shown parts of `content`, for at most three charts.
   QSize least_size(const QWidget& content) const;
-  /// Headers and charts, as they stand in `content`.
+  /// Draws headers and charts at their places in `content`.
   void draw(QPainter& painter, const QWidget& content) const;
-  /// Of velocity, acceleration and jerk.
+  /// Limits of velocity, acceleration and jerk.
   void set_limits(const AxisVector<AxisLimits>& limits) const;
-  /// Of velocity, acceleration and jerk of rotary axes.
+  /// Limits of velocity, acceleration and jerk of rotary axes.
   void set_rotary_limits(const MachineKinematics& kinematics) const;
-  /// Lists the curves of what a run has.
+  /// Lists the curves that a run has.
   void set_sources(const RunSources& sources) const;
-  /// Bounds of the operations; null: none.
+  /// Sets the bounds of the operations; null: none.
   void set_bounds(const RunLoad* load) const;
 };
 

@@ -11,9 +11,9 @@ namespace feedscope::ui {
 
 namespace {
 
-/// As low as its layout can be: a scroll area takes the height for a width as the least one. Where there is
-/// room without a scroll bar, the height is that of the whole width: a bar makes headers longer, and would
-/// never go again.
+/// The content, as low as its layout permits: a scroll area takes the height for a width as the least one. If
+/// all fits without a scroll bar, the height is for the full width: a bar would make the headers longer and
+/// never disappear.
 class Content : public QWidget {
  public:
   explicit Content(const QScrollArea& area) : area_(area) {}
@@ -37,7 +37,7 @@ ChartScroll::ChartScroll(const ChartRows& rows, QWidget* parent) : QScrollArea(p
   setWidget(new Content(*this));
 }
 
-/// As if the charts had to be scrolled: whether they have to may depend on it.
+/// Assumes a scroll bar, because whether one is needed may depend on this.
 void ChartScroll::fit_shares() {
   rows_.give_shares_room(*widget()->layout(),
                          maximumViewportSize().width() - verticalScrollBar()->sizeHint().width());
@@ -45,7 +45,7 @@ void ChartScroll::fit_shares() {
 
 void ChartScroll::resizeEvent(QResizeEvent* event) {
   QScrollArea::resizeEvent(event);
-  constexpr int enough = 320;  // [px] that the charts of the motion keep their height
+  constexpr int enough = 320;  // [px] height that the charts of the motion keep
   rows_.lost->set_room(height() >= type_pixels(enough));
   fit_shares();
 }

@@ -6,15 +6,15 @@
 
 namespace feedscope::ui {
 
-/// Holds the charts: as high as it is, or higher where they need more, and then to be scrolled. It asks for
-/// room for three charts at most.
+/// Scroll area of the charts. They fill its height, or scroll where they need more. Requests room for at most
+/// three charts.
 class ChartScroll : public QScrollArea {
  public:
   /// `rows` outlives this.
   explicit ChartScroll(const ChartRows& rows, QWidget* parent = nullptr);
 
   QSize minimumSizeHint() const override { return rows_.least_size(*widget()); }
-  /// Shows the time at each feed where there is room beside the charts.
+  /// Shows the time at each feed if there is room next to the charts.
   void fit_shares();
 
  protected:

@@ -31,13 +31,13 @@ QString key_of(const QuantityInfo& quantity) {
   return key.remove(unit);
 }
 
-/// Of X, Y or Z of the machine, beside that of the tip.
+/// Whether a quantity is of the machine's X, Y or Z, as opposed to the tip.
 bool is_of_machine(const QuantityInfo& quantity) {
   return quantity.id >= QuantityId::machine_velocity_x && quantity.id <= QuantityId::machine_z;
 }
 
 CurveRole role_of(const QuantityInfo& quantity) {
-  if (quantity.axis >= 0) {  // A, B and C as the axes that they turn about
+  if (quantity.axis >= 0) {  // A, B and C like the axes that they turn about
     const auto axis = static_cast<std::size_t>(quantity.axis) % axis_roles.size();
     return is_of_machine(quantity) ? machine_roles[axis] : axis_roles[axis];
   }
@@ -69,7 +69,7 @@ CurveSpec curve_of(const QuantityInfo& quantity) {
   return curve;
 }
 
-/// Of the path first, then of the axes.
+/// Curves of the path first, then of the axes.
 ChartSpec chart_of(QuantityChart chart, const char* key, const QString& title) {
   ChartSpec spec;
   spec.key = QLatin1String(key);

@@ -12,7 +12,7 @@
 
 namespace feedscope::ui {
 
-/// What a curve shows, which gives it its colour in every theme.
+/// Meaning of a curve, which determines its colour in every theme.
 enum class CurveRole : std::uint8_t { path, programmed, across, x, y, z, machine_x, machine_y, machine_z };
 QColor curve_colour(CurveRole role, const ThemeColours& colours);
 
@@ -23,24 +23,24 @@ struct CurveSpec {
   CurveRole role = CurveRole::path;
   double width = 1;         ///< [px]
   bool may_be_cut = false;  ///< the chart need not grow far beyond the other curves to show it in full
-  bool on_demand = false;   ///< hidden until the user asks for it
+  bool on_demand = false;   ///< hidden until the user requests it
 };
 
 struct ChartSpec {
   QString title;
   QString unit;
-  std::vector<CurveSpec> curves;                   ///< as the header lists them
-  double factor = 1;                               ///< `unit` an inside unit
+  std::vector<CurveSpec> curves;                   ///< in the order of the header
+  double factor = 1;                               ///< `unit` per internal unit
   int decimals = 0;                                ///< of values shown as numbers
-  QuantitySource source = QuantitySource::motion;  ///< a run without it has no such chart
+  QuantitySource source = QuantitySource::motion;  ///< runs without it have no such chart
   QString key = {};                                ///< stable, for files: "feed", "following_error"
-  bool on_demand = false;                          ///< hidden until the user asks for it
+  bool on_demand = false;                          ///< hidden until the user requests it
 
   double convert(double value) const { return value * factor; }
 };
 
 inline constexpr std::size_t chart_count = 10;
-/// Places of charts among them.
+/// Indices of charts.
 inline constexpr std::size_t acceleration_chart = 1;
 inline constexpr std::size_t following_error_chart = 3;
 inline constexpr std::size_t jerk_chart = 2;
@@ -50,8 +50,8 @@ inline constexpr std::size_t rotary_velocity_chart = 7;
 inline constexpr std::size_t rotary_acceleration_chart = 8;
 inline constexpr std::size_t rotary_jerk_chart = 9;
 
-/// Feed, acceleration, jerk, following error, cutting force, chip thickness, positions, velocities,
-/// accelerations and jerks of rotary axes of a run: a curve for each charted quantity.
+/// Charts of feed, acceleration, jerk, following error, cutting force, chip thickness, and of positions,
+/// velocities, accelerations and jerks of rotary axes: a curve for each charted quantity.
 std::array<ChartSpec, chart_count> kinematic_chart_specs();
 
 }  // namespace feedscope::ui

@@ -114,7 +114,7 @@ void ChartsPanel::connect_chart(KinematicChart& chart) {
   chart.installEventFilter(this);
 }
 
-/// The labels, the button of the menu and the line of values, which lie over the plots.
+/// Places the labels, the menu button and the line of values over the plots.
 void ChartsPanel::place_overlays() {
   rows_.place_shares();
   const KinematicChart& first = *rows_.charts.front();
@@ -129,7 +129,7 @@ void ChartsPanel::place_overlays() {
   place_readout();
 }
 
-/// Beside the cursor, in the first plot.
+/// Places the values next to the cursor in the first plot.
 void ChartsPanel::place_readout() {
   const KinematicChart& first = *rows_.charts.front();
   const QRect plot = first.chart()->plotArea().toAlignedRect().translated(first.geometry().topLeft());
@@ -292,7 +292,7 @@ void ChartsPanel::show_chart(std::size_t chart, bool shown) {
   refresh_.start();
 }
 
-/// The second time those that are shown usually.
+/// Shows the curve alone; a second time, the usually shown ones.
 void ChartsPanel::show_alone(std::size_t chart, std::size_t curve) {
   const std::size_t count = rows_.charts[chart]->spec().curves.size();
   bool alone = true;
@@ -378,7 +378,7 @@ void ChartsPanel::show_cursor() {
   commands_->set_second_cursor(second_.has_value());
 }
 
-/// Names of the other runs, and their values where the cursor is.
+/// Shows the names of the other runs, and their values at the cursor.
 void ChartsPanel::show_other_runs() {
   const bool valued = points_into_run();
   const auto position = valued ? std::optional(range_.position_of(cursor_.state())) : std::nullopt;
@@ -443,7 +443,7 @@ void ChartsPanel::show_view(const ChartView& view) {
   commands_->set_steps(history_.can_go_back(), history_.can_go_forward());
 }
 
-/// The view is being changed; it counts once it stays for a while.
+/// Starts the wait after a change of the view; the history records views that last.
 void ChartsPanel::begin_rest() {
   rest_.start();
   commands_->set_steps(history_.can_go_back() || view() != history_.current(), history_.can_go_forward());
@@ -463,7 +463,7 @@ bool ChartsPanel::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::KeyPress) {
       set_second_cursor({});
     }
-    event->accept();  // the window has another use for Esc while there is no second cursor
+    event->accept();  // without a second cursor, the window uses Esc otherwise
     return true;
   }
   return QWidget::eventFilter(watched, event);

@@ -27,11 +27,11 @@ class QVBoxLayout;
 
 namespace feedscope::ui {
 
-/// Feed with what limits it, acceleration, jerk and, of a machine with drives, following error of a run, one
-/// above the other, along one abscissa; other runs beside it.
+/// Charts of a run one above the other along one abscissa, with other runs overlaid: feed with its limiting
+/// causes, acceleration, jerk and, for a machine with drives, following error.
 ///
-/// Cursor A is the shared one. Cursor B stands where Shift and a click put it, and is this panel's own: with
-/// it the differences between both are shown.
+/// Cursor A is the shared one. A Shift click sets cursor B, which belongs to this panel only; it adds the
+/// differences between both.
 class ChartsPanel : public Panel {
   Q_OBJECT
 
@@ -41,26 +41,27 @@ class ChartsPanel : public Panel {
 
   void follow(Workbench& workbench) override;
 
-  /// Shows a run, or nothing if `trajectory` is null. `keep_range`: stay at the stretch that is shown; with
-  /// nothing in between, the next run that keeps it goes on there. `sources`: of the run.
+  /// Shows a run, or nothing if `trajectory` is null. `keep_range`: keep the shown stretch; after a time
+  /// without a run, the next run with `keep_range` resumes it. `sources`: of the run.
   void set_run(std::shared_ptr<const Trajectory> trajectory, std::shared_ptr<const Envelope> envelope,
                bool keep_range, const RunSources& sources = {});
-  /// Other runs of the same program, drawn behind. Over path length they stand by place.
-  /// What a control recorded is drawn like them.
+  /// Other runs of the same program, drawn under the run's curves. Over path length they are aligned by
+  /// place.
+  /// Recorded traces are drawn in the same way.
   void set_overlays(std::vector<RunOverlay> overlays, std::vector<TraceOverlay> traces = {});
-  /// The curve of other runs that a chart shows, by its number in the chart's spec; none: no curve. At first
-  /// the achieved feed alone.
+  /// Index in the chart's spec of the curve that is shown for other runs; none: no curve. Initially the
+  /// achieved feed only.
   void set_overlay_curve(std::size_t chart, std::optional<std::size_t> curve);
   void set_limits(const AxisVector<AxisLimits>& limits, const MachineKinematics& kinematics = {});
   /// Step of exported samples [s].
   void set_sample_time(double seconds) { sample_time_ = seconds; }
   double sample_time() const { return sample_time_; }
-  /// For pictures, where nothing can be pressed.
+  /// For pictures, which have no controls.
   void hide_controls();
 
-  /// What is shown; null for nothing.
+  /// The shown run; null for none.
   const std::shared_ptr<const Trajectory>& trajectory() const { return trajectory_; }
-  /// What its axes run; null where they follow exactly.
+  /// Its drives and load; empty where axes follow exactly.
   const RunSources& sources() const { return sources_; }
   const std::vector<RunOverlay>& overlays() const { return overlays_.runs(); }
   const std::vector<TraceOverlay>& traces() const { return overlays_.traces(); }
@@ -68,10 +69,10 @@ class ChartsPanel : public Panel {
   Cursor& cursor() { return cursor_; }
   ViewRange& range() { return range_; }
   Interval shown_times() const { return {range_.lower_time(), range_.upper_time()}; }  ///< of the run [s]
-  /// Of the borders of the pixel columns as of the last refresh() [s].
+  /// Times of the pixel columns' borders at the last refresh() [s].
   const std::vector<double>& column_times() const { return columns_.times(); }
-  /// 0 feed, 1 acceleration, 2 jerk; 3 following error: shown where the run has drives; 4 cutting force,
-  /// 5 chip thickness: shown where it has a cutting load.
+  /// 0 feed, 1 acceleration, 2 jerk; 3 following error: shown if the run has drives; 4 cutting force,
+  /// 5 chip thickness: shown if it has a cutting load.
   KinematicChart& chart(std::size_t i) { return *rows_.charts[i]; }
   ChartHeader& header(std::size_t i) { return *rows_.headers[i]; }
   CauseStrip& causes() { return *causes_; }
@@ -79,42 +80,41 @@ class ChartsPanel : public Panel {
   FeedShares& shares() { return *rows_.shares; }
   void show_curve(std::size_t chart, std::size_t curve, bool shown);
   void show_usual_curves();
-  /// The last one that is shown stays.
+  /// The last shown chart remains.
   void show_chart(std::size_t chart, bool shown);
   bool chart_hidden(std::size_t chart) const { return rows_.hidden[chart]; }
   /// Time of cursor B [s].
   const std::optional<double>& second_cursor() const { return second_; }
   void set_second_cursor(std::optional<double> time);
-  /// The differences between both cursors as they are shown; empty without cursor B.
+  /// Text of the differences between both cursors; empty without cursor B.
   QString measurement_text() const;
   /// Values at the cursor, in one line; empty at the start of the run.
   QString cursor_text() const;
   void zoom_to_cursors();
   void move_cursor(int pixels);
-  /// About the cursor, where that is in sight.
+  /// Zooms about the cursor if it is visible.
   void zoom(double factor);
   void fit();
-  /// The range and values that were shown before, and those after them.
+  /// Returns to the range and values shown before; go_forward() to those after.
   void go_back();
   void go_forward();
   void choose_abscissa(Abscissa abscissa);
 
   bool busy() const override { return rows_.lost->busy() || usual_.busy(); }
-  /// Every command of the panel, for menus, the list of keys and the command palette.
+  /// All commands of the panel, for menus, the list of keys and the command palette.
   QList<QAction*> panel_actions() const override { return commands_->actions(); }
   ChartCommands& commands() { return *commands_; }
   ChartsState state() const;
-  /// Without a run, range and second cursor are those of the next one. Curves that there are none of are
-  /// omitted.
+  /// Without a run, range and second cursor apply to the next one. Unknown curves are omitted.
   void set_state(const ChartsState& state);
 
-  /// All but the controls, at the size that the panel has.
+  /// Draws everything except the controls, at the size of the panel.
   void draw(QPainter& painter);
-  /// Brings the curves up to date now, not with the next turn of the event loop.
+  /// Updates the curves now instead of in the next turn of the event loop.
   void refresh();
 
  signals:
-  /// The cursor has been put to a place by a click.
+  /// A click has moved the cursor.
   void time_chosen();
   void exported(const QString& message);
 
@@ -127,7 +127,7 @@ class ChartsPanel : public Panel {
   void add_header(std::size_t i, const ChartSpec& spec);
   void connect_chart(KinematicChart& chart);
   void show_alone(std::size_t chart, std::size_t curve);
-  /// Whether the cursor points to an instant of the run that is shown: it hears of another one before.
+  /// Whether the cursor points into the shown run: it may already belong to another one.
   bool points_into_run() const;
   void show_cursor();
   void show_charts_of_run();
@@ -154,24 +154,24 @@ class ChartsPanel : public Panel {
   OverlayCurves overlays_;
   std::optional<double> second_;
   ZoomHistory history_;
-  std::optional<ChartsState> awaiting_run_;  ///< its range is the next run's
-  /// What was shown of the last run while there is none.
+  std::optional<ChartsState> awaiting_run_;  ///< its range applies to the next run
+  /// The shown range of the last run, kept while there is none.
   struct Held {
     ChartsState state;
     std::optional<double> second_place;  ///< cursor B, path length [mm]
   };
   std::optional<Held> held_;
-  std::filesystem::path shown_file_;  ///< that the curves were last chosen for
+  std::filesystem::path shown_file_;  ///< file for which the curves were last chosen
   double sample_time_ = 0.001;
   ChartRows rows_;
-  ChartScroll* scroll_;            ///< holds the charts
-  QVBoxLayout* layout_ = nullptr;  ///< of what it holds
+  ChartScroll* scroll_;            ///< contains the charts
+  QVBoxLayout* layout_ = nullptr;  ///< of the charts
   CauseStrip* causes_;
   QLabel* readout_;
   QToolButton* more_;
   ChartCommands* commands_ = nullptr;
   QTimer refresh_;
-  QTimer rest_;  ///< runs while the view is being changed
+  QTimer rest_;  ///< runs while the view is changing
 };
 
 }  // namespace feedscope::ui

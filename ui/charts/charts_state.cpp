@@ -14,7 +14,7 @@ QJsonValue json_of(const std::optional<Interval>& interval) {
   return interval ? QJsonValue(QJsonArray{interval->lower, interval->upper}) : QJsonValue();
 }
 
-/// Null is none; anything but null or two growing numbers is left alone.
+/// Null means no interval; anything but null or two ascending numbers is ignored.
 void read_interval(const QJsonValue& json, std::optional<Interval>& interval) {
   const QJsonArray ends = json.toArray();
   if (json.isNull()) {
@@ -81,7 +81,7 @@ void read_json(const QJsonObject& json, ChartsState& state) {
   }
   read_interval(json["time_s"], state.time);
   const QJsonArray values = json["values"].toArray();
-  // Sessions of versions with fewer charts have fewer.
+  // Older versions had fewer charts, and so have their sessions.
   const auto known = std::min(values.size(), static_cast<qsizetype>(state.values.size()));
   for (qsizetype i = 0; i < known; ++i) {
     read_interval(values[i], state.values[static_cast<std::size_t>(i)]);

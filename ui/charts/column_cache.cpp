@@ -9,7 +9,7 @@ namespace feedscope::ui {
 namespace {
 
 constexpr double same_width = 1e-9;   // of a column
-constexpr double same_border = 0.02;  // of a column; nobody sees it
+constexpr double same_border = 0.02;  // of a column; invisible
 
 }  // namespace
 
@@ -18,7 +18,7 @@ void ColumnCache::clear() {
   bands_.clear();
 }
 
-/// By how many columns the range has moved; `count` or more if nothing can be kept.
+/// Number of columns by which the range has moved; `count` or more if none can be kept.
 int ColumnCache::shift_to(const Interval& range, int count) const {
   if (bands_.size() != static_cast<std::size_t>(count) ||
       std::abs(range.width() / count - width_) > same_width * width_) {

@@ -9,26 +9,26 @@
 
 namespace feedscope::ui {
 
-/// The pixel columns of one run in the charts. What stays in sight when the range moves by whole columns is
-/// not asked for again, so that panning costs only what comes into sight.
+/// The pixel columns of one run in the charts. When the range moves by whole columns, those still visible are
+/// kept, so that panning costs only the new ones.
 class ColumnCache {
  public:
-  /// Time at a position along the abscissa [s], never falling.
+  /// Time at a position along the abscissa [s], not descending.
   using TimeAt = std::function<double(double)>;
-  /// One band for each pair of neighbours in `times` [s].
+  /// One band between each pair of neighbours in `times` [s].
   using BandsOf = std::function<std::vector<Band>(std::span<const double>)>;
 
-  /// Brings `count` columns over `range` up to date.
+  /// Updates to `count` columns over `range`.
   void update(const BandsOf& bands_of, const Interval& range, int count, const TimeAt& time_at);
-  /// The same of a run, whose columns are empty beyond its `end` [s]. `rapids`: whether they are in the
-  /// columns.
+  /// Updates to columns of a run, which are empty beyond its `end` [s]. `rapids`: whether the columns include
+  /// them.
   void update(const Envelope& envelope, double end, const Interval& range, int count, const TimeAt& time_at,
               bool rapids = true);
-  /// Another run or abscissa, or rapids that were not in the columns before.
+  /// Discards all columns: for another run, abscissa or choice of rapids.
   void clear();
 
   const std::vector<Band>& bands() const { return bands_; }
-  /// Of the columns' borders, one more than columns [s].
+  /// Of the column borders, one more than columns [s].
   const std::vector<double>& times() const { return times_; }
 
  private:

@@ -11,24 +11,25 @@ namespace feedscope::ui {
 
 class NumberBox;
 
-/// What a row of an exported table stands for.
+/// Meaning of a row in an exported table.
 enum class CsvRows {
   samples,  ///< equal steps of time
-  blocks,   ///< where each block begins
-  pixels,   ///< the columns that the charts draw
+  blocks,   ///< the start of each block
+  pixels,   ///< the columns of the charts
 };
 
-/// Asks what the rows of the table of the visible range are to be, and says how many each choice gives.
+/// Asks for the rows of the exported table and shows their number for each choice.
 class CsvDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// `range` [s] is exported; `step`: the first proposal [s]; `blocks` and `pixels`: rows of these choices.
+  /// `range` [s] is exported; `step`: the initial value [s]; `blocks` and `pixels`: numbers of rows of these
+  /// choices.
   CsvDialog(const Interval& range, double step, std::size_t blocks, std::size_t pixels,
             QWidget* parent = nullptr);
 
   CsvRows rows() const;
-  /// Of CsvRows::samples [s].
+  /// Step of CsvRows::samples [s].
   double step() const;
 
   QRadioButton* choice(CsvRows rows) const;

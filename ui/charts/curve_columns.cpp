@@ -11,15 +11,15 @@ namespace feedscope::ui {
 
 namespace {
 
-constexpr double min_overlap = 2;         // [px] of neighbouring columns that swing
+constexpr double min_overlap = 2;         // [px] of neighbouring columns with oscillation
 constexpr double swinging_overlap = 0.4;  // of the lower of the two
 constexpr std::size_t min_swinging = 4;
-constexpr double min_hollow = 6;  // [px] that two edges leave between them
-constexpr double jump = 8;        // height in widths from which on a column is filled as a whole
+constexpr double min_hollow = 6;  // [px] between two edges
+constexpr double jump = 8;        // columns of this height in widths are filled as a whole
 constexpr std::size_t dash_period = 10;
 constexpr std::size_t dash_length = 6;
 
-/// Neighbouring columns meet half way, as the curve between them does.
+/// Extends neighbouring columns to meet half way, like the curve between them.
 std::vector<ColumnSpan> joined(std::span<const ColumnSpan> columns) {
   std::vector<ColumnSpan> spans(columns.begin(), columns.end());
   for (std::size_t i = 0; i + 1 < spans.size(); ++i) {
@@ -47,7 +47,7 @@ bool swings(const ColumnSpan& a, const ColumnSpan& b) {
   return overlap_of(a, b) > std::max(min_overlap, swinging_overlap * std::min(a.height(), b.height()));
 }
 
-/// What of a curve is drawn.
+/// Drawn part of a curve.
 enum class CurvePart { all, edges, inside };
 
 class ColumnPainter {
@@ -61,7 +61,7 @@ class ColumnPainter {
         half_width_(width / 2),
         part_(part) {}
 
-  /// Columns [first, end), none of them empty.
+  /// Draws columns [first, end), none of them empty.
   void draw(std::size_t first, std::size_t end) const {
     for (std::size_t i = first; i < end;) {
       std::size_t swinging = i;
@@ -113,7 +113,7 @@ class ColumnPainter {
     painter_.drawRects(columns.constData(), static_cast<int>(columns.size()));
   }
 
-  /// Above and below the span so much that a slanted line is as thick as a level one.
+  /// Extension of the span upwards and downwards that makes a slanted line as thick as a level one.
   double padding(const ColumnSpan& span) const {
     const double steepness = span.height() / column_;
     const double even = half_width_ * std::hypot(1, steepness) - span.height() / 2;
@@ -180,7 +180,7 @@ void draw_part(QPainter& painter, const QRectF& plot, std::span<const ColumnSpan
 }  // namespace
 
 bool hidden_in_bars(std::span<const ColumnSpan> columns) {
-  constexpr double least_height = 4;  // [px] that neighbours both cover
+  constexpr double least_height = 4;  // [px] that neighbours share
   constexpr double least_share = 0.3;
   double covered = 0;
   std::size_t pairs = 0;

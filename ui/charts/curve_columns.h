@@ -8,7 +8,7 @@ class QPainter;
 
 namespace feedscope::ui {
 
-/// What a curve covers in one pixel column [px, downwards]; empty where top > bottom.
+/// Range that a curve covers in one pixel column [px, downwards]; empty where top > bottom.
 struct ColumnSpan {
   double top = 1;
   double bottom = 0;
@@ -21,24 +21,24 @@ struct CurvePen {
   QColor color;
   double width = 1;     ///< [px]
   bool dashed = false;  ///< 6 columns drawn, 4 omitted
-  bool hollow = false;  ///< where the curve swings within the columns only its largest and least values
+  bool hollow = false;  ///< only the extremes where the curve oscillates
 };
 
-/// Whether the columns are bars that hide the curve: it swings within each, so that neighbours cover much of
-/// each other; a curve that rises and falls over many columns touches its neighbours only. Measured by what
-/// the curve reaches but for the 5 % at either end, so that single peaks do not count.
+/// Whether the columns are bars that hide the curve: it oscillates within each of them, so that neighbours
+/// overlap much. A curve that rises and falls over many columns only touches its neighbours. Uses the range
+/// without the 5 % at either end, so that single peaks do not count.
 bool hidden_in_bars(std::span<const ColumnSpan> columns);
 
-/// Mean height of those that are not empty [px].
+/// Mean height of the non-empty columns [px].
 double mean_height(std::span<const ColumnSpan> columns);
 
-/// Draws a curve over equally wide columns of `plot`. Where it swings to and fro within the columns they are
-/// filled one by one, elsewhere they make one smooth band: linear in the columns, whatever the curve does.
+/// Draws a curve over equally wide columns of `plot`. Columns that the curve oscillates within are filled one
+/// by one; the others form one smooth band. The time is linear in the number of columns for any curve.
 void draw_columns(QPainter& painter, const QRectF& plot, std::span<const ColumnSpan> columns,
                   const CurvePen& pen);
 
-/// Fills what a hollow pen leaves out, so that curves that swing one over the other can all be seen: first
-/// what is inside of each in a pale colour, then each curve.
+/// Fills the gaps of a hollow pen, so that overlapping oscillating curves remain visible: first the insides
+/// of all in a pale colour, then each curve.
 void fill_hollows(QPainter& painter, const QRectF& plot, std::span<const ColumnSpan> columns,
                   const CurvePen& pen);
 

@@ -100,7 +100,7 @@ void FeedShares::draw(QPainter& painter) const {
   const QString text = tr("time by feed\nmost: %1 %").arg(QLocale().toString(100 * most, 'f', 0));
   constexpr int flags = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
   const QString title = text.section('\n', 0, 0);
-  for (const QString& words : {text, title}) {  // what there is room for; tips say all
+  for (const QString& words : {text, title}) {  // the longest text that fits; tooltips have the whole
     if (QFontMetricsF(small).boundingRect(below, flags, words).height() <= below.height()) {
       painter.drawText(below, flags, words);
       break;

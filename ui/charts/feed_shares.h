@@ -8,8 +8,8 @@
 
 namespace feedscope::ui {
 
-/// Beside the feed chart and along its ordinate: how much of the visible time passes at each feed, as bars
-/// that point to the right. Feeds above the ordinate stand in its uppermost bar.
+/// Distribution of the visible time over the feeds, to the right of the feed chart and along its ordinate, as
+/// bars that extend to the right. Feeds above the ordinate count in its uppermost bar.
 class FeedShares : public QWidget {
   Q_OBJECT
 
@@ -19,12 +19,12 @@ class FeedShares : public QWidget {
   /// `chart` outlives this.
   explicit FeedShares(const KinematicChart& chart, QWidget* parent = nullptr);
 
-  /// Achieved, ascending [mm/s]: each stands for as much time.
+  /// Achieved feeds, ascending [mm/s]: each represents the same time.
   void set_feeds(std::vector<float> feeds);
   bool is_empty() const { return feeds_.empty(); }
-  /// Of the bars from the lowest feed of the ordinate above 0 on; their sum is 1. Empty without feeds.
+  /// Shares of the bars from feed 0 upwards; their sum is 1. Empty without feeds.
   std::vector<double> shares() const;
-  /// "820 to 860 mm/min: 12 % of the time" of the bar at this height; empty outside.
+  /// "820 to 860 mm/min: 12 % of the time" for the bar at this height; empty outside.
   QString tip_at(int y) const;
   void draw(QPainter& painter) const;
 

@@ -31,7 +31,7 @@ constexpr int labelled_bottom_margin = 20;
 constexpr int tick_distance = 14;  // [px]
 constexpr double overlay_width = 1.4;
 constexpr double band_edge = 1.3;
-constexpr double finest_zoom = 1e-6;  // of the largest value; beyond, the numbers beside the plot are all one
+constexpr double finest_zoom = 1e-6;  // of the largest value; finer, all tick labels are equal
 constexpr double widest_values = 1e12;
 
 QValueAxis* make_axis(QChart* chart, Qt::Alignment side) {
@@ -92,7 +92,7 @@ KinematicChart::KinematicChart(ChartSpec spec, ViewRange& range, QWidget* parent
   chart()->setAnimationOptions(QChart::NoAnimation);
   chart()->layout()->setContentsMargins(0, 0, 0, 0);
   abscissa_ = make_axis(chart(), Qt::AlignBottom);
-  abscissa_->setLabelsVisible(false);  // draw_abscissa()
+  abscissa_->setLabelsVisible(false);  // see draw_abscissa()
   ordinate_ = make_axis(chart(), Qt::AlignLeft);
   apply_colours();
   setRenderHint(QPainter::Antialiasing);
@@ -194,7 +194,7 @@ void KinematicChart::set_cutting_feed(const std::optional<CuttingFeed>& feed) {
   }
 }
 
-/// Brings the axes in line with what is shown.
+/// Fits the axes to the shown curves.
 void KinematicChart::fit() {
   std::vector<CurveReach> curves;
   for (std::size_t k = 0; k < columns_.size(); ++k) {
@@ -211,7 +211,7 @@ void KinematicChart::fit() {
   }
   values_ = fit_values(curves, limits);
   double fastest = 0;
-  for (const CurveReach& curve : curves) {  // the largest of nothing is below all
+  for (const CurveReach& curve : curves) {  // the maximum of an empty range is below all values
     fastest = curve.may_be_cut ? fastest : std::max(fastest, double{curve.values.max});
   }
   fastest_rapid_.reset();
@@ -324,8 +324,8 @@ void KinematicChart::draw_picture(QPainter& painter) {
   }
 }
 
-/// The numbers under their ticks, the last one moved to the left where it would be cut off, and the title in
-/// their row: left of them, or in place of those at the right end. Qt Charts would cut long numbers.
+/// Draws the tick labels, the last one moved to the left where it would be cut off, and the title in their
+/// row: left of them, or in place of those at the right end. Qt Charts would truncate long numbers.
 void KinematicChart::draw_abscissa(QPainter& painter) const {
   const QFontMetricsF metrics(abscissa_->labelsFont());
   const QRectF plot = chart()->plotArea();
@@ -333,7 +333,7 @@ void KinematicChart::draw_abscissa(QPainter& painter) const {
   painter.setFont(abscissa_->labelsFont());
   painter.setPen(theme_colours(palette()).text);
   const double wide = metrics.horizontalAdvance(abscissa_title_) + 4;
-  constexpr double half_label = 8;  // [px], of the 0 under the left end
+  constexpr double half_label = 8;  // [px], of the 0 at the left end
   const bool left = wide <= plot.left() - half_label;
   const double title = left ? plot.left() - half_label - wide : row.right() - wide;
   painter.drawText(QRectF(title, row.top(), wide, row.height()), Qt::AlignCenter, abscissa_title_);
@@ -351,7 +351,7 @@ void KinematicChart::draw_abscissa(QPainter& painter) const {
   }
 }
 
-/// The largest curve first, so that none hides another; what is inside of those that swing below all.
+/// Draws the largest curve first, so that none hides another; the insides of oscillating curves go under all.
 void KinematicChart::draw_curves(QPainter& painter) const {
   for (const OverlayCurve& overlay : overlays_) {
     draw_extents(painter, overlay.columns, overlay.color, line_pixels(overlay_width, *this), overlay.dashed);
@@ -365,13 +365,13 @@ void KinematicChart::draw_curves(QPainter& painter) const {
   const ThemeColours& colours = theme_colours(palette());
   const QRectF plot = chart()->plotArea();
   if (shows_usual()) {
-    // Of one curve the extremes and the band, of the others the edges of theirs: bands over each other hide
-    // all curves.
+    // One curve with extremes and band, the others as edges of their bands: overlapping bands would hide all
+    // curves.
     const std::size_t filled = std::ranges::min(order);
     constexpr double pale = 0.22;
     draw_columns(painter, plot, spans_of(*this, plot, columns_[filled]),
                  {mixed(colours.plot, curve_colour(spec_.curves[filled].role, colours), pale), 1});
-    // The last stretch may reach beyond the end of the run.
+    // The last stretch may extend beyond the end of the run.
     const auto last = std::find_if_not(columns_.front().rbegin(), columns_.front().rend(),
                                        [](const Extent& column) { return column.empty(); });
     QRectF run = plot;
@@ -381,7 +381,7 @@ void KinematicChart::draw_curves(QPainter& painter) const {
     painter.setClipRect(run, Qt::IntersectClip);
     for (const std::size_t k : order) {
       if (!means_.empty() && k > 0) {
-        continue;  // beside the mean of one curve the bands of all others would hide it
+        continue;  // the other bands would hide the mean of one curve
       }
       draw_usual_band(painter, plot, spans_of(*this, plot, usual_[k]), columns_a_stretch_, columns_[k].size(),
                       curve_colour(spec_.curves[k].role, colours), line_pixels(band_edge, *this),
@@ -530,7 +530,7 @@ void KinematicChart::resizeEvent(QResizeEvent* event) {
 }
 
 void KinematicChart::lay_out() {
-  // Room for half a line above and below, so that no font cuts the tick labels at the ends.
+  // Room for half a line above and below, so that tick labels at the ends fit in any font.
   const int line = QFontMetrics(ordinate_->labelsFont()).height();
   const int top = std::max(type_pixels(top_margin), (line + 1) / 2);
   const int bottom = std::max(

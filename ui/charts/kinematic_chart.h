@@ -20,7 +20,7 @@ namespace feedscope::ui {
 
 /// A curve of another run.
 struct OverlayCurve {
-  std::vector<Extent> columns;  ///< core units, over the range that is shown
+  std::vector<Extent> columns;  ///< internal units, over the shown range
   QColor color;
   bool dashed = false;
 };
@@ -29,9 +29,9 @@ class ChartInput;
 
 /// One chart of a run: curves as bands of pixel columns, axis limits and cursors.
 ///
-/// The wheel zooms at the pointer (Ctrl: the values), Shift and wheel or dragging pans, Ctrl and dragging or
-/// dragging with the right button zooms to the box drawn, a double click shows all; a click asks for the
-/// cursor, a Shift click for the second one. The shown range is shared with the other charts.
+/// The wheel zooms at the pointer (Ctrl: the values). Shift and wheel, or dragging, pans. Ctrl and dragging,
+/// or dragging with the right button, zooms to the box. A double click shows all; a click requests the
+/// cursor, a Shift click the second one. All charts share the shown range.
 class KinematicChart : public QChartView {
   Q_OBJECT
 
@@ -40,56 +40,54 @@ class KinematicChart : public QChartView {
   KinematicChart(ChartSpec spec, ViewRange& range, QWidget* parent = nullptr);
 
   const ChartSpec& spec() const { return spec_; }
-  /// Pixel columns of the plot, as the screen has them.
+  /// Pixel columns of the plot on the screen.
   int column_count() const;
-  /// For pictures: so many columns to a pixel of the screen.
+  /// For pictures: columns per screen pixel.
   void set_resolution(double columns) { resolution_ = columns; }
   void set_limits(std::vector<LimitLine> limits);
-  /// What is cut at in the shown range, in core units: a feed chart leaves rapids that are far beyond out of
-  /// sight, and says so. None where nothing is cut.
+  /// Cutting feeds in the shown range, internal units: a feed chart omits much faster rapids, and notes it.
+  /// None without cutting.
   void set_cutting_feed(const std::optional<CuttingFeed>& feed);
-  /// Mean of the first curve in each column, core units: drawn where the columns are high, which otherwise
-  /// tell no more than the extremes. Empty: none. Columns as of show_bands().
+  /// Mean of the first curve in each column, internal units. Drawn where the columns are high and show only
+  /// the extremes. Empty: none. Columns as of show_bands().
   void set_means(std::vector<float> means);
-  /// Where curves of the motion usually are, over stretches of so many columns each. Where a curve swings
-  /// within the columns and so covers much of the plot, or rare peaks do, this is drawn, and the columns
-  /// pale. Empty: nothing is known of that.
+  /// Usual ranges of the curves over stretches of so many columns each. Drawn over pale columns where a curve
+  /// oscillates within the columns and covers much of the plot, or has rare peaks. Empty: unknown.
   void set_usual(const std::vector<MotionBand>& ranges, std::size_t columns);
   bool shows_usual() const;
-  /// Whether the acceleration jumps, of which a chart of jerk shows nothing.
+  /// Whether the acceleration has jumps, which a chart of jerk does not show.
   void set_jumps(bool jumps) { jumps_ = jumps; }
-  /// Those that are drawn.
+  /// The drawn mean lines.
   std::vector<QPolygonF> mean_lines() const;
   void show_curve(std::size_t curve, bool shown);
   bool curve_shown(std::size_t curve) const { return shown_[curve]; }
-  /// Draws equally wide columns from the lower to the upper end of the range, and other runs behind.
+  /// Draws equally wide columns from the lower to the upper end of the range, over other runs.
   void show_bands(std::span<const Band> bands, std::vector<OverlayCurve> overlays = {});
   /// Positions of the cursors along the abscissa.
   void set_cursors(std::optional<double> first, std::optional<double> second);
   const std::optional<double>& cursor() const { return cursor_; }
   const std::optional<double>& second_cursor() const { return second_cursor_; }
-  /// Numbers and this title along the abscissa; without a title none.
+  /// Labels the abscissa with numbers and this title; without a title, no labels.
   void label_abscissa(const QString& title);
 
-  /// The ordinate that is shown, in the chart's unit.
+  /// The shown ordinate, in the chart's unit.
   const Interval& values() const { return values_; }
-  /// The ordinate that the user chose; none: it follows the curves.
+  /// The ordinate chosen by the user; none: it follows the curves.
   const std::optional<Interval>& chosen_values() const { return chosen_values_; }
-  /// An interval too narrow or too wide for numbers beside it is left alone.
+  /// Ignores an interval too narrow or too wide for its tick labels.
   void choose_values(const std::optional<Interval>& values);
 
-  /// What the plot leaves out or adds, and the limits that are drawn in it: said beside it, where no curve
-  /// is.
+  /// Notes on values that the plot omits or adds, and on its limits, for display next to the curves.
   QStringList notes() const;
   std::vector<LimitLine> limits_in_sight() const;
 
-  /// Place of a position in the viewport [px].
+  /// Position in the viewport [px].
   double pixel_of(double position) const;
   double position_at(double pixel) const;
   double height_of(double value) const;
   double value_at(double height) const;
 
-  /// Everything but what the mouse is about to do.
+  /// Draws everything except the box of the mouse.
   void draw(QPainter& painter);
 
  signals:
@@ -97,9 +95,9 @@ class KinematicChart : public QChartView {
   void second_position_clicked(double position);
   void menu_requested(const QPoint& global);
   void plot_resized();
-  /// The user chose or gave back the ordinate.
+  /// The user chose or reset the ordinate.
   void values_chosen();
-  /// Show all of the run, and all values.
+  /// Requests the whole run and all values.
   void fit_requested();
 
  protected:
@@ -114,7 +112,7 @@ class KinematicChart : public QChartView {
   void follow_type_size();
   void fit();
   CurveReach reach_of(const std::vector<Extent>& columns, bool may_be_cut) const;
-  /// None where they are those of axes of which no curve is shown.
+  /// Omits limits of axes without a shown curve.
   const std::vector<LimitLine>& shown_limits() const;
   void draw_picture(QPainter& painter);
   void draw_abscissa(QPainter& painter) const;
@@ -128,16 +126,16 @@ class KinematicChart : public QChartView {
   QValueAxis* abscissa_;
   QValueAxis* ordinate_;
   QString abscissa_title_;
-  std::vector<std::vector<Extent>> columns_;  ///< a curve each, core units
-  std::vector<std::vector<Extent>> usual_;    ///< a curve each, core units
+  std::vector<std::vector<Extent>> columns_;  ///< one for each curve, internal units
+  std::vector<std::vector<Extent>> usual_;    ///< one for each curve, internal units
   std::size_t columns_a_stretch_ = 1;         ///< of usual_
-  std::vector<bool> shown_;                   ///< a curve each
-  std::vector<float> means_;                  ///< of the first curve, core units
+  std::vector<bool> shown_;                   ///< one for each curve
+  std::vector<float> means_;                  ///< of the first curve, internal units
   std::vector<OverlayCurve> overlays_;
   std::vector<LimitLine> limits_;
   std::optional<CuttingFeed> cutting_feed_;
   Interval values_{0, 1};
-  std::optional<double> fastest_rapid_;      ///< of those out of sight, in the chart's unit
+  std::optional<double> fastest_rapid_;      ///< of the rapids out of sight, in the chart's unit
   std::optional<double> programmed_beyond_;  ///< largest programmed feed, if it is out of sight
   std::optional<Interval> chosen_values_;
   std::optional<double> cursor_;

@@ -13,7 +13,7 @@ struct LimitLines {
   Q_DECLARE_TR_FUNCTIONS(LimitLines)
 };
 
-/// Next to the one before where both have the same value.
+/// Adds a line, or its name to the previous line if both have the same value.
 void add_line(std::vector<LimitLine>& lines, double value, char name, std::size_t place) {
   const QString axis{QChar(name)};
   if (!lines.empty() && lines.back().value == value) {

@@ -20,22 +20,22 @@ namespace feedscope::ui {
 struct LimitLine {
   double value = 0;  ///< in the chart's unit
   QString label;
-  std::optional<std::size_t> axis;  ///< place in cause_axes; none: several share it, or it is of no axis
+  std::optional<std::size_t> axis;  ///< index in cause_axes; none: shared by several, or not of an axis
 };
 
-/// Those of the axes, `kind` being one of their limits: one line for all that have the same.
+/// Limits of the axes for the quantity `kind`; axes with an equal limit share one line.
 std::vector<LimitLine> limit_lines(const ChartSpec& spec, const AxisVector<AxisLimits>& limits,
                                    double AxisLimits::*kind);
 
-/// The same of rotary axes.
+/// Limits of rotary axes in the same form.
 std::vector<LimitLine> rotary_limit_lines(const ChartSpec& spec, const MachineKinematics& kinematics,
                                           double RotaryAxis::*kind);
 
-/// Those of the operations in a chart of their quantities, each value once.
+/// Bounds of the operations in a chart of their quantities, each value once.
 std::vector<LimitLine> bound_lines(const ChartSpec& spec, const RunLoad& load);
 
 QColor colour_of(const LimitLine& limit, const ThemeColours& colours);
-/// Lines without names. `width`: of a line, `height_of`: place of a value [px].
+/// Draws lines without names. `width`: of a line, `height_of`: position of a value [px].
 void draw_limit_lines(QPainter& painter, const QRectF& plot, const std::vector<LimitLine>& limits,
                       const ThemeColours& colours, double width,
                       const std::function<double(double)>& height_of);

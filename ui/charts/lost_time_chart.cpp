@@ -28,7 +28,7 @@ int plot_height() {
   return type_pixels(38);
 }
 
-/// Between the samples linear; beyond them that at the end.
+/// Linear between the samples, constant beyond them.
 double value_at(const std::vector<double>& times, const std::vector<double>& values, double time) {
   const auto after = std::ranges::lower_bound(times, time);
   if (after == times.begin()) {

@@ -10,9 +10,9 @@
 
 namespace feedscope::ui {
 
-/// The time that the current run has lost against each other run since the start, along the charts: where a
-/// curve rises, the current run is slower, where it falls, faster; where it ends, is the difference of the
-/// cycle times. Hidden while there is no other run.
+/// The time that the current run has lost against each other run since the start, along the charts. Where a
+/// curve rises, the current run is slower; where it falls, faster; its end is the difference of the cycle
+/// times. Hidden without another run.
 class LostTimeChart : public QWidget {
   Q_OBJECT
 
@@ -20,22 +20,22 @@ class LostTimeChart : public QWidget {
   /// `range` outlives this.
   explicit LostTimeChart(const ViewRange& range, QWidget* parent = nullptr);
 
-  /// Works out on another thread what `run` (null: none) has lost at `times`, the borders of equally wide
-  /// columns of the range; what is shown stays until then.
+  /// Computes on another thread the time that `run` (null: none) has lost at `times`, the borders of equally
+  /// wide columns of the range; until then the old curves remain.
   void show_runs(const std::shared_ptr<const Trajectory>& run, const std::vector<RunOverlay>& others,
                  const std::vector<double>& times);
   bool busy() const { return job_.busy(); }
-  /// For pictures that are drawn at once: nothing is worked out or shown.
-  /// Whether the panel is high enough for it.
+  /// Whether the panel is high enough for the chart.
   void set_room(bool room);
+  /// For pictures, which are drawn at once: nothing is computed or shown.
   void switch_off() { off_ = true; }
   void set_lost(LostTimes lost);
   const LostTimes& lost() const { return lost_; }
-  /// Position of the cursor along the abscissa, and its time [s]; none: values of the end of what is shown.
+  /// Position of the cursor along the abscissa, and its time [s]; none: values at the end of the shown range.
   void set_cursor(std::optional<double> position, std::optional<double> time);
-  /// "−12.345 s" of the other run with this number, at the cursor or at the end of what is shown.
+  /// "−12.345 s" of the other run with this number, at the cursor or at the end of the shown range.
   QString value_text(std::size_t other) const;
-  /// The ordinate [s]; holds 0.
+  /// The ordinate [s]; contains 0.
   Interval values() const;
   void draw(QPainter& painter) const;
 

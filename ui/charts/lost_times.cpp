@@ -14,7 +14,7 @@ LostTimes lost_times(const Trajectory& run, const std::vector<RunOverlay>& other
   for (std::size_t i = 0; i < others.size(); ++i) {
     steps.at(i);
     const Trajectory& other = *others[i].trajectory;
-    // Machines that fill in moves of their own run another path.
+    // A machine that adds moves of its own runs another path.
     if (run.pieces().empty() || other.pieces().empty() || segments(run) != segments(other)) {
       continue;
     }

@@ -9,7 +9,7 @@
 
 namespace feedscope::ui {
 
-/// Time that a run has lost against another one up to places along it.
+/// Time that a run has lost against another one, at places along it.
 struct LostTime {
   QString name;  ///< of the other run
   QColor color;
@@ -17,11 +17,11 @@ struct LostTime {
 };
 struct LostTimes {
   std::vector<double> times;      ///< of the run [s]
-  std::vector<double> positions;  ///< of these along the abscissa of the charts
+  std::vector<double> positions;  ///< of these times along the abscissa of the charts
   std::vector<LostTime> others;
 };
 
-/// `at` with the times lost of `run` against every one of `others` that runs the same programmed path
+/// `at` with the times that `run` has lost against each of `others` with the same programmed path
 /// (RunDifference::lost). Linear in the pieces of both. Throws Cancelled.
 LostTimes lost_times(const Trajectory& run, const std::vector<RunOverlay>& others, LostTimes at,
                      Progress* progress = nullptr);

@@ -57,8 +57,8 @@ std::vector<QPolygonF> mean_lines(const QRectF& plot, std::span<const ColumnSpan
 
 namespace {
 
-/// The same pixels in strips: where a line goes up and down in every column, the work of the raster engine
-/// grows with the square of the columns. `reach`: of the pen to either side [px].
+/// Draws the same pixels in strips: for a line that goes up and down in every column, the work of the raster
+/// engine grows with the square of the columns. `reach`: of the pen to either side [px].
 void draw_in_strips(QPainter& painter, const QPolygonF& line, double reach) {
   constexpr qsizetype points_a_strip = 48;
   const auto pixel = [&](qsizetype point) { return static_cast<int>(std::floor(line[point].x())); };

@@ -11,22 +11,21 @@
 
 namespace feedscope::ui {
 
-/// Path length over time of what `stretches` hold of each of `count` columns [mm/s]; NaN where that is
-/// nothing.
+/// Path length over time of the stretches in each of `count` columns [mm/s]; NaN without a stretch.
 std::vector<float> mean_feeds(const Trajectory& trajectory, std::span<const ColumnStretch> stretches,
                               std::size_t count);
 
-/// The mean along columns so high that they tell no more than the extremes: lines over stretches of a dozen
-/// columns or more.
+/// Mean lines along columns so high that they show only the extremes, over stretches of a dozen columns or
+/// more.
 ///
-/// `columns`: of the curve over `plot`'s width [px]; `means`: a value each, NaN where there is none;
-/// `height_of`: place of a value [px]; `everywhere`: along low columns, too. Empty where the numbers of
+/// `columns`: of the curve over `plot`'s width [px]; `means`: a value for each, NaN where there is none;
+/// `height_of`: position of a value [px]; `everywhere`: along low columns, too. Empty if the numbers of
 /// columns and means differ.
 std::vector<QPolygonF> mean_lines(const QRectF& plot, std::span<const ColumnSpan> columns,
                                   std::span<const float> means,
                                   const std::function<double(double)>& height_of, bool everywhere = false);
 
-/// Draws them so that they stand out from the columns. `behind`: colour of the plot; `scale`: of the
+/// Draws the lines so that they contrast with the columns. `behind`: colour of the plot; `scale`: of the
 /// width of lines.
 void draw_mean_lines(QPainter& painter, const std::vector<QPolygonF>& lines, const QColor& colour,
                      QColor behind, double scale);

@@ -6,11 +6,11 @@
 
 namespace feedscope::ui {
 
-/// What lies between two instants of a run, the second less the first.
+/// Differences between two instants of a run, the second less the first.
 struct Measurement {
   double time = 0;         ///< [s]
   double path_length = 0;  ///< executed [mm]
-  double mean_feed = 0;    ///< path length over time [mm/s]; 0 if no time lies between
+  double mean_feed = 0;    ///< path length over time [mm/s]; 0 for equal times
   double feed = 0;         ///< difference of the achieved feeds [mm/s]
 };
 

@@ -13,29 +13,29 @@
 
 namespace feedscope::ui {
 
-/// The other runs in the charts: which of their curves each chart shows, and its columns. Over time they
-/// stand by time, over path length by place.
+/// The other runs in the charts: the curves shown for them, and their columns. They are aligned by time over
+/// time, and by place over path length.
 class OverlayCurves {
  public:
   void set_runs(std::vector<RunOverlay> runs);
   const std::vector<RunOverlay>& runs() const { return runs_; }
-  /// Drawn as runs are, but only in charts of quantities that a trace has. With the first one the charts of
-  /// acceleration and following error show what it knows of them too, unless another curve was chosen.
+  /// Draws traces like runs, but only in charts of their quantities. With the first trace, the charts of
+  /// acceleration and following error also show its curves, unless another curve was chosen.
   void set_traces(std::vector<TraceOverlay> traces);
   const std::vector<TraceOverlay>& traces() const { return traces_; }
-  /// The curve of a chart's spec that the other runs show in it; none: no curve. At first the achieved feed
-  /// alone.
+  /// Index in a chart's spec of the curve shown for other runs; none: no curve. Initially the achieved feed
+  /// only.
   void choose(std::size_t chart, std::optional<std::size_t> curve) { chosen_[chart] = curve; }
   std::optional<std::size_t> chosen(std::size_t chart) const { return chosen_[chart]; }
 
-  /// When the last one ends that has a curve in the charts, over time [s].
+  /// End of the last curve in the charts, over time [s].
   double end() const;
 
-  /// Another run or abscissa: all columns are to be found again.
+  /// Discards all columns: for another run or abscissa.
   void clear();
-  /// Brings `count` columns over the range up to date; `run` is the one that the range belongs to.
+  /// Updates to `count` columns over the range, which belongs to `run`.
   void update(const ViewRange& range, const Trajectory& run, int count);
-  /// Of the chart with this number and spec.
+  /// Curves for the chart with this number and spec.
   std::vector<OverlayCurve> curves(std::size_t chart, const ChartSpec& spec) const;
   /// Names of the runs in a chart, and their values where `run` is at `position`; none: without values.
   std::vector<LegendEntry> legend(std::size_t chart, const ChartSpec& spec, const ViewRange& range,
@@ -47,10 +47,10 @@ class OverlayCurves {
                         double position);
 
   std::vector<RunOverlay> runs_;
-  std::vector<ColumnCache> columns_;  ///< one a run
-  bool rapids_ = true;                ///< are in them
+  std::vector<ColumnCache> columns_;  ///< one for each run
+  bool rapids_ = true;                ///< whether the columns include them
   std::vector<TraceOverlay> traces_;
-  std::vector<ColumnCache> trace_columns_;  ///< one a trace
+  std::vector<ColumnCache> trace_columns_;  ///< one for each trace
   std::array<std::optional<std::size_t>, chart_count> chosen_{0};
 };
 

@@ -4,7 +4,7 @@
 
 namespace feedscope::ui {
 
-/// Room beside the plots [px], the same in all charts so that their plots stand in line.
+/// Margin left of the plots [px], equal in all charts so that the plots align.
 inline int plot_left_margin() {
   return type_pixels(64);
 }

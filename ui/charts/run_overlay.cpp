@@ -30,7 +30,7 @@ std::vector<TraceOverlay> shown_traces(const TraceList& traces) {
   return shown;
 }
 
-/// Over time both begin to move together, over path length they are at the same place.
+/// Over time, both start moving together; over path length, they are at the same place.
 double TraceOverlay::time_at(const ViewRange& range, double position) const {
   const TraceAlignment& alignment = shown->alignment;
   return range.abscissa() == Abscissa::time ? alignment.at_time(position)
@@ -53,7 +53,7 @@ std::optional<CuttingFeed> cutting_feed(const Envelope* run, std::span<const Ban
   for (const RunOverlay& overlay : beside) {
     feed.achieved = std::max(feed.achieved, double{overlay.envelope->cutting()[QuantityId::feed].max});
   }
-  std::vector<double> columns;  // of the run alone: those beside it cut the same program
+  std::vector<double> columns;  // of this run only: the others cut the same program
   for (const Band& band : shown) {
     const double fastest = band[QuantityId::feed].max;
     columns.push_back(fastest > feed.achieved ? 0 : fastest);  // 0: in a rapid

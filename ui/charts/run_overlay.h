@@ -15,7 +15,7 @@
 
 namespace feedscope::ui {
 
-/// Another run of the same program, drawn beside the one that the charts show.
+/// Another run of the same program, drawn with the one of the charts.
 struct RunOverlay {
   std::shared_ptr<const Trajectory> trajectory;
   std::shared_ptr<const Envelope> envelope;
@@ -25,30 +25,30 @@ struct RunOverlay {
   bool dashed = false;
 };
 
-/// Those of the list that are shown and simulated, but for the current one.
+/// The shown and simulated runs of the list, except the current one.
 std::vector<RunOverlay> other_runs(const RunList& runs);
 
-/// What a control recorded of the program, drawn beside its run.
+/// A recorded trace of the program, drawn with its run.
 struct TraceOverlay {
   std::shared_ptr<const ShownTrace> shown;
   QColor color;
   QString name;
 
-  /// Which instant of the trace stands at a position of the charts; not a number where none does [s].
+  /// Time of the trace at a position of the charts [s]; NaN outside the trace.
   double time_at(const ViewRange& range, double position) const;
 };
 
-/// Those of the list that are shown and compared with the current run.
+/// The shown traces of the list that are compared with the current run.
 std::vector<TraceOverlay> shown_traces(const TraceList& traces);
 
-/// The largest feeds that a run and those beside it cut at [mm/s]; none without a run (null), and where what
-/// is `shown` of it are rapids alone.
+/// The largest cutting feeds of a run and of the runs in `beside` [mm/s]; none without a run (null), or if
+/// the part in `shown` is rapids alone.
 std::optional<CuttingFeed> cutting_feed(const Envelope* run, std::span<const Band> shown,
                                         std::span<const RunOverlay> beside);
 
-/// Path length on `to` of the place that lies at path length `s` on `from`: in the same programmed segment,
-/// at the same share of what each run executes of it [mm]. Corner blends shorten every run's path by
-/// something else, so equal path lengths are other places. A segment that `to` omitted gives its beginning.
+/// Path length on `to` of the place at path length `s` on `from`: the same programmed segment, at the same
+/// fraction of the executed part of it [mm]. Corner blends shorten each run's path differently, so equal path
+/// lengths are different places. For a segment that `to` omitted, its beginning.
 double same_place(const BlendedPath& from, double s, const BlendedPath& to);
 
 }  // namespace feedscope::ui

@@ -10,23 +10,23 @@
 
 namespace feedscope::ui {
 
-/// What the run usually does along the visible range, where that is so long that the extremes in the pixel
-/// columns say little: worked out on another thread, or at once for pictures.
+/// Usual range of the motion along the visible range, if that is so long that the extremes in the pixel
+/// columns are not informative. Computed on another thread, or at once for pictures.
 class UsualCurves : public QObject {
   Q_OBJECT
 
  public:
   using QObject::QObject;
 
-  /// What was found before stays until there is something new. `rapids`: whether they count.
+  /// Keeps the previous result until the new one is ready. `rapids`: whether they count.
   void follow(const ChartColumns& columns, bool rapids);
   /// For pictures, which are drawn at once.
   void find_at_once() { at_once_ = true; }
   bool busy() const { return job_.busy(); }
 
-  /// Over stretches of so many columns, the last one shorter.
+  /// Columns in a stretch; the last stretch may be shorter.
   static constexpr std::size_t columns_a_stretch = 12;
-  /// Empty where the visible range is short.
+  /// Empty if the visible range is short.
   const UsualMotion& found() const { return found_; }
 
  signals:
@@ -36,7 +36,7 @@ class UsualCurves : public QObject {
   void set(UsualMotion found);
 
   UsualMotion found_;
-  std::shared_ptr<const Trajectory> asked_;  ///< what was last asked for
+  std::shared_ptr<const Trajectory> asked_;  ///< of the last request
   std::vector<double> asked_times_;
   bool asked_rapids_ = true;
   Job<UsualMotion> job_;

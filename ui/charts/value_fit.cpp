@@ -6,10 +6,10 @@ namespace feedscope::ui {
 
 namespace {
 
-// More than the square root of 3 that along a line in space the path has over its axes.
+// More than the square root of 3: along a line in space, the ratio of the path's value to each axis's.
 constexpr double in_sight = 1.75;
 constexpr double headroom = 0.06;
-// The extreme of a polynomial is exact to rounding: at rest a feed may be -1e-12 m/min.
+// The extreme of a polynomial is exact up to rounding: at rest a feed may be -1e-12 m/min.
 constexpr double rounding = 1e-6;
 
 }  // namespace

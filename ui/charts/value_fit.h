@@ -16,32 +16,32 @@ struct Interval {
   bool operator==(const Interval&) const = default;
 };
 
-/// What one curve covers, for the choice of an ordinate.
+/// Range of one curve, for the choice of an ordinate.
 struct CurveReach {
   Extent values;  ///< in the chart's unit; may be empty
   bool may_be_cut = false;
 };
 
-/// The ordinate that shows all curves, and zero. Curves that may be cut, and `limits` (magnitudes), widen it
-/// up to 1.75 times the largest value of the others only.
+/// The ordinate that shows all curves, and zero. Curves that may be cut, and `limits` (magnitudes), extend it
+/// at most to 1.75 times the largest value of the others.
 Interval fit_values(std::span<const CurveReach> curves, std::span<const double> limits);
 
-/// What is cut at, in the chart's unit.
+/// Cutting feeds, in the chart's unit.
 struct CuttingFeed {
-  double achieved = 0;         ///< the largest, or where `without_peaks` the largest that lasts
+  double achieved = 0;         ///< the largest; with `without_peaks` the largest lasting one
   double programmed = 0;       ///< the largest
-  bool without_peaks = false;  ///< what is cut faster is thin in the chart, and far above all else
+  bool without_peaks = false;  ///< faster cutting is thin in the chart, and far above the rest
 };
 
-/// The largest value that columns of a chart have side by side, a few of them: thin peaks do not count. 0 for
-/// fewer columns.
+/// The largest value that a few neighbouring columns of a chart have: thin peaks do not count. 0 for fewer
+/// columns.
 double largest_that_lasts(std::span<const double> columns);
 
-/// Whether what is `fastest` leaves something slower no room in a chart.
+/// Whether `fastest` is so large that it leaves no room for `slower` in a chart.
 bool is_far_beyond(double fastest, double slower);
 
-/// `values` made narrower where `fastest`, the largest feed of all, is more than a quarter above that of the
-/// cutting: rapids do not set the scale of a feed chart. None where it is not.
+/// `values` made narrower if `fastest`, the largest feed of all, exceeds the cutting feeds by more than a
+/// quarter: rapids do not determine the scale of a feed chart. None if it does not.
 std::optional<Interval> without_rapids(const Interval& values, double fastest, const CuttingFeed& cutting);
 
 }  // namespace feedscope::ui

@@ -9,10 +9,10 @@
 namespace feedscope::ui {
 namespace {
 
-constexpr double long_number = 1e6;  // would not fit beside the plot
+constexpr double long_number = 1e6;  // too wide for the margin of the plot
 
-/// A round step with `most` ticks at most, but two ticks at least; where these would be less than `closest`
-/// apart, so that labels were left out, the two that are farthest apart.
+/// A round step with two to `most` ticks; where they would be less than `closest` apart and lose labels, the
+/// step between the two farthest apart.
 double tick_step(const Interval& range, int most, double closest) {
   const auto has_two = [&range](double step) {
     return std::floor(range.upper / step) - std::ceil(range.lower / step) >= 1;
@@ -37,7 +37,7 @@ void show_range(QValueAxis* axis, const Interval& range, int most, double closes
     axis->setLabelFormat(QStringLiteral("%.%1f").arg(step_decimals(step)));
   }
   axis->setTickInterval(step);
-  constexpr double nudge = 1e-9;  // of a step: rounding must not make "-0.0" of 0
+  constexpr double nudge = 1e-9;  // of a step: rounding must not turn 0 into "-0.0"
   axis->setTickAnchor(nudge * step);
   axis->setRange(range.lower, range.upper);
 }

@@ -6,8 +6,8 @@
 
 namespace feedscope::ui {
 
-/// Shows a range on an axis with round values at `most` ticks at most, but at two at least. Where these would
-/// be less than `closest` apart, so that labels were left out, the two that are farthest apart have them.
+/// Shows a range on an axis with round values at two to `most` ticks. Where they would be less than `closest`
+/// apart and lose labels, the two farthest apart remain.
 void show_range(QValueAxis* axis, const Interval& range, int most, double closest = 0);
 
 }  // namespace feedscope::ui

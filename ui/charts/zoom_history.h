@@ -9,20 +9,20 @@
 
 namespace feedscope::ui {
 
-/// What the charts show.
+/// Shown range and ordinates of the charts.
 struct ChartView {
   Interval time;                                                 ///< [s]
-  std::array<std::optional<Interval>, chart_count> values = {};  ///< ordinates that the user chose
+  std::array<std::optional<Interval>, chart_count> values = {};  ///< ordinates chosen by the user
 
   bool operator==(const ChartView&) const = default;
 };
 
-/// The views that the user came to rest at, to go back to and forward again.
+/// Views at which the user stopped, to go back and forward through.
 class ZoomHistory {
  public:
-  /// Another run: begins again.
+  /// Another run: clears the history.
   void start(const ChartView& view);
-  /// The user rests at a view; what lay ahead is forgotten if it is a new one.
+  /// The user stops at a view; a new one discards the views after it.
   void rest(const ChartView& view);
   const ChartView& current() const { return views_[at_]; }
   bool can_go_back() const { return at_ > 0; }

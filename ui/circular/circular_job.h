@@ -9,7 +9,7 @@
 
 namespace feedscope::ui {
 
-/// What the circular test shows: of a test, or of a program, whose tests are moved out of `circles`.
+/// Result of the panel: a test, or a program, whose tests are moved out of `circles`.
 struct CircularResult {
   std::vector<CircularTest> tests;
   std::optional<ProgramCircles> circles;
@@ -17,7 +17,7 @@ struct CircularResult {
   bool actual() const { return circles ? circles->actual : !tests.empty() && tests.front().actual; }
 };
 
-/// A result, and which of its tests is drawn.
+/// A result and the index of its drawn test.
 struct CircularShown {
   CircularResult result;
   int row = 0;

@@ -49,7 +49,7 @@ void read_json(const QJsonObject& json, CircularState& state) {
   try {
     state.plane = parse_plane(json["plane"].toString().toStdString());
   } catch (const InputError&) {
-    // stays
+    // unchanged
   }
   state.entry_arc = json["entry_arc"].toBool(state.entry_arc);
   if (const double radius = json["entry_radius_mm"].toDouble(); radius > 0) {

@@ -7,9 +7,9 @@
 
 namespace feedscope::ui {
 
-/// What a user has set in the circular test, as sessions and the next start get it back.
+/// The user's settings of the circular test, restored by sessions and the next start.
 struct CircularState {
-  bool of_program = false;             ///< the circles of the program, not a test
+  bool of_program = false;             ///< whether it shows the circles of the program, not a test
   std::vector<double> radii = {30};    ///< [mm]
   std::vector<double> feeds = {6000};  ///< [mm/min]
   CirclePlane plane = CirclePlane::xy;
@@ -19,11 +19,11 @@ struct CircularState {
   bool operator==(const CircularState&) const = default;
 };
 
-/// Tests of one table at most.
+/// Maximum number of tests in one table.
 inline constexpr std::size_t max_circular_tests = 100;
 
 QJsonObject to_json(const CircularState& state);
-/// What is missing or wrong stays as it is in `state`.
+/// Missing or wrong values leave `state` unchanged.
 void read_json(const QJsonObject& json, CircularState& state);
 
 }  // namespace feedscope::ui

@@ -7,13 +7,13 @@
 
 namespace feedscope::ui {
 
-/// Circular tests as a table, a row for each direction; of a program with the lines and the centre of each
+/// Circular tests as a table, a row for each direction; for a program with the lines and the centre of each
 /// circle.
 class CircularTable : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  /// `line` and `center` are of circles of a program.
+  /// `line` and `center` exist for circles of a program only.
   enum Column {
     line,
     center,
@@ -35,7 +35,7 @@ class CircularTable : public QAbstractTableModel {
 
   void set_tests(std::vector<CircularTest> tests);
   const std::vector<CircularTest>& tests() const { return tests_; }
-  /// The test of a row, which may have a second one.
+  /// The test of a row; its other direction may be a second row.
   const CircularTest& test_of(int row) const { return tests_[rows_[static_cast<std::size_t>(row)].test]; }
 
   int rowCount(const QModelIndex& parent = {}) const override;

@@ -15,7 +15,7 @@ struct CircularTexts {
   Q_DECLARE_TR_FUNCTIONS(CircularTexts)
 };
 
-/// As program_circle_notes().
+/// Translates program_circle_notes().
 QStringList notes_of(const ProgramCircles& circles) {
   const QLocale locale;
   QStringList notes;

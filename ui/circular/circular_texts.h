@@ -7,15 +7,15 @@
 
 namespace feedscope::ui {
 
-/// Which path was judged, and what of a program was not, for the user.
+/// The evaluated path and, of a program, the circles that were not evaluated, for the user.
 QString circular_message(const CircularResult& result);
 
-/// Headline of a picture of tests, and below it machine, model and which path was judged.
+/// Headline of a picture of tests; the line below it has machine, model and evaluated path.
 QString circular_picture_title();
 QString circular_picture_details(const Setup& setup, bool actual);
 
-/// The tests of these radii [mm] and feeds [mm/min] in one table. Throws InputError naming value and bound,
-/// also where they are too many.
+/// The tests of these radii [mm] and feeds [mm/min] in one table. Throws InputError with value and bound,
+/// also for too many tests.
 std::vector<CircularRequest> requests_of(const CircularState& state);
 
 }  // namespace feedscope::ui

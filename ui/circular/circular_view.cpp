@@ -39,7 +39,7 @@ namespace {
 constexpr double largest_radius = 1e4;  // [mm]
 constexpr int row_height = 22;          // [pixels]
 
-/// Numbers of a field in the unit shown, without the digits that the conversion adds.
+/// Numbers of a field in the shown unit, without the digits that the conversion adds.
 std::vector<double> shown_numbers(const std::vector<double>& values, Dimension dimension, int decimals) {
   const double step = std::pow(10.0, decimals_of(dimension, decimals));
   std::vector<double> numbers;
@@ -184,7 +184,7 @@ void CircularView::make_layout() {
   layout->addWidget(results_, 1);
 }
 
-/// Side by side where there is room for both.
+/// Places table and plot side by side if there is room.
 void CircularView::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   constexpr int wide = 760;
@@ -268,7 +268,7 @@ void CircularView::run() {
   }
 }
 
-/// Once for each run, and only while somebody looks.
+/// Evaluates each run once, and only while the panel is visible.
 void CircularView::evaluate_program() {
   if (!of_program() || !on_screen_ || !isVisible()) {
     return;
@@ -325,7 +325,7 @@ void CircularView::show_selected() {
       {table_->test_of(index.row())});
 }
 
-/// Another machine or control would have made another circle.
+/// Discards the results: another machine or control would produce another circle.
 void CircularView::forget() {
   if (busy()) {
     job_.cancel();

@@ -26,8 +26,8 @@ class PolarPlot;
 
 /// Circular tests (ISO 230-4) on the machine and control of the current run, of circles of several radii and
 /// feeds, or of the full circles of the program: a table of the values, and a polar plot of the selected row.
-/// A test is forgotten as soon as machine or control change; circles of the program follow the current run
-/// while the panel is seen.
+/// A test is discarded when machine or control change; circles of the program follow the current run while
+/// the panel is visible.
 class CircularView : public Panel {
   Q_OBJECT
 
@@ -35,11 +35,11 @@ class CircularView : public Panel {
   /// `workbench` outlives this.
   explicit CircularView(Workbench& workbench, QWidget* parent = nullptr);
 
-  /// Simulates the circles that the fields describe, or says what is wrong with them.
+  /// Simulates the circles of the input fields, or reports an error in them.
   void run();
-  /// What is shown of a test, and of which of its circles; none: nothing, or circles of the program.
+  /// The shown test and its drawn circle; none: nothing, or circles of the program.
   std::optional<CircularShown> shown() const;
-  /// Of a test of the present setup, as shown() gave it.
+  /// Shows a test of the current setup again, as returned by shown().
   void show_again(CircularShown shown);
   CircularState state() const;
   void set_state(const CircularState& state);
@@ -56,7 +56,7 @@ class CircularView : public Panel {
   QTableView* list() { return list_; }
   CircularTable* table() { return table_; }
   PolarPlot* plot() { return plot_; }
-  /// What the panel says: of the result, or what is wrong.
+  /// The message of the panel: on the result, or an error.
   QString message() const;
 
  protected:
@@ -95,8 +95,8 @@ class CircularView : public Panel {
   QTableView* list_;
   PolarPlot* plot_;
   QList<QAction*> actions_;
-  std::optional<CircularResult> result_;     ///< that is shown
-  std::weak_ptr<const ShownRun> evaluated_;  ///< whose circles are shown, or are being evaluated
+  std::optional<CircularResult> result_;     ///< shown
+  std::weak_ptr<const ShownRun> evaluated_;  ///< run whose circles are shown or being evaluated
   bool on_screen_ = true;
 };
 

@@ -30,7 +30,7 @@ QFont sized(QFont font, int pixels, bool bold = false) {
   return font;
 }
 
-/// Screens count down, circles up.
+/// Point at an angle; screen ordinates point down, angles count upwards.
 QPointF on_circle(const QPointF& center, double radius, double angle) {
   return center + radius * QPointF(std::cos(angle), -std::sin(angle));
 }
@@ -60,7 +60,7 @@ const CirclePass* pass_in(const std::vector<CircularTest>& tests, bool counter_c
   return nullptr;
 }
 
-/// No minus in front of what is shown as 0.
+/// No minus sign before a value that is shown as 0.
 QString amount(double value) {
   constexpr double shown_as_zero = 5e-5;  // [mm]
   return amount_text(std::abs(value) < shown_as_zero ? 0 : value, Dimension::error);
@@ -68,7 +68,7 @@ QString amount(double value) {
 
 }  // namespace
 
-/// Where the parts of one plot lie.
+/// Places of the parts of one plot.
 struct PolarPlot::Frame {
   QPointF center;
   double radius = 0;    ///< of the nominal circle [pixels]
@@ -151,7 +151,7 @@ QSize PolarPlot::least_picture() const {
 QSize PolarPlot::sizeHint() const {
   constexpr int usual_width = 560;
   const int rows = (static_cast<int>(tests_.size()) + columns() - 1) / columns();
-  double widest = 0;  // of the values below a plot, which would be cut
+  double widest = 0;  // of the values below a plot, which would be cut off
   for (const CircularTest& test : tests_) {
     for (const QString& value : circular_values(test)) {
       widest = std::max(widest, QFontMetricsF(font()).horizontalAdvance(value) + 2 * margin);
@@ -216,7 +216,7 @@ double PolarPlot::draw_legend(QPainter& painter, const QRectF& first_line) const
   const QFontMetricsF metrics(font());
   QRectF line = first_line;
   double x = line.left();
-  const auto place = [&](double width) {  // the next line where this one is full
+  const auto place = [&](double width) {  // in the next line when this one is full
     if (x > line.left() && x + width > line.right()) {
       line.translate(0, line.height());
       x = line.left();
@@ -253,7 +253,7 @@ void PolarPlot::draw_test(QPainter& painter, const QRectF& cell, const CircularT
     widest = std::max(widest, metrics.horizontalAdvance(value));
   }
   const double rows = line * static_cast<double>(values.size());
-  // The values under the plot, or beside it where there is more room.
+  // The values go below the plot, or to its right if there is more room.
   const bool beside = !values.isEmpty() && cell.width() - cell.height() > widest + gap;
   const QRectF plot = beside ? QRectF(cell.left(), cell.top(), cell.height(), cell.height())
                              : cell.adjusted(0, line + 4, 0, -rows - 4);
@@ -321,7 +321,7 @@ void PolarPlot::draw_pass(QPainter& painter, const Frame& frame, const CircularT
   painter.drawPolyline(path);
 }
 
-/// A dot where the circle begins, and an arrow for each direction along the nominal circle.
+/// Draws a dot at the start of the circle, and an arrow for each direction along the nominal circle.
 void PolarPlot::draw_start(QPainter& painter, const Frame& frame, const CircularTest& test) const {
   const double inner = frame.radius - (divisions + 0.5) * frame.division;
   constexpr double reach = 0.9;  // [rad]

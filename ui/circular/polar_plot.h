@@ -9,28 +9,28 @@ class QPainter;
 
 namespace feedscope::ui {
 
-/// Circular tests as polar plots: the nominal circle, and the path of both directions with its radial
-/// deviations enlarged to one scale for all plots, which is written as the distance of two circles of the
-/// grid. Below each its values.
+/// Circular tests as polar plots: the nominal circle, and the path of both directions. Radial deviations are
+/// enlarged by one scale for all plots, given as the distance of two circles of the grid. The values are
+/// below each plot.
 class PolarPlot : public QWidget {
   Q_OBJECT
 
  public:
   explicit PolarPlot(QWidget* parent = nullptr);
 
-  /// `title`: what was tested, `details`: on which path and machine.
+  /// `title`: the test, `details`: path and machine.
   void set_tests(const QString& title, const QString& details, std::vector<CircularTest> tests);
-  /// What stands there instead while there are no tests.
+  /// Text shown without tests.
   void set_hint(const QString& hint);
   const std::vector<CircularTest>& tests() const { return tests_; }
   /// Distance of two circles of the grid [mm].
   double division() const { return division_; }
-  /// Whether the values stand in the widget as well: not beside a table that has them. At first they do.
+  /// Whether the widget shows the values as well; not needed next to a table of them. Initially it does.
   void show_values(bool shown);
-  /// `values`: stand beside or below each plot.
+  /// `values`: draw them next to or below each plot.
   void draw(QPainter& painter, const QRectF& area, bool values = true) const;
   QSize minimumSizeHint() const override;
-  /// That a picture needs to be read.
+  /// Smallest readable size of a picture.
   QSize least_picture() const;
   QSize sizeHint() const override;
 
@@ -46,7 +46,8 @@ class PolarPlot : public QWidget {
   void draw_pass(QPainter& painter, const Frame& frame, const CircularTest& test,
                  const CirclePass& pass) const;
   void draw_start(QPainter& painter, const Frame& frame, const CircularTest& test) const;
-  /// Directions and scale, on as many lines as they need from `first_line` on; returns their lower end.
+  /// Draws directions and scale, on as many lines as they need, starting at `first_line`; returns their lower
+  /// end.
   double draw_legend(QPainter& painter, const QRectF& first_line) const;
   int columns() const;
 
@@ -58,11 +59,11 @@ class PolarPlot : public QWidget {
   double division_ = 0.01;  ///< [mm]
 };
 
-/// Values of a test, a line each: "G 31.6 µm (least squares 32.5 µm)".
+/// Values of a test, one for each line: "G 31.6 µm (least squares 32.5 µm)".
 QStringList circular_values(const CircularTest& test);
-/// What a test is: "R 30 mm, 6 000 mm/min, XY", behind the lines of a circle of a program.
+/// Description of a test: "R 30 mm, 6 000 mm/min, XY"; for a circle of a program, after its lines.
 QString circular_heading(const CircularTest& test);
-/// "12", "12–15": of a circle of a program.
+/// Lines of a circle of a program: "12", "12–15".
 QString circle_lines(const CirclePass& pass);
 
 }  // namespace feedscope::ui

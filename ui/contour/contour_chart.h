@@ -6,7 +6,7 @@
 
 namespace feedscope::ui {
 
-/// A ContourPlot on screen; what is under the pointer is said in a tip.
+/// A ContourPlot on screen; a tooltip describes the place under the pointer.
 class ContourChart : public QWidget {
   Q_OBJECT
 
@@ -15,7 +15,7 @@ class ContourChart : public QWidget {
 
   void set_curves(ContourCurves curves);
   const ContourCurves& curves() const { return curves_; }
-  /// Of a place of the chart; empty where nothing is.
+  /// Tooltip of a place in the chart; empty outside of bars.
   QString tip_at(const QPointF& place) const;
 
   QSize sizeHint() const override;

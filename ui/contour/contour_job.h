@@ -11,8 +11,8 @@
 
 namespace feedscope::ui {
 
-/// Makes the contour reports of runs on another thread, one after the other, and keeps them as long as their
-/// runs live, the one made last until the next. All signals in the thread of this object.
+/// Computes contour reports of runs on another thread, one after the other. Keeps them as long as their runs
+/// live, the latest until the next. All signals in the thread of this object.
 class ContourJob : public QObject {
   Q_OBJECT
 
@@ -21,14 +21,14 @@ class ContourJob : public QObject {
 
   using QObject::QObject;
 
-  /// Runs whose reports are wanted now, the most urgent one first; what else is under way is given up.
+  /// Requests the reports of these runs, the most urgent first; cancels other work.
   void want(std::vector<std::shared_ptr<const ShownRun>> runs);
-  /// Null while it has not been made.
+  /// Null until it is computed.
   std::shared_ptr<const ContourReport> report(const std::shared_ptr<const ShownRun>& run) const;
   bool busy() const { return job_.busy(); }
 
  signals:
-  /// Another report is there, or the last one of those wanted has failed.
+  /// Another report is ready, or the last of the requested ones has failed.
   void changed();
 
  private:
@@ -40,7 +40,7 @@ class ContourJob : public QObject {
   Job<Result> job_;
   std::vector<std::shared_ptr<const ShownRun>> wanted_;
   std::shared_ptr<const ShownRun> under_way_;
-  /// Null for a run that needs more memory than there is.
+  /// Null for a run whose report needs more memory than available.
   std::map<std::weak_ptr<const ShownRun>, Result, std::owner_less<>> reports_;
 };
 

@@ -7,8 +7,7 @@
 
 namespace feedscope::ui {
 
-/// The places of a run that are farthest from the programmed path, the worst first; those that exceed their
-/// tolerance are bold.
+/// The places of a run with the largest contour errors, the worst first; places out of tolerance are bold.
 class ContourPlacesModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -22,8 +21,8 @@ class ContourPlacesModel : public QAbstractTableModel {
 
   const ContourReport* report() const { return report_.get(); }
   const ContourFinding& finding(int row) const { return report_->worst[static_cast<std::size_t>(row)]; }
-  /// The row of the place that comes next after (or before) a time [s]; beyond the last one the first.
-  /// -1: nothing is listed.
+  /// The row of the next (or previous) place after a time [s]; after the last one, the first.
+  /// -1: the list is empty.
   int next_row(double time, bool forward) const;
 
   int rowCount(const QModelIndex& parent = {}) const override;

@@ -23,14 +23,14 @@ struct Plot {
 constexpr double margin = 8;
 constexpr double swatch = 18;
 constexpr double gap = 14;
-/// Outlines are told apart without colour.
+/// Outlines differ in style as well as in colour.
 constexpr std::array<Qt::PenStyle, 4> styles{Qt::SolidLine, Qt::DashLine, Qt::DotLine, Qt::DashDotLine};
 
 QString number(double value) {
   return QLocale().toString(value, 'g', 3);
 }
 
-/// 0.001, 10 000.
+/// Text of a power of ten: 0.001, 10 000.
 QString power_text(double power) {
   return QLocale().toString(power, 'f', std::max(0, static_cast<int>(-std::floor(std::log10(power) + 0.5))));
 }
@@ -110,7 +110,7 @@ QString ContourPlot::entry_text(std::size_t run, double room) const {
          error;
 }
 
-/// One run needs none.
+/// Not needed for one run.
 void ContourPlot::lay_out_legend(const QRectF& area) {
   if (curves_.runs.size() < 2) {
     return;
@@ -134,7 +134,7 @@ void ContourPlot::choose_scales() {
       least = length > 0 ? std::min(least, length) : least;
     }
   }
-  double farthest = 0;  // of what is there at all: sides leave out what lies across Z
+  double farthest = 0;  // of all errors: sides omit the part along Z
   for (const ContourHistogram& histogram : histograms_) {
     for (std::size_t i = 0; i < histogram.length.size(); ++i) {
       if (histogram.length[i] > 0) {
@@ -291,7 +291,7 @@ void ContourPlot::draw_outline(QPainter& painter, std::size_t run) const {
            << (curves_.sides ? step.topLeft() : step.topRight());
     }
   }
-  if (!line.empty()) {  // down where the run's errors end
+  if (!line.empty()) {  // down to zero at the end of the run's errors
     line.prepend(QPointF(line.first().x(), plot_.bottom()));
     line.append(QPointF(line.last().x(), plot_.bottom()));
   }

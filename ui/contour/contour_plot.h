@@ -23,29 +23,29 @@ struct ContourCurve {
   double largest = 0;  ///< contour error [mm]
   ContourSpread spread;
 
-  /// The largest left or right of the path in XY, which leaves out what lies across Z [mm].
+  /// The largest error left or right of the path in XY, without the part along Z [mm].
   double largest_beside() const;
 };
 
-/// What a ContourPlot shows. The first run is filled, the others are outlines.
+/// Contents of a ContourPlot. The first run is filled, the others are outlines.
 struct ContourCurves {
   std::vector<ContourCurve> runs;
-  /// Left and right of the programmed path in XY, left to the left; else the distance alone.
+  /// Left and right of the programmed path in XY, left to the left; else the magnitude only.
   bool sides = false;
-  std::optional<std::array<double, 2>> tolerance;  ///< least and largest of the first run [mm]
+  std::optional<std::array<double, 2>> tolerance;  ///< smallest and largest of the first run [mm]
 
   double largest() const;  ///< of all runs [mm]
-  /// The largest that the histograms hold: sides leave out what lies across Z [mm].
+  /// The largest error in the histograms: sides omit the part along Z [mm].
   double extent() const;
-  /// With edges that suit all runs.
+  /// With equal edges for all runs.
   ContourHistogram histogram(std::size_t run) const;
 };
 
-/// Path length by contour error as bars. The length is on a logarithmic axis: most of a path follows the
-/// program closely, and what matters are the few millimetres that do not.
+/// Path length by contour error as bars. The length has a logarithmic axis: most of a path follows the
+/// program closely, and the few millimetres that do not are what matters.
 class ContourPlot {
  public:
-  /// Laid out in `area`; `curves` outlives this.
+  /// Layout in `area`; `curves` outlives this.
   ContourPlot(const ContourCurves& curves, const QRectF& area, const QFont& font,
               const ThemeColours& colours);
 
@@ -71,14 +71,14 @@ class ContourPlot {
   QString entry_text(std::size_t run, double room) const;
   /// The bar of a bin: as wide as the bin, but not beyond the largest error of the run.
   QRectF bar(std::size_t run, std::size_t bin) const;
-  /// The line under the plot's `row` beneath its lower edge.
+  /// The line `rows` lines beneath the plot's lower edge.
   QRectF below(double rows) const;
 
   const ContourCurves& curves_;
   QFont font_;
   const ThemeColours& colours_;
   double line_;                               ///< height of a line of text
-  std::vector<ContourHistogram> histograms_;  ///< of all runs, the same edges
+  std::vector<ContourHistogram> histograms_;  ///< of all runs, with the same edges
   std::vector<QRectF> legend_;
   QRectF plot_;
   double max_error_ = 1;     ///< at the end of the axis [mm]

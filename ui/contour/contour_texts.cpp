@@ -22,7 +22,7 @@ QString in_or_out(const ContourSpot& spot) {
   return spot.inside ? Contour::tr("inside") : Contour::tr("outside");
 }
 
-/// Of the whole run.
+/// For the whole run.
 QString tolerance_sentence(const ContourReport& report) {
   const auto [least, largest] = *report.tolerance;
   if (least != largest) {

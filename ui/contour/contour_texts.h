@@ -6,7 +6,7 @@
 
 namespace feedscope::ui {
 
-// What is said of contour errors on screen; numbers by the locale and the unit system.
+// Texts on contour errors for the screen; numbers by the locale and the unit system.
 
 /// "28.3", with one digit more below 10 µm and two below 1 µm.
 QString error_text(double mm);
@@ -14,17 +14,17 @@ QString error_text(double mm);
 QString error_amount_text(double mm);
 /// "12 (N120)".
 QString line_text(const ContourFinding& finding);
-/// "left", "right"; "–" where the deviation is not in XY.
+/// "left", "right"; "–" if the deviation is not in XY.
 QString side_text(const ContourPlace& place);
 /// "Corner of 90°, inside", "Arc R 5 mm, inside", "Line of 0.2 mm".
 QString spot_text(const ContourSpot& spot);
-/// How large, where, when, and against which tolerance, in one or two sentences.
+/// The largest error, its place, time and tolerance, in one or two sentences.
 QString verdict_text(const ContourReport& report);
-/// How much of the path has hardly any error. `sides`: where left and right are shown and the largest error
-/// is neither, that too.
+/// The share of the path with almost no error. `sides`: where left and right are shown, adds a largest error
+/// that is on neither side.
 QString share_text(const ContourReport& report, bool sides);
 
-/// The error that the path exceeds on no more than a `share` of its length [mm], up to a step of the spread.
+/// The error that the path exceeds on at most a `share` of its length [mm], to the resolution of the spread.
 double error_quantile(const ContourSpread& spread, double share);
 
 }  // namespace feedscope::ui

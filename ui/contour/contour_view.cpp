@@ -113,7 +113,7 @@ void ContourView::make_layout() {
   layout->addWidget(results_, 1);
 }
 
-/// Side by side where there is room for both.
+/// Places the parts side by side if there is room.
 void ContourView::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   constexpr int wide = 620;
@@ -147,7 +147,7 @@ void ContourView::refresh() {
   }
   std::erase(wanted, nullptr);
   job_.want(std::move(wanted));
-  show_reports();  // hidden too: what the panel holds can be copied and saved
+  show_reports();  // even if hidden: the contents of the panel can be copied and saved
 }
 
 void ContourView::show_reports() {

@@ -17,8 +17,8 @@ class QTreeView;
 
 namespace feedscope::ui {
 
-/// How far the executed path of the current run is from the programmed one: in a sentence, as a histogram
-/// beside those of the other visible runs, and the worst places to go to. Found only while it is seen.
+/// Distance of the current run's executed path from the programmed one: a sentence, a histogram with those of
+/// the other visible runs, and a list of the worst places. Computed only while it is visible.
 class ContourView : public Panel {
   Q_OBJECT
 
@@ -26,9 +26,9 @@ class ContourView : public Panel {
   /// `workbench` outlives this.
   explicit ContourView(Workbench& workbench, QWidget* parent = nullptr);
 
-  /// Whether the panel that holds this is in front.
+  /// Whether the panel that contains this is in front.
   void set_on_screen(bool on_screen) override;
-  /// Wanted reports are still to come.
+  /// Whether requested reports are still pending.
   bool busy() const override { return job_.busy(); }
   QString verdict() const;
   ContourPlacesModel& places() { return *places_; }
@@ -36,13 +36,13 @@ class ContourView : public Panel {
   QTreeView& list() { return *list_; }
   QCheckBox& sides() { return *sides_; }
   QList<QAction*> panel_actions() const override { return actions_; }
-  /// To the next and to the previous place.
+  /// Actions that go to the next and to the previous place.
   QList<QAction*> step_actions() const { return steps_; }
 
  signals:
-  /// A row has been chosen: `time` of the place, which lies between `from` and `to` [s].
+  /// The user has chosen a row: `time` of the place, which is between `from` and `to` [s].
   void place_chosen(double time, double from, double to);
-  /// The path between these times is to fill the 3D view [s].
+  /// Requests that the path between these times fills the 3D view [s].
   void close_up_wanted(double from, double to);
 
  protected:
@@ -74,8 +74,8 @@ class ContourView : public Panel {
   QList<QAction*> actions_;
   QList<QAction*> steps_;
   bool on_screen_ = true;
-  std::weak_ptr<const Program> judged_;  ///< whose deviation has said whether sides are shown
-  std::optional<bool> pending_step_;     ///< once the places are there: forward or back
+  std::weak_ptr<const Program> judged_;  ///< program whose deviation decided whether sides are shown
+  std::optional<bool> pending_step_;     ///< as soon as the places are known: forward or back
 };
 
 }  // namespace feedscope::ui

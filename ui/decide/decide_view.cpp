@@ -36,7 +36,7 @@ namespace {
 constexpr double usual_bound = 0.02;  // [mm]
 constexpr double largest_bound = 1;   // [mm]
 constexpr std::size_t most_causes = 4;
-constexpr std::size_t most_rows = 8;  // of the table that are seen at once
+constexpr std::size_t most_rows = 8;  // of the table that are visible at once
 constexpr int margin = 8;
 enum Column { name_column, time_column, gain_column, error_column, column_count };
 
@@ -51,7 +51,7 @@ QLabel* make_text(QWidget* parent, int pixels, bool bold = false) {
   return label;
 }
 
-/// A piece of the line that stands for a run.
+/// A sample of the run's line.
 QIcon line_icon(const RunItem& item, std::size_t row, const QWidget& widget) {
   constexpr QSize size(18, 12);
   const double ratio = widget.devicePixelRatioF();
@@ -225,7 +225,7 @@ void DecideView::changeEvent(QEvent* event) {
   }
 }
 
-/// The chosen row is pale: the lines of the runs are seen on it.
+/// Makes the chosen row pale: the lines of the runs stay visible on it.
 void DecideView::follow_palette() {
   QPalette colours = palette();
   QColor chosen = colours.color(QPalette::Highlight);
@@ -299,7 +299,7 @@ void DecideView::choose_best() {
   if (const auto taken = recommended(runs_)) {
     runs_.select(taken->run);
     Cursor& cursor = workbench_.cursor();
-    if (cursor.valid() && !(cursor.state().time > 0)) {  // where the lens shows what a tolerance does
+    if (cursor.valid() && !(cursor.state().time > 0)) {  // where the lens shows the effect of a tolerance
       cursor.set_time(runs_.result(taken->run)->run.summary.worst_place.time);
     }
   }
@@ -489,7 +489,7 @@ void DecideView::show_help() {
     const TriedChange& change = report.changes.tried[best];
     auto* text = make_text(this, 12);
     text->setText(remedy_text(change.remedy, findings.shown()->run.setup));
-    text->setMinimumWidth(1);  // it has what the others leave
+    text->setMinimumWidth(1);  // it takes the room left by the others
     auto* gain = make_text(this, 12);
     gain->setWordWrap(false);
     gain->setText(TimeTexts::change(change.cycle_time - report.use.cycle_time));

@@ -17,9 +17,9 @@ namespace feedscope::ui {
 class DecisionChart;
 class NumberBox;
 
-/// Which run to take: a sentence with the reason, cycle time over contour error with the bound that may be
-/// drawn, the runs, where the time of the current run goes and what would help. With one run: how much of its
-/// time is lost and to what, and the offer to compare tolerances.
+/// The run to take: a sentence with the reason, cycle time over contour error with a bound that can be
+/// dragged, the runs, where the time of the current run goes and helpful changes. For one run: how much of
+/// its time is lost and to which causes, and an offer to compare tolerances.
 class DecideView : public Panel {
   Q_OBJECT
 
@@ -29,10 +29,10 @@ class DecideView : public Panel {
 
   void set_on_screen(bool on_screen) override;
   QList<QAction*> panel_actions() const override { return {compare_}; }
-  /// Compare tolerances...
+  /// The command "Compare tolerances...".
   QAction* compare() const { return compare_; }
-  /// Adds runs in one step of the history; when all are simulated, the recommended one becomes the current
-  /// run, and a cursor at the start goes to where that leaves the path most.
+  /// Adds runs in one step of the history. When all are simulated, the recommended one becomes the current
+  /// run, and a cursor at the start moves to its largest contour error.
   void compare_with(const std::vector<SetupState>& setups);
 
   QString headline() const;
@@ -40,7 +40,7 @@ class DecideView : public Panel {
   DecisionChart& chart() { return *chart_; }
   QTreeWidget& table() { return *table_; }
   ShareBars& causes() { return *causes_; }
-  /// Buttons of what would help.
+  /// Buttons of the helpful changes.
   QList<QPushButton*> tries() const;
 
  protected:
@@ -55,7 +55,7 @@ class DecideView : public Panel {
   void follow_palette();
   void watch();
   void ask();
-  /// Shows everything again, once for all changes of a turn of the event loop.
+  /// Updates everything, once for all changes in a turn of the event loop.
   void refresh();
   void show_all();
   void show_decision();
@@ -65,17 +65,17 @@ class DecideView : public Panel {
   void show_causes();
   void show_help();
   void set_bound();
-  /// The recommended run becomes the current one, once, when all runs of a comparison are there.
+  /// Makes the recommended run the current one, once, when all runs of a comparison are simulated.
   void choose_best();
   void go_to_cause(std::size_t row);
   void try_change(const Remedy& remedy);
-  /// Why there is no decision yet, or none at all.
+  /// Reason why there is no decision, or not yet.
   QString without_decision() const;
 
   Workbench& workbench_;
   RunList& runs_;
   QAction* compare_;
-  QString compare_tip_;  ///< while there is something to compare
+  QString compare_tip_;  ///< while there are runs to compare
   QLabel* headline_;
   QLabel* rule_;
   QPushButton* offer_;
@@ -91,7 +91,7 @@ class DecideView : public Panel {
   bool on_screen_ = true;
   bool showing_ = false;  ///< the table is being filled: its changes are not the user's
   bool refreshing_ = false;
-  bool choosing_ = false;  ///< choose_best() is to come
+  bool choosing_ = false;  ///< choose_best() will follow
 };
 
 }  // namespace feedscope::ui

@@ -35,7 +35,7 @@ DecisionChart::DecisionChart(QWidget* parent) : QWidget(parent) {
 void DecisionChart::set(std::vector<DecisionDot> dots, std::optional<double> bound) {
   dots_ = std::move(dots);
   bound_ = bound;
-  if (!dragging_) {  // the axis stays while the bound is drawn along it
+  if (!dragging_) {  // the axis is fixed while the bound is dragged along it
     constexpr double head_room = 1.15;
     most_error_ = head_room * bound_.value_or(0);
     for (const DecisionDot& dot : dots_) {
@@ -63,7 +63,7 @@ DecisionChart::Scale DecisionChart::scale() const {
     return scale;
   }
   const auto [fast, slow] = std::ranges::minmax(dots_, {}, &DecisionDot::time);
-  constexpr double min_span = 0.02;  // of the time: what differs less is level
+  constexpr double min_span = 0.02;  // of the time: smaller differences appear level
   const double span = std::max({slow.time - fast.time, min_span * slow.time, 1e-6});
   const double middle = (slow.time + fast.time) / 2;
   constexpr double room = 0.62;

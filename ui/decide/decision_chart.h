@@ -10,15 +10,15 @@ namespace feedscope::ui {
 struct DecisionDot {
   std::size_t row = 0;  ///< of the run
   double time = 0;      ///< cycle time [s]
-  double error = 0;     ///< by which runs are chosen [mm]
+  double error = 0;     ///< contour error, the criterion of the choice [mm]
   QString name;         ///< short
   QColor colour;
-  bool taken = false;  ///< the run to take
+  bool taken = false;  ///< whether it is the run to take
   bool current = false;
 };
 
-/// Cycle time over contour error, a dot a run; the run to take is ringed. The bound on the error is an
-/// upright line that can be dragged.
+/// Cycle time over contour error, with a dot for each run and a ring around the run to take. The bound on the
+/// error is a vertical line that can be dragged.
 class DecisionChart : public QWidget {
   Q_OBJECT
 
@@ -31,10 +31,10 @@ class DecisionChart : public QWidget {
   /// Centre of a dot [pixels].
   QPointF place_of(const DecisionDot& dot) const;
   std::vector<QRectF> labels() const;
-  /// Of the line of the bound; none without a bound.
+  /// Abscissa of the bound's line; none without a bound.
   std::optional<double> bound_x() const;
 
-  /// At the size that the chart has.
+  /// Draws the chart at its size.
   void draw(QPainter& painter) const;
 
   QSize sizeHint() const override;
@@ -42,7 +42,7 @@ class DecisionChart : public QWidget {
 
  signals:
   void run_clicked(std::size_t row);
-  /// The bound is drawn to another value [mm].
+  /// The user drags the bound to another value [mm].
   void bound_dragged(double bound);
 
  protected:
@@ -66,7 +66,7 @@ class DecisionChart : public QWidget {
 
   std::vector<DecisionDot> dots_;
   std::optional<double> bound_;
-  double most_error_ = 0;  ///< that the axis has room for [mm]
+  double most_error_ = 0;  ///< upper end of the axis [mm]
   bool dragging_ = false;
 };
 

@@ -7,7 +7,6 @@
 
 namespace feedscope::ui {
 
-/// A row of ShareBars.
 struct ShareBarRow {
   QString text;
   QString value;
@@ -16,7 +15,7 @@ struct ShareBarRow {
   QString tip;
 };
 
-/// Shares of a whole as bars behind their names, the values at the right. A click asks for a row.
+/// Shares of a whole as bars, with names on the left and values on the right. A click requests a row.
 class ShareBars : public QWidget {
   Q_OBJECT
 

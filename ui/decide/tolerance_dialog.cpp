@@ -14,7 +14,8 @@ namespace feedscope::ui {
 
 namespace {
 
-/// "0.01 0.02; 0,05" by point or comma. Throws InputError that says which word is not a number, and why.
+/// Numbers of "0.01 0.02; 0,05", with decimal point or comma. Throws InputError naming a word that is not a
+/// number, and the reason.
 QList<double> tolerances_of(const QString& text) {
   QList<double> numbers;
   static const QRegularExpression separators(QStringLiteral("[\\s;]+"));
@@ -29,7 +30,7 @@ QList<double> tolerances_of(const QString& text) {
   return numbers;
 }
 
-/// Whether a run is that of `setup`, which has this tolerance [mm].
+/// Whether a run has `setup` with this tolerance [mm].
 bool runs_with(const RunList& runs, const RunItem& item, const SetupState& setup, double tolerance) {
   if (!(item.setup.file() == setup.file())) {
     return false;
@@ -57,7 +58,7 @@ std::vector<SetupState> ToleranceDialog::ask(const RunList& runs, QWidget* paren
   const QString asked = tr("Contour tolerances [%1], separated by spaces:").arg(unit_of(Dimension::length));
   QString text = usual_tolerances();
   QString problem;
-  while (true) {  // what is wrong is said above what was typed, so that it can be mended there
+  while (true) {  // the error appears above the typed text, which can be corrected there
     bool accepted = false;
     text = QInputDialog::getText(parent, tr("Compare tolerances"),
                                  problem.isEmpty() ? asked : problem + QStringLiteral("\n\n") + asked,

@@ -7,15 +7,15 @@
 
 namespace feedscope::ui {
 
-/// Asks for the contour tolerances that the current run is to be compared with.
+/// Asks for the contour tolerances to compare with that of the current run.
 class ToleranceDialog {
   Q_DECLARE_TR_FUNCTIONS(ToleranceDialog)
 
  public:
-  /// Empty where nothing is to be compared.
+  /// Empty if there is nothing to compare.
   static std::vector<SetupState> ask(const RunList& runs, QWidget* parent);
-  /// Setups as that of the current run with each tolerance of `text` ("0.01 0.02; 0,05") that no run has yet.
-  /// Throws InputError that says what is wrong with the text.
+  /// The current run's setup with each tolerance of `text` ("0.01 0.02; 0,05") that no run has yet. Throws
+  /// InputError naming the error in the text.
   static std::vector<SetupState> setups(const RunList& runs, const QString& text);
 };
 

@@ -4,7 +4,7 @@
 
 namespace feedscope::ui {
 
-/// Editors for the cells of a table: a list where a cell has choices, else a line.
+/// Editors for the cells of a table: a list for a cell with choices, else a line.
 class ChoiceDelegate : public QStyledItemDelegate {
   Q_OBJECT
 

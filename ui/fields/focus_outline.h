@@ -4,12 +4,12 @@
 
 namespace feedscope::ui {
 
-/// A line around a widget that draws itself, while it has the focus: the keyboard's place is seen.
+/// A line around a widget that draws itself, visible while it has the keyboard focus.
 class FocusOutline : public QWidget {
   Q_OBJECT
 
  public:
-  /// Drawn over `target`, which owns it. If `beside`, the parent of `target`, is given, that owns it, and
+  /// Drawn over `target`, which owns it. If given, `beside`, the parent of `target`, owns it, and
   /// target.grab() does not include it.
   explicit FocusOutline(QWidget& target, QWidget* beside = nullptr);
 

@@ -5,7 +5,7 @@
 
 namespace feedscope::ui {
 
-/// The field for several numbers: separated by blanks or semicolons, each typed as number_of() reads it.
+/// The field for several numbers, separated by blanks or semicolons, each read by number_of().
 class NumberListField : public QLineEdit {
   Q_OBJECT
 
@@ -13,9 +13,9 @@ class NumberListField : public QLineEdit {
   using QLineEdit::QLineEdit;
 
   void set_numbers(const std::vector<double>& numbers);
-  /// Those that are typed; empty where one of them is none, or nothing is typed.
+  /// The typed numbers; empty if one of them is invalid, or nothing is typed.
   std::vector<double> numbers() const;
-  /// Why numbers() is empty and what to type instead; empty if it is not.
+  /// Reason why numbers() is empty, and what to type instead; empty if it is not.
   QString problem() const;
 
  private:

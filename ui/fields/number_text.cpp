@@ -8,7 +8,7 @@ namespace feedscope::ui {
 
 namespace {
 
-/// As typed_number() reads it: the minus of printed text and the decimal comma of the language replaced.
+/// The text for typed_number(): the printed minus sign and the decimal comma of the language replaced.
 QString plain_text(const QString& text, const QLocale& locale) {
   QString plain = text.trimmed();
   plain.replace(QChar(0x2212), '-');

@@ -5,7 +5,7 @@
 
 namespace feedscope::ui {
 
-/// A number without zeros behind its last decimal: for values of any size.
+/// A number without trailing zeros, for values of any size.
 class ShortNumberBox : public NumberBox {
  public:
   using NumberBox::NumberBox;

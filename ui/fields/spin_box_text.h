@@ -6,7 +6,7 @@
 
 namespace feedscope::ui {
 
-/// What is typed in a spin box, without its prefix, its suffix and blanks around.
+/// The text typed in a spin box, without its prefix, its suffix and surrounding blanks.
 template <typename SpinBox>
 QString typed_in(const SpinBox& box, QString text) {
   if (!box.prefix().isEmpty() && text.startsWith(box.prefix())) {
@@ -18,7 +18,7 @@ QString typed_in(const SpinBox& box, QString text) {
   return text.trimmed();
 }
 
-/// Says below a field why it goes back to its last value.
+/// Shows below a field why it returns to its last value.
 inline void say_refused(const QWidget& field, const QString& reason) {
   if (field.isVisible()) {
     QToolTip::showText(field.mapToGlobal(field.rect().bottomLeft()), reason);

@@ -20,7 +20,7 @@ namespace {
 
 constexpr QSize usual_size{900, 640};
 constexpr int list_width = 240;
-constexpr int min_search = 2;  // letters; one stands on every page
+constexpr int min_search = 2;  // letters; a single one occurs on every page
 
 }  // namespace
 

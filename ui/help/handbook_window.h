@@ -13,14 +13,14 @@ class QUrl;
 
 namespace feedscope::ui {
 
-/// The handbook in a window of its own: pages on the left, searchable, the page on the right.
+/// The handbook in a separate window: pages on the left, with a search, the page on the right.
 class HandbookWindow : public QWidget {
   Q_OBJECT
 
  public:
   explicit HandbookWindow(QWidget* parent = nullptr);
 
-  /// Shows the window with a page of the handbook in the language in force; an unknown name shows the index.
+  /// Shows the window with a page of the handbook in the current language; an unknown name shows the index.
   void show_page(const QString& name);
 
  private:
@@ -28,7 +28,7 @@ class HandbookWindow : public QWidget {
   void list_pages();
   void open(const QString& name, const QString& anchor);
   void follow(const QUrl& link);
-  /// The next place of the words searched for, on this page and then on those that follow.
+  /// Goes to the next occurrence of the searched words, on this page and then on the following ones.
   void find_next();
   void mark_words();
 

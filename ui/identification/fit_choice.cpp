@@ -27,7 +27,7 @@ constexpr int shown_models = 5;
 constexpr int shown_parameters = 7;
 constexpr int machine_characters = 8;
 
-/// The first entries of the machines; runs follow by their ids, then machines by their keys.
+/// Keys of the first entries in the list of machines; runs by their ids and machines by their keys follow.
 const QString current_run = QStringLiteral("current");
 const QString typical_machine = QStringLiteral("typical");
 
@@ -106,7 +106,7 @@ FitChoice::FitChoice(Workbench& workbench, QWidget* parent)
   });
   connect(parameters_, &QTreeWidget::itemChanged, this, [this](const QTreeWidgetItem* item) {
     wanted_[item->data(0, key_role).toString().toStdString()] = item->checkState(0) == Qt::Checked;
-    QMetaObject::invokeMethod(this, &FitChoice::refresh, Qt::QueuedConnection);  // it lists the items again
+    QMetaObject::invokeMethod(this, &FitChoice::refresh, Qt::QueuedConnection);  // it rebuilds the list
   });
   connect(usual, &QToolButton::clicked, this, &FitChoice::tick_usual);
   connect(none, &QToolButton::clicked, this, &FitChoice::tick_none);
@@ -135,7 +135,7 @@ bool FitChoice::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
-/// Of the run that is begun with.
+/// Row of the initial run.
 std::size_t FitChoice::begun_row() const {
   const RunList& runs = workbench_.runs();
   const std::size_t held = held_run_ == 0 ? runs.items().size() : runs.row_of(held_run_);
@@ -245,7 +245,7 @@ std::vector<std::string> FitChoice::ticked_models() const {
   return ids;
 }
 
-/// Throws InputError for a machine that cannot be read.
+/// Throws InputError for an unreadable machine.
 Setup FitChoice::setup_of(const std::string& model) const {
   if (typical_ || !machine_.isEmpty()) {
     SetupRequest request;
@@ -297,7 +297,7 @@ std::vector<FitParameter> FitChoice::offered(const Setup& setup, bool usual) con
   return all;
 }
 
-/// Those of all models that are ticked; each start gets what is wanted of its own.
+/// Lists the numbers of all ticked models; each start gets its own ones that are ticked.
 void FitChoice::list_parameters() {
   const QSignalBlocker quiet(parameters_);
   const QTreeWidgetItem* current = parameters_->currentItem();
@@ -334,7 +334,7 @@ void FitChoice::list_parameters() {
   fit_heights();
 }
 
-/// As many rows as are meant to be seen, in the present size of type.
+/// Sets heights for the intended number of rows at the current font size.
 void FitChoice::fit_heights() {
   models_->setFixedHeight(shown_models * models_->sizeHintForRow(0) + 2 * models_->frameWidth() + 2);
   parameters_->setFixedHeight(shown_parameters * std::max(1, parameters_->sizeHintForRow(0)) +

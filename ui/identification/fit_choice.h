@@ -18,8 +18,8 @@ class QTreeWidgetItem;
 
 namespace feedscope::ui {
 
-/// Which control models are fitted, the machine that is begun with, and the numbers that are to be found:
-/// those that are usual for the models, unless ticks say otherwise.
+/// Choice of the control models to fit, the initial machine, and the numbers to identify: the usual ones of
+/// the models, unless ticks select others.
 class FitChoice : public QWidget {
   Q_OBJECT
 
@@ -27,28 +27,28 @@ class FitChoice : public QWidget {
   /// `workbench` outlives this.
   explicit FitChoice(Workbench& workbench, QWidget* parent = nullptr);
 
-  /// One a model that is ticked.
+  /// One for each ticked model.
   const std::vector<IdentificationStart>& starts() const { return starts_; }
-  /// Why there are none, for the user; empty: there are, or nothing is ticked.
+  /// Reason why there are none, for the user; empty if there are, or nothing is ticked.
   QString problem() const { return problem_; }
-  /// The run that is begun with stays, whichever becomes the current one.
+  /// Keeps the initial run when another one becomes current.
   void hold_run();
-  /// The current run is begun with again.
+  /// Starts from the current run again.
   void follow_current_run();
   FitChoiceState state() const;
-  /// A run that is not there any more: the current one.
+  /// Replaces a run that no longer exists by the current one.
   void set_state(const FitChoiceState& state);
-  /// The axes whose set and actual positions are recorded: their drives can be found, too.
+  /// The axes with recorded set and actual positions: their drives can be identified, too.
   void set_recorded_drives(const std::string& axes);
-  /// Offers the machines that there are now.
+  /// Updates the list of machines.
   void read_machines();
 
   QComboBox& machines() { return *machines_; }
   QListWidget& models() { return *models_; }
   QTreeWidget& parameters() { return *parameters_; }
-  /// In the order in which Tab goes through them.
+  /// In tab order.
   QList<QWidget*> keyboard_way() const { return keyboard_way_; }
-  /// Ticks those that are usual again, or none.
+  /// Ticks the usual numbers again, or none.
   void tick_usual();
   void tick_none();
 
@@ -56,7 +56,7 @@ class FitChoice : public QWidget {
   void changed();
 
  protected:
-  /// The wheel scrolls the panel, and does not choose machines on its way.
+  /// Lets the wheel scroll the panel instead of changing the machine under the pointer.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
@@ -65,7 +65,7 @@ class FitChoice : public QWidget {
   void choose_machine(int index);
   void refresh();
   void list_parameters();
-  /// What can be found on a setup; `usual`: of these what is found unasked.
+  /// Numbers that can be identified on a setup; `usual`: only those that are by default.
   std::vector<FitParameter> offered(const Setup& setup, bool usual) const;
   void fit_heights();
   std::vector<std::string> ticked_models() const;
@@ -82,7 +82,7 @@ class FitChoice : public QWidget {
   QString machine_;                     ///< key of a machine; empty: a run
   bool typical_ = false;                ///< a typical machine of each model
   bool own_models_ = false;             ///< ticked by the user
-  std::map<std::string, bool> wanted_;  ///< keys that the user has ticked or not
+  std::map<std::string, bool> wanted_;  ///< keys that the user has ticked or unticked
   std::string recorded_drives_;         ///< names of axes
   std::vector<IdentificationStart> starts_;
   QString problem_;

@@ -24,12 +24,12 @@ Recordings recordings_of(const IdentificationRequest& request) {
   return recordings;
 }
 
-/// One model, with `matched` recordings to be laid beside the program; `share` of the work.
+/// Fits one model. `matched`: number of recordings to match to the program; `share`: of the work.
 Identification fit(Recordings& recordings, std::size_t matched, const IdentificationStart& start,
                    const std::string& date, Progress& whole, double share) {
   IdentifyOptions options;
   options.date = date;
-  std::deque<Progress> parts;  // they stay where they are
+  std::deque<Progress> parts;  // its elements are not moved in memory
   const auto stage = [&](std::string_view title) {
     if (!parts.empty()) {
       parts.back().report(1);

@@ -23,7 +23,7 @@ class IdentificationJob : public QObject {
   bool busy() const { return job_.busy(); }
 
  signals:
-  /// `fraction` is done, 0 to 1; `stage`: what is being done, for the user. A few times a second.
+  /// `fraction` is done, 0 to 1; `stage`: the current activity, for the user. Emitted a few times a second.
   void progressed(double fraction, const QString& stage);
   void finished(std::shared_ptr<const feedscope::ui::IdentificationOutcome> outcome);
   void cancelled();

@@ -8,7 +8,7 @@
 namespace feedscope::ui {
 namespace {
 
-/// Of numbers but for the rounding of a file that they went through.
+/// Equality; of numbers up to the rounding of a file.
 bool is_same(const SettingValue& a, const SettingValue& b) {
   constexpr double rounding = 1e-9;
   const auto* number = std::get_if<double>(&a);
@@ -18,7 +18,7 @@ bool is_same(const SettingValue& a, const SettingValue& b) {
              : std::abs(*number - *other) <= rounding * std::max(std::abs(*number), std::abs(*other));
 }
 
-/// Whether both have the same axes, limits and settings, whatever their sources, but for `fitted`. Of the
+/// Whether both have the same axes, limits and settings except `fitted`, regardless of sources. Both have the
 /// same model.
 bool is_same_but_for(const std::vector<std::string>& fitted, const Setup& a, const Setup& b) {
   const std::string axes = axis_names(a.machine);
@@ -37,7 +37,7 @@ bool is_same_but_for(const std::vector<std::string>& fitted, const Setup& a, con
 }
 
 bool begins_with(const Identification& found, const IdentificationStart& start) {
-  // What was found besides, numbers of a drive or a feed override, was not asked for.
+  // Numbers found in addition, of a drive or a feed override, were not requested.
   std::vector<std::string> found_keys = start.keys;
   for (const IdentifiedParameter& one : found.parameters) {
     found_keys.push_back(one.parameter.key);

@@ -11,13 +11,13 @@
 
 namespace feedscope::ui {
 
-/// A table of section times that was opened.
+/// An opened table of section times.
 struct SectionTable {
   QString name;  ///< of its file
   std::vector<SectionTime> times;
 };
 
-/// A model with the machine that is begun with, and what of them is to be found.
+/// A model with its initial machine, and the numbers to identify.
 struct IdentificationStart {
   Setup setup;
   std::vector<std::string> keys;
@@ -25,21 +25,21 @@ struct IdentificationStart {
   bool operator==(const IdentificationStart&) const = default;
 };
 
-/// What is to be explained, by which models.
+/// The recordings to explain, and the models to try.
 struct IdentificationRequest {
   LoadedProgram program;
   std::vector<std::shared_ptr<const Trace>> traces;
   std::vector<std::shared_ptr<const SectionTable>> tables;
   std::vector<IdentificationStart> starts;
 
-  /// Another reading of a file is another recording.
+  /// Two readings of a file are different recordings.
   bool operator==(const IdentificationRequest& other) const {
     return program.program == other.program.program && traces == other.traces && tables == other.tables &&
            starts == other.starts;
   }
 };
 
-/// A recording that something was found from: its name, and what tells it from another of this name.
+/// A recording used for a result: its name, and what distinguishes it from others of this name.
 struct UsedRecording {
   QString name;  ///< of the file, without its folder
   bool is_table = false;
@@ -50,13 +50,13 @@ struct UsedRecording {
   bool operator==(const UsedRecording&) const = default;
 };
 
-/// What was identified. One that a session kept has no Identification::runs, of the agreements only times,
-/// feeds, distances and the times of cells, and of each FitParameter only key and unit.
+/// Results of an identification. One restored from a session has no Identification::runs; its agreements have
+/// only times, feeds, distances and the times of cells, and each FitParameter only key and unit.
 struct IdentificationOutcome {
   std::string date;    ///< "2026-11-27"
-  QByteArray program;  ///< program_mark() of the one that was recorded
+  QByteArray program;  ///< program_mark() of the recorded program
   std::vector<UsedRecording> recordings;
-  std::vector<Identification> models;  ///< the one that explains best first; at least one
+  std::vector<Identification> models;  ///< the best explanation first; at least one
   std::vector<UnfittedModel> unfitted;
 };
 
@@ -65,11 +65,11 @@ QByteArray program_mark(const LoadedProgram& program);
 
 UsedRecording used_recording(const Trace& trace);
 UsedRecording used_recording(const SectionTable& table);
-/// Those of a request, in the order in which agreements stand.
+/// The recordings of a request, in the order of the agreements.
 std::vector<UsedRecording> used_recordings(const IdentificationRequest& request);
 
-/// Whether `outcome` was found from what `request` asks for: the same program, recordings, models, numbers
-/// and what they are begun with. The search is not done again for that.
+/// Whether `outcome` answers `request`: the same program, recordings, models, numbers and initial machines.
+/// The search is then not repeated.
 bool is_of(const IdentificationOutcome& outcome, const IdentificationRequest& request);
 
 }  // namespace feedscope::ui

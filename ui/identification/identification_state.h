@@ -12,13 +12,13 @@
 
 namespace feedscope::ui {
 
-/// What a user has chosen to be fitted.
+/// The user's choice of models and numbers to fit.
 struct FitChoiceState {
-  std::optional<std::size_t> run;  ///< that is begun with, by its row; none: the current one
-  QString machine;                 ///< key of a machine to begin with instead of a run; empty: none
-  bool typical = false;            ///< begun with a typical machine of each model instead
-  std::optional<std::vector<std::string>> models;  ///< ticked by the user; none: that of the run
-  std::map<std::string, bool> wanted;              ///< keys that the user has ticked or not
+  std::optional<std::size_t> run;  ///< initial run, by its row; none: the current one
+  QString machine;                 ///< key of an initial machine instead of a run; empty: none
+  bool typical = false;            ///< whether a typical machine of each model is used instead
+  std::optional<std::vector<std::string>> models;  ///< ticked by the user; none: the run's model
+  std::map<std::string, bool> wanted;              ///< keys that the user has ticked or unticked
 
   bool operator==(const FitChoiceState&) const = default;
 };
@@ -29,16 +29,16 @@ struct TableState {
   bool used = true;
 };
 
-/// What was found, and which of its models is looked at.
+/// The outcome, and its selected model.
 struct IdentificationResult {
-  std::shared_ptr<const IdentificationOutcome> outcome;  ///< null: nothing yet
+  std::shared_ptr<const IdentificationOutcome> outcome;  ///< null: none yet
   std::size_t chosen = 0;                                ///< of its models
-  bool stale = false;                                    ///< recordings, models or machine have changed since
+  bool stale = false;  ///< whether recordings, models or machine have changed since
 };
 
-/// What a user has set and found in the identification, as sessions get it back.
+/// The user's choices and results in the identification, restored by sessions.
 struct IdentificationState {
-  std::vector<std::size_t> unused_traces;  ///< rows of the program's traces that are not ticked
+  std::vector<std::size_t> unused_traces;  ///< unticked rows of the program's traces
   std::vector<TableState> tables;
   FitChoiceState choice;
   IdentificationResult result;

@@ -23,7 +23,7 @@ QString number(double value) {
   return significant_number(value, digits);
 }
 
-/// Behind the point, for one significant digit of an uncertainty, two where the first is 1.
+/// Number of decimals for one significant digit of an uncertainty, two where the first is 1.
 int decimals_by(double uncertainty) {
   constexpr int most = 9;
   if (!(uncertainty > 0)) {

@@ -11,7 +11,7 @@ namespace feedscope::ui {
 
 struct IdentificationOutcome;
 
-/// Words and numbers of what was identified.
+/// Texts and numbers of identification results.
 class IdentificationTexts {
   Q_DECLARE_TR_FUNCTIONS(IdentificationTexts)
 
@@ -20,25 +20,28 @@ class IdentificationTexts {
   static QString title(const FitParameter& parameter);
   /// A number in the unit of its title; "–" for none, which is 0.
   static QString value(double value, const FitParameter& parameter);
-  /// "1.300 ± 0.012", "at least 9.6", "not told".
+  /// "1.300 ± 0.012", "at least 9.6", or the text for a number that is not identifiable.
   static QString found(const IdentifiedParameter& parameter);
-  /// Why it is not told and what would tell it; of one that is told what its uncertainty says.
+  /// The reason why a number is not identifiable and what would make it so; for an identified one the meaning
+  /// of its uncertainty.
   static QString explanation(const IdentifiedParameter& parameter, bool explains);
-  /// The value that was found alone: "1.300", "at least 9.6", "not told".
+  /// The value without its uncertainty: "1.300", "at least 9.6", or the text for a number that is not
+  /// identifiable.
   static QString found_value(const IdentifiedParameter& parameter);
-  /// "0.012"; "–" for one that is not told.
+  /// "0.012"; "–" for a number that is not identifiable.
   static QString uncertainty(const IdentifiedParameter& parameter);
-  /// Whether the model explains what was recorded.
+  /// Whether the model explains the recordings.
   static QString judgement(const Identification& found);
-  /// Times and feeds of each recording, a line each.
+  /// Times and feeds of each recording, one line each.
   static QStringList agreements(const IdentificationOutcome& outcome, const Identification& found);
-  /// What the drives that were looked for explain of the following errors, a line each.
+  /// The part of the following errors that the fitted drives explain, one line each.
   static QStringList drives(const Identification& found);
-  /// "+0.12", without the sign of percent.
+  /// "+0.12", without the percent sign.
   static QString time_error(const Agreement& agreement);
-  /// "3 of 14 numbers are told", and which parts of the test program would tell how many of the others.
+  /// Number of identified parameters, and the parts of the test program that would identify how many of the
+  /// others.
   static QString summary(const Identification& found);
-  /// Of the recordings, with commas.
+  /// Names of the recordings, separated by commas.
   static QString names(const IdentificationOutcome& outcome);
 };
 

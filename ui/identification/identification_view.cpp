@@ -34,7 +34,7 @@ namespace {
 
 constexpr int progress_steps = 1000;
 
-/// Buttons of commands, as many in a row as there is room for.
+/// Adds buttons of commands, as many in a row as fit.
 QList<QWidget*> add_buttons(QVBoxLayout& layout, const QList<QAction*>& actions, QWidget* parent) {
   auto* row = new FlowLayout;
   QList<QWidget*> buttons;
@@ -190,7 +190,7 @@ IdentificationRequest IdentificationView::request() const {
   return {workbench_.shown_program().input, recordings_->traces(), recordings_->tables(), choice_->starts()};
 }
 
-/// Why the search cannot begin; empty: it can.
+/// Reason why the search cannot start; empty if it can.
 QString IdentificationView::missing(const IdentificationRequest& asked) const {
   if (asked.program.program == nullptr) {
     return tr("Open the program that was recorded first.");
@@ -215,7 +215,7 @@ QString IdentificationView::missing(const IdentificationRequest& asked) const {
   return {};
 }
 
-/// Another program has recordings of its own.
+/// Discards the recordings of the previous program.
 void IdentificationView::follow_program() {
   if (workbench_.file() != file_) {
     file_ = workbench_.file();
@@ -247,7 +247,7 @@ void IdentificationView::follow_input() {
   }
 }
 
-/// A result that was kept is of what is chosen as soon as that has been read, if it is the same.
+/// A restored result is accepted for the current choices if it is equal, as soon as they have been read.
 void IdentificationView::settle(const IdentificationRequest& asked) {
   if (unsettled_ && asked.program.program != nullptr && !recordings_->is_reading()) {
     unsettled_ = false;

@@ -23,8 +23,8 @@ class RecordingsBox;
 class ResultBox;
 class TestProgramDialog;
 
-/// Limits and settings of the user's machine from what it recorded, in four steps: the recordings, what is
-/// fitted to them, the search, and what it has found, which becomes a run or a machine file.
+/// Limits and settings of the user's machine from its recordings, in four steps: the recordings, the models
+/// and numbers, the search, and the result, which becomes a run or a machine file.
 class IdentificationView : public Panel {
   Q_OBJECT
 
@@ -36,35 +36,35 @@ class IdentificationView : public Panel {
   bool busy() const override { return job_.busy(); }
   void set_on_screen(bool on_screen) override;
 
-  /// A table of section times of the program; what is wrong with it is said below.
+  /// Adds a table of section times of the program; shows errors in it below.
   void add_table(const std::filesystem::path& file);
-  /// Begins the search with what is chosen, unless something is missing.
+  /// Starts the search with the current choices, unless something is missing.
   void identify();
   void cancel() { job_.cancel(); }
-  /// Adds a run on the machine that the chosen model has found, as the current one.
+  /// Adds a run on the machine that the chosen model has found, and makes it current.
   void show_as_run();
-  /// As `feedscope identify --out` writes it.
+  /// Writes the file of `feedscope identify --out`.
   void save_machine(const std::filesystem::path& file);
-  /// Asks what the test program is to be.
+  /// Opens the dialog for the test program.
   TestProgramDialog& ask_for_test_program();
 
-  /// What is chosen and found, without a search that is under way.
+  /// Choices and results, without a running search.
   IdentificationState state() const;
-  /// Needs the runs and traces that it speaks of. A result that was up to date is so again where program,
-  /// recordings and machine are still the same.
+  /// Requires its runs and traces. A result that was up to date is so again if program, recordings and
+  /// machine are unchanged.
   void set_state(const IdentificationState& state);
 
   RecordingsBox& recordings() { return *recordings_; }
   FitChoice& choice() { return *choice_; }
   ResultBox& result() { return *result_; }
   QPushButton& identify_button() { return *identify_; }
-  /// What is missing, under way, done or wrong.
+  /// Message on missing input, progress, success or failure.
   QString message() const;
 
  signals:
-  /// The trace of the program is to be opened.
+  /// Requests to open the trace of the program.
   void trace_wanted();
-  /// The test program is to be opened.
+  /// Requests to open the test program.
   void program_wanted(const std::filesystem::path& file);
 
  private:
@@ -98,11 +98,11 @@ class IdentificationView : public Panel {
   QAction* show_run_ = nullptr;
   QAction* save_ = nullptr;
   QList<QAction*> actions_;
-  std::filesystem::path file_;      ///< of the program that the tables are of
-  IdentificationRequest searched_;  ///< by the search under way
-  IdentificationRequest asked_;     ///< that the result is of
-  bool unsettled_ = false;          ///< whether the result is of what is chosen is not known yet
-  bool stale_ = false;              ///< it is not
+  std::filesystem::path file_;      ///< of the program that the tables belong to
+  IdentificationRequest searched_;  ///< by the running search
+  IdentificationRequest asked_;     ///< answered by the result
+  bool unsettled_ = false;          ///< not yet known whether the result fits the current choices
+  bool stale_ = false;              ///< whether the result does not fit them
 };
 
 }  // namespace feedscope::ui

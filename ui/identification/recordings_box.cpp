@@ -136,7 +136,7 @@ void RecordingsBox::add_row(const QString& text, const QString& tip, bool used) 
   item->setToolTip(tip);
 }
 
-/// What is wrong with a trace, in its program and in its file.
+/// Errors of a trace, in its program and in its file.
 QString RecordingsBox::messages_of(std::size_t row) const {
   const TraceList& traces = workbench_.traces();
   const auto shown = traces.result(row);
@@ -183,7 +183,7 @@ void RecordingsBox::refresh() {
   emit changed();
 }
 
-/// What is wrong with those that are used, or how to come to one.
+/// Shows errors in the ticked recordings, or how to obtain one.
 void RecordingsBox::show_notes() {
   QStringList notes;
   const TraceList& traces = workbench_.traces();

@@ -14,8 +14,8 @@ class QListWidget;
 
 namespace feedscope::ui {
 
-/// What was recorded of the program: the traces that are laid beside it and tables of section times, each of
-/// them to be used or not, with what is wrong with it.
+/// Recordings of the program: its traces and tables of section times, each of them with a tick for use, and
+/// their errors.
 class RecordingsBox : public QWidget {
   Q_OBJECT
 
@@ -23,21 +23,21 @@ class RecordingsBox : public QWidget {
   /// `workbench` outlives this.
   explicit RecordingsBox(Workbench& workbench, QWidget* parent = nullptr);
 
-  /// Those that are ticked and have been read.
+  /// The ticked traces that have been read.
   std::vector<std::shared_ptr<const Trace>> traces() const;
   std::vector<std::shared_ptr<const SectionTable>> tables() const;
-  /// Whether a trace that is ticked is still being read.
+  /// Whether a ticked trace is still being read.
   bool is_reading() const;
   /// Replaces a table of the same name. Throws InputError if the file is not a table of section times.
   void add_table(const std::filesystem::path& file);
-  /// Another program.
+  /// For another program.
   void forget_tables();
   std::vector<std::size_t> unused_traces() const;  ///< rows
   const std::vector<TableState>& all_tables() const { return tables_; }
   void set_state(const std::vector<std::size_t>& unused_traces, std::vector<TableState> tables);
 
   QListWidget& list() { return *list_; }
-  /// What is to be known of the recordings, or what to do for one.
+  /// Notes on the recordings, or how to obtain one.
   QString note() const;
 
  signals:
@@ -54,7 +54,7 @@ class RecordingsBox : public QWidget {
   Workbench& workbench_;
   QListWidget* list_;
   QLabel* note_;
-  std::set<int> unused_;  ///< traces that are not ticked, by id
+  std::set<int> unused_;  ///< ids of unticked traces
   std::vector<TableState> tables_;
 };
 

@@ -8,7 +8,7 @@
 
 namespace feedscope::ui {
 
-/// A ResidualPlot of each recording on screen, one under the other; hidden where there is nothing to show.
+/// A ResidualPlot of each recording on screen, one above the other; hidden if there are none.
 class ResidualChart : public QWidget {
   Q_OBJECT
 

@@ -22,10 +22,10 @@ struct Residuals {
 
 constexpr double edge = 6;    // around everything [pixels]
 constexpr double mark = 22;   // of the legend, with its distance from the text [pixels]
-constexpr double apart = 14;  // entries of the legend [pixels]
+constexpr double apart = 14;  // between entries of the legend [pixels]
 constexpr double milliseconds = 1000;
 
-/// What tells curves apart without colour.
+/// Curves differ in style as well as in colour.
 constexpr std::array<Qt::PenStyle, 4> pens{Qt::SolidLine, Qt::DashLine, Qt::DotLine, Qt::DashDotLine};
 
 std::vector<QPointF> lag_of(const Agreement& agreement) {
@@ -80,7 +80,7 @@ ResidualPlot::ResidualPlot(const ResidualCurves& curves, const QRectF& area, con
   plot_.setHeight(std::max(plot_.height(), 30.0));
 }
 
-/// One model needs none.
+/// Not needed for one model.
 void ResidualPlot::lay_out_legend(const QRectF& area) {
   if (curves_.models.size() < 2) {
     return;
@@ -95,9 +95,9 @@ void ResidualPlot::lay_out_legend(const QRectF& area) {
 }
 
 void ResidualPlot::choose_scales() {
-  constexpr double farthest = 4;  // that others reach, times the chosen model
+  constexpr double farthest = 4;  // limit for other models, times the chosen model
   constexpr double least = 1e-4;  // [s]
-  constexpr double most = 1e9;    // of a value that is drawn [s]
+  constexpr double most = 1e9;    // of a drawn value [s]
   constexpr double head_room = 0.08;
   double bound = most;
   for (const ResidualCurve& curve : curves_.models) {
@@ -210,7 +210,7 @@ void ResidualPlot::draw_curve(QPainter& painter, std::size_t model) const {
   painter.drawPolyline(line);
 }
 
-/// One bar for each section; those of the other models stand beside it.
+/// Draws one bar for each section; those of the other models are next to it.
 void ResidualPlot::draw_bars(QPainter& painter, std::size_t model) const {
   constexpr double share = 0.8;  // of the width of a section that its bars take
   const double width = share / static_cast<double>(curves_.models.size());

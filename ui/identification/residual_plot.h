@@ -15,30 +15,30 @@ class QPainter;
 
 namespace feedscope::ui {
 
-/// What a model leaves over of a recording.
+/// Residuals of a model for one recording.
 struct ResidualCurve {
   QString name;  ///< of the model
   QColor colour;
-  /// Recorded time [s] and by how much the simulation is behind it [s]; of a table the number of each section
-  /// and what the simulation is longer [s].
+  /// Recorded time [s] and delay of the simulation [s]; for a table the number of each section and the excess
+  /// of its simulated time [s].
   std::vector<QPointF> points;
 };
 
-/// What the models leave over of one recording.
+/// Residuals of all models for one recording.
 struct ResidualCurves {
   QString recording;  ///< name of its file
   bool of_sections = false;
   std::vector<ResidualCurve> models;  ///< the chosen one first
 };
 
-/// Of every recording. `chosen`: row of the model that is looked at.
+/// For each recording. `chosen`: row of the selected model.
 std::vector<ResidualCurves> residual_curves(const IdentificationOutcome& outcome, std::size_t chosen);
 
 /// The residuals of one recording as curves over its time, or as bars by section. The scale is that of the
-/// chosen model; others that are much farther off leave the plot.
+/// chosen model; much larger residuals of others leave the plot.
 class ResidualPlot {
  public:
-  /// Laid out in `area`; `curves` outlives this.
+  /// Layout in `area`; `curves` outlives this.
   ResidualPlot(const ResidualCurves& curves, const QRectF& area, const QFont& font,
                const ThemeColours& colours);
 

@@ -12,27 +12,27 @@ namespace feedscope::ui {
 
 class ResidualChart;
 
-/// What was identified: the models by how well they explain the recordings, and of the chosen one its numbers
-/// with what is and what is not told, and what it leaves over of the recordings.
+/// Identification results: the models in the order of their agreement with the recordings; for the chosen one
+/// its numbers, identified or not, and its residuals.
 class ResultBox : public QWidget {
   Q_OBJECT
 
  public:
   explicit ResultBox(QWidget* parent = nullptr);
 
-  /// Null for none. The first model is the one that explains best.
+  /// Null for none. The first model explains the recordings best.
   void set_outcome(std::shared_ptr<const IdentificationOutcome> outcome, std::size_t chosen = 0);
   const IdentificationOutcome* outcome() const { return outcome_.get(); }
-  /// As a session keeps it.
+  /// The result for a session.
   IdentificationResult kept(bool stale) const { return {outcome_, chosen_, stale}; }
-  /// The model that is chosen; null without a result.
+  /// The chosen model; null without a result.
   const Identification* chosen() const;
   void choose(std::size_t model);
-  /// Something that it is of has changed since.
+  /// Whether an input of the result has changed since.
   void set_stale(bool stale);
 
   QString verdict() const;
-  /// Of the number that is selected.
+  /// Explanation of the selected number.
   QString explanation() const;
   QTreeWidget& models() { return *models_; }
   QTreeWidget& parameters() { return *parameters_; }

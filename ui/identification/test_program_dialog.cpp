@@ -29,7 +29,7 @@
 namespace feedscope::ui {
 namespace {
 
-/// For which there is a test program, with the usual end of their files.
+/// Dialects with a test program, and the usual ending of their files.
 struct TestDialect {
   Dialect dialect;
   const char* extension;
@@ -171,7 +171,7 @@ void TestProgramDialog::refresh() {
   state_->clear();
 }
 
-/// On the machine that the window is on; "–" where that cannot run it.
+/// Times on the machine of the window; "–" if that cannot run a part.
 std::vector<QString> TestProgramDialog::times_of(const IdentificationProgram& program) const {
   std::vector<QString> texts(program.parts.size(), QStringLiteral("–"));
   try {
@@ -183,7 +183,7 @@ std::vector<QString> TestProgramDialog::times_of(const IdentificationProgram& pr
         part_times(program, setup_.model->simulate(read.toolpath, setup_.machine, setup_.settings));
     std::ranges::transform(times, texts.begin(), [](const LineTime& part) { return clock_text(part.time); });
   } catch (const InputError&) {
-    // An axis of the machine has no limit: the times are not known.
+    // An axis of the machine has no limit: the times are unknown.
   }
   return texts;
 }

@@ -16,22 +16,23 @@ namespace feedscope::ui {
 
 class NumberBox;
 
-/// Asks for control, room and feed of the test program, shows what each of its parts tells, and writes it.
+/// Asks for control, work space and feed of the test program, shows the numbers that each of its parts
+/// identifies, and writes it.
 class TestProgramDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// `dialect`: proposed, if there is a test program for it. `setup`: that its times are of. `folder`: where
-  /// files are proposed.
+  /// `dialect`: initial choice, if it has a test program. `setup`: for its times. `folder`: initial folder of
+  /// files.
   TestProgramDialog(Dialect dialect, Setup setup, const std::filesystem::path& folder,
                     QWidget* parent = nullptr);
 
   IdentificationProgramRequest request() const;
   /// "feedscope-test.mpf".
   QString proposed_name() const;
-  /// False, and state() says why, if it cannot be written.
+  /// If it cannot be written, returns false, and state() has the reason.
   bool write(const std::filesystem::path& file);
-  /// What has been written and what to do with it, or what went wrong.
+  /// The written file and what to do with it, or the error.
   QString state() const;
 
   QComboBox& dialect() { return *dialect_; }
@@ -41,7 +42,7 @@ class TestProgramDialog : public QDialog {
   QPushButton& open_button() { return *open_; }
 
  signals:
-  /// The file that was written is to be opened.
+  /// Requests to open the written file.
   void open_wanted(const std::filesystem::path& file);
 
  private:

@@ -20,8 +20,8 @@ namespace feedscope::ui {
 
 namespace {
 
-/// What core writes with fmt::format(), a place for each of its parts, besides what readers write. In these
-/// the places may hold names and texts of no pattern.
+/// Patterns of the core's fmt::format() texts, a place for each part, in addition to those of the readers.
+/// Their places may contain names and texts without a pattern.
 constexpr std::array sentences{
     QT_TRANSLATE_NOOP("core", "motion of %1"),
     // Unit of a program (program/program_unit).
@@ -269,9 +269,9 @@ constexpr std::array sentences{
     QT_TRANSLATE_NOOP("core", "the records before it are used"),
 };
 
-/// In these the places hold numbers and texts that have patterns, too.
+/// Patterns whose places contain only numbers and texts with a pattern.
 constexpr std::array clauses{
-    // What is not in the cycle time (analysis/not_counted).
+    // Items that are not in the cycle time (analysis/not_counted).
     QT_TRANSLATE_NOOP("core", "%1 tool change"),
     QT_TRANSLATE_NOOP("core", "%1 tool changes"),
     QT_TRANSLATE_NOOP("core", "%1 spindle start"),
@@ -322,7 +322,7 @@ constexpr std::array clauses{
     QT_TRANSLATE_NOOP("core", "also in lines %1 and %2"),
     QT_TRANSLATE_NOOP("core", "%1 more up to line %2"),
     QT_TRANSLATE_NOOP("core", "%1 more"),
-    // What a control model guarantees (models/guarantees).
+    // Guarantees of a control model (models/guarantees).
     QT_TRANSLATE_NOOP("core",
                       "The source covers lines and their corners; arcs and helices follow the shared rules."),
     QT_TRANSLATE_NOOP("core", "The source covers arcs; lines follow the shared rules."),
@@ -406,7 +406,7 @@ constexpr std::array clauses{
     QT_TRANSLATE_NOOP("core", "before and after every rapid"),
 };
 
-/// Lists and ranges: two parts, which hold numbers and texts that have patterns, with this between them.
+/// Lists and ranges: two parts, numbers or texts with a pattern, and the text between them.
 constexpr std::array joints{QT_TRANSLATE_NOOP("core", "%1; %2"), QT_TRANSLATE_NOOP("core", "%1 and %2"),
                             QT_TRANSLATE_NOOP("core", "%1, %2"), QT_TRANSLATE_NOOP("core", "%1 to %2")};
 
@@ -416,8 +416,7 @@ struct Pattern {
   TextPattern shape;
 };
 
-/// All patterns, those with more words of their own first: "cycle %1 (%2) is not supported" before "%1 is not
-/// supported".
+/// All patterns, those with more words first: "cycle %1 (%2) is not supported" before "%1 is not supported".
 class Patterns {
  public:
   Patterns() {
@@ -447,7 +446,7 @@ class Patterns {
     }
   }
 
-  /// Those that a text which begins so can have.
+  /// The patterns that may match a text with this beginning.
   const std::vector<const Pattern*>& of(QChar beginning) const {
     const auto found = by_beginning_.constFind(beginning);
     return found == by_beginning_.constEnd() ? any_beginning_ : *found;
@@ -462,12 +461,12 @@ class Patterns {
 
   std::vector<Pattern> all_;
   QHash<QChar, std::vector<const Pattern*>> by_beginning_;
-  std::vector<const Pattern*> any_beginning_;  ///< first is a place
+  std::vector<const Pattern*> any_beginning_;  ///< patterns that begin with a place
 };
 
 std::optional<QString> known_text(const QString& text);
 
-/// Numbers, and axes, which are called the same.
+/// Translates numbers, and axes, whose names stay.
 std::optional<QString> number(const QString& text) {
   static const QRegularExpression digits(QStringLiteral("^([XYZ]|-?\\d+(\\.\\d+)?(e[-+]?\\d+)?)$"));
   return digits.match(text).hasMatch() ? std::optional(QString(text).replace('.', QLocale().decimalPoint()))
@@ -503,7 +502,7 @@ std::optional<QString> by_joint(const char* joint, const QString& text) {
   return std::nullopt;
 }
 
-/// None: no pattern has it.
+/// None if no pattern matches.
 std::optional<QString> known_text(const QString& text) {
   if (const auto digits = number(text)) {
     return digits;

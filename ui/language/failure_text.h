@@ -6,8 +6,8 @@
 
 namespace feedscope::ui {
 
-/// What an error says, in the user's language; the place in front, as "part.toml:3:1: ", stays. Where no
-/// pattern has it (composed_text), it stays as it is, as does what libraries say.
+/// An error message in the user's language; its place, as "part.toml:3:1: ", remains. Texts without a pattern
+/// (composed_text) remain as they are, as do those of libraries.
 QString failure_text(const std::string& what);
 QString failure_text(const std::exception& error);
 

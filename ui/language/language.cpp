@@ -15,7 +15,7 @@ namespace {
 const QString english = QStringLiteral("en");
 const QString key = QStringLiteral("language");
 
-/// lupdate files a text said outside of its class, Class::tr("..."), under the namespace alone.
+/// lupdate files a text outside of its class, Class::tr("..."), under the namespace alone.
 class Translator : public QTranslator {
  public:
   using QTranslator::QTranslator;
@@ -26,13 +26,13 @@ class Translator : public QTranslator {
   }
 };
 
-/// Those in use; the application owns them.
+/// The installed translators; the application owns them.
 QList<QPointer<QTranslator>>& installed() {
   static QList<QPointer<QTranslator>> translators;
   return translators;
 }
 
-/// The language in force.
+/// The current language.
 QString& spoken() {
   static QString code = english;
   return code;
@@ -48,7 +48,7 @@ void install(const QString& name, const QString& folder) {
   }
 }
 
-/// Without marks between thousands: a comma there is a decimal sign to others.
+/// Omits group separators: a comma there is a decimal sign to others.
 void write_numbers_as(QLocale locale) {
   locale.setNumberOptions(QLocale::OmitGroupSeparator);
   QLocale::setDefault(locale);
@@ -85,7 +85,7 @@ bool speaks_english() {
 void install_language(const QString& code) {
   spoken() = code;
   for (const QPointer<QTranslator>& translator : std::exchange(installed(), {})) {
-    delete translator;  // it removes itself
+    delete translator;  // its destructor removes it
   }
   const bool desktop = code == QLocale::system().name().section('_', 0, 0);
   write_numbers_as(desktop ? QLocale::system() : QLocale(code));

@@ -5,20 +5,20 @@
 
 namespace feedscope::ui {
 
-/// Codes of the languages that the window speaks; English is the one it is written in.
+/// Codes of the window's languages; the sources are in English.
 QStringList languages();
-/// The language that the user chose, or else the desktop's if the window speaks it, or else English.
+/// The language chosen by the user, or else the desktop's if available, or else English.
 QString chosen_language();
-/// For install_language(); empty: as the desktop.
+/// For install_language(); empty: the desktop's.
 void choose_language(const QString& code);
-/// Makes all texts of the application appear in a language, and numbers on screen by its rules. Needs a
-/// QApplication. Texts of a window that exists stay: make it again.
+/// Shows all texts of the application in a language, and numbers by its rules. Needs a QApplication. An
+/// existing window keeps its texts: rebuild it.
 void install_language(const QString& code);
-/// The same for pictures, whatever the desktop's settings are.
+/// Sets the language of pictures, regardless of the desktop's settings.
 void speak(const QString& code);
-/// The language in force; English at first.
+/// The current language; initially English.
 QString spoken_language();
-/// Whether the texts are those of the sources.
+/// Whether texts appear as in the sources.
 bool speaks_english();
 
 }  // namespace feedscope::ui

@@ -211,7 +211,7 @@ constexpr std::array general_patterns{
     QT_TRANSLATE_NOOP("core",
                       "%1, line %2: %3; the program is not simulated: check its loops, raise the limit "
                       "(--repeat-limit), or simulate the part that was read (--simulate-cut-off)"),
-    // What no machine can run (analysis/beyond_machines).
+    // Motions beyond any machine (analysis/beyond_machines).
     QT_TRANSLATE_NOOP("core", "a motion of %1 km is longer than any machine makes"),
     QT_TRANSLATE_NOOP("core", "%1 goes to %2 km, beyond the travel of any machine"),
     QT_TRANSLATE_NOOP("core", "%1 days pass up to this line, which runs at F%2 mm/min: more than a year"),

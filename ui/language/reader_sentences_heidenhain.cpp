@@ -218,7 +218,7 @@ constexpr std::array heidenhain_patterns{
     QT_TRANSLATE_NOOP("core", "the block is skipped; the control may run another path"),
     QT_TRANSLATE_NOOP("core", "G without a number"),
     QT_TRANSLATE_NOOP("core", "the block is skipped; write a code such as G1"),
-    // What functions and statements that are not supported stand for (m_functions, unsupported_statements).
+    // Consequences of unsupported functions and statements (m_functions, unsupported_statements).
     QT_TRANSLATE_NOOP("core", "the path is shown as programmed"),
     QT_TRANSLATE_NOOP("core", "the path with RL and RR is shown without it"),
     QT_TRANSLATE_NOOP("core", "the programmed feed is shown"),

@@ -100,7 +100,7 @@ constexpr std::array import_patterns{
     QT_TRANSLATE_NOOP("core", "the offsets of %1 are not in the INI file; 0 is assumed"),
     QT_TRANSLATE_NOOP("core", "write them into the machine file: [kinematics], 'point' of each axis"),
     QT_TRANSLATE_NOOP("core", "%1 of axis %2 cannot be used: %3"),
-    // Of all of them.
+    // All controls.
     QT_TRANSLATE_NOOP("core", "not used: %1"),
     QT_TRANSLATE_NOOP("core", "not used: %1 and %2 more"),
     QT_TRANSLATE_NOOP("core", "%1 cannot be used: %2"),

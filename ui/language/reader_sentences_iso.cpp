@@ -236,7 +236,7 @@ constexpr std::array iso_patterns{
     QT_TRANSLATE_NOOP("core", "a straight line to the last one is used instead"),
     QT_TRANSLATE_NOOP("core", "G5.2 in line %1 is not closed by G5.3"),
     QT_TRANSLATE_NOOP("core", "the curve ends at its last control point"),
-    // What G words that are not supported stand for (g_codes).
+    // Consequences of unsupported G words (g_codes).
     QT_TRANSLATE_NOOP("core", "its motion is skipped"),
     QT_TRANSLATE_NOOP("core", "the path shown is that of the tool tip"),
     QT_TRANSLATE_NOOP("core", "it does not change the programmed path"),

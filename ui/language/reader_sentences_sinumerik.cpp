@@ -173,7 +173,7 @@ constexpr std::array sinumerik_patterns{
     QT_TRANSLATE_NOOP("core", "each axis moves at its own speed, set by FA or the machine"),
     QT_TRANSLATE_NOOP("core", "weight PW=%1 is not above zero"),
     QT_TRANSLATE_NOOP("core", "1 is used"),
-    // What functions that are not supported stand for (functions).
+    // Consequences of unsupported functions (functions).
     QT_TRANSLATE_NOOP("core", "positions are skipped up to the next motion word"),
     QT_TRANSLATE_NOOP("core", "the path shown is the programmed contour"),
     QT_TRANSLATE_NOOP("core", "the limits of the machine file are used"),

@@ -23,7 +23,7 @@ QString percent(double factor) {
   return QStringLiteral("+%1").arg(significant_number(100 * (factor - 1), 3));
 }
 
-/// "Jerk of all axes +50 %", where `changes` begins with a limit of every axis; else nothing.
+/// "Jerk of all axes +50 %" if `changes` begins with a limit of every axis; else nothing.
 QString all_axes(std::span<const Change> changes, const Setup& setup) {
   constexpr std::size_t axes = 3;
   if (changes.size() < axes || !changes[0].first.starts_with("X.") || !changes[1].first.starts_with("Y.") ||
@@ -80,7 +80,7 @@ QString remedy_text(const Remedy& remedy, const Setup& setup) {
       rest = rest.subspan(3);
       continue;
     }
-    // A tolerance replaces that of the program too, which goes without saying.
+    // A tolerance also replaces the program's, which needs no mention.
     const bool said = rest.front().first == program_tolerance_key && remedy.changes.size() > 1;
     if (!said) {
       parts += one(rest.front(), is_tolerance(rest.front().first) ? remedy.before : std::nullopt, setup);

@@ -7,7 +7,7 @@
 namespace feedscope::ui {
 
 /// A change of `setup` in the user's language: "Jerk of axis X 5 → 7.5 m/s³", "On Huron KX10"; several parts
-/// with commas between.
+/// separated by commas.
 QString remedy_text(const Remedy& remedy, const Setup& setup);
 
 }  // namespace feedscope::ui

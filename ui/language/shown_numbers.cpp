@@ -15,7 +15,7 @@ namespace {
 
 const QString settings_key = QStringLiteral("units");
 
-/// Units of keys that a unit system or a language changes, with what they measure.
+/// Units of keys that depend on the unit system or the language, with their dimension.
 constexpr auto key_dimensions = std::to_array<std::pair<std::string_view, Dimension>>({
     {"mm", Dimension::length},
     {"um", Dimension::error},

@@ -4,8 +4,8 @@
 
 namespace feedscope::ui {
 
-/// A number with `digits` significant ones, none behind the point for large numbers, no exponent but for tiny
-/// ones.
+/// A number with `digits` significant digits, without decimals for large numbers, with an exponent only for
+/// tiny ones.
 QString significant_number(double value, int digits);
 
 }  // namespace feedscope::ui

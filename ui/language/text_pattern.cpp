@@ -10,7 +10,7 @@ bool is_place(const QString& text, qsizetype at) {
   return text[at] == '%' && at + 1 < text.size() && text[at + 1] >= '1' && text[at + 1] <= '9';
 }
 
-/// "X%1", "R%1", "AR=%1", "'%1'", "%1%2": words and names, in which numbers stay as they are written.
+/// "X%1", "R%1", "AR=%1", "'%1'", "%1%2": words and names, whose numbers are not localised.
 bool touches_program_text(const QString& before, bool is_first) {
   if (before.isEmpty()) {
     return !is_first;

@@ -13,7 +13,7 @@ namespace feedscope::ui {
 
 namespace {
 
-/// With the decimal sign of the locale; the unit stays in the line of its number.
+/// `text` with the decimal sign of the locale and no line break between number and unit.
 QString localised(const std::string& text) {
   return QString::fromStdString(text)
       .replace(QLatin1Char('.'), QLocale().decimalPoint())

@@ -25,7 +25,7 @@ QString with_capital(QString text) {
   return text;
 }
 
-/// Seconds for comparing: as many decimals as their size is worth.
+/// Seconds for comparisons, with decimals by their size.
 QString seconds_text(double seconds) {
   return QLocale().toString(std::abs(seconds), 'f', decimals_of_gain(seconds));
 }

@@ -7,15 +7,15 @@
 
 namespace feedscope::ui {
 
-/// Words for where the time goes, in the language and with the numbers of the user.
+/// Texts on the breakdown of time, in the language and with the numbers of the user.
 class TimeTexts {
   Q_DECLARE_TR_FUNCTIONS(TimeTexts)
 
  public:
-  /// Rich text in two or three sentences: cycle time against programmed time, where most is lost, and how
-  /// many lines the control refuses. `report`: on `run`, which is not refused.
+  /// Rich text in two or three sentences: cycle time against programmed time, the largest loss, and the
+  /// number of refused lines. `report`: on `run`, which is not refused.
   static QString conclusion(const TimeReport& report, const Run& run);
-  /// Why there is no cycle time of a run that the control refuses.
+  /// Reason why a refused run has no cycle time.
   static QString refusal(const Run& run);
   static QString kind(TimeKind kind);
   /// "Jerk of axis X".
@@ -26,11 +26,11 @@ class TimeTexts {
   static QString measure(const SlowGroup& group);
   /// "3200 places, turn 4.9° to 90°, median 5°".
   static QString in_common(const SlowGroup& group);
-  /// "−12.3 s", "+0.004 s"; "0" for nothing that digits show.
+  /// "−12.3 s", "+0.004 s"; "0" if it rounds to zero.
   static QString change(double seconds);
-  /// "12.3 s": what a change spares.
+  /// "12.3 s": the time that a change saves.
   static QString gain(double seconds);
-  /// "12.3 %" of something; "" of nothing.
+  /// "12.3 %" of `of`; "" if that is 0.
   static QString percent(double part, double of);
 };
 

@@ -6,7 +6,7 @@
 
 namespace feedscope::ui {
 
-/// As one sentence in the language and units of the user.
+/// One sentence in the language and units of the user.
 QString unreachable_feed_text(const UnreachableFeed& feed);
 
 }  // namespace feedscope::ui

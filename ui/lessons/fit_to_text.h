@@ -5,9 +5,9 @@ class QTextBrowser;
 
 namespace feedscope::ui {
 
-/// As high as its text, without a scroll bar of its own.
+/// Sets the height to that of the text, so that no scroll bar is needed.
 void fit_to_text(QTextBrowser& browser);
-/// As high as its lines, three at least.
+/// Sets the height to that of the lines, at least three.
 void fit_to_lines(QPlainTextEdit& field);
 
 }  // namespace feedscope::ui

@@ -13,7 +13,7 @@ namespace feedscope::ui {
 
 namespace {
 
-/// The machine's file with what the lesson changes.
+/// Setup of the lesson's machine file with the lesson's changes.
 SetupState state_of(const LessonSetup& lesson) {
   return SetupState::between(lesson.file, lesson.setup);
 }
@@ -23,7 +23,7 @@ QString measured_text(const Measure& measure, const Run& run, const std::string&
     LessonQuantity quantity{measure, {}, {}, Relation::ratio, measure.spec->decimals};
     return QString::fromStdString(feedscope::value_text(quantity, measured(measure, run), language));
   } catch (const InputError&) {
-    return {};  // nothing moves on the line in this program
+    return {};  // in this program, nothing moves on the line
   }
 }
 
@@ -33,8 +33,8 @@ bool has_value(const std::vector<LessonTry>& tries, const std::string& value) {
 
 }  // namespace
 
-/// The tries at a question are forgotten, or there again, with those that have been made meanwhile: a value
-/// that has been tried again has its newer result. Done again, it forgets what it forgot before and no more.
+/// Clears the tries at a question. Undo restores them together with tries made since; a value tried again
+/// keeps its newer result. Redo clears only what was cleared before.
 class LessonDesk::Clearing : public QUndoCommand {
  public:
   Clearing(LessonDesk& desk, Place place)
@@ -73,12 +73,12 @@ class LessonDesk::Clearing : public QUndoCommand {
   }
 
  private:
-  QPointer<LessonDesk> desk_;  ///< the history outlives it where the window is made again in another language
+  QPointer<LessonDesk> desk_;  ///< the history outlives it when the window is rebuilt in another language
   Place place_;
   std::string setting_;
   std::string measure_;
-  std::vector<LessonTry> tries_;  ///< that are forgotten
-  std::vector<LessonTry> since_;  ///< made between that and the undoing of it
+  std::vector<LessonTry> tries_;  ///< cleared
+  std::vector<LessonTry> since_;  ///< made between clearing and undoing it
   bool done_before_ = false;
 };
 
@@ -266,7 +266,7 @@ void LessonDesk::follow_run() {
 
 void LessonDesk::measure() {
   const auto shown = workbench_.shown();
-  // Another program than the lesson's may be open: its number would stand under the lesson's question.
+  // With another program open, its value would appear under the lesson's question.
   if (open_ == nullptr || shown == nullptr || workbench_.file() != program_) {
     measuring_.cancel();
     if (!value_.isEmpty()) {

@@ -13,17 +13,17 @@
 
 namespace feedscope::ui {
 
-/// A lesson as it stands in a list.
+/// A lesson in a list.
 struct LessonEntry {
   std::filesystem::path file;
   QString title;
-  QString learn;  ///< what one learns
+  QString learn;  ///< learning objective
   double minutes = 0;
-  bool half_day = false;  ///< of the course of half a day; all are of that of two days
+  bool half_day = false;  ///< in the course of half a day; all lessons are in that of two days
 };
 
-/// The lesson that is worked on in the window: its texts with the numbers measured, the question one is at,
-/// and what the current run measures of it. Reading, simulating and measuring run on other threads.
+/// The open lesson: its texts with the measured numbers, the current question, and its measurement on the
+/// current run. Reading, simulating and measuring run on other threads.
 class LessonDesk : public QObject {
   Q_OBJECT
 
@@ -31,72 +31,71 @@ class LessonDesk : public QObject {
   /// `workbench` outlives this; `language`: one of lesson_languages().
   explicit LessonDesk(Workbench& workbench, std::string language = "en", QObject* parent = nullptr);
 
-  /// Reads the shipped lessons; listed() follows, failed() for a file that is faulty. Once is enough.
+  /// Reads the shipped lessons; listed() follows, or failed() for a faulty file. Needed only once.
   void list();
   const std::vector<LessonEntry>& entries() const { return entries_; }
-  /// Reads a lesson and measures its numbers; opened() or failed() follows. `then_set_up`: the window, as
-  /// set_up_window() does.
+  /// Reads a lesson and measures its numbers; opened() or failed() follows. `then_set_up`: also calls
+  /// set_up_window().
   void open(const std::filesystem::path& file, bool then_set_up = false);
   bool busy() const { return opening_.busy() || listing_.busy(); }
 
-  /// Null until one is open.
+  /// Null before one is open.
   const Lesson* lesson() const { return open_ == nullptr ? nullptr : &open_->lesson; }
   /// A text of the open lesson with its numbers, Markdown.
   QString filled(const std::string& text) const;
 
-  /// Whether the run of the lesson stays covered: there is something to predict, which nobody has written
-  /// yet.
+  /// Whether the run of the lesson is covered, because its prediction is not written yet.
   bool awaits_prediction() const;
-  /// Of the open lesson; empty: none.
+  /// For the open lesson; empty: none.
   QString prediction() const;
-  /// Writes it down, once, and sets up the window.
+  /// Stores the prediction, once, and sets up the window.
   void predict(const QString& text);
-  /// The same without a prediction, until another lesson is opened.
+  /// Uncovers the run without a prediction, until another lesson is opened.
   void reveal();
-  /// Whether lessons show their run without a prediction: the choice of a teacher.
+  /// Whether lessons show their run without a prediction; set by a teacher.
   bool unlocked() const { return unlocked_; }
   void unlock(bool on);
-  /// Program, runs and settings that the lesson begins with, instead of those in the window; view_wanted()
-  /// follows with the first result. Not while it awaits_prediction().
+  /// Replaces the contents of the window by the lesson's program, runs and settings; view_wanted() follows
+  /// with the first result. Not while it awaits_prediction().
   void set_up_window();
-  /// The window is to show something else again: view_wanted() does not follow any more.
+  /// Cancels view_wanted(), because the window will show something else.
   void leave_window() { view_pending_ = false; }
   std::size_t question() const { return question_; }
   void choose_question(std::size_t number);
-  /// Gives the control of the question a value in the current run; all else is as the lesson begins, and can
-  /// be undone. Not while the lesson awaits_prediction().
+  /// Sets the question's control to a value in the current run, and everything else as at the start of the
+  /// lesson; can be undone. Not while the lesson awaits_prediction().
   void move_control(const std::string& value);
 
-  /// What was done at the question that is shown: every value that its control was given in the current run,
-  /// and the answer. Nothing of it is lost when something else is shown.
+  /// Work on the current question: all values of its control that were tried in the current run, and the
+  /// answer. Kept when another question is shown.
   QuestionWork work() const;
   void set_answer(const QString& answer);
-  /// To all questions of all lessons.
+  /// Answers to all questions of all lessons.
   LessonAnswers answers() const;
-  /// Forgets the values tried at the question that is shown; a step of the history of the workbench.
+  /// Clears the tried values of the current question, as a step in the history of the workbench.
   void clear_tries();
-  /// The same of all lessons, as a session keeps it.
+  /// Work on all lessons, for sessions.
   const LessonWork& all_work() const { return work_; }
   void set_all_work(LessonWork work);
 
-  /// What the question watches, in the language of the lesson.
+  /// Quantity that the question watches, in the language of the lesson.
   QString watched() const;
-  /// What the current run measures of it, with its unit, written as the numbers of the lesson; "" while there
-  /// is nothing to measure.
+  /// Its value in the current run, with unit, formatted like the lesson's numbers; "" if it cannot be
+  /// measured.
   const QString& value() const { return value_; }
 
  signals:
   void listed();
   void opened();
-  /// What the window shows now is about to be replaced by what the lesson begins with.
+  /// The contents of the window are about to be replaced by the lesson's.
   void set_up_begins();
-  /// awaits_prediction() or unlocked() may be another one.
+  /// awaits_prediction() or unlocked() may have changed.
   void cover_changed();
   void question_changed();
   void value_changed();
-  /// Values tried or answers at the question that is shown.
+  /// Tries or answers of the current question have changed.
   void work_changed();
-  /// How the window is to show the lesson.
+  /// View of the window for the lesson.
   void view_wanted(const feedscope::LessonWindow& view);
   void failed(const QString& message);
 
@@ -129,13 +128,13 @@ class LessonDesk : public QObject {
   std::string language_;
   std::vector<LessonEntry> entries_;
   std::shared_ptr<const OpenLesson> open_;
-  std::filesystem::path program_;  ///< that the numbers of the open lesson are of
+  std::filesystem::path program_;  ///< program of the open lesson's numbers
   std::size_t question_ = 0;
   QString value_;
   bool view_pending_ = false;
   bool set_up_pending_ = false;
   bool unlocked_ = false;
-  bool revealed_ = false;  ///< the open lesson, without a prediction
+  bool revealed_ = false;  ///< whether the open lesson is shown without a prediction
   Job<Catalogue> listing_;
   Job<std::shared_ptr<const OpenLesson>> opening_;
   LessonWork work_;

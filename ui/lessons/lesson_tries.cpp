@@ -23,7 +23,7 @@ std::string text_of(const SettingValue& value) {
   return number != nullptr ? fmt::format("{}", *number) : std::get<std::string>(value);
 }
 
-/// As the lesson writes it, if it is one of those that it suggests.
+/// The suggested value of the lesson that equals `value`, in the lesson's notation; else `value`.
 std::string as_suggested(const Control& control, const std::string& value) {
   const auto number = typed_number(value).value;
   const auto found = std::ranges::find_if(control.values, [&](const std::string& one) {
@@ -76,7 +76,7 @@ std::optional<std::string> tried_value(const Lesson& lesson, const Question& que
       }
     }
   } catch (const InputError&) {
-    // another model, which has no such setting
+    // another model without this setting
   }
   return std::nullopt;
 }
@@ -86,7 +86,7 @@ LessonTry try_of(const Question& question, std::string value, const Run& run) {
   try {
     one.measured = measured(question.watch, run);
   } catch (const InputError&) {
-    // nothing moves on the line in this program
+    // in this program, nothing moves on the line
   }
   return one;
 }

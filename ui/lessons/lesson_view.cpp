@@ -46,7 +46,7 @@ QTextBrowser* make_browser(const QString& name, QWidget* parent) {
   return browser;
 }
 
-/// A button that can be pressed and shows that it is.
+/// A button for an action; it stays pressed while a checkable action is checked.
 QPushButton* make_button(QAction* action, QWidget* parent) {
   auto* button = new QPushButton(action->text(), parent);
   button->setToolTip(action->toolTip());
@@ -67,7 +67,7 @@ QToolButton* make_arrow(QAction* action, Qt::ArrowType arrow, QWidget* parent) {
   return button;
 }
 
-/// Markdown; unlike that of QTextDocument with room between paragraphs.
+/// HTML of Markdown; unlike that of QTextDocument with space between paragraphs.
 QString as_html(const QString& markdown) {
   return QString::fromStdString(markdown_as_html(markdown.toStdString()));
 }
@@ -215,7 +215,7 @@ void LessonView::make_actions() {
   connect(hint_action_, &QAction::toggled, this, &LessonView::show_texts);
   connect(answer_action_, &QAction::toggled, this, &LessonView::show_texts);
   connect(answer_action_, &QAction::toggled, this, [this](bool shown) {
-    if (shown) {  // when it has its height
+    if (shown) {  // once its height is known
       QTimer::singleShot(0, this, &LessonView::show_expected);
     }
   });
@@ -238,8 +238,8 @@ void LessonView::lay_out() {
   layout->addWidget(pages_, 1);
 }
 
-/// The text has what the question leaves, with the values that were tried, a third at least and no more than
-/// it needs; until the user moves the border. Hints and answers do not move it.
+/// Gives the text the height that the question with its tried values leaves, at least a third and no more
+/// than it needs, until the user moves the border. Hints and answers do not move it.
 void LessonView::share_height() {
   if (shared_by_user_ || !isVisible() || shows_list()) {
     return;
@@ -364,7 +364,7 @@ void LessonView::showEvent(QShowEvent* event) {
 
 bool LessonView::eventFilter(QObject* watched, QEvent* event) {
   if (watched == tries_ && event->type() == QEvent::Resize) {
-    sharing_.start();  // a value that was tried takes room
+    sharing_.start();  // a tried value takes room
   }
   return Panel::eventFilter(watched, event);
 }
@@ -404,7 +404,7 @@ void LessonView::show_lesson() {
   show_cover();
 }
 
-/// The text of the lesson ends with what to predict while that is awaited, else with what was predicted.
+/// Ends the lesson's text with the task of the prediction while that is pending, else with the prediction.
 void LessonView::show_text() {
   const Lesson* lesson = desk_.lesson();
   if (lesson == nullptr) {
@@ -496,7 +496,7 @@ void LessonView::show_texts() {
 }
 
 void LessonView::show_expected() {
-  // The answer gets its height from its width, and all below the question from that.
+  // The height of the answer depends on its width, and everything below the question on that height.
   for (int turn = 0; turn < 2; ++turn) {
     QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
   }
@@ -526,7 +526,7 @@ void LessonView::show_control() {
   }
   own_->setVisible(takes_numbers(control));
   values_->layout()->removeWidget(own_);
-  values_->layout()->addWidget(own_);  // behind the buttons
+  values_->layout()->addWidget(own_);  // after the buttons
   if (takes_numbers(control)) {
     own_value_->setValue(*typed_number(control.values.front()).value);
   }

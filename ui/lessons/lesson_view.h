@@ -20,10 +20,9 @@ namespace feedscope::ui {
 class NumberBox;
 class TriesTable;
 
-/// The list of lessons, or one of them beside the window that it is about: its text, its questions one by one
-/// with the control to move, what the current run measures, the values tried and an answer of one's own; hint
-/// and expected answer when asked for. While the lesson awaits a prediction, the field for it is in the place
-/// of the questions.
+/// The list of lessons, or the open lesson: its text, its questions one by one with their control, the
+/// measurement on the current run, the tried values and the user's answer; hint and expected answer on
+/// request. While the lesson awaits a prediction, its input field replaces the questions.
 class LessonView : public Panel {
   Q_OBJECT
 
@@ -32,7 +31,7 @@ class LessonView : public Panel {
   explicit LessonView(LessonDesk& desk, QWidget* parent = nullptr);
 
   LessonDesk& desk() { return desk_; }
-  /// All lessons as links to them.
+  /// All lessons as links.
   QTextBrowser& list() { return *list_; }
   /// Whether the list is shown, not the open lesson.
   bool shows_list() const;
@@ -40,33 +39,33 @@ class LessonView : public Panel {
   QTextBrowser& question() { return *question_; }
   QPushButton& set_up_button() { return *set_up_; }
   QPushButton& answer_button() { return *answer_; }
-  /// Buttons with the values of the control, in their order.
+  /// Buttons with the values of the control, in order.
   QList<QToolButton*> values() const;
-  /// A value of one's own for a control that takes numbers.
+  /// Field for other values of a numeric control.
   NumberBox& own_value() { return *own_value_; }
   TriesTable& tries() { return *tries_; }
   QPlainTextEdit& own_answer() { return *own_answer_; }
   QPlainTextEdit& own_prediction() { return *own_prediction_; }
-  /// Writes the prediction down and shows the run.
+  /// Stores the prediction and shows the run.
   QPushButton& predict_button() { return *predict_; }
-  /// The next or the previous step of the lesson before a class: the run without a prediction, then each
-  /// question and its answer.
+  /// Next or previous step of the lesson before a class: the run without a prediction, then each question and
+  /// its answer.
   void step(bool forward);
-  /// The answer of the lesson, while it is shown.
+  /// The lesson's answer, while it is shown.
   QTextBrowser& expected() { return *expected_; }
   QString measured() const;
-  /// Whether there is something to bring back that a lesson has replaced in the window.
+  /// Whether the contents that a lesson replaced in the window can be restored.
   void offer_return(bool there);
   /// Set up the window, previous and next question, hint, answer, list of lessons, tries as text and as CSV,
-  /// tries cleared, bring back what was in the window.
+  /// clear tries, restore the window.
   QList<QAction*> panel_actions() const override { return actions_; }
-  /// Whether lessons show their run without a prediction.
+  /// Switches whether lessons show their run without a prediction.
   QAction* unlock_action() const { return unlock_action_; }
 
  signals:
-  /// What was in the window before the lesson is to be brought back.
+  /// Requests to restore the window's contents before the lesson.
   void return_wanted();
-  /// The setting is to be shown where it is edited.
+  /// Requests to show the setting where it is edited.
   void setting_wanted(const QString& key);
 
  protected:
@@ -112,7 +111,7 @@ class LessonView : public Panel {
   NumberBox* own_value_;
   QToolButton* show_setting_;
   QLabel* value_;
-  QStackedWidget* lower_;  ///< the field for a prediction, or the question
+  QStackedWidget* lower_;  ///< input field of the prediction, or question
   QPlainTextEdit* own_prediction_;
   QPushButton* predict_;
   QWidget* tried_;
@@ -121,9 +120,9 @@ class LessonView : public Panel {
   QPushButton* hint_;
   QPushButton* answer_;
   QTextBrowser* expected_;
-  QScrollArea* work_;  ///< all of a question
+  QScrollArea* work_;  ///< contains all of a question
   QSplitter* halves_;  ///< the text above the question
-  QTimer sharing_;     ///< of the height between them, once both are laid out
+  QTimer sharing_;     ///< delays share_height() until both are laid out
   bool shared_by_user_ = false;
   QList<QAction*> actions_;
   QAction* set_up_action_ = nullptr;

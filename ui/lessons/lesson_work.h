@@ -12,12 +12,12 @@
 
 namespace feedscope::ui {
 
-/// What someone has done at one question.
+/// A learner's work on one question.
 struct QuestionWork {
-  QString answer;                ///< in their own words; may be empty
-  std::string setting;           ///< key of the control that `tries` are of
-  std::string measure;           ///< key of what they measure
-  std::vector<LessonTry> tries;  ///< each value once, in the order in which they were tried first
+  QString answer;                ///< in the learner's words; may be empty
+  std::string setting;           ///< key of the control of `tries`
+  std::string measure;           ///< key of their measured quantity
+  std::vector<LessonTry> tries;  ///< each value once, in the order of its first try
   bool operator==(const QuestionWork&) const = default;
 };
 
@@ -25,13 +25,13 @@ struct QuestionWork {
 /// `prediction`.
 using LessonWork = std::map<std::pair<std::string, std::size_t>, QuestionWork>;
 inline constexpr std::size_t prediction = std::numeric_limits<std::size_t>::max();
-/// What `work` has of a lesson, for its hand-out; tries only where they are is_work_on() its questions.
+/// The part of `work` on a lesson, for its hand-out; only tries that are is_work_on() its questions.
 LearnersWork work_on(const Lesson& lesson, const LessonWork& work);
-/// What `work` has of lessons of which `held` has nothing.
+/// The part of `work` on lessons that `held` does not contain.
 LessonWork of_other_lessons(const LessonWork& work, const LessonWork& held);
-/// How many lessons it is of.
+/// Number of lessons in `work`.
 std::size_t lesson_count(const LessonWork& work);
-/// Those that are not empty, by the same places.
+/// Non-empty answers, by the same keys.
 using LessonAnswers = std::map<std::pair<std::string, std::size_t>, QString>;
 
 }  // namespace feedscope::ui

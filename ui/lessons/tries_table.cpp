@@ -45,7 +45,7 @@ QString change_text(const std::optional<double>& percent) {
   return percent ? signed_number(*percent, 1) : QStringLiteral("–");
 }
 
-/// Below a number the change against the first one, where its own column has no room.
+/// Draws the change below its number where its own column has no room.
 class PairedDelegate : public QStyledItemDelegate {
  public:
   explicit PairedDelegate(QTableView& table) : QStyledItemDelegate(&table), table_(table) {}

@@ -7,19 +7,19 @@
 
 namespace feedscope::ui {
 
-/// A value of a question's control as the window shows it: a number with its decimal sign, a choice in its
+/// A value of a question's control for display: a number with the locale's decimal sign, a choice in its
 /// language.
 QString control_value_text(const std::string& value);
 
-/// The values tried at a question, a row each: what the run measures with it, and the change against the
-/// first one. As high as its rows.
+/// The tried values of a question, one row each: the measured quantities, and their change against the first.
+/// As high as its rows.
 class TriesTable : public QTableWidget {
   Q_OBJECT
 
  public:
   explicit TriesTable(QWidget* parent = nullptr);
 
-  /// `watched`: what the question watches, for people.
+  /// `watched`: title of the watched quantity.
   void show_work(const Question& question, const QString& watched, const QuestionWork& work);
 
  protected:
@@ -27,7 +27,7 @@ class TriesTable : public QTableWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  /// All columns whole where there is room, the values shortened where not.
+  /// Shows all columns in full if there is room, else shortens the values.
   void fit_columns();
   void fit_height();
 };

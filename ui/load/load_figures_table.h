@@ -7,7 +7,7 @@
 
 namespace feedscope::ui {
 
-/// Largest and mean load, at the predicted feed and as the programmed feed would give it; a row a quantity.
+/// Largest and mean load at the predicted and at the programmed feed, one row for each quantity.
 class LoadFiguresTable : public QAbstractTableModel {
   Q_OBJECT
 
@@ -18,7 +18,7 @@ class LoadFiguresTable : public QAbstractTableModel {
 
   /// None: no rows.
   void set_totals(std::optional<LoadTotals> totals);
-  /// Of the largest value of a row at the predicted feed [s].
+  /// Time of the largest value of a row at the predicted feed [s].
   double time_of(int row) const;
 
   int rowCount(const QModelIndex& parent = {}) const override;

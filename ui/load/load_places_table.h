@@ -7,7 +7,7 @@
 
 namespace feedscope::ui {
 
-/// Where the load is beyond a bound of its operation, in the order of time.
+/// Places where the load exceeds a bound of its operation, in order of time.
 class LoadPlacesTable : public QAbstractTableModel {
   Q_OBJECT
 

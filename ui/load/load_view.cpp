@@ -32,7 +32,7 @@ namespace {
 
 constexpr int row_height = 22;          // [pixels]
 constexpr int widest_column = 230;      // [pixels]
-constexpr double around_instant = 0.1;  // [s]; shown before and behind the largest value
+constexpr double around_instant = 0.1;  // [s]; shown before and after the largest value
 
 void prepare(QTableView& table, QAbstractItemModel& model) {
   table.setModel(&model);
@@ -169,7 +169,7 @@ QString LoadView::message() const {
   return message_->text();
 }
 
-/// Gives the runs what the table says, or nothing where it does not fit.
+/// Applies the table to the runs, or an empty load if it does not fit.
 void LoadView::apply() {
   const LoadSetup& setup = table_->setup();
   const auto& input = workbench_.shown_program().input;
@@ -204,7 +204,7 @@ void LoadView::follow_program() {
   show_result();
 }
 
-/// Undone, or of another program or session.
+/// Follows a change by undo, another program or a session.
 void LoadView::follow_load() {
   if (!applying_ && !(workbench_.runs().load() == table_->setup())) {
     problem_.clear();

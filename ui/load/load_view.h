@@ -18,8 +18,8 @@ class LoadFiguresTable;
 class LoadPlacesTable;
 class OperationTable;
 
-/// How the tools of the program are engaged, to be edited, and what the current run puts on them. What is
-/// typed holds for every run as soon as it fits the program; what does not is said, and stays in the table.
+/// Engagement of the program's tools, editable, and the resulting load in the current run. Input applies to
+/// all runs as soon as it fits the program; other input remains in the table, with a message.
 class LoadView : public Panel {
   Q_OBJECT
 
@@ -27,7 +27,7 @@ class LoadView : public Panel {
   /// `workbench` outlives this.
   explicit LoadView(Workbench& workbench, QWidget* parent = nullptr);
 
-  /// What the table says, whether it fits the program or not: for sessions.
+  /// Contents of the table, even if they do not fit the program; for sessions.
   const LoadSetup& setup() const;
   void set_setup(const LoadSetup& setup);
   void open_file(const QString& file);
@@ -39,7 +39,7 @@ class LoadView : public Panel {
   QTableView* places() { return places_; }
   QComboBox* shown_operation() { return which_; }
   OperationTable* table() { return table_; }
-  /// What the panel says: of the load, or what is wrong.
+  /// The message of the panel: on the load, or an error.
   QString message() const;
 
  private:
@@ -66,9 +66,9 @@ class LoadView : public Panel {
   QAction* add_ = nullptr;
   QAction* remove_ = nullptr;
   QList<QAction*> actions_;
-  LoadSetup applied_;  ///< what the runs have
+  LoadSetup applied_;  ///< of the runs
   bool applying_ = false;
-  QString problem_;  ///< why the table does not hold; empty: it does
+  QString problem_;  ///< reason why the table is not applied; empty if it is
 };
 
 }  // namespace feedscope::ui

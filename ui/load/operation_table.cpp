@@ -21,7 +21,7 @@ constexpr double new_axial_depth = 5;   // [mm]
 constexpr double most_teeth = 200;
 constexpr int digits = 6;
 
-/// How the number of an operation is shown; by operation_keys.
+/// Display of a number of operations, in the order of operation_keys.
 struct NumberColumn {
   const char* title;
   const char* tip;
@@ -75,7 +75,7 @@ const NumberColumn& number_column(int column) {
   return number_columns[static_cast<std::size_t>(column - OperationTable::first_number)];
 }
 
-/// The number shown for a value as the core has it, and the other way.
+/// The shown number for a core value; value_of() is the inverse.
 double shown_number(double value, int column) {
   const NumberColumn& info = number_column(column);
   return info.dimension == Dimension::number ? key_at(column).unit.to_unit(value)
@@ -313,7 +313,7 @@ bool OperationTable::setData(const QModelIndex& index, const QVariant& value, in
   Engagement& operation = setup_.operations[static_cast<std::size_t>(index.row())];
   const QString typed = value.toString();
   if (typed == text(operation, index.column())) {
-    return true;  // what is shown is rounded
+    return true;  // the shown value is rounded
   }
   Engagement changed = operation;
   const QString problem = take(changed, index.column(), typed);

@@ -9,8 +9,8 @@
 
 namespace feedscope::ui {
 
-/// How the tools of a program are engaged, a row an operation, to be edited. A wrong value is refused:
-/// setData() returns false, refused() says why. Cells with choices have ChoiceDelegate::choices_role.
+/// Engagement of a program's tools, one row for each operation, editable. A wrong value is refused: setData()
+/// returns false, and refused() emits the reason. Cells with choices have ChoiceDelegate::choices_role.
 class OperationTable : public QAbstractTableModel {
   Q_OBJECT
 
@@ -21,9 +21,9 @@ class OperationTable : public QAbstractTableModel {
 
   const LoadSetup& setup() const { return setup_; }
   void set_setup(LoadSetup setup);
-  /// Whose tools can be chosen, and whose radii a new operation begins with; may be null.
+  /// Program whose tools can be chosen, and whose radii new operations have; may be null.
   void set_program(std::shared_ptr<const Program> program);
-  /// An operation of the first tool that has none.
+  /// Adds an operation of the first tool without one.
   void add();
   void remove(int row);
 
@@ -35,7 +35,7 @@ class OperationTable : public QAbstractTableModel {
   Qt::ItemFlags flags(const QModelIndex& index) const override;
 
  signals:
-  /// By a cell, or an operation that has come or gone.
+  /// A cell has changed, or an operation was added or removed.
   void edited();
   void refused(const QString& message);
 
@@ -43,14 +43,14 @@ class OperationTable : public QAbstractTableModel {
   QString text(const Engagement& operation, int column) const;
   QStringList choices(int column) const;
   QStringList tools() const;
-  /// The first one, own ones before shipped ones; null if there is none.
+  /// The first match, the user's materials before shipped ones; null if there is none.
   const Material* material_with(const std::string& value, std::string Material::*member) const;
-  /// Empty, or why the text is not taken.
+  /// Empty, or the reason why the text is refused.
   QString take(Engagement& operation, int column, const QString& text) const;
   QString take_number(Engagement& operation, int column, const QString& text) const;
 
   LoadSetup setup_;
-  std::vector<Material> materials_;  ///< shipped ones
+  std::vector<Material> materials_;  ///< shipped
   std::shared_ptr<const Program> program_;
 };
 

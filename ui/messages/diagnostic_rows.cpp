@@ -12,7 +12,7 @@ std::vector<DiagnosticRow> diagnostic_rows(const std::vector<Diagnostic>& diagno
   for (const RepeatedDiagnostic& one : said) {
     first[one.first] = &one;
   }
-  // Which closing lines without_repeats() has added to a message: those of a kind that is kept once go.
+  // Whether a closing line of without_repeats() is of a kind that is listed once; such lines are omitted.
   const auto kept_once = [&](const Diagnostic& closing) {
     return std::ranges::any_of(said, [&](const RepeatedDiagnostic& one) {
       return one.unlisted > 0 && one.further_lines.empty() && one.first->code == closing.code &&

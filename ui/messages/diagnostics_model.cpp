@@ -117,7 +117,7 @@ bool DiagnosticsFilter::filterAcceptsRow(int row, const QModelIndex& parent) con
   return index.data(DiagnosticsModel::severity_role).toInt() >= static_cast<int>(least_);
 }
 
-/// Line 0 for a row without a place.
+/// Place of a row; line 0 for a row without one.
 TextPlace DiagnosticsFilter::place_of(int row) const {
   const QModelIndex there = index(row, 0);
   const uint column = there.data(DiagnosticsModel::byte_role).toUInt();

@@ -11,8 +11,8 @@
 
 namespace feedscope::ui {
 
-/// What the reader found in a program, as diagnostic_rows(), then messages of the application. Those of
-/// subprograms in files of their own follow those of the program.
+/// Reader's messages on a program, as diagnostic_rows(), then messages of the application. Messages on
+/// subprogram files follow those on the program.
 class DiagnosticsModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -45,7 +45,7 @@ class DiagnosticsModel : public QAbstractTableModel {
   std::vector<Diagnostic> messages_;
 };
 
-/// Leaves out what is less severe than is asked for.
+/// Omits messages below the chosen severity.
 class DiagnosticsFilter : public QSortFilterProxyModel {
   Q_OBJECT
 
@@ -54,7 +54,7 @@ class DiagnosticsFilter : public QSortFilterProxyModel {
 
   void set_least(Severity severity);
   /// The row after (or before) a place in the program that has a line, around the ends; -1 if no row has one.
-  /// From a row on the place's own line, the row beside that one.
+  /// From a row on the place's own line, the row next to that one.
   int next_row(int row, TextPlace place, bool forward) const;
 
  protected:

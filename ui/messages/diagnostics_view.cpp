@@ -30,7 +30,7 @@ QStyle::StandardPixmap icon_of(Severity severity) {
   return QStyle::SP_MessageBoxInformation;
 }
 
-/// Icons of severities, which the model, free of widgets, has none of.
+/// Draws the icons of severities; the model is free of widgets and has none.
 class SeverityDelegate : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;

@@ -11,7 +11,7 @@ class QTreeView;
 
 namespace feedscope::ui {
 
-/// The diagnostics of a program and messages of the application, filtered by severity. Choosing one goes to
+/// The diagnostics of a program and messages of the application, filtered by severity. Choosing a row goes to
 /// its place.
 class DiagnosticsView : public Panel {
   Q_OBJECT
@@ -22,7 +22,7 @@ class DiagnosticsView : public Panel {
   void follow(Workbench& workbench) override;
   void set_program(std::shared_ptr<const Program> program) { model_->set_program(std::move(program)); }
   void add_message(Severity severity, const QString& message) { model_->add_message(severity, message); }
-  /// From where the next and the previous one are looked for.
+  /// Start of the search for the next and previous message.
   void set_place(TextPlace place) { place_ = place; }
 
   const DiagnosticsModel& model() const { return *model_; }

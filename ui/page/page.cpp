@@ -17,7 +17,7 @@ QByteArray page_file(const QString& name) {
   return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-/// Only the script of `loader` is run and what it unpacks; nothing is fetched from anywhere.
+/// Permits only the script of `loader` and the scripts that it unpacks; nothing is fetched.
 QString policy(const QByteArray& loader) {
   const QByteArray hash = QCryptographicHash::hash(loader, QCryptographicHash::Sha256).toBase64();
   return QStringLiteral(
@@ -27,13 +27,13 @@ QString policy(const QByteArray& loader) {
       .arg(QString::fromLatin1(hash));
 }
 
-/// Base64 has no character that could end the element.
+/// Base64, which has no character that could end the element.
 QString kept(const char* id, const QByteArray& bytes) {
   return QStringLiteral("<script type=\"text/plain\" id=\"%1\">%2</script>\n")
       .arg(QLatin1String(id), QString::fromLatin1(bytes.toBase64()));
 }
 
-/// Of the libraries in the page's script.
+/// Licences of the libraries in the page's script.
 QByteArray licences() {
   QJsonArray list;
   for (const char* name : {"three", "uplot"}) {

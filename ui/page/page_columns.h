@@ -9,8 +9,8 @@ namespace feedscope::ui {
 /// A value as the nearest whole number of steps of `quantum`.
 std::int64_t steps(double value, double quantum);
 
-/// Whole numbers of one kind in the order of a path, small ones in few bytes: zigzag, then seven bits a byte,
-/// the lowest first.
+/// Whole numbers of one kind in the order of a path, small ones in few bytes: zigzag, then seven bits in each
+/// byte, the lowest first.
 class PageColumn {
  public:
   void add(std::int64_t number);
@@ -20,13 +20,13 @@ class PageColumn {
   QByteArray bytes_;
 };
 
-/// The data of a page: a description as JSON and the columns that it names, compressed together.
+/// The data of a page: a JSON description and the columns that it refers to, compressed together.
 class PageData {
  public:
-  /// Appends a column. Returns what the description says of it: its first byte and their number.
+  /// Appends a column. Returns its entry for the description: first byte and number of values.
   QJsonObject add(const PageColumn& column);
-  /// Four bytes with the length of the description, the lowest first; the description; the columns. As a zlib
-  /// stream.
+  /// A zlib stream of four bytes with the length of the description, the lowest first; the description; the
+  /// columns.
   QByteArray packed(const QJsonObject& description) const;
 
  private:

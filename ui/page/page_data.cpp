@@ -41,7 +41,7 @@ Position position_steps(const Vec3& position) {
           steps(position.z(), position_quantum)};
 }
 
-/// The programmed path as the page has it, to say where a run deviates from it.
+/// The programmed path as in the page, to state the deviations of a run from it.
 class ProgrammedSteps {
  public:
   explicit ProgrammedSteps(const std::vector<ProgrammedPoint>& points) {
@@ -51,7 +51,7 @@ class ProgrammedSteps {
     }
   }
 
-  /// Places that do not fall.
+  /// Position at places in ascending order.
   Position at(std::int64_t place) {
     while (next_ + 1 < places_.size() && places_[next_] < place) {
       ++next_;
@@ -74,7 +74,7 @@ class ProgrammedSteps {
   std::size_t next_ = 0;
 };
 
-/// What differs from the number before.
+/// Differences between successive numbers.
 class Deltas {
  public:
   void add(std::int64_t number) {
@@ -107,7 +107,7 @@ QJsonObject programmed_json(const std::vector<ProgrammedPoint>& points, PageData
   return {{"count", static_cast<qint64>(points.size())}, {"columns", columns}};
 }
 
-/// The steps in which the columns of a run count.
+/// Units of the columns of a run.
 struct RunQuanta {
   double speed = 1;         ///< [mm/s]
   double acceleration = 1;  ///< [mm/s2]
@@ -125,7 +125,8 @@ RunQuanta quanta_of(const std::vector<RunNode>& nodes) {
   return {part(top.speed, speed_parts), part(top.acceleration, peak_parts), part(top.jerk, peak_parts)};
 }
 
-/// A middle speed is kept as what it differs from the mean of both ends, a path length from Simpson's rule.
+/// Stores a middle speed as the difference from the mean of both ends, and a path length as the difference
+/// from Simpson's rule.
 QJsonObject nodes_json(const std::vector<RunNode>& nodes, ProgrammedSteps programmed, PageData& data) {
   const RunQuanta quanta = quanta_of(nodes);
   Deltas time, ahead, speed, acceleration, jerk, error, feed, line, cause, kind;
@@ -246,7 +247,7 @@ QJsonArray cause_titles() {
   return titles;
 }
 
-/// As figures name them.
+/// In the order used by figures.
 QJsonArray cause_keys() {
   QJsonArray keys;
   for (const Cause& cause : all_causes()) {
@@ -255,7 +256,7 @@ QJsonArray cause_keys() {
   return keys;
 }
 
-/// The places that lose most, in order of time, each with a sentence why.
+/// The places with the largest loss, in order of time, each with a sentence on its cause.
 QJsonArray places_json(const ShownRun& shown) {
   const Trajectory& trajectory = *shown.run.trajectory;
   const SlowPlaces found = shown.slow_places ? *shown.slow_places : find_slow_places(trajectory);
@@ -278,7 +279,7 @@ QJsonArray places_json(const ShownRun& shown) {
   return list;
 }
 
-/// What `simulate --json` writes, but for what is not the same each time or is not shown.
+/// The output of `simulate --json`, without parts that vary or are not shown.
 QJsonObject figures_json(const ReportRun& run, const ComparedRun& figures) {
   const std::string text = simulation_json(run.shown->run.input, figures);
   QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(text)).object();
@@ -288,7 +289,7 @@ QJsonObject figures_json(const ReportRun& run, const ComparedRun& figures) {
   return json;
 }
 
-/// The annotations of a session at the places where the current run is there.
+/// The annotations of a session at the times of the current run.
 QJsonArray annotations_json(const ReportInput& input) {
   const Trajectory& trajectory = *input.run().shown->run.trajectory;
   QJsonArray list;
@@ -381,7 +382,7 @@ class PageWriter {
     return text;
   }
 
-  /// Runs on one programmed path share it.
+  /// Index of the programmed path, which runs may share.
   std::size_t programmed_of(const Trajectory& trajectory) {
     const auto known = std::ranges::find(paths_, trajectory.path().programmed());
     if (known != paths_.end()) {

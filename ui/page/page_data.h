@@ -7,10 +7,10 @@
 
 namespace feedscope::ui {
 
-/// Nodes of all runs together; of a long program 8 bytes each in a page.
+/// Nodes of all runs together; in a page about 8 bytes each for a long program.
 inline constexpr std::size_t most_page_nodes = 350'000;
 
-/// What the page of a report shows of its runs, as README.md beside this file says: PageData::packed().
+/// Data of a report's runs for its page, in the format of README.md in this folder: PageData::packed().
 /// The same input gives the same bytes. Throws Cancelled if `progress` is cancelled.
 QByteArray page_data(const ReportInput& input, Progress* progress = nullptr,
                      std::size_t most_nodes = most_page_nodes);

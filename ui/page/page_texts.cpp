@@ -13,7 +13,7 @@ struct PageText {
   const char* text;
 };
 
-/// Sentences and titles of other views are theirs, so that page and program say the same.
+/// Sentences and titles of other views come from there, so that page and program agree.
 constexpr PageText texts_of_page[] = {
     {"PageWords", QT_TRANSLATE_NOOP("PageWords", "%1 lost here")},
     {"ReportWords", QT_TRANSLATE_NOOP("ReportWords", "%1 of %2")},

@@ -4,9 +4,9 @@
 
 namespace feedscope::ui {
 
-/// Every text of the page's own in the language in force, by its English.
+/// All texts of the page itself in the current language, by their English.
 QJsonObject page_texts();
-/// Units and factors of what the page shows, by the names of page_data.js.
+/// Units and factors of the page's numbers, by the names of page_data.js.
 QJsonObject page_units();
 
 }  // namespace feedscope::ui

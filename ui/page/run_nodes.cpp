@@ -16,8 +16,8 @@ constexpr double shortest_span = 2e-5;       // [s]
 constexpr double acceleration_share = 0.05;  // of the largest acceleration
 constexpr double fine_position = 5e-4;       // [mm]
 constexpr double fine_speed_share = 5e-4;    // of the largest feed
-constexpr double coarse_speed_share = 0.01;  // the same before the path is drawn coarser
-constexpr std::size_t longest_window = 64;   // nodes that one span may stand for
+constexpr double coarse_speed_share = 0.01;  // of the largest feed; then the path gets coarser
+constexpr std::size_t longest_window = 64;   // nodes that one span may replace
 
 /// State of a run with its programmed place.
 struct Looked {
@@ -31,7 +31,7 @@ double parabola(double start, double middle, double end, double share) {
   return start + share * (4 * middle - 3 * start - end) + share * share * 2 * (start + end - 2 * middle);
 }
 
-/// Where a position would be if it changed in a straight line with the path length.
+/// The position if it were linear in path length.
 Vec3 on_chord(const Vec3& from, const Vec3& to, double begin, double end, double at) {
   return end > begin ? Vec3(from + (to - from) * ((at - begin) / (end - begin))) : from;
 }
@@ -84,7 +84,7 @@ class NodeWalk {
     }
   }
 
-  /// What the control takes over as it is programmed.
+  /// Whether the control executes the element as programmed.
   bool follows_exactly() const {
     const ElementKind kind = trajectory_.path().kind(part_.element);
     return &trajectory_.path().base() == trajectory_.path().programmed().get() &&
@@ -133,7 +133,7 @@ class NodeWalk {
 
   void add(const Looked& at, double time) { nodes_.push_back(node_of(at, time)); }
 
-  /// A node at the end of the part before where the next one begins elsewhere or at another speed.
+  /// Adds a node at the end of the previous part if the next one begins at another place or speed.
   void close(const Looked& next) {
     if (!last_) {
       return;
@@ -194,13 +194,13 @@ class NodeWalk {
   std::vector<RunNode> nodes_;
 };
 
-/// Speed halfway between two nodes of which the parabola covers the way between them.
+/// Speed halfway between two nodes such that the parabola covers the distance between them.
 double middle_speed(const RunNode& from, const RunNode& to) {
   const double mean = (to.path_length - from.path_length) / (to.time - from.time);
   return std::max(0.0, (6 * mean - from.speed - to.speed) / 4);
 }
 
-/// Whether one span from node to node shows what is between them.
+/// Whether one span between two nodes represents those between them.
 bool one_span(const std::vector<RunNode>& nodes, std::size_t from, std::size_t to,
               const NodePrecision& precision) {
   const RunNode& a = nodes[from];
@@ -225,7 +225,7 @@ bool one_span(const std::vector<RunNode>& nodes, std::size_t from, std::size_t t
   return true;
 }
 
-/// A node that stands for [from, to): cause, line and feed of the longest, the largest acceleration and jerk.
+/// A node that replaces [from, to): cause, line and feed of the longest, the largest acceleration and jerk.
 RunNode joined(const std::vector<RunNode>& nodes, std::size_t from, std::size_t to) {
   RunNode node = nodes[from];
   std::size_t longest = from;
@@ -261,7 +261,7 @@ std::vector<RunNode> thinned(const std::vector<RunNode>& nodes, const NodePrecis
   return kept;
 }
 
-/// Into how many chords an arc is cut so that none is farther from it than `precision` [mm].
+/// Number of chords that approximate an arc within `precision` [mm].
 std::size_t chords_of(const Arc& arc, double length, double precision) {
   const double step = std::sqrt(8 * precision * arc.radius);  // sagitta of a short chord: c^2 / (8 r)
   return static_cast<std::size_t>(std::max(1.0, std::ceil(length / std::max(step, precision))));
@@ -282,7 +282,7 @@ RunNodes run_nodes(const Trajectory& trajectory, double top_feed, std::size_t mo
   result.nodes = NodeWalk(trajectory, result.precision).take(progress != nullptr ? *progress : unwatched);
   const std::vector<RunNode> all = result.nodes;
   while (result.nodes.size() > most) {
-    // Feeds go first: the path is what is looked at.
+    // Speeds lose precision first: people look at the path.
     if (result.precision.speed < coarse_speed_share * top_feed) {
       result.precision.speed *= 2;
     } else {

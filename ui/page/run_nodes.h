@@ -8,16 +8,16 @@
 
 namespace feedscope::ui {
 
-/// What a path does from a node to the next.
+/// Motion from a node to the next.
 enum class NodeKind : std::uint8_t {
   cut,
   rapid,
-  pause,  ///< X, Y and Z stand
-  gap,    ///< it goes on elsewhere, and how the tool gets there is not known
+  pause,  ///< X, Y and Z at rest
+  gap,    ///< unknown motion to the next position
   arc,    ///< of a programmed path: a cut to a point within an arc
 };
 
-/// An instant of a run, and what holds from there to the next node.
+/// An instant of a run, and the values from there to the next node.
 struct RunNode {
   double time = 0;                ///< [s]
   double path_length = 0;         ///< executed [mm]
@@ -35,24 +35,24 @@ struct RunNode {
   NodeKind kind = NodeKind::cut;
 };
 
-/// How far a run that is drawn from its nodes may be from the run: between two of them the position changes
-/// in a straight line with the path length, the speed as a parabola with time.
+/// Permitted deviation between a run and its drawing from nodes. Between two nodes the position is linear in
+/// path length, and the speed is a parabola in time.
 struct NodePrecision {
   double position = 0;  ///< [mm]
   double speed = 0;     ///< [mm/s]
 };
 
-/// What a page states: below 1 um and 0.1 % of the largest feed, rounding of the columns included.
+/// The precision of a page: below 1 um and 0.1 % of the largest feed, including the rounding of the columns.
 NodePrecision fine_precision(double top_feed);
 
 struct RunNodes {
   std::vector<RunNode> nodes;  ///< in order of time; empty for an empty trajectory
-  NodePrecision precision;     ///< that they have
+  NodePrecision precision;     ///< of the nodes
 };
 
-/// `most`: of more nodes so many are left out, where path and speed are straightest, that no more remain: the
-/// precision of the speed is doubled up to 1 % of the largest feed, then that of the path. `top_feed`: the
-/// largest of feed motions [mm/s]. Linear in the pieces. Throws Cancelled.
+/// `most`: beyond this number of nodes, those where path and speed are straightest are omitted: the speed
+/// tolerance is doubled up to 1 % of the largest feed, then the path tolerance. `top_feed`: the largest of
+/// feed motions [mm/s]. Linear in the pieces. Throws Cancelled.
 RunNodes run_nodes(const Trajectory& trajectory, double top_feed, std::size_t most,
                    Progress* progress = nullptr);
 
@@ -60,8 +60,8 @@ RunNodes run_nodes(const Trajectory& trajectory, double top_feed, std::size_t mo
 struct ProgrammedPoint {
   double place = 0;               ///< programmed path length [mm]
   Vec3 position = Vec3::Zero();   ///< [mm]
-  std::uint32_t line = 0;         ///< of the block that ends here or is under way
-  NodeKind kind = NodeKind::cut;  ///< how the path gets here
+  std::uint32_t line = 0;         ///< of the block that ends here or is in progress
+  NodeKind kind = NodeKind::cut;  ///< motion to this point
 };
 std::vector<ProgrammedPoint> programmed_points(const Toolpath& path, double precision);
 

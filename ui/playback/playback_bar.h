@@ -22,7 +22,7 @@ class PlaybackBar : public QWidget {
   /// `workbench` outlives this.
   explicit PlaybackBar(Workbench& workbench, QWidget* parent = nullptr);
 
-  /// Cycle time of the run that is shown [s]; 0: none.
+  /// Cycle time of the shown run [s]; 0: none.
   void set_duration(double duration);
   void toggle();
   /// Time between two samples of the control, for stepping [s].
@@ -30,7 +30,7 @@ class PlaybackBar : public QWidget {
   /// Play, steps, speed, loop, start and end; for menus.
   QList<QAction*> panel_actions() const { return actions_; }
   QToolButton* play_button() { return play_; }
-  /// Without what menus have too, which goes where there is no room for it.
+  /// Without buttons that are also in menus; these are hidden if there is no room.
   QSize minimumSizeHint() const override;
 
  protected:
@@ -43,7 +43,7 @@ class PlaybackBar : public QWidget {
   void fit_in();
   int needed_by(const QWidget& part) const;
   void show_run();
-  /// What the charts show is played over and over, or no longer.
+  /// Repeats the range of the charts, or stops that.
   void loop(bool on);
   void step_sample(int direction);
   void change_speed(double factor);
@@ -56,7 +56,7 @@ class PlaybackBar : public QWidget {
   QSlider* slider_;
   QLabel* time_;
   NumberBox* speed_;
-  QList<QWidget*> spare_;  ///< the first goes last
+  QList<QWidget*> spare_;  ///< the first is hidden last
   QList<QAction*> actions_;
   double duration_ = 0;
   double sample_time_ = 0.001;

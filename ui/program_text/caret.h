@@ -7,19 +7,19 @@
 
 namespace feedscope::ui {
 
-/// The place of the keyboard in a program's text and the selection that it ends. Going up and down it keeps
-/// to the column that it was put into last.
+/// The position of the keyboard in a program's text, and the selection that ends there. Moving up and down,
+/// it keeps its last chosen column.
 class Caret {
  public:
   TextPlace place() const { return place_; }
   /// Empty without one.
   TextRange selection() const;
 
-  /// Goes to the nearest place that there is. `selects`: the selection then ends here, else there is none.
+  /// Goes to the nearest existing place. `selects`: extends the selection to here; else clears it.
   void put(const ProgramText& text, TextPlace place, bool selects);
-  /// Selects from one place to another, at whose end it stands then; both are clamped to the text.
+  /// Selects a range and moves to its end; both ends are clamped to the text.
   void select(const ProgramText& text, TextRange range);
-  /// `page`: lines of a page.
+  /// `page`: number of lines.
   void move(const ProgramText& text, CaretMovement movement, std::uint32_t page);
 
  private:
@@ -27,8 +27,8 @@ class Caret {
   TextPlace vertically_moved(const ProgramText& text, std::int64_t lines) const;
 
   TextPlace place_;
-  TextPlace anchor_;               ///< where the selection begins
-  std::uint32_t wanted_cell_ = 0;  ///< that it keeps to going up and down
+  TextPlace anchor_;               ///< start of the selection
+  std::uint32_t wanted_cell_ = 0;  ///< kept when moving up and down
 };
 
 }  // namespace feedscope::ui

@@ -27,7 +27,7 @@ struct CaretMovement {
   bool selects = false;
 };
 
-/// What a key press asks for, by the desktop's keys for text; none for other keys.
+/// The movement for a key press, by the desktop's keys for text; none for other keys.
 std::optional<CaretMovement> caret_movement_of(const QKeyEvent& event);
 
 }  // namespace feedscope::ui

@@ -11,16 +11,16 @@
 
 namespace feedscope::ui {
 
-/// The diagnostics of a program by their lines in its own text; those of the file as a whole and of
-/// subprograms in files of their own are omitted.
+/// The diagnostics of a program by their lines in its own text, without those on the whole file or on
+/// subprogram files.
 class DiagnosticMarks {
  public:
   DiagnosticMarks() = default;
   explicit DiagnosticMarks(const Program& program);
 
-  /// In order of line and column; they are the program's.
+  /// In order of line and column; owned by the program.
   const std::vector<const Diagnostic*>& all() const { return marks_; }
-  /// Of the lines from `first` to `last`, both included.
+  /// On the lines from `first` to `last`, both included.
   std::span<const Diagnostic* const> of(std::uint32_t first, std::uint32_t last) const;
   std::span<const Diagnostic* const> of(std::uint32_t line) const { return of(line, line); }
   /// Messages and hints of a line, one below the other.
@@ -35,11 +35,11 @@ struct ByteRange {
   std::uint32_t to = 0;
 };
 
-/// What to mark of a line for a diagnostic at `column` (1-based byte; 0: the line without its indentation):
+/// Bytes to mark in a line for a diagnostic at `column` (1-based byte; 0: the line without its indentation):
 /// the word that begins there. Empty at the line's end for a column beyond it.
 ByteRange marked_bytes(std::string_view line, std::uint32_t column, std::span<const Token> tokens);
 
-/// The worst of some; info for none.
+/// The highest severity; info for none.
 Severity worst_of(std::span<const Diagnostic* const> diagnostics);
 
 }  // namespace feedscope::ui

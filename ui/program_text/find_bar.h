@@ -14,8 +14,8 @@ namespace feedscope::ui {
 
 class ProgramView;
 
-/// Searches the text of a ProgramView: while the user types the first hit behind the caret is shown; stepping
-/// to a hit goes there with the run's cursor. Wraps at both ends.
+/// Searches the text of a ProgramView. Typing shows the first hit after the caret; stepping to a hit moves
+/// the run's cursor there. Wraps at both ends.
 class FindBar : public InputBar {
   Q_OBJECT
 
@@ -23,7 +23,7 @@ class FindBar : public InputBar {
   /// `view` outlives this.
   explicit FindBar(ProgramView& view, QWidget* parent = nullptr);
 
-  /// Shows itself with the selected text, ready to be typed over.
+  /// Opens with the selected text, ready to be overwritten.
   void open();
   void step(bool forward);
 
@@ -32,7 +32,7 @@ class FindBar : public InputBar {
   QToolButton& match_case() { return *match_case_; }
   QToolButton& whole_word() { return *whole_word_; }
   QToolButton& regular_expression() { return *regular_expression_; }
-  /// "3 of 120", or what is wrong with the query.
+  /// "3 of 120", or an error in the query.
   QString status() const;
 
  public slots:
@@ -59,8 +59,8 @@ class FindBar : public InputBar {
   QLabel* status_;
   QTimer typing_;
   TextPlace start_;                 ///< of the search while the user types
-  bool reveal_ = false;             ///< the first hit is to be shown once it is known
-  std::optional<bool> step_later_;  ///< a step, forward or not, that waits for the result
+  bool reveal_ = false;             ///< whether to show the first hit once it is known
+  std::optional<bool> step_later_;  ///< a step, forward or not, pending until the result
 };
 
 }  // namespace feedscope::ui

@@ -18,7 +18,7 @@ class GoToBar : public InputBar {
   /// `view` outlives this.
   explicit GoToBar(ProgramView& view, QWidget* parent = nullptr);
 
-  /// Shows itself with the number of the line at the caret.
+  /// Opens with the number of the caret's line.
   void open();
   WholeNumberBox& input() { return *input_; }
 

@@ -4,7 +4,7 @@
 
 namespace feedscope::ui {
 
-/// A bar with an input above the view that it serves: Esc closes it and goes back to the view, Enter acts.
+/// A bar with an input above its view: Esc closes it and returns to the view, Enter acts.
 class InputBar : public QWidget {
   Q_OBJECT
 
@@ -16,7 +16,7 @@ class InputBar : public QWidget {
   virtual void close_bar();
 
  protected:
-  /// Esc in `input` is the bar's, not the window's.
+  /// Makes Esc in `input` close the bar instead of acting on the window.
   void take_keys_of(QWidget* input);
   virtual void enter(Qt::KeyboardModifiers modifiers) = 0;
 

@@ -99,7 +99,7 @@ std::uint32_t LineCells::byte_at(std::uint32_t cell) const {
     return cell;
   }
   auto found = std::ranges::upper_bound(characters_, cell, {}, &Character::cell) - 1;
-  while (found != characters_.begin() && (found - 1)->cell == found->cell) {  // a mark on it
+  while (found != characters_.begin() && (found - 1)->cell == found->cell) {  // a combining mark on it
     --found;
   }
   return found->byte;

@@ -9,7 +9,7 @@ namespace {
 
 /// Bytes of the first `characters` (UTF-16 units) of a line.
 std::uint32_t bytes_of(const QString& line, qsizetype characters, std::size_t line_bytes) {
-  if (static_cast<std::size_t>(line.size()) == line_bytes) {  // ASCII and Latin-1: one each
+  if (static_cast<std::size_t>(line.size()) == line_bytes) {  // ASCII and Latin-1: one byte each
     return static_cast<std::uint32_t>(characters);
   }
   return static_cast<std::uint32_t>(QStringView(line).left(characters).toUtf8().size());

@@ -18,17 +18,17 @@ struct SearchQuery {
   bool operator==(const SearchQuery&) const = default;
 };
 
-/// Finds a query in single lines. May be used by several threads at a time.
+/// Finds a query in single lines. Several threads may use it at a time.
 class LineFinder {
  public:
   LineFinder() = default;
   explicit LineFinder(const SearchQuery& query);
 
-  /// Why nothing can be looked for; empty if all is well, and for an empty query, which finds nothing.
+  /// Error in the query; empty for a valid or an empty one, which finds nothing.
   const QString& error() const { return error_; }
   bool can_find() const { return can_find_; }
 
-  /// What is found in a line, one behind the other; nothing empty.
+  /// Hits in a line, in order; none is empty.
   std::vector<TextRange> matches_in(const ProgramText& text, std::uint32_t line) const;
   std::size_t count_in(const ProgramText& text, std::uint32_t line) const;
 

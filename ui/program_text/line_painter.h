@@ -20,10 +20,10 @@ class LinePainter {
   double cell_width() const { return cell_width_; }
   int line_height() const { return line_height_; }
 
-  /// The cells [first, last) of a line whose cell 0 would stand at `left`, `top` being its upper edge.
+  /// Draws the cells [first, last) of a line; `left`: of cell 0, `top`: upper edge.
   void draw_text(QPainter& painter, double left, int top, const LineCells& cells,
                  const std::vector<Token>& tokens, std::uint32_t first, std::uint32_t last) const;
-  /// Ground of the cells [from, to).
+  /// Background of the cells [from, to).
   void fill(QPainter& painter, double left, int top, std::uint32_t from, std::uint32_t to,
             const QColor& colour) const;
   /// A wavy line below the cells [from, to); thicker for an error.

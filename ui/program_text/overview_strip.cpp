@@ -31,7 +31,7 @@ QSize OverviewStrip::sizeHint() const {
   return {strip_width, 0};
 }
 
-/// A short program keeps the height of its lines.
+/// Height of the program; lines of a short one keep their height.
 std::int64_t OverviewStrip::used_height() const {
   return std::min<std::int64_t>(height(), std::int64_t{view_.text().line_count()} * view_.line_height());
 }

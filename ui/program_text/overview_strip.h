@@ -7,9 +7,9 @@ namespace feedscope::ui {
 
 class ProgramView;
 
-/// The whole program of a ProgramView from top to bottom: in every row of pixels the time of its lines as a
-/// bar and as heat, the diagnostics and the current line; a frame round the lines in sight. Press or drag to
-/// go there.
+/// Overview of the program in a ProgramView, from top to bottom: in every row of pixels the time of its lines
+/// as a bar and as heat, the diagnostics and the current line; a frame around the visible lines. Press or
+/// drag to go there.
 class OverviewStrip : public QWidget {
   Q_OBJECT
 

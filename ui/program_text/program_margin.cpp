@@ -21,8 +21,7 @@ constexpr int mark_width = 11;  // [pixels]
 constexpr int heat_width = 7;
 constexpr int gap = 4;
 
-/// Shapes too, not colours alone: a disc for an error, a triangle for a warning, a ring for what is worth
-/// knowing.
+/// Draws shapes as well as colours: a disc for an error, a triangle for a warning, a ring for information.
 void draw_mark(QPainter& painter, QPointF centre, Severity severity, const QColor& colour) {
   constexpr double radius = 3.5;
   painter.save();

@@ -6,8 +6,8 @@ namespace feedscope::ui {
 
 class ProgramView;
 
-/// Beside the lines of a ProgramView: diagnostics, line numbers and the heat of each line, hatched where it
-/// does something that the cycle time does not contain. A press goes to the line.
+/// Margin of a ProgramView: diagnostics, line numbers and the heat of each line, hatched where the cycle time
+/// omits an action. A press goes to the line.
 class ProgramMargin : public QWidget {
   Q_OBJECT
 

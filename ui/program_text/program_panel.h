@@ -14,8 +14,8 @@ namespace feedscope::ui {
 class FindBar;
 class GoToBar;
 
-/// A program's text with the bars that search it and go to a line, the commands of both, and the extents of
-/// its path.
+/// A program's text with the bars that search it and go to a line, their commands, and the extents of its
+/// path.
 class ProgramPanel : public Panel {
   Q_OBJECT
 
@@ -34,7 +34,7 @@ class ProgramPanel : public Panel {
   void go_to(std::uint32_t line, std::uint32_t column);
 
  protected:
-  /// A panel that is a strip of lines has no room for the extents.
+  /// Hides the extents if the panel is only a few lines high.
   void resizeEvent(QResizeEvent* event) override;
 
  private:
@@ -48,7 +48,7 @@ class ProgramPanel : public Panel {
   FindBar* find_bar_;
   GoToBar* go_to_bar_;
   bool has_extents_ = false;
-  QLabel* extents_;  ///< of the feed motions; hidden where there are none
+  QLabel* extents_;  ///< of the feed motions; hidden without any
   QList<QAction*> actions_;
 };
 

@@ -10,8 +10,8 @@
 
 namespace feedscope::ui {
 
-/// What a view of a program's text asks for. Reads the program's own text, without a copy; nothing costs more
-/// than the lines it touches.
+/// Queries on a program's text, for its view. Reads the program's text without a copy; the cost of each query
+/// depends on its lines only.
 class ProgramText {
  public:
   ProgramText() = default;
@@ -25,14 +25,14 @@ class ProgramText {
   /// Bytes of the longest line; looks at all lines.
   std::size_t longest_line() const;
 
-  /// The nearest place that there is.
+  /// The nearest existing place.
   TextPlace clamped(TextPlace place) const;
   TextPlace end() const;
-  TextPlace before(TextPlace place) const;  ///< one character back, over the line's end too
+  TextPlace before(TextPlace place) const;  ///< one character back, across line ends too
   TextPlace after(TextPlace place) const;
-  TextPlace word_before(TextPlace place) const;  ///< start of the word before
+  TextPlace word_before(TextPlace place) const;  ///< start of the previous word
   TextPlace word_after(TextPlace place) const;
-  /// The word, number or sign around a place.
+  /// The word, number or sign at a place.
   TextRange word_at(TextPlace place) const;
   /// The text of a range, lines separated by LF.
   QString text(TextRange range) const;

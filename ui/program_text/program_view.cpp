@@ -152,7 +152,7 @@ void ProgramView::zoom(int steps) {
   set_font_size(font_size() + steps);
 }
 
-/// What depends on font and palette.
+/// Updates everything that depends on font and palette.
 void ProgramView::restyle() {
   painter_ = LinePainter(font(), palette());
   place_strips();
@@ -169,7 +169,7 @@ void ProgramView::refresh() {
 void ProgramView::place_strips() {
   const int left = margin_->sizeHint().width();
   const int right = overview_->sizeHint().width();
-  // Only where they change: it lays out the scroll bars, which may resize the viewport and come back here.
+  // Only if they change: this lays out the scroll bars, which may resize the viewport and call this again.
   if (const QMargins margins(left, 0, right, 0); viewportMargins() != margins) {
     setViewportMargins(margins);
   }
@@ -235,7 +235,7 @@ TextPlace ProgramView::place_at(const QPoint& point) const {
 }
 
 void ProgramView::bring_line_into_sight(std::uint32_t line) {
-  if (!isVisible()) {  // there is no height to go by yet; showEvent() does it
+  if (!isVisible()) {  // the height is still unknown; showEvent() follows
     return;
   }
   const int row = to_int(line) - 1;
@@ -319,7 +319,7 @@ void ProgramView::paint_line(QPainter& painter, std::uint32_t line) {
   painter_.draw_text(painter, left_edge(), top_of(line), cells, tokens, static_cast<std::uint32_t>(first),
                      static_cast<std::uint32_t>(first + seen));
   paint_marks(painter, line, cells, tokens);
-  if (cells.count() > cells_) {  // tabs
+  if (cells.count() > cells_) {  // contains tabs
     cells_ = cells.count();
     set_ranges();
   }
@@ -343,7 +343,7 @@ void ProgramView::paint_ground(QPainter& painter, std::uint32_t line, const Line
   if (!selected.empty() && line >= selected.begin.line && line <= selected.end.line) {
     const std::uint32_t from = line == selected.begin.line ? cells.cell_of(selected.begin.byte) : 0;
     const std::uint32_t to =
-        line == selected.end.line ? cells.cell_of(selected.end.byte) : cells.count() + 1;  // the line's end
+        line == selected.end.line ? cells.cell_of(selected.end.byte) : cells.count() + 1;  // end of the line
     QColor ground = palette().color(QPalette::Highlight);
     ground.setAlphaF(hasFocus() ? 0.4F : 0.25F);
     painter_.fill(painter, left_edge(), row.top(), from, to, ground);
@@ -386,7 +386,7 @@ bool ProgramView::viewportEvent(QEvent* event) {
 }
 
 bool ProgramView::event(QEvent* event) {
-  if (event->type() == QEvent::ShortcutOverride) {  // Ctrl+Home is the text's here, not the window's
+  if (event->type() == QEvent::ShortcutOverride) {  // Ctrl+Home belongs to the text here, not to the window
     auto* key = static_cast<QKeyEvent*>(event);
     if (caret_movement_of(*key) || key->matches(QKeySequence::Copy) ||
         key->matches(QKeySequence::SelectAll)) {
@@ -402,7 +402,7 @@ void ProgramView::keyPressEvent(QKeyEvent* event) {
     QAbstractScrollArea::keyPressEvent(event);
   } else if (const auto movement = caret_movement_of(*event)) {
     if (!movement->selects && !selection().empty() && current_ > 0 && caret().line != current_) {
-      caret_.put(text_, {current_, 0}, false);  // playback went on while a selection was kept
+      caret_.put(text_, {current_, 0}, false);  // playback continued while a selection was kept
     }
     const std::uint32_t line = caret().line;
     caret_.move(text_, *movement, static_cast<std::uint32_t>(lines_in_sight()));

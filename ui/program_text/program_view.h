@@ -18,10 +18,11 @@ namespace feedscope::ui {
 class OverviewStrip;
 class ProgramMargin;
 
-/// A program's text, read only, with line numbers, the time of each line as a strip of heat, colours by
-/// dialect and diagnostics underlined. Draws the visible lines straight from the program, however long it is.
+/// A program's text, read only, with line numbers, a heat strip with the time of each line, syntax colours by
+/// dialect and underlined diagnostics. Draws the visible lines directly from the program, so that its length
+/// does not matter.
 ///
-/// The *current* line is the one at which the run's cursor is; the *caret* is the place of the keyboard.
+/// The *current* line is that of the run's cursor; the *caret* is the position of the keyboard.
 class ProgramView : public QAbstractScrollArea {
   Q_OBJECT
 
@@ -36,19 +37,19 @@ class ProgramView : public QAbstractScrollArea {
   void set_program(std::shared_ptr<const Program> program);
   /// Times of a run of the program; null: none.
   void set_times(std::shared_ptr<const LineTimes> times);
-  /// Makes a 1-based line the current one and brings it into sight; 0: none. Says nothing by line_chosen().
+  /// Makes a 1-based line the current one and scrolls to it; 0: none. Does not emit line_chosen().
   void show_line(std::uint32_t line);
   std::uint32_t current_line() const { return current_; }
 
-  /// Puts the caret somewhere as the user does: brings it into sight and says line_chosen().
+  /// Moves the caret like the user: scrolls to it and emits line_chosen().
   void go_to(TextPlace place);
-  /// The same with the caret at the end of a selection.
+  /// As go_to(), with the caret at the end of a selection.
   void select(TextRange range);
-  /// The same without saying line_chosen().
+  /// As select(), without line_chosen().
   void reveal(TextRange range);
-  /// Whose hits are marked; null: none. Outlives this.
+  /// Search whose hits are marked; null: none. Outlives this.
   void set_search(const TextSearch* search);
-  /// Whether a program is being read: what stands in place of one says so.
+  /// Whether a program is being read, which is shown while there is no text.
   void set_reading(bool reading);
   const TextSearch* search() const { return search_; }
 
@@ -63,13 +64,13 @@ class ProgramView : public QAbstractScrollArea {
   void set_font_size(int pixels);
 
   std::uint32_t first_visible_line() const;
-  std::uint32_t last_visible_line() const;  ///< also if only a part of it is in sight; 0: no program
+  std::uint32_t last_visible_line() const;  ///< even if only partly visible; 0: no program
   int line_height() const { return painter_.line_height(); }
   /// Upper edge of a line in the viewport.
   int top_of(std::uint32_t line) const;
   /// The line at a height of the viewport, at most the last one; 0: no program.
   std::uint32_t line_at(int y) const;
-  /// Where a character stands in the viewport.
+  /// Place of a character in the viewport.
   QRect place_rect(TextPlace place) const;
 
  public slots:
@@ -134,8 +135,8 @@ class ProgramView : public QAbstractScrollArea {
   bool reading_ = false;
   std::uint32_t current_ = 0;
   Caret caret_;
-  std::uint32_t cells_ = 0;  ///< of the longest line, as far as known
-  bool choosing_ = false;    ///< line_chosen() is being said: show_line() answers it
+  std::uint32_t cells_ = 0;  ///< of the longest known line
+  bool choosing_ = false;    ///< line_chosen() is being emitted: show_line() replies to it
   QBasicTimer drag_timer_;
   QPoint drag_point_;
   int wheel_rest_ = 0;

@@ -114,7 +114,8 @@ void ReadingDialog::list_units(const Program* program) {
       tr("Unit of lengths and feeds until the program sets one: G20, G21, G70, G71, BEGIN PGM ... MM"));
 }
 
-/// Those that the program asks for, and what else is set; the cell of a radius holds what is set here.
+/// Lists the tools that the program uses, and others in `options`; the cell of a radius contains that of
+/// `options`.
 void ReadingDialog::list_cutters(const ReadOptions& options, const Program* program) {
   cutters_->setAccessibleName(tr("Cutter radii"));
   cutters_->setColumnCount(column_count);

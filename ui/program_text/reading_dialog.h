@@ -16,18 +16,18 @@ namespace feedscope::ui {
 
 class WholeNumberBox;
 
-/// Asks how a program is to be read: its language and unit, blocks with "/", limits of loops and calls,
-/// cutter radii.
+/// Asks how to read a program: its language and unit, blocks with "/", limits of loops and calls, cutter
+/// radii.
 class ReadingDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// `program`: as it was read with `options`; null: it has not been read yet.
+  /// `program`: as read with `options`; null: not read yet.
   ReadingDialog(const ReadOptions& options, const Program* program, QWidget* parent = nullptr);
 
-  /// What is chosen; of use while valid().
+  /// The chosen options; usable while valid().
   ReadOptions options() const;
-  /// No radius is anything but a length of 0 or more, no offset anything but numbers.
+  /// Whether all radii are lengths of 0 or more, and all offsets are numbers.
   bool valid() const { return fault().isEmpty(); }
 
  private:

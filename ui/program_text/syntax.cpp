@@ -48,7 +48,7 @@ TokenKind kind_of_letter(char letter) {
   }
 }
 
-/// Of axes and arguments the letter alone is coloured, so that their numbers are easy to read.
+/// For axes and arguments only the letter is coloured, which keeps their numbers easy to read.
 bool takes_its_value(TokenKind kind) {
   switch (kind) {
     case TokenKind::g_code:
@@ -89,7 +89,7 @@ const std::vector<Token>& Syntax::tokens_of(std::string_view line) {
   return tokens_;
 }
 
-/// A block number, and the whole of a structure line, "12 * - ROUGHING".
+/// Reads a block number, or a whole structure line, "12 * - ROUGHING".
 std::size_t Syntax::read_heidenhain_start() {
   const std::size_t start = skip_blanks(0);
   const std::size_t end = add(start, digits_end(start), TokenKind::label);
@@ -126,7 +126,7 @@ std::size_t Syntax::add(std::size_t from, std::size_t to, TokenKind kind) {
   return to;
 }
 
-/// Whether only a block number or nothing stands before.
+/// Whether only a block number or nothing precedes.
 bool Syntax::at_start(std::size_t at) const {
   return std::ranges::all_of(tokens_, [](const Token& t) { return t.kind == TokenKind::label; }) &&
          (tokens_.empty() || skip_blanks(tokens_.back().from + tokens_.back().length) == at);
@@ -192,7 +192,7 @@ std::size_t Syntax::digits_end(std::size_t at) const {
   return at;
 }
 
-/// One past a number that stands at `at`, its sign included.
+/// End of a number at `at`, including its sign.
 std::size_t Syntax::value_end(std::size_t at) const {
   while (is_number_part(peek(at)) ||
          (peek(at) == ',' && family() == Family::heidenhain && is_digit(peek(at + 1)))) {
@@ -236,8 +236,8 @@ std::size_t Syntax::read_iso_name(std::size_t at) {
   if (to_upper(line_[at]) == 'O' && name.size() == 1 && peek(skip_blanks(end)) == '<') {
     return add(at, std::min(line_.find('>', end), line_.size() - 1) + 1, TokenKind::label);
   }
-  // "IX" and the like are axes by increments; of a longer run the last letter may belong to a number,
-  // which only the reader can tell, and it says so where it cannot.
+  // "IX" and similar are incremental axes. The last letter of a longer name may belong to a number,
+  // which only the reader can decide, and reports if it cannot.
   if (name.size() == 1 || (name.size() == 2 && to_upper(name[0]) == 'I' && is_axis(name[1]))) {
     return read_word(at, name.size());
   }

@@ -9,9 +9,9 @@
 
 namespace feedscope::ui {
 
-/// What a piece of a program's text is, as far as colours go.
+/// Kind of a piece of program text, for colours.
 enum class TokenKind : std::uint8_t {
-  text,  ///< numbers, operators, what is nothing else
+  text,  ///< numbers, operators, everything else
   comment,
   label,         ///< block and program numbers, jump labels, start and end of tapes
   block_delete,  ///< "/" with its level
@@ -38,13 +38,13 @@ struct Token {
   bool operator==(const Token&) const = default;
 };
 
-/// Takes one line of a program apart for colours, by the dialect's rules for words, comments and names. It
-/// looks at no other line and judges nothing: that is the reader's part.
+/// Splits one line of a program for colours, by the dialect's rules for words, comments and names. It
+/// considers no other line and checks nothing: that is the reader's task.
 class Syntax {
  public:
   explicit Syntax(Dialect dialect = Dialect::iso) : dialect_(dialect) {}
 
-  /// Pieces in order; what lies between them is TokenKind::text. Holds until the next call.
+  /// Pieces in order; text between them is TokenKind::text. Valid until the next call.
   const std::vector<Token>& tokens_of(std::string_view line);
 
  private:

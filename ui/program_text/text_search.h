@@ -10,26 +10,26 @@
 
 namespace feedscope::ui {
 
-/// In which lines of a program a query is found: one bit a line and a count every few lines, so that a
-/// million hits take no more room than one.
+/// The lines of a program with hits of a query: one bit for each line and a count every few lines, so that a
+/// million hits take no more memory than one.
 class FoundLines {
  public:
-  /// Looks at all lines. Null if `progress` was cancelled.
+  /// Searches all lines. Null if `progress` was cancelled.
   static std::shared_ptr<const FoundLines> find(const ProgramText& text, const LineFinder& finder,
                                                 const Progress& progress);
 
   std::uint64_t count() const { return before_.back(); }
-  /// Whether anything is found in the lines from `first` to `last`, both included.
+  /// Whether there is a hit in the lines from `first` to `last`, both included.
   bool any(std::uint32_t first, std::uint32_t last) const {
     const std::uint32_t next = next_line(first);
     return next <= last && next < beyond();
   }
-  /// Both by the counts of the groups: in logarithmic time. The first line from `line` on with a hit; beyond
-  /// the last line if there is none.
+  /// The first line from `line` on with a hit; beyond the last line if there is none. This and
+  /// previous_line() use the counts of the groups, in logarithmic time.
   std::uint32_t next_line(std::uint32_t line) const;
   /// The last line up to `line` with a hit; 0 if there is none.
   std::uint32_t previous_line(std::uint32_t line) const;
-  /// Hits in the lines before `line`.
+  /// Number of hits in the lines before `line`.
   std::uint64_t count_before(std::uint32_t line, const ProgramText& text, const LineFinder& finder) const;
 
  private:
@@ -41,8 +41,7 @@ class FoundLines {
   std::vector<std::uint64_t> before_;  ///< [g]: hits before group g; the last one: all hits
 };
 
-/// A search through a program. The count of all hits is made on another thread; until it is there, what is
-/// asked for is not known.
+/// A search through a program. Another thread counts all hits; until then, results are unknown.
 class TextSearch : public QObject {
   Q_OBJECT
 
@@ -55,19 +54,19 @@ class TextSearch : public QObject {
   const QString& error() const { return finder_.error(); }
 
   bool busy() const { return searching_; }
-  /// Null while busy, and if nothing is looked for.
+  /// Null while busy, and without a query.
   const FoundLines* found() const { return found_.get(); }
 
-  /// The first hit that begins at `place` or later, or else the first one of all.
+  /// The first hit that begins at `place` or later, or else the first of all.
   std::optional<TextRange> at_or_after(TextPlace place) const;
-  /// The last hit that begins before `place`, or else the last one of all.
+  /// The last hit that begins before `place`, or else the last of all.
   std::optional<TextRange> before(TextPlace place) const;
-  /// Its number among all hits, from 1; 0 if it is none.
+  /// Its number among all hits, from 1; 0 if it is not a hit.
   std::uint64_t number_of(TextRange hit) const;
   std::vector<TextRange> hits_in(std::uint32_t line) const { return finder_.matches_in(text_, line); }
 
  signals:
-  /// Another query or text, or the count is there.
+  /// The query or the text has changed, or the count is complete.
   void changed();
 
  private:

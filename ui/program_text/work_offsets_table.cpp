@@ -16,7 +16,7 @@ constexpr double farthest = 1e6;  // [mm]
 
 enum OffsetColumn { name_column, first_axis_column, use_column = first_axis_column + 3, offset_column_count };
 
-/// None for anything else.
+/// None for a text that is not a coordinate.
 std::optional<double> coordinate_of(const QString& text) {
   const std::optional<double> value = number_of(text);
   return value && std::abs(*value) <= farthest ? value : std::nullopt;

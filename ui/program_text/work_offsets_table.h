@@ -6,16 +6,16 @@
 
 namespace feedscope::ui {
 
-/// Zero points of the work offsets that a program uses, for the program's import options: a row for each,
-/// with empty cells where none is given.
+/// Zero points of the work offsets that a program uses, for its import options: one row each, with empty
+/// cells without a value.
 class WorkOffsetsTable : public QTableWidget {
   Q_OBJECT
 
  public:
-  /// `program`: as it was read; null: it has not been read yet.
+  /// `program`: as read; null: not read yet.
   WorkOffsetsTable(const WorkOffsets& given, const Program* program, QWidget* parent = nullptr);
 
-  /// Those with a coordinate; of use while fault() is empty.
+  /// Offsets with a coordinate; usable while fault() is empty.
   WorkOffsets offsets() const;
   /// The first cell that is not a number, in a sentence; empty if there is none.
   QString fault() const;

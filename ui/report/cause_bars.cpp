@@ -29,7 +29,7 @@ constexpr double legend_row = 15;
 constexpr double legend_square = 9;
 const QColor bar_ink(0x22, 0x26, 0x2a);
 
-/// With the axes of a kind of causes together.
+/// Combines the axes of each kind of cause.
 ComparisonBar by_kind(ComparisonBar bar) {
   std::vector<BarPart> kinds;
   for (const BarPart& part : bar.parts) {

@@ -12,10 +12,10 @@ namespace feedscope::ui {
 /// time after each, the time in parts that have room for it, and a legend of the parts below.
 class CauseBars {
  public:
-  /// `width`: of all [1/96 inch].
+  /// `width`: total [1/96 inch].
   CauseBars(ComparisonBars bars, double width);
 
-  /// Width, and the height that they need.
+  /// Width and required height.
   QSizeF size() const { return size_; }
   void paint(QPainter& painter) const;
   /// Whether times of parts are "4:13" and not seconds, as one is longer than a minute.

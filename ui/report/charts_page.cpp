@@ -108,7 +108,7 @@ void ChartsPage::prepare(const QSize& size, double resolution) {
   }
   resize(size);
   show();
-  // What is usual beside the charts takes width of them; Qt Charts lays its axes out with the next turn of
+  // The panel of usual values takes width from the charts; Qt Charts lays its axes out in the next turn of
   // the event loop.
   for (int turn = 0; turn < 3; ++turn) {
     QApplication::processEvents();

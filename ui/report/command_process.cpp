@@ -9,11 +9,11 @@ namespace feedscope::ui {
 
 namespace {
 
-/// Its stages in their order, and how much of the whole is done where they begin.
+/// Stages of the command in order, and the progress at their start.
 constexpr std::array<std::pair<const char*, double>, 3> stages{
     {{"reading", 0.0}, {"simulating", 0.05}, {"drawing", 0.35}}};
 
-/// Of "progress: drawing 43 %"; less than 0 for any other line.
+/// Progress in "progress: drawing 43 %"; negative for any other line.
 double fraction_in(const QString& line) {
   static const QRegularExpression pattern(QStringLiteral("^progress: (\\w+) (\\d+) %$"));
   const QRegularExpressionMatch match = pattern.match(line);
@@ -54,7 +54,7 @@ void CommandProcess::start(const QStringList& arguments, const QString& folder) 
   said_.clear();
   line_.clear();
   if (process_ != nullptr) {
-    process_.release()->deleteLater();  // this may be called by its last signal
+    process_.release()->deleteLater();  // its last signal may call this
   }
   process_ = std::make_unique<QProcess>();
   connect(process_.get(), &QProcess::readyReadStandardError, this, &CommandProcess::read);
@@ -84,7 +84,7 @@ void CommandProcess::cancel() {
 void CommandProcess::forget(const QProcess* ended) {
   const auto found = std::ranges::find(ending_, ended, &std::unique_ptr<QProcess>::get);
   if (found != ending_.end()) {
-    found->release()->deleteLater();  // it is sending a signal
+    found->release()->deleteLater();  // it is emitting a signal
     ending_.erase(found);
   }
 }

@@ -9,10 +9,10 @@
 
 namespace feedscope::ui {
 
-/// Runs a command of the command line, such as `feedscope report`, in a process of its own: the window goes
-/// on, and the bytes are those of the command line. One at a time: another one ends the one under way, of
-/// which nothing more is heard. It removes what it has begun to write, which nobody waits for but this when
-/// it goes.
+/// Runs a command of the command line, such as `feedscope report`, in a separate process: the window remains
+/// usable, and the bytes are those of the command line. One at a time: a new one cancels the running one,
+/// which emits no more signals. A cancelled command removes its partial files; only the destructor waits for
+/// that.
 class CommandProcess : public QObject {
   Q_OBJECT
 
@@ -21,7 +21,7 @@ class CommandProcess : public QObject {
   CommandProcess(QString executable, QStringList command, QObject* parent = nullptr);
   ~CommandProcess() override;
 
-  /// `arguments`: behind those of the command; `folder`: where relative names of files are.
+  /// `arguments`: after those of the command; `folder`: base of relative file names.
   void start(const QStringList& arguments, const QString& folder);
   /// No signal follows.
   void cancel();
@@ -30,7 +30,7 @@ class CommandProcess : public QObject {
  signals:
   void progressed(double fraction);
   void done();
-  /// For the user: what the command says of it.
+  /// The command's message, for the user.
   void failed(const QString& message);
 
  private:
@@ -41,8 +41,8 @@ class CommandProcess : public QObject {
   QString executable_;
   QStringList command_;
   std::unique_ptr<QProcess> process_;
-  std::vector<std::unique_ptr<QProcess>> ending_;  ///< were cancelled
-  QString said_;                                   ///< lines that are no progress
+  std::vector<std::unique_ptr<QProcess>> ending_;  ///< cancelled, not ended yet
+  QString said_;                                   ///< lines without progress
   QByteArray line_;
 };
 

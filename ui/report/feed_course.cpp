@@ -12,7 +12,7 @@ bool is_cut(const Segment& segment) {
   return segment.kind != SegmentKind::dwell && !segment.rapid && segment.feed > 0 && segment.length > 0;
 }
 
-/// Walks along the feed motions of a run and shares their times out to the parts.
+/// Walks along the feed motions of a run and distributes their times to the parts.
 class FeedWalk {
  public:
   FeedWalk(const Run& run, std::size_t parts)
@@ -47,7 +47,7 @@ class FeedWalk {
   double time_at(std::size_t segment, double share) const {
     return time_of(trajectory_, {static_cast<std::uint32_t>(segment), share});
   }
-  /// How long the tool rests where a segment begins; time_of() leaves this out [s].
+  /// Pause at the start of a segment, which time_of() does not contain [s].
   double pauses_before(std::size_t segment) const {
     double time = 0;
     for (; segment > 0 && segments_[segment - 1].kind == SegmentKind::dwell; --segment) {
@@ -96,8 +96,8 @@ class FeedWalk {
   std::vector<double> programmed_;  ///< of the parts [s]
   double length_ = 0;
   double part_length_ = 0;
-  double done_ = 0;   ///< length of the segments before [mm]
-  double since_ = 0;  ///< what is not yet in a part begins there [s]
+  double done_ = 0;   ///< length of the previous segments [mm]
+  double since_ = 0;  ///< start of the time not yet in a part [s]
   std::size_t part_ = 0;
 };
 

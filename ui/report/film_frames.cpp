@@ -26,11 +26,11 @@ constexpr int caption_pixels = 14;
 constexpr double caption_margin = 12;
 constexpr double caption_gap = 28;
 constexpr double charts_share = 0.47;                   // of the height
-constexpr QSizeF enough_for_a_chart_of_film(640, 110);  // smaller ones are laid out larger and shrunk
+constexpr QSizeF enough_for_a_chart_of_film(640, 110);  // smaller charts are laid out larger and shrunk
 constexpr QSizeF least_view(320, 160);
 constexpr double usual_trail = 2;  // [s] of the film
 
-/// The charts and the stretch that charts mark are those of the film.
+/// `input` with charts over the film's range.
 ReportInput for_film(ReportInput input, const FilmTimes& times) {
   input.charts.time = Interval{times.from, times.to};
   input.charts.abscissa = Abscissa::time;
@@ -80,7 +80,7 @@ void FilmFrames::make_charts() {
   charts_ = std::make_unique<ChartsPage>();
   charts_->set_runs(input_, input_.current);
   charts_->hide_title();
-  charts_->set_cursor(times_.from);  // the values in the headers take their room
+  charts_->set_cursor(times_.from);  // the values in the headers take room
   const QSizeF& enough = enough_for_a_chart_of_film;
   charts_scale_ = std::min(
       {text_scale_, below_.height() / (charts_->count() * enough.height()), below_.width() / enough.width()});
@@ -106,8 +106,8 @@ QImage FilmFrames::frame(std::size_t k) {
   return image;
 }
 
-/// Time, feed, the line of the program, and on the right how fast the film is. Each begins where it does in
-/// every frame.
+/// Draws time, feed, program line, and on the right the speed of the film, each at the same place in every
+/// frame.
 void FilmFrames::draw_caption(QPainter& painter, const State& state) const {
   const QLocale locale;
   const auto pixels = static_cast<int>(std::lround(caption_pixels * text_scale_));
@@ -120,7 +120,7 @@ void FilmFrames::draw_caption(QPainter& painter, const State& state) const {
   const auto write = [&](const QString& text, double room, Qt::Alignment side) {
     painter.drawText(QRectF(left, caption_.top(), room, caption_.height()), side | Qt::AlignVCenter, text);
   };
-  /// `widest`: of these texts in any frame.
+  /// `widest`: the widest of these texts in any frame.
   const auto column = [&](const QString& text, const QString& widest) {
     const double room = std::max(metrics.horizontalAdvance(widest), metrics.horizontalAdvance(text));
     write(text, room, Qt::AlignRight);

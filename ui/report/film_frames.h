@@ -16,21 +16,21 @@ class QPainter;
 
 namespace feedscope::ui {
 
-/// What a film shows beside the instants.
+/// Contents of a film besides its times.
 struct FilmLook {
   PictureRequest picture;       ///< size, pixel ratio and theme
-  std::optional<double> trail;  ///< behind the tool, of the run [s]; 0: none; no value: 2 s of the film
-  bool charts = false;          ///< of the stretch, below the view
+  std::optional<double> trail;  ///< of the run's time after the tool [s]; 0: none; no value: 2 s of the film
+  bool charts = false;          ///< of the filmed range, below the view
 };
 
-/// The frames of a film of the current run: the 3D view with the tool where it is at the time, a trail behind
-/// the tool, below it time, feed and line, and the charts with a cursor. Made once, moved for each frame. The
-/// same input gives the same frames. Needs a QApplication with the theme.
+/// The frames of a film of the current run: the 3D view with the tool at each time and a trail after it,
+/// below it time, feed and line, and the charts with a cursor. Built once, updated for each frame. The same
+/// input gives the same frames. Needs a QApplication with the theme.
 class FilmFrames {
   Q_DECLARE_TR_FUNCTIONS(FilmFrames)
 
  public:
-  /// Throws InputError where the size is out of bounds or too small for what is to be in it.
+  /// Throws InputError for a size out of bounds or too small for the contents.
   FilmFrames(const ReportInput& input, const FilmTimes& times, const FilmLook& look);
   ~FilmFrames();
   FilmFrames(const FilmFrames&) = delete;
@@ -51,8 +51,8 @@ class FilmFrames {
   FilmLook look_;
   double text_scale_;
   ScenePicture scene_;
-  std::unique_ptr<ChartsPage> charts_;  ///< null: there are none
-  double charts_scale_ = 1;             ///< how much larger they are drawn than laid out
+  std::unique_ptr<ChartsPage> charts_;  ///< null: none
+  double charts_scale_ = 1;             ///< factor from layout to drawing
   // Parts of the frame, from above [1/96 inch].
   QRectF view_;
   QRectF caption_;

@@ -12,9 +12,9 @@ namespace feedscope::ui {
 namespace {
 
 constexpr double frame_rounding = 1e-9;   // of a frame
-constexpr double typed_too_long = 0.001;  // [s]: a duration is shown with so many decimals
+constexpr double typed_too_long = 0.001;  // [s]: durations are shown with so many decimals
 
-/// The next number of `digits` digits, not below (`up`) or not above `value` > 0.
+/// The nearest number of `digits` digits not below (`up`) or not above `value` > 0.
 double rounded(double value, int digits, bool up) {
   const double unit = std::pow(10.0, std::floor(std::log10(value)) - digits + 1);
   return (up ? std::ceil(value / unit - frame_rounding) : std::floor(value / unit + frame_rounding)) * unit;

@@ -5,13 +5,13 @@
 
 namespace feedscope::ui {
 
-/// The files of a series of frames: one number in the name, as printf() writes it.
+/// Names of a series of frame files, with one number in printf() notation.
 class FramePattern {
  public:
-  /// "frames/part-%05d.png". Throws InputError that shows how to write it for a name without a number, with
-  /// two of them, with one in the name of a folder, or of something else.
+  /// "frames/part-%05d.png". Throws InputError with an example for a name without a number, with two of them,
+  /// with one in the name of a folder, or with another conversion.
   explicit FramePattern(const std::string& pattern);
-  /// Of frame `k`, from 0, with its folders.
+  /// Name of frame `k`, from 0, with its folders.
   std::string file(std::size_t k) const;
 
  private:

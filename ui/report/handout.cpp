@@ -18,7 +18,7 @@ namespace feedscope::ui {
 
 namespace {
 
-/// What the window shows when the lesson begins.
+/// Contents of the window at the start of the lesson.
 ReportInput input_of(const Lesson& lesson, LessonRuns& runs, Progress* progress) {
   std::vector<std::shared_ptr<const ShownRun>> shown{make_shown(runs.run({}, progress))};
   for (const Changes& changes : lesson.window.runs) {
@@ -49,7 +49,7 @@ std::string title_with_unit(const std::string& key) {
   return (text.isEmpty() ? title : QStringLiteral("%1 [%2]").arg(title, text)).toStdString();
 }
 
-/// Programs by their names, words as the window has them.
+/// Programs by their names, words as in the window.
 std::string word_for_value(const std::string& key, const std::string& value) {
   return key == "program" ? std::filesystem::path(value).filename().string() : core_text(value).toStdString();
 }
@@ -70,8 +70,8 @@ ReportPage handout_page(const Lesson& lesson, LessonRuns& runs, HandoutReader re
                                               html_text(input.run().name).toStdString()));
   };
   const bool of_teacher = reader == HandoutReader::teacher;
-  const double view_height = of_teacher ? 270 : 180;  // what learners fill in has two pages
-  if (!of_teacher) {                                  // who has to predict sees the path and nothing else
+  const double view_height = of_teacher ? 270 : 180;  // copies for learners have two pages
+  if (!of_teacher) {                                  // a learner who has to predict sees the path only
     input.scene.colouring = Colouring::run;
   }
   QString figures;

@@ -25,9 +25,9 @@ constexpr double width = 900;       // [pixels]
 constexpr double height = 760;      // [pixels]
 constexpr double head = 70;         // above the drawing
 constexpr double foot = 120;        // below it
-constexpr double shown_tool = 100;  // length of a tool whose length is not known [mm]
+constexpr double shown_tool = 100;  // of a tool of unknown length [mm]
 
-/// X to the lower right, Y to the upper right, Z up.
+/// Projection with X to the lower right, Y to the upper right, Z up.
 QPointF flat(const Vec3& point) {
   return {std::sqrt(0.75) * (point.x() + point.y()), 0.5 * (point.x() - point.y()) - point.z()};
 }
@@ -81,7 +81,7 @@ class Drawing {
       box.setTop(std::min(box.top(), at.y()));
       box.setBottom(std::max(box.bottom(), at.y()));
     }
-    constexpr double labels = 190;  // room beside the drawing
+    constexpr double labels = 190;  // room at the sides of the drawing
     constexpr double margin = 30;
     const QRectF room(labels, head + margin, width - 2 * labels, height - head - foot - 2 * margin);
     scale_ =
@@ -112,7 +112,7 @@ class Drawing {
 
   enum class Side { right, left };
 
-  /// On this side of `place`, at its height.
+  /// Writes a label on a side of `place`, at its height.
   void label(const QPointF& place, const QStringList& lines, const QColor& colour, Side side = Side::right) {
     font(13);
     const double line = painter_.fontMetrics().height();
@@ -172,7 +172,7 @@ class Drawing {
         colours_.text, Side::left);
   }
 
-  /// The line, its point, and a circle about it with an arrow in the positive sense.
+  /// Draws the line, its point, and a circle about it with an arrow in the positive sense.
   void draw_rotary(const RotaryAxis& axis, const QColor& colour) {
     const Vec3 direction = axis.direction.normalized();
     const Vec3 along = reach_ * direction;
@@ -228,7 +228,7 @@ class Drawing {
     }
   }
 
-  /// Boxes from the part to the tool.
+  /// Draws boxes from the part to the tool.
   void draw_chain() {
     std::vector<QString> boxes{KinematicsPicture::tr("part")};
     std::istringstream words(kinematics_.chain);

@@ -25,7 +25,7 @@ QRgb mixed(QRgb one, QRgb other, double share) {
                part(qAlpha(one), qAlpha(other)));
 }
 
-/// The shares of a line at which it enters and leaves a rectangle, as Liang and Barsky clip; none: it misses.
+/// The fractions of a line at which it enters and leaves a rectangle, by Liang and Barsky; none if it misses.
 std::optional<std::array<double, 2>> inside(const QRectF& room, const QPointF& from, const QPointF& to) {
   std::array<double, 2> shares{0, 1};
   const QPointF along = to - from;
@@ -53,7 +53,7 @@ bool LinePieces::look_alike(QRgb one, QRgb other) {
 }
 
 bool LinePieces::add(const LineEnd& from, const LineEnd& to, double width, bool round) {
-  const double half = width / 2 + 0.5;  // smoothed edges too
+  const double half = width / 2 + 0.5;  // including antialiased edges
   const auto shares = inside(room_.adjusted(half, half, -half, -half), from.at, to.at);
   if (!shares) {
     return true;

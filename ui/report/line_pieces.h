@@ -10,34 +10,34 @@ class QPainter;
 
 namespace feedscope::ui {
 
-/// One end of a line of the 3D view, as it is seen.
+/// One end of a line in the 3D view, projected.
 struct LineEnd {
   QPointF at;        ///< [pixels]
   double depth = 0;  ///< towards the eye [pixels at scale 1]
   QColor colour;
 };
 
-/// Lines of a 3D view as flat polylines that can be painted one over the other: the painter's algorithm.
+/// Lines of a 3D view as flat polylines, painted one over the other: the painter's algorithm.
 ///
-/// Long lines are cut where their depth or colour changes much, everything is sorted by depth in steps of a
-/// pixel, and neighbours in one line that come out one after the other are joined again. So what is nearer
-/// lies above what is farther, to within half of max_depth.
+/// Long lines are cut where their depth or colour changes much. All pieces are sorted by depth in steps of a
+/// pixel, and adjacent pieces of a line that are neighbours in this order are joined again. So nearer lines
+/// cover farther ones, to within half of max_depth.
 class LinePieces {
  public:
-  /// A piece changes its depth by no more than this many pixels.
+  /// Largest change of depth in a piece [pixels at scale 1].
   static constexpr double max_depth = 8;
-  /// More pieces than this are refused: files grow by some 40 bytes a piece.
+  /// Largest number of pieces: files grow by some 40 bytes per piece.
   static constexpr std::size_t max_pieces = 250'000;
 
-  /// Lines outside of `room` [pixels] are omitted, and those that reach out of it cut, ends and all.
+  /// Lines outside of `room` [pixels] are omitted; lines that cross its border are cut, including round ends.
   explicit LinePieces(const QRectF& room) : room_(room) {}
 
-  /// `round`: its ends, and where it is joined to others. Lines in one place: those added later are above.
-  /// False: there are too many pieces, and nothing more is added.
+  /// `round`: its ends and joints. Of lines in one place, those added later are above. False if there are too
+  /// many pieces; then nothing more is added.
   bool add(const LineEnd& from, const LineEnd& to, double width, bool round);
   std::size_t count() const { return pieces_.size(); }
 
-  /// A line that runs on in one look.
+  /// A continuous line of one appearance.
   struct Polyline {
     QPolygonF points;
     QColor colour;

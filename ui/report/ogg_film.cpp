@@ -20,7 +20,7 @@ namespace {
 
 constexpr int best_quality = 2;
 
-/// Whether the last page says that it is the last one: a file on a full disk has none that does.
+/// Whether the last page has the end mark, which is missing in a file on a full disk.
 bool has_end(const std::string& file) {
   constexpr std::streamoff largest_page = 65'307;
   constexpr int flags = 5;  // offset in the head of a page
@@ -48,7 +48,7 @@ class OggFilm::Impl {
     writer_->SetFileName(file.c_str());
     writer_->SetRate(fps);
     writer_->SetQuality(best_quality);
-    writer_->SetSubsampling(0);  // thin lines keep their colours
+    writer_->SetSubsampling(0);  // so that thin lines keep their colours
     writer_->SetInputData(image_);
   }
   ~Impl() {
@@ -69,7 +69,7 @@ class OggFilm::Impl {
     }
     auto* const pixels = static_cast<unsigned char*>(image_->GetScalarPointer());
     const std::size_t row = static_cast<std::size_t>(rgb.width()) * 3;
-    for (int y = 0; y < rgb.height(); ++y) {  // VTK has the lowest row first
+    for (int y = 0; y < rgb.height(); ++y) {  // VTK begins with the lowest row
       std::memcpy(pixels + static_cast<std::size_t>(rgb.height() - 1 - y) * row, rgb.constScanLine(y), row);
     }
     image_->Modified();

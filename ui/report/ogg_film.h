@@ -7,22 +7,22 @@
 
 namespace feedscope::ui {
 
-/// A film as an Ogg file with Theora video. The pictures of two files with the same frames are equal; their
-/// bytes are not, because each has a serial number of its own.
+/// A film as an Ogg file with Theora video. Two files with the same frames have equal pictures but different
+/// bytes, because each has its own serial number.
 class OggFilm {
  public:
-  /// Whether VTK was built with what this needs (its module IOOggTheora). Without it the constructor throws.
+  /// Whether VTK was built with the required module IOOggTheora. If not, the constructor throws.
   static bool is_available();
 
-  /// Writes to `file`, which messages call `name`.
+  /// Writes to `file`; messages call it `name`.
   OggFilm(const std::string& file, int fps, const std::string& name);
   ~OggFilm();
   OggFilm(const OggFilm&) = delete;
   OggFilm& operator=(const OggFilm&) = delete;
 
-  /// All of one size, even in width and height. Throws InputError if it cannot be written.
+  /// Frames must have equal sizes, even in width and height. Throws InputError if writing fails.
   void add(const QImage& frame);
-  /// Throws InputError if not all of it could be written. Without it, or before it, the file is a part.
+  /// Completes the file. Throws InputError if not all of it could be written.
   void finish();
 
  private:

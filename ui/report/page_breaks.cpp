@@ -7,10 +7,10 @@ namespace feedscope::ui {
 
 namespace {
 
-/// Why a page ends.
+/// Reason for the end of a page.
 enum class PageEnd { full, forced, last };
 
-/// Of a page with so much on it.
+/// Cost of a page with `used` of its `height` filled.
 double cost_of_page(double used, double height, PageEnd end) {
   constexpr double sliver = 0.06;
   const double fill = std::clamp(used / height, 0.0, 1.0);

@@ -20,7 +20,7 @@ double paper_height(const QString& html) {
   return document.size().height();
 }
 
-/// The elastic pictures that a part of the report shows.
+/// Names of the elastic pictures in a part of the report.
 QStringList elastic_names(const QString& html, const ReportPictures& pictures) {
   QStringList names;
   for (const auto& [name, picture] : pictures.elastic()) {
@@ -43,7 +43,7 @@ QString with_break(QString html) {
   return at < 0 ? html : html.insert(at + 3, QStringLiteral(" style=\"page-break-before: always\""));
 }
 
-/// Lowers the elastic pictures of a part evenly, so that it is lower by `excess` if they allow that.
+/// Lowers the elastic pictures of a part evenly by `excess` in total, if their limits permit.
 QString lowered(QString html, double excess, ReportPictures& pictures) {
   const QStringList names = elastic_names(html, pictures);
   double slack = 0;
@@ -67,7 +67,7 @@ QString with_filled_pages(const QString& html, ReportPictures& pictures, const P
   QStringList parts = html.split(page_mark);
   const QString head =
       parts.front().section(QStringLiteral("</head>"), 0, 0) + QStringLiteral("</head><body>");
-  double filled = 0;  // of the page that is under way
+  double filled = 0;  // of the current page
   for (qsizetype i = 0; i < parts.size(); ++i) {
     QString& part = parts[i];
     if (part.simplified().isEmpty()) {

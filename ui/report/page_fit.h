@@ -6,11 +6,11 @@
 
 namespace feedscope::ui {
 
-/// Where a page of a template may begin.
+/// Mark in a template where a page may begin.
 inline const QString page_mark = QStringLiteral("<!-- page -->");
 
-/// `html` of a report with its elastic pictures as high as their pages have room for. What follows a
-/// page_mark begins a page where the one before is filled to three quarters or more, else it goes on there.
+/// `html` of a report, with elastic pictures as high as their pages permit. Text after a page_mark begins a
+/// page if the previous one is at least three quarters full, else it continues there.
 QString with_filled_pages(const QString& html, ReportPictures& pictures, const Paper& paper = {});
 
 }  // namespace feedscope::ui

@@ -16,16 +16,16 @@ namespace feedscope::ui {
 
 namespace {
 
-// Costs of breaks: of what holds a place together.
+// Costs of breaks within parts that belong together.
 constexpr double heading_cost = 1e7;
 constexpr double row_cost = 3e6;
 constexpr double table_cost = 1e6;
-constexpr double lead_cost = 2e4;    // a sentence and the table, list or section that it introduces
-constexpr double orphan_cost = 120;  // a line of a paragraph, or a row of a table, alone
+constexpr double lead_cost = 2e4;    // a sentence and the table, list or section after it
+constexpr double orphan_cost = 120;  // a single line of a paragraph, or a single row of a table
 constexpr double paragraph_cost = 8;
 
 constexpr double rounding = 0.5;
-constexpr double border = 5;  // and room above it, below the last row of a table
+constexpr double border = 5;  // and space above it, below the last row of a table
 
 struct Extent {
   double top = 1e12;
@@ -39,26 +39,26 @@ struct Extent {
   }
 };
 
-/// What should stay on one page.
+/// A part that should stay on one page.
 struct Hold {
   Extent extent;
   double cost = 0;
 };
 
-/// Something that follows another in the text or in a cell.
+/// A part of the text or of a cell, in order.
 struct Item {
   enum class Kind { heading, text, note, table };
   Kind kind = Kind::text;
   Extent whole;
-  double first_until = 0;  ///< lower end of the part that must not be parted from what is above
-  double last_from = 0;    ///< upper end of the part that must not be parted from what is below
+  double first_until = 0;  ///< lower end of the lines that must stay with the part above
+  double last_from = 0;    ///< upper end of the lines that must stay with the part below
   bool in_list = false;
 
-  /// A few lines, which are not parted at all.
+  /// A few lines, which are never divided.
   bool is_short() const { return first_until >= whole.bottom; }
 };
 
-/// Heads of a table, and where they are repeated.
+/// Heads of a table, and the range of rows in which they are repeated.
 struct Heads {
   Extent heads;
   Extent rows;
@@ -98,7 +98,7 @@ class FlowReader {
   std::vector<double> edges_;    ///< between rows of tables
   std::vector<double> tops_;     ///< of tables
   std::vector<double> bottoms_;  ///< of tables
-  std::vector<double> forced_;   ///< a page begins with what is below
+  std::vector<double> forced_;   ///< a page begins below them
   std::vector<Heads> heads_;
 };
 
@@ -157,7 +157,7 @@ void FlowReader::read_block(const QTextBlock& block, std::vector<Item>& items) {
   }
   for (const Extent& line : lines) {
     const int pieces = std::max(1, static_cast<int>(std::ceil(line.height() / height_ - 1e-9)));
-    for (int i = 0; i < pieces; ++i) {  // of a picture that no page holds
+    for (int i = 0; i < pieces; ++i) {  // of a picture too high for any page
       lines_.push_back({line.top + i * line.height() / pieces, line.top + (i + 1) * line.height() / pieces});
     }
   }
@@ -206,7 +206,7 @@ Item FlowReader::read_table(QTextTable& table) {
     }
   }
   for (std::size_t row = 1; row < rows.size(); ++row) {
-    if (rows[row].empty()) {  // all of it belongs to cells of the row above
+    if (rows[row].empty()) {  // its cells all belong to the row above
       rows[row] = {rows[row - 1].bottom, rows[row - 1].bottom};
     }
   }
@@ -297,7 +297,7 @@ std::vector<PageGap> FlowReader::gaps() const {
   return gaps;
 }
 
-/// Puts ends of tables and rows, costs and heads to the gaps.
+/// Assigns ends of tables and rows, costs and heads to the gaps.
 void FlowReader::weigh(std::vector<PageGap>& gaps) const {
   for (const Hold& hold : holds_) {
     auto gap = std::ranges::upper_bound(gaps, hold.extent.top + rounding, {}, &PageGap::above);

@@ -20,12 +20,12 @@ namespace feedscope::ui {
 
 namespace {
 
-/// Of a character that nobody sees, at the end of a block: where it is drawn, all of the block is.
+/// Type of an invisible character at the end of a block: when it is drawn, the whole block has been.
 constexpr int end_object = QTextFormat::UserObject + 1;
-constexpr int block_tag = QTextFormat::UserProperty + 1;   ///< of such a character, and of a picture
+constexpr int block_tag = QTextFormat::UserProperty + 1;   ///< of that character, and of a picture
 constexpr int figure_tag = QTextFormat::UserProperty + 2;  ///< of a picture
 
-/// Gives the blocks and pictures of a document their tags.
+/// Assigns tags to the blocks and pictures of a document.
 class Tagger {
  public:
   Tagger(QTextDocument& document, const ReportPictures& pictures) : cursor_(&document), pictures_(pictures) {}
@@ -76,7 +76,7 @@ class Tagger {
     cursor_.setPosition(to, QTextCursor::KeepAnchor);
   }
 
-  /// Tables without a head arrange what is no table.
+  /// Tables without a head only arrange other content.
   std::size_t tag_of(const QTextBlock& block) {
     cursor_.setPosition(block.position());
     const QTextTable* const table = cursor_.currentTable();
@@ -109,7 +109,7 @@ class Tagger {
 
 }  // namespace
 
-/// Pictures of the report where the text has them.
+/// Draws pictures of the report in the text.
 class PagedDocument::Pictures : public QObject, public QTextObjectInterface {
   Q_OBJECT
   Q_INTERFACES(QTextObjectInterface)
@@ -154,9 +154,9 @@ class PagedDocument::Pictures : public QObject, public QTextObjectInterface {
   }
 
   const ReportPictures& all() const { return pictures_; }
-  /// The part of the text that is drawn now: QTextDocument draws what only touches it too.
+  /// The part of the text that is being drawn: QTextDocument also draws parts that only touch it.
   void set_page(const QRectF& page) { page_ = page; }
-  /// Throws what painting a picture threw.
+  /// Rethrows an exception of painting a picture.
   void check() const {
     if (failure_) {
       std::rethrow_exception(failure_);
@@ -179,7 +179,7 @@ class PagedDocument::Pictures : public QObject, public QTextObjectInterface {
     try {
       pictures_.paint(found->first, *painter, raster_ratio_);
     } catch (...) {
-      failure_ = std::current_exception();  // QTextDocument passes no exceptions on
+      failure_ = std::current_exception();  // QTextDocument does not pass exceptions on
     }
     painter->restore();
   }

@@ -10,15 +10,15 @@
 
 namespace feedscope::ui {
 
-/// Lays HTML out in the width of a report, on a page without end.
+/// Lays HTML out in the width of a report, on an endless page.
 void set_on_paper(QTextDocument& document, QString html);
 
 /// HTML with its pictures, laid out in the width of a report and cut into pages.
 class PagedDocument {
  public:
-  static constexpr double print_ratio = 300.0 / 96;  ///< 300 dots an inch
+  static constexpr double print_ratio = 300.0 / 96;  ///< 300 dots per inch
 
-  /// `pictures` outlive this. `raster_ratio`: pixels of rasters to 1/96 inch.
+  /// `pictures` outlives this. `raster_ratio`: pixels of rasters per 1/96 inch.
   PagedDocument(QString html, const ReportPictures& pictures, const Paper& paper = {},
                 double raster_ratio = print_ratio);
   ~PagedDocument();
@@ -32,11 +32,11 @@ class PagedDocument {
     double top = 0;  ///< below the upper margin
   };
   Place place_of(double top) const;
-  /// Has draw() mark what parts of the pages belong to (mark_tag) and returns these tags; none where that
-  /// would change the layout.
+  /// Makes draw() mark the parts of the pages (mark_tag) and returns their tags; none if that would change
+  /// the layout.
   std::vector<PdfTag> add_tags();
-  /// What is between the margins of a page, its upper left corner at 0, 0. Throws what painting pictures
-  /// throws.
+  /// Draws a page between its margins, with its upper left corner at 0, 0. Throws as painting of pictures
+  /// does.
   void draw(QPainter& painter, int page);
 
  private:

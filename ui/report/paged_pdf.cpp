@@ -57,7 +57,7 @@ void draw_margins(QPainter& painter, const PageTexts& texts, int page, int pages
   painter.drawLine(QPointF(side, rule), QPointF(side + report_width, rule));
 }
 
-/// A page with its margins, its upper left corner at 0, 0 [1/96 inch].
+/// Draws a page with its margins, its upper left corner at 0, 0 [1/96 inch].
 void draw_page(QPainter& painter, PagedDocument& document, const PageTexts& texts, int page) {
   painter.save();
   painter.translate(margin_side(texts.paper), Paper::margin_top);
@@ -81,8 +81,7 @@ std::vector<PdfBookmark> bookmarks_of(const PagedDocument& document) {
   return bookmarks;
 }
 
-/// Calls `visit` with each run of characters that is an anchor, the block that it is in and its first and
-/// last position there.
+/// Calls `visit` with each fragment that is an anchor, its block, and its first and last position there.
 template <class Visit>
 void for_each_anchor(const QTextDocument& text, Visit visit) {
   for (QTextBlock block = text.begin(); block.isValid(); block = block.next()) {
@@ -96,7 +95,7 @@ void for_each_anchor(const QTextDocument& text, Visit visit) {
   }
 }
 
-/// The lines of a block from one position to another [1/96 inch of the document].
+/// The lines of a block between two positions [1/96 inch of the document].
 std::vector<QRectF> places_of(const QTextDocument& text, const QTextBlock& block, int from, int to) {
   const QTextLayout& layout = *block.layout();
   const QPointF origin =
@@ -114,7 +113,8 @@ std::vector<QRectF> places_of(const QTextDocument& text, const QTextBlock& block
   return places;
 }
 
-/// The top of the figure whose caption begins with this name and a point; the text keeps no names of anchors.
+/// The top of the figure whose caption begins with this name and a full stop; the text does not keep names of
+/// anchors.
 std::optional<double> top_of_figure(const QTextDocument& text, const QString& name) {
   for (QTextBlock block = text.begin(); block.isValid(); block = block.next()) {
     if (block.text().simplified().startsWith(name.simplified() + '.')) {
@@ -126,7 +126,7 @@ std::optional<double> top_of_figure(const QTextDocument& text, const QString& na
   return std::nullopt;
 }
 
-/// References to figures of the same document.
+/// References to figures of the document.
 std::vector<PdfLink> links_of(const PagedDocument& document, const Paper& paper) {
   const QTextDocument& text = document.text();
   std::vector<PdfLink> links;

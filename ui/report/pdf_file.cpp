@@ -23,7 +23,7 @@ double height_of(const Pages& pages, int page) {
   return helper.getMediaBox().getArrayAsRectangle().ury;
 }
 
-/// `top` below the upper edge of a page, at the scale of before.
+/// Destination at `top` below the upper edge of a page, with unchanged zoom.
 QPDFObjectHandle destination(const Pages& pages, int page, double top) {
   QPDFObjectHandle place = QPDFObjectHandle::newArray();
   place.appendItem(pages.at(static_cast<std::size_t>(page)).getObjectHandle());
@@ -60,8 +60,8 @@ QPDFObjectHandle link_object(QPDF& pdf, const PdfLink& link, const Pages& pages)
   return object;
 }
 
-/// The annotations of a page without those that QPdfWriter makes of references within the document: it has
-/// them lead to a file on the net.
+/// The annotations of a page without QPdfWriter's for references within the document, which it turns into
+/// links to a file.
 QPDFObjectHandle other_annotations(const QPDFPageObjectHelper& page) {
   QPDFObjectHandle all = QPDFPageObjectHelper(page).getObjectHandle().getKey("/Annots");
   QPDFObjectHandle kept = QPDFObjectHandle::newArray();
@@ -93,7 +93,7 @@ void add_links(QPDF& pdf, const std::vector<PdfLink>& links) {
   }
 }
 
-/// Links items into the tree that their levels say; a level that is omitted counts as the next one.
+/// Links items into the tree of their levels; a skipped level counts as the next one.
 class OutlineBuilder {
  public:
   explicit OutlineBuilder(QPDFObjectHandle root) { open_.push_back({std::move(root), {}, 0, 0}); }
@@ -131,7 +131,7 @@ class OutlineBuilder {
     int level = 0;
   };
 
-  /// Its items are folded away at first.
+  /// Closes a level; its items are collapsed initially.
   void close() {
     if (open_.back().count > 0) {
       open_.back().object.replaceKey("/Count", QPDFObjectHandle::newInteger(-open_.back().count));
@@ -177,7 +177,7 @@ void set_properties(QPDF& pdf, const PdfProperties& properties) {
   pdf.getRoot().replaceKey("/ViewerPreferences", view);
   pdf.getRoot().removeKey("/Metadata");
   pdf.getTrailer().removeKey(
-      "/ID");  // of Qt 6.8, another one each time; the writer makes one of the contents
+      "/ID");  // of Qt 6.8, different each time; the writer derives one from the contents
 }
 
 }  // namespace

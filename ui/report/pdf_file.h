@@ -9,15 +9,15 @@
 
 namespace feedscope::ui {
 
-/// A place that the outline of a PDF file names.
+/// A place in the outline of a PDF file.
 struct PdfBookmark {
-  int level = 1;  ///< 1: the outermost
+  int level = 1;  ///< 1: outermost
   QString title;
   int page = 0;    ///< from 0
   double top = 0;  ///< of the place, from the page's upper edge [points]
 };
 
-/// A rectangle of a page that leads to a place.
+/// A rectangle of a page that links to a place.
 struct PdfLink {
   int page = 0;  ///< from 0
   QRectF area;   ///< from the page's upper left corner [points]
@@ -29,14 +29,14 @@ struct PdfLink {
 struct PdfProperties {
   QString title;
   QString author;
-  QString date;  ///< of creation, as PDF files write it: "D:20250131120000Z"; empty: none
+  QString date;  ///< of creation, in PDF notation: "D:20250131120000Z"; empty: none
   std::vector<PdfBookmark> outline;
-  QString language = {};  ///< code of the texts; empty: not said
+  QString language = {};  ///< code of the texts; empty: not set
   std::vector<PdfLink> links = {};
-  std::vector<PdfTag> tags = {};  ///< that mark_tag() has named on the pages
+  std::vector<PdfTag> tags = {};  ///< marked by mark_tag() on the pages
 };
 
-/// While it lives, hash tables that are made have one order: QPdfWriter numbers its fonts by one.
+/// During its lifetime, new hash tables have one order: QPdfWriter numbers its fonts by one.
 class StableOrder {
  public:
   StableOrder();
@@ -45,9 +45,8 @@ class StableOrder {
   StableOrder& operator=(const StableOrder&) = delete;
 };
 
-/// The file that QPdfWriter made, with title, author, bookmarks, links and tags; without the time it was made
-/// unless that is asked for, and with an identifier that follows from the contents: the same pages give the
-/// same bytes.
+/// The file of QPdfWriter with title, author, bookmarks, links and tags. Without a creation time unless
+/// requested, and with an identifier derived from the contents: the same pages give the same bytes.
 std::string finished_pdf(const std::string& pdf, const PdfProperties& properties);
 
 }  // namespace feedscope::ui

@@ -40,7 +40,7 @@ std::vector<TagMark> marks_in(std::string_view contents) {
   return marks;
 }
 
-/// The structure of a document while it is made.
+/// The structure of a document under construction.
 class TagTree {
  public:
   TagTree(QPDF& pdf, const std::vector<PdfTag>& tags) : pdf_(pdf), tags_(tags), elements_(tags.size()) {
@@ -85,7 +85,7 @@ class TagTree {
  private:
   static QPDFObjectHandle name(const std::string& text) { return QPDFObjectHandle::newName("/" + text); }
 
-  /// A new last part of `parent`.
+  /// Appends a part to `parent`.
   QPDFObjectHandle element(const std::string& type, QPDFObjectHandle parent) {
     QPDFObjectHandle made = pdf_.makeIndirectObject(QPDFObjectHandle::newDictionary());
     made.replaceKey("/Type", name("StructElem"));
@@ -98,7 +98,7 @@ class TagTree {
     return made;
   }
 
-  /// Row of a table, made where it begins.
+  /// Row of a table, created at its first cell.
   QPDFObjectHandle row_of(const PdfTag& tag) {
     if (tag.table != table_number_) {
       table_ = element("Table", document_);
@@ -113,7 +113,7 @@ class TagTree {
   }
 
   QPDFObjectHandle& element_of(std::size_t i) {
-    while (made_ <= i) {  // in the order of the document, whatever is painted first
+    while (made_ <= i) {  // in document order, whatever the order of painting
       const PdfTag& tag = tags_[made_];
       QPDFObjectHandle& made = elements_[made_++];
       made = element(tag.type.toStdString(), tag.table > 0 ? row_of(tag) : document_);
@@ -138,8 +138,8 @@ class TagTree {
   int pages_ = 0;
 };
 
-/// The contents of a page with its marks as marked contents: what is before a mark, since the one before it,
-/// is of its tag.
+/// The contents of a page with its marks turned into marked contents: the part between two marks belongs to
+/// the tag of the second.
 std::string with_marked_contents(std::string_view contents, const std::vector<PdfTag>& tags, TagTree& tree,
                                  const QPDFObjectHandle& page, QPDFObjectHandle& parents) {
   std::string made;

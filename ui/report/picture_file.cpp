@@ -47,7 +47,7 @@ std::string png_of(const PictureSpec& spec, const Paint& paint) {
   painter.end();
   image.setDevicePixelRatio(1);
   if (!spec.paper && !spec.transparent) {
-    return to_png(picture_of(image));  // the same bytes as pictures of the 3D view alone
+    return to_png(picture_of(image));  // the same bytes as for pictures of the 3D view alone
   }
   const double paper = pixels.width() / millimetres_of(spec).width() * 1000;
   image.setDotsPerMeterX(static_cast<int>(std::lround(paper)));
@@ -94,7 +94,7 @@ std::string pdf_of(const PictureSpec& spec, const Paint& paint) {
 
 std::string pages_of(const PictureSpec& spec, const Paint& paint) {
   RecordedPages pages(spec.title, millimetres_of(spec));
-  constexpr double no_printer_reaches = 8;  // [mm] of the sheet's edges
+  constexpr double no_printer_reaches = 8;  // [mm] from the sheet's edges
   pages.add(
       spec.size, [&](QPainter& painter) { paint_on(painter, spec, paint); }, no_printer_reaches);
   return pages.bytes();
@@ -126,7 +126,7 @@ Picture picture_of(const QImage& image) {
 }
 
 void begin_units(QPainter& painter, QImage& image, double ratio) {
-  const double enlarged = std::max(1.0, ratio);  // QPainter takes a ratio below 1 for 1
+  const double enlarged = std::max(1.0, ratio);  // QPainter treats a ratio below 1 as 1
   image.setDevicePixelRatio(enlarged);
   painter.begin(&image);
   painter.scale(ratio / enlarged, ratio / enlarged);

@@ -15,29 +15,29 @@ class QPainter;
 
 namespace feedscope::ui {
 
-/// `pages`: RecordedPages, to be printed by the window.
+/// `pages`: RecordedPages, printed by the window.
 enum class PictureFormat : std::uint8_t { png, svg, pdf, pages };
 
-/// By the ending of a file's name, in capitals or not. Throws InputError for any other ending.
+/// By the ending of a file's name, in either case. Throws InputError for any other ending.
 PictureFormat picture_format_of(const std::string& name);
 
-/// A picture to be painted, and the file that it becomes.
+/// A picture to paint, and the format of its file.
 struct PictureSpec {
   PictureFormat format = PictureFormat::png;
-  QSizeF size;  ///< what the painter sees, in units of 1/96 inch before `scale`
-  /// Pixels of a PNG file to a unit. In SVG and PDF files, pixels of what is a raster in any case.
+  QSizeF size;  ///< area of the painter, in units of 1/96 inch before `scale`
+  /// Pixels of a PNG file per unit; in SVG and PDF files, of their raster parts.
   double scale = 1;
-  /// Size on paper [mm] for SVG and PDF; none: 96 units an inch.
+  /// Size on paper [mm] for SVG and PDF; none: 96 units per inch.
   std::optional<QSizeF> paper;
-  bool transparent = false;  ///< else filled with `background` first
+  bool transparent = false;  ///< else first filled with `background`
   QColor background = Qt::white;
   QString title;  ///< of SVG and PDF files
 };
 
-/// Without its transparency.
+/// Removes the transparency.
 Picture picture_of(const QImage& image);
 
-/// Begins to paint on an image with `ratio` pixels to a unit of the painter. A ratio below 1 reduces;
+/// Begins painting on an image with `ratio` pixels per unit of the painter. A ratio below 1 reduces;
 /// QImage::setDevicePixelRatio() alone would crop.
 void begin_units(QPainter& painter, QImage& image, double ratio);
 

@@ -41,13 +41,13 @@ const SceneColours& picture_colours(const PictureRequest& request) {
   return scene_colours(request.theme == ThemeKind::dark ? Background::dark : Background::light);
 }
 
-/// On paper text keeps its size; a larger picture for the screen has larger text.
+/// Text keeps its size on paper; in a larger picture for the screen it is larger.
 double text_scale_of(const PictureRequest& request) {
   const QSize whole = request.size.toSize();
   return request.paper ? 1 : scale_for({whole.width(), whole.height()});
 }
 
-/// What the colours of the 3D view say.
+/// Meaning of the colours of the 3D view.
 QString colour_meaning(const ReportInput& input) {
   ColourKey key{input.scene.colouring, {}, {}, {}};
   if (key.colouring == Colouring::run) {
@@ -60,8 +60,8 @@ QString colour_meaning(const ReportInput& input) {
   return QString::fromStdString(colour_title(key, input.texts));
 }
 
-/// Program, machine, run, cycle time and colours in one line at the bottom of a picture, with what the cycle
-/// time leaves out if there is room. Returns what is above it.
+/// Paints program, machine, run, cycle time and colours in one line at the bottom of a picture, with the
+/// parts not in the cycle time if there is room. Returns the area above it.
 QRectF paint_caption(QPainter& painter, const ReportInput& input, const QString& colours,
                      const PictureRequest& request) {
   constexpr double row = 24;  // [1/96 inch] at scale 1
@@ -99,7 +99,7 @@ PictureSpec spec_of(const PictureRequest& request, const QString& title) {
           title};
 }
 
-/// The current run in 3D; `prepare` may move the camera of the picture, whose size and scale it is given.
+/// The current run in 3D; `prepare` may move the camera of the picture, of the given size and scale.
 std::string path_file(const ReportInput& input, const PictureRequest& request,
                       const std::function<void(ScenePicture&, const QSizeF&, const SceneScale&)>& prepare) {
   ScenePicture picture(input, input.current, request.theme, request.transparent);
@@ -135,7 +135,7 @@ std::string charts_file(const ReportInput& input, const PictureRequest& request)
                          .arg(least.height())
                          .toStdString());
   }
-  constexpr double enough_for_shapes = 2;  // columns of a curve to a unit, where each is a shape of its own
+  constexpr double enough_for_shapes = 2;  // columns of a curve per unit, if each is a shape
   page.prepare(size, request.format == PictureFormat::png ? request.pixel_ratio
                                                           : std::min(request.pixel_ratio, enough_for_shapes));
   const bool as_on_screen =
@@ -154,7 +154,7 @@ LensShot lens_shot(const ReportInput& input, double time) {
   for (std::size_t i = 0; i < input.runs.size(); ++i) {
     const ReportRun& run = input.runs[i];
     if (run.shown->run.trajectory->path().empty()) {
-      continue;  // the control runs nothing of it
+      continue;  // the control does not run it
     }
     shown = i == input.current ? runs.size() : shown;
     runs.push_back(&run.shown->run);

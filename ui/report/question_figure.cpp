@@ -27,7 +27,7 @@ QString caption(const char* english, const Lesson& lesson, const std::string& wh
   return html_text(fmt::format(fmt::runtime(lesson_word(english, lesson.language)), what));
 }
 
-/// When the run is on the lines that a question watches [s]; all of it where there are none.
+/// Time of the run on the lines that a question watches [s]; the whole run without lines.
 Interval times_of(const Measure& watch, const ShownRun& shown) {
   const Trajectory& trajectory = *shown.run.trajectory;
   if (watch.first_line == 0) {
@@ -63,7 +63,7 @@ bool is_watched(const CircularTest& test, const Measure& watch) {
          });
 }
 
-/// The chart that shows what is watched, by ChartSpec::key; empty: none.
+/// The chart of the watched quantity, by ChartSpec::key; empty: none.
 QString chart_of(const Measure& watch) {
   const std::string& unit = watch.spec->unit;
   for (const ChartSpec& chart : kinematic_chart_specs()) {
@@ -90,7 +90,7 @@ QString chart_figure(const Lesson& lesson, const Question& question, ReportInput
   }
   if (question.watch.first_line > 0) {
     const Interval lines = times_of(question.watch, *seen.run().shown);
-    constexpr double beside = 0.25;  // of their time, on both sides
+    constexpr double beside = 0.25;  // of their time, before and after
     const double room = beside * (lines.upper - lines.lower);
     seen.charts.time = Interval{std::max(0.0, lines.lower - room),
                                 std::min(seen.run().shown->run.trajectory->duration(), lines.upper + room)};
@@ -111,7 +111,7 @@ QString chart_figure(const Lesson& lesson, const Question& question, ReportInput
                 caption("Before anything is changed: {}.", lesson, watched));
 }
 
-/// The stretch of a time interval in 3D, or all of the path.
+/// The range of a time interval in 3D, or the whole path.
 QString view_figure(const Lesson& lesson, const Question& question, ReportInput seen,
                     const std::optional<Interval>& times, const QString& name, ReportPictures& pictures) {
   seen = without_other_runs(std::move(seen));
@@ -171,7 +171,7 @@ QString question_figure(const Lesson& lesson, const Question& question, const Re
     return one.with == question.with && watches_the_same(one.watch, question.watch);
   });
   if (&*earlier != &question) {
-    return {};  // it would be the same picture
+    return {};  // the picture would be the same
   }
   ReportInput seen = start;
   if (!question.with.empty()) {

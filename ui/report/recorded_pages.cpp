@@ -38,7 +38,7 @@ void RecordedPages::draw(QPainter& painter, qsizetype page, const QRectF& area) 
   painter.save();
   painter.translate(area.center() - QPointF(units.width(), units.height()) * unit / 2);
   QPicture picture = pages_[page];
-  // QPicture::play() enlarges by the device's dots an inch; here `area` says how large.
+  // QPicture::play() scales by the device's resolution; here `area` determines the size.
   const double enlarged = static_cast<double>(painter.device()->logicalDpiX()) / picture.logicalDpiX();
   painter.scale(unit / enlarged, unit / enlarged);
   picture.play(&painter);

@@ -14,32 +14,33 @@ class QPrinter;
 
 namespace feedscope::ui {
 
-/// Pages of a document as what was painted on them, from a process that lays them out to one that prints
-/// them: shapes, text and bitmaps stay what they are.
+/// Pages of a document as painting commands, passed from the process that lays them out to the one that
+/// prints them: shapes, text and bitmaps are preserved.
 class RecordedPages {
  public:
-  /// Ending of files of them, without its point; `feedscope render`, `report` and `lessons` write such a file
-  /// for --out FILE.feedpages. They are for the same build of Feedscope.
+  /// Ending of their files, without the point; `feedscope render`, `report` and `lessons` write such a file
+  /// for --out FILE.feedpages. Only for the same build of Feedscope.
   static constexpr const char* ending = "feedpages";
 
   RecordedPages() = default;
   /// `paper`: of every page [mm].
   RecordedPages(QString title, const QSizeF& paper) : title_(std::move(title)), paper_(paper) {}
 
-  /// One more page; `size`: of what `paint` sees, which fills the paper but for `margin` [mm] on all sides.
+  /// Adds a page; `size`: painting area of `paint`, which fills the paper except for `margin` [mm] on all
+  /// sides.
   void add(const QSizeF& size, const std::function<void(QPainter&)>& paint, double margin = 0);
   qsizetype count() const { return pages_.size(); }
   const QString& title() const { return title_; }
   const QSizeF& paper() const { return paper_; }
   bool landscape() const { return paper_.width() > paper_.height(); }
 
-  /// A page, as large as fits into `area`, in its middle.
+  /// Draws a page in the centre of `area`, as large as fits.
   void draw(QPainter& painter, qsizetype page, const QRectF& area) const;
-  /// All pages, or those that the printer is asked for, each on a sheet of it.
+  /// Prints all pages, or the printer's range, each on one sheet.
   void print(QPrinter& printer) const;
 
   std::string bytes() const;
-  /// Throws InputError for anything else than bytes().
+  /// Throws InputError for anything but the result of bytes().
   static RecordedPages from_bytes(const QByteArray& bytes);
 
  private:

@@ -29,7 +29,7 @@ namespace feedscope::ui {
 
 namespace {
 
-/// Not empty in HTML files only: for what pages of paper do without.
+/// Section for HTML files only, omitted on paper.
 const QString screen_section = QStringLiteral("screen");
 
 QString commands_block(const ReportInput& input) {
@@ -69,12 +69,12 @@ struct Block {
   std::function<QString(const ReportInput&, ReportPictures&)> make;
 };
 
-/// What needs no pictures.
+/// Block without pictures.
 auto plain(QString (*block)(const ReportInput&)) {
   return [block](const ReportInput& input, ReportPictures&) { return block(input); };
 }
 
-/// What a single run has no use for.
+/// Block that a report of a single run omits.
 template <class Make>
 auto for_several(Make make) {
   return [make](const ReportInput& input, ReportPictures& pictures) {

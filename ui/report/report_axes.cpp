@@ -30,7 +30,7 @@ constexpr AxisQuantity quantities[] = {
      Dimension::acceleration},
     {QT_TRANSLATE_NOOP("ReportWords", "Jerk"), &AxisPeaks::jerk, &AxisLimits::jerk, Dimension::jerk}};
 
-/// Of a run in which rotary axes turn; empty where none does in any.
+/// Peaks of rotary axes; empty if none turns in any run.
 QString rotary_peaks_block(const ReportInput& input) {
   constexpr std::array<Dimension, 3> turning{Dimension::turning, Dimension::turning_acceleration,
                                              Dimension::turning_jerk};

@@ -24,16 +24,16 @@ namespace {
 
 constexpr double card_picture_width = 416;  // 110 mm [1/96 inch]
 
-/// A group and which of its worst places.
+/// A group and the rank of one of its worst places.
 struct CardPlace {
   const SlowGroup* group = nullptr;
   std::size_t rank = 0;
-  bool leads = false;  ///< the first card of its group
+  bool leads = false;  ///< whether it is the first card of its group
 
   const SlowPlace& place() const { return group->worst[rank]; }
 };
 
-/// The worst place of a group that none of `cards` shows; none if all are shown.
+/// The worst place of a group that is not in `cards`; none if all are.
 std::optional<CardPlace> unseen_place(const SlowGroup& group, const std::vector<CardPlace>& cards) {
   for (std::size_t rank = 0; rank < group.worst.size(); ++rank) {
     const SlowPlace& place = group.worst[rank];
@@ -46,7 +46,7 @@ std::optional<CardPlace> unseen_place(const SlowGroup& group, const std::vector<
   return std::nullopt;
 }
 
-/// At most five groups; of fewer than three, further places.
+/// At most five groups; with fewer than three, further places.
 std::vector<CardPlace> card_places(const TimeReport& report) {
   constexpr std::size_t most = 5;
   constexpr std::size_t least = 3;
@@ -90,7 +90,7 @@ QString card_text(const ReportInput& input, const CardPlace& card, std::size_t n
   return html + paragraph(WhyText::sentence(place.cause, why).toHtmlEscaped());
 }
 
-/// Corners of several runs through the lens, other places as they are.
+/// Corners of several runs through the lens, other places directly.
 PlaceShot shot_of(const ReportInput& input, const CardPlace& card) {
   if (card.group->shape == PlaceShape::corner && input.runs.size() > 1) {
     auto shot = std::make_shared<const LensShot>(lens_shot(input, card.place().slowest));
@@ -110,7 +110,7 @@ ElasticPicture card_picture(const ReportInput& input, const CardPlace& card, dou
           least, largest};
 }
 
-/// What the lines of close-ups are.
+/// Meaning of the lines in close-ups.
 QString lines_key(const ReportInput& input) {
   QStringList parts{ReportWords::tr("thin grey the programmed path")};
   if (input.run().shown->run.trajectory->blend_count() > 0) {
@@ -151,7 +151,7 @@ QString cards_block(const ReportInput& input, ReportPictures& pictures) {
     return {};
   }
   const std::vector<CardPlace> cards = card_places(*input.time);
-  const double largest = cards.size() < 3 ? 390 : 290;  // a page is filled
+  const double largest = cards.size() < 3 ? 390 : 290;  // to fill a page
   QString html =
       cards.empty() ? QString() : QStringLiteral("<p class=\"small\">%1</p>\n").arg(lines_key(input));
   for (std::size_t i = 0; i < cards.size(); ++i) {

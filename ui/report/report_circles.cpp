@@ -25,7 +25,7 @@ QString deviation(const std::optional<double>& value, int decimals) {
   return value ? fixed(*value, Dimension::error, decimals) : QStringLiteral("–");
 }
 
-/// Behind the point of all deviations, so that the largest fits into its column.
+/// Common number of decimals of the deviations, so that the largest fits into its column.
 int deviation_decimals(const ProgramCircles& circles) {
   constexpr double hundred = 0.1;  // [um]
   constexpr double thousand = 1;

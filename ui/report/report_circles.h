@@ -6,13 +6,13 @@
 
 namespace feedscope::ui {
 
-// Blocks of a report about the full circles of the program, as HTML; empty where it has none. The input has
+// Blocks of a report on the full circles of the program, as HTML; empty without circles. The input contains
 // its circles.
 
-/// The same input with the circles of the current run. Throws Cancelled if `progress` is cancelled.
+/// `input` with the circles of the current run. Throws Cancelled if `progress` is cancelled.
 ReportInput with_circles(ReportInput input, Progress* progress = nullptr);
 
-/// Values of each circle by ISO 230-4, what they mean, and what is not evaluated.
+/// Values of each circle by ISO 230-4, their meaning, and the circles that are not evaluated.
 QString circles_block(const ReportInput& input);
 /// Polar plots of the first circles.
 QString circle_plots_block(const ReportInput& input, ReportPictures& pictures);

@@ -27,7 +27,7 @@ constexpr std::size_t max_error_places = 8;
 constexpr std::size_t max_error_close_ups = 4;
 constexpr std::size_t max_curves = 6;
 
-/// Places as far from paths of the same shape, as the corners of a pocket are.
+/// Places with equal errors on paths of the same shape, such as the corners of a pocket.
 struct SimilarErrors {
   ContourFinding worst;
   std::size_t count = 1;
@@ -57,14 +57,14 @@ QString line_cell(const SimilarErrors& errors) {
   return errors.count > 1 ? ReportWords::tr("%1 and %2 similar").arg(line).arg(errors.count - 1) : line;
 }
 
-/// Path on both sides of the place that a close-up shows [mm].
+/// Length of path on both sides of the place in a close-up [mm].
 double shown_around(const ContourPlace& place) {
   constexpr double errors = 40;
   constexpr double least = 0.2;
   return std::max(errors * place.error, least);
 }
 
-/// The deviation takes about a sixth of the half of the picture.
+/// Factor that enlarges the deviation to about a sixth of the half of the picture.
 double enlargement(const ContourPlace& place) {
   constexpr double share = 6;
   constexpr double most = 1000;
@@ -77,7 +77,7 @@ double enlargement(const ContourPlace& place) {
   return 1;
 }
 
-/// A place that is flat is seen from above, others as the whole.
+/// Top view for a flat place, the view of the whole path for others.
 StandardView view_of(const Trajectory& trajectory, const std::array<double, 2>& times) {
   constexpr int samples = 50;
   Bounds bounds;

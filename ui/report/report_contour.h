@@ -6,14 +6,14 @@
 
 namespace feedscope::ui {
 
-// Blocks of a report about the contour error, as HTML; empty if the current run follows the path exactly. The
-// input has its contour reports.
+// Blocks of a report on the contour error, as HTML; empty if the current run follows the path exactly. The
+// input contains its contour reports.
 
-/// How much of the path has which error, all runs in one picture.
+/// Distribution of the error over the path, for all runs in one picture.
 QString contour_histogram_block(const ReportInput& input, ReportPictures& pictures);
-/// Where the current run is farthest from the programmed path; places that are similar stand together.
+/// Places of the current run with the largest contour errors; similar ones are grouped.
 QString contour_places_block(const ReportInput& input);
-/// Close-ups of the same places, the deviation enlarged.
+/// Close-ups of the same places, with enlarged deviation.
 QString contour_place_views_block(const ReportInput& input, ReportPictures& pictures);
 
 }  // namespace feedscope::ui

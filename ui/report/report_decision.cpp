@@ -62,7 +62,7 @@ QString error_text(const Summary& summary) {
                         : ReportWords::tr("contour error %1").arg(amount);
 }
 
-/// Of one run.
+/// Headline for a single run.
 QString time_headline(const ReportInput& input) {
   const Summary& summary = summary_of(input.run());
   const double lost = std::max(0.0, summary.cycle_time - summary.programmed_time);
@@ -100,7 +100,7 @@ QString reading_fault(const ReportInput& input) {
                          .arg(reading_faults_text(program).toHtmlEscaped(), message_text(*first)));
 }
 
-/// What the machine or the control cannot do with the program; no sentence twice.
+/// Parts of the program that the machine or the control cannot run; no sentence twice.
 QString run_faults(const ReportInput& input) {
   QStringList texts;
   for (const ReportRun& run : input.runs) {
@@ -129,7 +129,7 @@ QString unmade_runs(const ReportInput& input) {
   return html;
 }
 
-/// Several tolerances were asked for, and some model makes one run of them.
+/// Note that several tolerances were requested, but some models have one run for all of them.
 QString unused_tolerances(const ReportInput& input) {
   std::set<QString> models;
   for (const ReportRun& run : input.runs) {
@@ -150,7 +150,7 @@ QString unused_tolerances(const ReportInput& input) {
   return html;
 }
 
-/// A piece of the line of a run.
+/// A sample of a run's line.
 QString line_sample(const ReportInput& input, std::size_t row, ReportPictures& pictures) {
   static constexpr QSizeF size(34, 8);
   QPen pen(input.runs[row].colour, 2);
@@ -205,7 +205,7 @@ std::pair<QString, QString> cause_bars(const ReportInput& input, double width, R
                        ReportWords::tr("Cycle time of each run by limiting cause"))};
 }
 
-/// A picture without a caption; alone in a cell it has no room above.
+/// A picture without a caption; alone in a cell it has no space above.
 QString framed(const QString& picture) {
   return QStringLiteral(
              "<table class=\"frame\" width=\"100%\" cellspacing=\"0\" cellpadding=\"0\"><tr><td>%1</td></tr>"
@@ -235,7 +235,7 @@ QString corner_figure(const ReportInput& input, ReportPictures& pictures) {
     return {};
   }
   const auto shot = std::make_shared<const LensShot>(lens_shot(input, *time));
-  if (!shot->lens.deviates) {  // what drives do beyond the control's path is not in the lens
+  if (!shot->lens.deviates) {  // the lens omits the drives' deviation from the set path
     return {};
   }
   const QString picture = pictures.add(QStringLiteral("corner"), lens_picture(shot, corner_size),
@@ -280,7 +280,7 @@ QString help_table(const ReportInput& input) {
     return paragraph(
         ReportWords::tr("None of the %1 changes that were simulated helps.").arg(trials.tried.size()));
   }
-  const bool with_error = !has_drives(input);  // the actual one of a change is not known
+  const bool with_error = !has_drives(input);  // the actual error after a change is unknown
   HtmlTable table(with_error ? "lrr" : "lr", with_error ? std::vector{58, 18, 24} : std::vector{76, 24});
   QStringList head{ReportWords::tr("What would help"), ReportWords::tr("Gain")};
   if (with_error) {
@@ -382,7 +382,7 @@ QString runs_table_block(const ReportInput& input, ReportPictures& pictures) {
                                 Dimension::error),
                    ReportWords::tr("Corner blends"),
                    with_unit_of(ReportWords::tr("Mean feed"), Dimension::feed)};
-  head.replaceInStrings(QStringLiteral(" ["), QStringLiteral("<br/>["));  // "mm/min" would be parted
+  head.replaceInStrings(QStringLiteral(" ["), QStringLiteral("<br/>["));  // else "mm/min" would break
   table.add_head(head);
   for (std::size_t row = 0; row < input.runs.size(); ++row) {
     const ReportRun& run = input.runs[row];

@@ -9,8 +9,8 @@ QString png_url(const QByteArray& picture) {
   return QStringLiteral("png;base64,") + QString::fromLatin1(picture.toBase64());
 }
 
-/// Most of it is numbers, which stay as they are: base64 would be a third longer. Attributes are quoted by
-/// the sign that needs no coding where no text has it.
+/// SVG is mostly numbers, which need no coding: base64 would be a third longer. Quotes attributes with the
+/// character that needs no coding, if no text contains it.
 QString svg_url(QByteArray picture) {
   if (!picture.contains('\'')) {
     picture.replace('"', '\'');
@@ -22,7 +22,7 @@ QString svg_url(QByteArray picture) {
 }  // namespace
 
 std::string report_html(QString html, const ReportPictures& pictures) {
-  constexpr double pixel_ratio = 2;  // sharp on the screens of today
+  constexpr double pixel_ratio = 2;  // sharp on high-resolution screens
   for (const auto& [name, picture] : pictures.all()) {
     PictureSpec spec;
     spec.format = picture.raster ? PictureFormat::png : PictureFormat::svg;

@@ -7,7 +7,7 @@
 
 namespace feedscope::ui {
 
-/// `html` with the pictures inside: one file that browsers show without any other.
+/// `html` with embedded pictures: a single file for browsers.
 std::string report_html(QString html, const ReportPictures& pictures);
 
 }  // namespace feedscope::ui

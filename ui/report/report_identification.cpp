@@ -75,7 +75,7 @@ QString models_table(const IdentificationOutcome& outcome) {
   return table.html() + reasons;
 }
 
-/// Where a number is from, or why there is none.
+/// Source of a number, or the reason why it is not identifiable.
 QString source_of(const IdentifiedParameter& one, const IdentificationOutcome& outcome, bool explains) {
   const QDate date = QDate::fromString(QString::fromStdString(outcome.date), Qt::ISODate);
   return one.told ? ReportWords::tr("identified from %1, %2")
@@ -98,7 +98,7 @@ QString numbers_table(const IdentificationOutcome& outcome, const Identification
   return table.html();
 }
 
-/// Of each table those that the model misses most.
+/// Of each table, the sections with the largest deviation of the model.
 QString sections_tables(const IdentificationOutcome& outcome, const Identification& found) {
   QString html;
   for (std::size_t i = 0; i < outcome.recordings.size(); ++i) {
@@ -128,7 +128,7 @@ QString sections_tables(const IdentificationOutcome& outcome, const Identificati
   return html;
 }
 
-/// Whether a file that was searched holds another trace now. One that the report does not show is unknown.
+/// Whether a searched file now contains another trace. Traces that the report does not show are ignored.
 bool has_another_recording(const std::vector<ReportTrace>& traces, const IdentificationOutcome& outcome) {
   std::vector<UsedRecording> now;
   for (const ReportTrace& trace : traces) {
@@ -187,7 +187,7 @@ QString identification_charts_block(const ReportInput& input, ReportPictures& pi
     return {};
   }
   constexpr double plot_height = 170;
-  constexpr double legend_height = 16;  // a model
+  constexpr double legend_height = 16;  // per model
   const auto curves =
       std::make_shared<std::vector<ResidualCurves>>(residual_curves(*result.outcome, result.chosen));
   const std::size_t all = curves->size();

@@ -6,12 +6,12 @@
 
 namespace feedscope::ui {
 
-// Blocks of a report about what was identified, as HTML; empty without a result.
+// Blocks of a report on identification results, as HTML; empty without a result.
 
-/// Recordings, how well the models explain them, and of the chosen model its numbers: value, uncertainty and
-/// where it is from, or why it is not told and what would tell it.
+/// Recordings, agreement of the models, and for the chosen model its numbers: value, uncertainty and source,
+/// or the reason why it is not identifiable and what would make it so.
 QString identification_block(const ReportInput& input);
-/// What the models leave over of the recordings, as curves over their time or bars by section.
+/// Residuals of the models as curves over the time of the recordings, or bars by section.
 QString identification_charts_block(const ReportInput& input, ReportPictures& pictures);
 
 }  // namespace feedscope::ui

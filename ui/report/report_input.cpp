@@ -36,7 +36,7 @@ std::set<std::string> differing_settings(const std::vector<std::shared_ptr<const
 
 using AxisLimit = std::pair<std::string, char>;
 
-/// Limits of axes that do not have the same value in all runs on their machine.
+/// Limits of axes whose values differ among the runs on their machine.
 std::set<AxisLimit> differing_limits(const std::vector<std::shared_ptr<const ShownRun>>& runs) {
   std::set<AxisLimit> limits;
   std::map<std::string, const Machine*> first;
@@ -93,7 +93,7 @@ namespace {
 
 const QString name_joint = QStringLiteral(", ");
 
-/// Parts of names that all runs have.
+/// Parts common to all names.
 QStringList common_parts(const ReportInput& input) {
   QStringList parts = input.runs.front().name.split(name_joint);
   parts.removeIf([&](const QString& part) {
@@ -142,7 +142,7 @@ ReportInput with_recommended_run(ReportInput input) {
 }
 
 ReportInput with_contour_reports(ReportInput input, Progress* progress) {
-  constexpr std::size_t places = 100;  // those that are similar stand together
+  constexpr std::size_t places = 100;  // similar ones are grouped
   for (ReportRun& run : input.runs) {
     if (run.contour == nullptr) {
       run.contour = std::make_shared<const ContourReport>(contour_report(run.shown->run, places, progress));

@@ -22,22 +22,22 @@
 
 namespace feedscope::ui {
 
-/// A sheet that a report is laid out on [1/96 inch].
+/// Paper size of a report's layout [1/96 inch].
 struct Paper {
-  double width = 210 / 25.4 * 96;  ///< A4 at first
+  double width = 210 / 25.4 * 96;  ///< initially A4
   double height = 297 / 25.4 * 96;
 
   static constexpr double margin_top = 62;
   static constexpr double margin_bottom = 60;
-  /// Of what is between the margins.
+  /// Height between the margins.
   double contents_height() const { return height - margin_top - margin_bottom; }
 };
 inline constexpr Paper letter_paper{8.5 * 96, 11.0 * 96};
 
-/// One of the runs that sheet and report show.
+/// One of the runs in sheet and report.
 struct ReportRun {
   std::shared_ptr<const ShownRun> shown;
-  QString name;  ///< unlike those of the others
+  QString name;  ///< unique among the runs
   QColor colour;
   std::shared_ptr<const ContourReport> contour = nullptr;  ///< until with_contour_reports()
 };
@@ -46,54 +46,53 @@ inline const Summary& summary_of(const ReportRun& run) {
   return run.shown->run.summary;
 }
 
-/// A run that was asked for and cannot be simulated.
+/// A requested run that cannot be simulated.
 struct UnmadeRun {
   QString name;
-  std::string why;  ///< as the library says it
+  std::string why;  ///< message of the library
 };
 
-/// What a control recorded of the program.
+/// A recorded trace of the program.
 struct ReportTrace {
-  std::shared_ptr<const ShownTrace> shown;  ///< beside the current run
+  std::shared_ptr<const ShownTrace> shown;  ///< matched to the current run
   QString name;
   QColor colour;
 };
 
-/// Everything that pictures, sheet and report are made of; a session or the options of the command line fill
-/// it. The same input gives the same bytes.
+/// Input of pictures, sheet and report, from a session or the options of the command line. The same input
+/// gives the same bytes.
 struct ReportInput {
   std::vector<ReportRun> runs;  ///< of one program, at least one
-  std::size_t current = 0;      ///< the one that 3D view, charts and worst places show
+  std::size_t current = 0;      ///< the run in 3D view, charts and worst places
   std::vector<UnmadeRun> unmade;
   std::vector<ReportTrace> traces;
-  IdentificationResult identification;  ///< of a machine from recordings of the program; may be none
-  SceneState scene;                     ///< how the 3D view looks
-  SceneTexts texts;                     ///< that stand in it; at first English
-  std::optional<double> cursor;         ///< where the stretch of `scene` ends that is drawn up to it [s]
-  /// Run that the colours of `scene` compare with; none: the first other one than what is shown.
+  IdentificationResult identification;  ///< of a machine from recordings of the program; may be empty
+  SceneState scene;                     ///< appearance of the 3D view
+  SceneTexts texts;                     ///< of the 3D view; initially English
+  std::optional<double> cursor;         ///< end of the range of `scene` that is drawn up to it [s]
+  /// Run that the colours of `scene` compare with; none: the first one other than the shown run.
   std::optional<std::size_t> reference;
-  /// Looks from there at the whole path, instead of with the camera of `scene`.
+  /// View of the whole path from there, instead of the camera of `scene`.
   std::optional<StandardView> view = StandardView::iso;
   std::vector<Annotation> annotations;
-  /// Range and curves; at first all of the run, and the achieved feed of the others.
+  /// Range and curves; initially the whole run, and the achieved feed of the others.
   ChartsState charts{.other_runs = {QStringLiteral("feed")}};
   QString title;         ///< empty: the program's name
   QString author;        ///< may be empty
-  QDateTime date;        ///< invalid: no date is written
-  QString remarks;       ///< words of the author's own; an empty line begins a new paragraph
-  QString logo;          ///< data: URL of a picture as inline_picture_url(); may be empty
-  QStringList commands;  ///< command lines that make this again
-  QStringList without;   ///< placeholders of the template that stay empty
-  /// Sections of the template that are not omitted, as ReportTemplate::filled(); without these two the report
-  /// is brief.
+  QDateTime date;        ///< invalid: no date
+  QString remarks;       ///< the author's words; an empty line begins a new paragraph
+  QString logo;          ///< data URL of a picture as inline_picture_url(); may be empty
+  QStringList commands;  ///< command lines that reproduce this
+  QStringList without;   ///< placeholders of the template that remain empty
+  /// Included sections of the template, as ReportTemplate::filled(); without these two the report is brief.
   QStringList with{QStringLiteral("motion"), QStringLiteral("trust")};
   /// Largest contour error of a run that may be recommended [mm].
   std::optional<double> within;
-  std::size_t tolerances_asked = 0;  ///< 0: not known
+  std::size_t tolerances_asked = 0;  ///< 0: unknown
   Paper paper = {};
-  /// Of the current run; until with_circles().
+  /// Of the current run; null until with_circles().
   std::shared_ptr<const ProgramCircles> circles = nullptr;
-  /// Of the current run; until with_time_report().
+  /// Of the current run; null until with_time_report().
   std::shared_ptr<const TimeReport> time = nullptr;
 
   const ReportRun& run() const { return runs[current]; }
@@ -104,10 +103,10 @@ struct ReportInput {
 /// The program's file without its folders.
 QString program_file_name(const Program& program);
 
-/// The same with the contour report of every run. Throws Cancelled if `progress` is cancelled.
+/// `input` with the contour report of every run. Throws Cancelled if `progress` is cancelled.
 ReportInput with_contour_reports(ReportInput input, Progress* progress = nullptr);
 
-/// What of the names of the runs is not the same in all: "0.02 mm"; the whole name where nothing is.
+/// The differing parts of the runs' names: "0.02 mm"; the whole name if none differs.
 QStringList short_names(const ReportInput& input);
 /// What pictures and tables call a run: "B 0.02 mm"; of a single run its name.
 QString lettered_title(const ReportInput& input, std::size_t run);
@@ -115,12 +114,12 @@ QString lettered_title(const ReportInput& input, std::size_t run);
 QString common_name(const ReportInput& input);
 /// The figures of the runs, in their order.
 std::vector<ComparedRun> run_figures(const ReportInput& input);
-/// The input with the recommended run as its current one, unless something else belongs to the current one:
-/// recordings, or a stretch of its time.
+/// `input` with the recommended run as its current one, unless something else depends on the current run:
+/// recordings, or a range of its time.
 ReportInput with_recommended_run(ReportInput input);
 
-/// Runs that nobody has named or coloured: what tells them apart as the name ("essid, 0.01 mm"), colours told
-/// apart with every kind of colour vision.
+/// Runs without a name or colour of their own: the name is what distinguishes them ("essid, 0.01 mm"), and
+/// the colours are distinct for every kind of colour vision.
 std::vector<ReportRun> report_runs(const std::vector<std::shared_ptr<const ShownRun>>& runs);
 
 }  // namespace feedscope::ui

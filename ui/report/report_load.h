@@ -6,10 +6,10 @@
 
 namespace feedscope::ui {
 
-// Blocks of a report about the cutting load of the current run, as HTML; empty where no operations are known.
+// Blocks of a report on the cutting load of the current run, as HTML; empty without operations.
 
-/// How the tools are engaged, largest and mean loads against those of the programmed feed, what is beyond a
-/// bound, and what is assumed.
+/// Engagement of the tools, largest and mean loads compared with those at the programmed feed, exceeded
+/// bounds, and assumptions.
 QString load_block(const ReportInput& input);
 /// The path coloured by chip thickness.
 QString load_view_block(const ReportInput& input, ReportPictures& pictures);

@@ -17,7 +17,7 @@ namespace feedscope::ui {
 
 namespace {
 
-/// Digits that numbers in the unit of their key have, and converted ones.
+/// Digits of numbers in the unit of their key, and of converted ones.
 int digits_of(const KeyUnit& unit) {
   return unit.factor == 1 ? 8 : 5;
 }
@@ -28,7 +28,7 @@ QString value_text(const SettingValue& value, const KeyUnit& unit) {
                            : html_text(core_text(std::get<std::string>(value)));
 }
 
-/// "X, Y: Essid 2019, table 2" or, assumed, the same in italics.
+/// "X, Y: Essid 2019, table 2"; in italics if assumed.
 QString source_text(const Machine& machine, const std::string& key) {
   const auto found = machine.provenance.find(key);
   if (found == machine.provenance.end()) {
@@ -44,7 +44,7 @@ bool assumed(const Machine& machine, const std::string& key) {
   return found != machine.provenance.end() && found->second.assumed;
 }
 
-/// Sources of a limit, those of several axes together where they are the same.
+/// Sources of a limit, grouped by axes with equal sources.
 QString axis_sources(const Machine& machine, const std::string& limit) {
   std::vector<std::pair<QString, QString>> sources;  // axes, source
   for (const auto& [axis, kind] : machine.axes.axes()) {
@@ -66,7 +66,7 @@ QString axis_sources(const Machine& machine, const std::string& limit) {
   return lines.join(QStringLiteral("<br/>"));
 }
 
-/// "–" where the drive of an axis has no such value.
+/// "–" if the drive of an axis has no such value.
 QString axis_value_text(const Machine& machine, char axis, const std::string& key, const KeyUnit& unit) {
   const SettingValue value = axis_value(machine, axis, key);
   const double* number = std::get_if<double>(&value);
@@ -79,7 +79,7 @@ bool has_any(const Machine& machine, const std::string& key) {
   });
 }
 
-/// Limits and travel of the rotary axes, then the chain; empty without.
+/// Limits and travel of the rotary axes, then the chain; empty without rotary axes.
 QString rotary_table(const Machine& machine) {
   if (machine.kinematics.empty()) {
     return QString();
@@ -171,8 +171,7 @@ QString control_table(const Machine& machine) {
   return table.empty() ? QString() : table.html();
 }
 
-/// What people may ask for, as rows of a table: its name and a value for each run, "" where it does not
-/// count.
+/// A user setting as a row of a table: its name and a value for each run, "" where it does not apply.
 struct SettingRow {
   QString title;
   QString unit;
@@ -195,7 +194,7 @@ std::vector<SettingRow> identity_rows(const ReportInput& input) {
                  [](const Setup& setup) { return html_text(setup.model->info().id); })};
 }
 
-/// What the runs follow, which the program may set.
+/// The tolerances in force, which the program may set.
 SettingRow tolerance_row(const ReportInput& input) {
   SettingRow row{ReportWords::tr("Tolerance in force"), unit_of(Dimension::length), {}};
   for (const ReportRun& run : input.runs) {
@@ -240,7 +239,7 @@ std::vector<SettingRow> setting_rows(const ReportInput& input) {
   return rows;
 }
 
-/// A column a run, in as many tables as the runs need.
+/// One column for each run, in as many tables as needed.
 QString rows_table(const ReportInput& input, const std::vector<SettingRow>& rows, bool mark_differing) {
   QString html;
   const std::size_t count = input.runs.size();

@@ -18,12 +18,12 @@ QString list_of(const std::vector<std::string>& items) {
   return html.isEmpty() ? html : QStringLiteral("<ul>\n%1</ul>\n").arg(html);
 }
 
-/// What a list begins with.
+/// Heading of a list.
 QString lead(const QString& text) {
   return QStringLiteral("<p class=\"lead\"><b>%1</b></p>\n").arg(text);
 }
 
-/// Names of the runs of one model with the same guarantees.
+/// Names of the runs of one model with equal guarantees.
 struct Promise {
   std::vector<std::string> sentences;
   QStringList runs;

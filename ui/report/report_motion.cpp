@@ -62,7 +62,7 @@ QPen run_pen(const ReportInput& input, std::size_t run) {
   return pen;
 }
 
-/// The current run last, so that it is seen.
+/// The current run last, so that it stays visible.
 std::vector<std::size_t> drawn_runs(const ReportInput& input) {
   std::vector<std::size_t> runs;
   for (std::size_t i = 0; i < input.runs.size() && runs.size() + 1 < most_runs_drawn; ++i) {
@@ -110,7 +110,7 @@ void paint_motion_plot(QPainter& painter, const MotionPlot& plot, bool labelled_
       plot.title);
 }
 
-/// Range of the values of curves, with some room above.
+/// Fits the range to the values of curves, with some room above.
 void fit_motion(std::vector<MotionPlot*> plots, bool from_zero) {
   double low = from_zero ? 0 : 1e300;
   double high = -1e300;
@@ -131,7 +131,7 @@ void fit_motion(std::vector<MotionPlot*> plots, bool from_zero) {
   }
 }
 
-/// Entries of the runs in the top right corner of a plot.
+/// Paints the legend of the runs in the top right corner of a plot.
 void paint_motion_legend(QPainter& painter, const ReportInput& input, double right, double base) {
   painter.setFont(paper_font(motion_type));
   const QFontMetricsF metrics(painter.font());
@@ -156,7 +156,7 @@ void paint_motion_legend(QPainter& painter, const ReportInput& input, double rig
   }
 }
 
-/// The courses of the runs that are drawn.
+/// The courses of the drawn runs.
 struct FeedCourses {
   std::vector<std::size_t> runs;
   std::vector<FeedCourse> courses;
@@ -205,14 +205,14 @@ void paint_feed_courses(QPainter& painter, const QSizeF& size, const ReportInput
                    with_unit_of(ReportWords::tr("Programmed path of feed motions"), Dimension::length));
 }
 
-/// A stretch of time about a place of the current run.
+/// A range of time around a place of the current run.
 struct MotionWindow {
   SlowPlace place;
   double centre = 0;  ///< of the current run [s]
   double half = 0;    ///< [s]
 };
 
-/// Of feed motions alone, as the curves above them: a rapid would set the scale.
+/// Feed motions only, as in the curves above: a rapid would determine the scale.
 std::vector<MotionWindow> motion_windows(const ReportInput& input) {
   constexpr std::size_t most = 3;
   constexpr double least_half = 0.15;  // [s]
@@ -256,8 +256,8 @@ QString motion_title(MotionRow row) {
              : with_unit_of(ReportWords::tr("Jerk"), Dimension::jerk);
 }
 
-/// The curves of the runs in a window, those of others where they are at the same place of the program; a
-/// rapid parts a curve in two.
+/// The curves of the runs in a window, those of others at the same place of the program; a rapid divides a
+/// curve.
 std::array<std::vector<MotionCurve>, 3> window_curves(const ReportInput& input, const MotionWindow& window) {
   constexpr int samples = 300;
   std::array<std::vector<MotionCurve>, 3> curves;
@@ -291,7 +291,7 @@ std::array<std::vector<MotionCurve>, 3> window_curves(const ReportInput& input, 
 void paint_motion_windows(QPainter& painter, const QSizeF& size, const ReportInput& input,
                           const std::vector<MotionWindow>& windows) {
   constexpr double left = 52;
-  constexpr double gap = 30;  // labels of neighbouring axes do not touch
+  constexpr double gap = 30;  // keeps labels of neighbouring axes apart
   constexpr double head = 18;
   constexpr double title = 19;
   constexpr double below = 34;

@@ -7,20 +7,21 @@
 
 namespace feedscope::ui {
 
-/// `value` with so many decimals; as all numbers of reports by the language in force.
+/// `value` with this number of decimals, in the current language like all numbers of reports.
 QString fixed(double value, int decimals);
-/// `value` with at most so many significant digits, without an exponent where people would not write one.
+/// `value` with at most this number of significant digits, with an exponent only where people would write
+/// one.
 QString significant(double value, int digits);
-/// The same of a value in the core's unit, shown in that of the unit system: a number without its unit.
+/// A core value with decimals, in the shown unit system, without its unit.
 QString fixed(double value, Dimension dimension, int metric_decimals = -1);
 QString significant(double value, Dimension dimension, int digits);
-/// A share in percent without its sign; "–" for one that is not a number.
+/// A share in percent without the sign; "–" for NaN.
 QString percent(double share, int decimals);
-/// A contour error [mm] as the window shows it, without its unit.
+/// A contour error [mm] as in the window, without its unit.
 QString error_number(double millimetres);
-/// A change in percent with one decimal and its sign, "−1.2" or "+3.4"; what rounds to nothing is "0.0".
+/// A change in percent with one decimal and its sign, "−1.2" or "+3.4"; "0.0" if it rounds to zero.
 QString signed_percent(double share);
-/// A day as the language writes it; empty for an invalid one.
+/// A date in the format of the language; empty for an invalid one.
 QString date_text(const QDateTime& date);
 
 }  // namespace feedscope::ui

@@ -31,13 +31,14 @@ constexpr std::size_t max_places = 8;  // in the table
 constexpr std::size_t max_close_ups = 6;
 constexpr std::size_t max_charts = 6;
 constexpr int close_ups_a_row = 2;
-// Where with_figure_numbers() puts numbers: of a figure before its caption, in its anchor, of another figure.
+// Marks that with_figure_numbers() replaces by numbers: of a figure before its caption, in its anchor, of
+// another figure.
 const QString figure_mark(QChar(0xe000));
 const QString anchor_mark(QChar(0xe001));
 const QString reference_mark(QChar(0xe002));
 constexpr double view_height = 400;  // [1/96 inch]
 
-/// The current run in 3D. `seen`: the input, with what is to be seen of it.
+/// The current run in 3D. `seen`: the input, reduced to its visible parts.
 ReportPicture scene_picture(const ReportInput& seen, const QSizeF& size) {
   return {size, true, [seen, size](QPainter& painter, double pixel_ratio) {
             ScenePicture(seen, seen.current, ThemeKind::light)
@@ -45,7 +46,7 @@ ReportPicture scene_picture(const ReportInput& seen, const QSizeF& size) {
           }};
 }
 
-/// Paths of many points are rasters: as vectors they would make the file many times larger.
+/// Paints paths of many points as rasters: as vectors they would make the file many times larger.
 void paint_lightly(ScenePicture& picture, QPainter& painter, const ReportInput& seen, const QSizeF& size,
                    const SceneScale& scale) {
   constexpr std::size_t most_points = 5000;
@@ -63,7 +64,7 @@ void paint_lightly(ScenePicture& picture, QPainter& painter, const ReportInput& 
   painter.drawImage(QRectF(QPointF(), size), image);
 }
 
-/// Places that lose time in a similar way, as the turns of a pocket do.
+/// Places that lose time in a similar way, such as the turns of a pocket.
 struct SimilarPlaces {
   SlowPlace worst;
   std::size_t count = 0;
@@ -77,9 +78,9 @@ bool similar(const SlowPlace& a, const SlowPlace& b) {
          near(a.programmed_feed, b.programmed_feed);
 }
 
-/// Those that lose most together, the worst first.
+/// Groups with the largest loss together, the worst first.
 std::vector<SimilarPlaces> worst_places(const ReportInput& input, std::size_t most) {
-  constexpr std::size_t max_kinds = 200;  // told apart; the rest loses less
+  constexpr std::size_t max_kinds = 200;  // distinguished; the others lose less
   std::vector<SlowPlace> places = input.run().shown->slow_places->places;
   std::ranges::stable_sort(places, std::greater(), &SlowPlace::loss);
   std::erase_if(places, [](const SlowPlace& place) { return !(place.loss > 0); });
@@ -107,7 +108,7 @@ QString lines_text(const SimilarPlaces& places) {
   return places.count > 1 ? ReportWords::tr("%1 and %2 similar").arg(lines).arg(places.count - 1) : lines;
 }
 
-/// A place that is flat is seen from above, others as the whole.
+/// Top view for a flat place, the view of the whole path for others.
 StandardView view_of(const Run& run, const SlowPlace& place) {
   constexpr int samples = 50;
   Bounds bounds;
@@ -125,7 +126,7 @@ ReportPicture close_up(const ReportInput& input, const SlowPlace& place, const Q
             const SceneScale scale{pixel_ratio, 0.68};
             ScenePicture picture(seen, seen.current, ThemeKind::light);
             show_place(picture, place, size, scale);
-            picture.scene().set_warning({});  // the first page says what is wrong with the program
+            picture.scene().set_warning({});  // the first page reports errors of the program
             paint_lightly(picture, painter, seen, size, scale);
           }};
 }
@@ -171,7 +172,7 @@ std::vector<Annotation> annotations_between(const ReportInput& input, double fro
 
 namespace {
 
-/// Numbers by the names of the pictures that figures show.
+/// Numbers by the names of the pictures in figures.
 std::map<QString, int> figure_numbers(const QString& html) {
   static const QRegularExpression shown(QStringLiteral("^\">\\s*<img src=\"picture:([^\"]*)\""));
   const QStringList parts = html.split(anchor_mark);
@@ -184,7 +185,7 @@ std::map<QString, int> figure_numbers(const QString& html) {
   return numbers;
 }
 
-/// A mark becomes one text after the other.
+/// Replaces each mark by one text after the other.
 QString with_marks_as(const QString& html, const QString& mark, const std::function<QString(int)>& text) {
   const QStringList parts = html.split(mark);
   QString made = parts.front();
@@ -194,7 +195,7 @@ QString with_marks_as(const QString& html, const QString& mark, const std::funct
   return made;
 }
 
-/// A picture that can be referred to, and its caption.
+/// A picture with an anchor, and its caption.
 QString captioned(const QString& picture, const QString& caption) {
   return QStringLiteral("<a name=\"%1\">%2</a><p class=\"caption\">%3%4</p>")
       .arg(anchor_mark, picture, figure_mark, caption);
@@ -362,7 +363,7 @@ QString cause_view_block(const ReportInput& input, ReportPictures& pictures) {
       pictures);
 }
 
-/// The charts below that of the feed.
+/// Names of the charts below that of the feed.
 QString charts_of(const RunSources& sources) {
   QStringList names{ReportWords::tr("acceleration"), ReportWords::tr("jerk")};
   if (sources.actual) {
@@ -378,7 +379,7 @@ QString charts_of(const RunSources& sources) {
   return ReportWords::tr("%1 and %2").arg(names.join(QStringLiteral(", ")), last);
 }
 
-/// Behind the caption of charts that show a stretch of the run; empty where they show all of it.
+/// Sentence after the caption of charts of a part of the run; empty for the whole run.
 QString stretch_sentence(const ReportInput& input, const Trajectory& trajectory) {
   const auto& time = input.charts.time;
   const double rounding = 1e-6 * trajectory.duration();

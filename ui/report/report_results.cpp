@@ -22,7 +22,7 @@ namespace feedscope::ui {
 
 namespace {
 
-constexpr double min_named_share = 0.0005;  // of a cycle time; below, 0.0 % would stand there
+constexpr double min_named_share = 0.0005;  // of a cycle time; smaller shares would read 0.0 %
 
 double against_programmed(const Summary& summary) {
   return summary.programmed_time > 0 ? summary.cycle_time / summary.programmed_time : 1;
@@ -48,7 +48,7 @@ QString main_causes(const Summary& summary) {
   return parts.join(QStringLiteral(", "));
 }
 
-/// Behind the sentence that gives its time; empty where all of the program is run.
+/// Sentence after that with the run's time; empty if the whole program is run.
 QString not_run_sentence(const ReportRun& run) {
   const std::size_t lines = run.shown->run.input.lines_not_run.size();
   return lines == 0
@@ -77,7 +77,7 @@ QString one_run_sentence(const ReportRun& run) {
   return sentence + not_run_sentence(run);
 }
 
-/// Those that the machine can run and of which the control refuses the fewest lines: what is not run takes
+/// The runs that the machine can do and with the fewest refused lines: lines that are not run take
 /// no time.
 std::vector<ReportRun> comparable_runs(const std::vector<ReportRun>& runs) {
   std::vector<ReportRun> comparable;
@@ -96,7 +96,7 @@ std::vector<ReportRun> comparable_runs(const std::vector<ReportRun>& runs) {
   return comparable;
 }
 
-/// Of several runs, one of which at least is not refused.
+/// For several runs, at least one of them not refused.
 QString fastest_sentence(const std::vector<ReportRun>& runs) {
   const auto time = [](const ReportRun& run) { return summary_of(run).cycle_time; };
   const auto error = [](const ReportRun& run) {
@@ -124,7 +124,7 @@ QString swatch(CauseKind kind) {
   return QStringLiteral("<span style=\"color:%1\">■</span>&nbsp;").arg(colour.name());
 }
 
-/// Causes that take time in any run, the longest of all runs together first.
+/// Causes that take time in any run, by their time in all runs together, the longest first.
 std::vector<std::size_t> listed_causes(const ReportInput& input) {
   std::vector<double> shares(all_causes().size(), 0);
   for (const ReportRun& run : input.runs) {
@@ -226,7 +226,7 @@ QString run_notes_text(const ReportInput& input) {
 
 namespace {
 
-/// By how much the largest distance from the programmed path in rapids is above that in feed motions [mm].
+/// Excess of the largest distance from the programmed path in rapids over that in feed motions [mm].
 double excess_in_rapids(const ReportRun& run) {
   return is_refused(run.shown->run)
              ? 0

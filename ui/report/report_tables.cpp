@@ -19,7 +19,7 @@ namespace feedscope::ui {
 
 namespace {
 
-constexpr qsizetype max_ranges = 40;  // of path control that are listed
+constexpr qsizetype max_ranges = 40;  // of path control in the list
 
 QString range_text(const Bounds& bounds, int axis) {
   const double from = bounds.min[axis];

@@ -17,7 +17,7 @@ namespace feedscope::ui {
 
 namespace {
 
-constexpr qint64 largest_template = 16 << 20;  // [bytes]; pictures may be inside
+constexpr qint64 largest_template = 16 << 20;  // [bytes]; pictures may be embedded
 
 qsizetype line_of(const QString& text, qsizetype place) {
   return text.left(place).count('\n') + 1;
@@ -31,7 +31,7 @@ std::vector<std::string> as_std(const QStringList& names) {
   return list;
 }
 
-/// As it stands in a template.
+/// Notation in a template.
 std::string braced(const QString& name, const char* sign = "") {
   return "'{{" + (sign + name.toStdString()) + "}}'";
 }
@@ -44,7 +44,7 @@ std::string braced(const QString& name, const char* sign = "") {
                                  : "did you mean " + braced(QString::fromStdString(near)) + "?"));
 }
 
-/// Texts that have translations: those of the shipped template.
+/// Translatable texts: those of the shipped template.
 constexpr auto translated = std::to_array<const char*>({
     QT_TRANSLATE_NOOP("ReportWords", "%1 on %2"),
     QT_TRANSLATE_NOOP("ReportWords", "Where %1 loses most"),
@@ -93,7 +93,7 @@ QString in_language(const QString& text) {
   return found == translated.end() ? text : ReportWords::tr(*found);
 }
 
-/// Blocks for %1, %2 and so on.
+/// Replaces %1, %2 and so on by blocks.
 QString with_blocks(const QString& text, const QStringList& blocks) {
   QString made;
   for (qsizetype i = 0; i < text.size(); ++i) {
@@ -193,7 +193,7 @@ QString ReportTemplate::filled(const std::function<QString(const QString&)>& blo
     return blocks.value(name);
   };
   QString page;
-  std::vector<bool> left_out{false};  // of the sections that are open
+  std::vector<bool> left_out{false};  // of the open sections
   for (const Part& part : parts_) {
     if (part.kind == Kind::end) {
       left_out.pop_back();

@@ -8,36 +8,36 @@
 
 namespace feedscope::ui {
 
-/// A page with placeholders in double braces, "{{comparison_table}}", which become blocks of a report. What
-/// stands between "{{#notes}}" and "{{/notes}}" is omitted where the block is empty; between "{{?charts}}"
-/// and
-/// "{{/charts}}", unless that section is asked for by its name, which is any word. "{{!" begins a remark.
-/// {{"Places of %1" run}} is a text in the language in force, with blocks for %1, %2 and so on; a text that
-/// has no translation stays as it is.
+/// A page with placeholders in double braces, "{{comparison_table}}", which are replaced by blocks of a
+/// report. Text between "{{#notes}}" and "{{/notes}}" is omitted if the block is empty; text between
+/// "{{?charts}}" and
+/// "{{/charts}}", unless that section is requested by its name, which is any word. "{{!" begins a remark.
+/// {{"Places of %1" run}} is a text in the current language, with blocks for %1, %2 and so on; a text without
+/// a translation remains as it is.
 class ReportTemplate {
  public:
-  /// `name` is what messages call the template. Throws InputError with name, line and the nearest known
+  /// `name`: of the template in messages. Throws InputError with name, line and the nearest known
   /// placeholder: a placeholder not in `known`, braces, quotes or a section not closed.
   ReportTemplate(QString text, QString name, const QStringList& known);
 
-  /// The page with blocks for placeholders; each block is asked for once. `with`: sections that are asked
-  /// for, "all" for every one.
+  /// The page with blocks for placeholders; each block is requested once. `with`: requested sections, "all"
+  /// for all of them.
   QString filled(const std::function<QString(const QString&)>& block, const QStringList& with = {}) const;
-  /// The placeholders that occur there, without repetition, in their order.
+  /// The placeholders of the page with these sections, without repetition, in order.
   QStringList placeholders(const QStringList& with = {QStringLiteral("all")}) const;
-  /// The sections that may be asked for, in their order.
+  /// The sections that can be requested, in order.
   QStringList sections() const;
 
  private:
   enum class Kind { text, words, block, begin, begin_asked, end };
   struct Part {
     Kind kind = Kind::text;
-    QString text;             ///< as it is, to be translated, or the placeholder's name
-    QStringList blocks = {};  ///< names of those in the places of words
+    QString text;             ///< text as it is, text to translate, or a placeholder's name
+    QStringList blocks = {};  ///< names for %1, %2, ...
   };
 
   struct Open {
-    QString name;       ///< of a section that has begun
+    QString name;       ///< of the section that begins
     std::string place;  ///< file and line
   };
 
@@ -48,10 +48,10 @@ class ReportTemplate {
   std::vector<Part> parts_;
 };
 
-/// The template that is shipped, or the one in `file`. Throws InputError where it cannot be read, or is
-/// larger than any template.
+/// The shipped template, or the one in `file`. Throws InputError if it is unreadable, or larger than any
+/// template.
 QString read_template(const QString& file);
-/// Where the shipped one lies.
+/// Name of the shipped template's file.
 QString shipped_template();
 
 }  // namespace feedscope::ui

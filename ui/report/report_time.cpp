@@ -53,7 +53,7 @@ QString kinds_table(const TimeUse& use) {
   return table.html();
 }
 
-/// Those that take most, in the order of the program.
+/// The longest operations, in program order.
 std::vector<std::size_t> longest_operations(const TimeUse& use) {
   std::vector<std::size_t> rows(use.operations.size());
   std::iota(rows.begin(), rows.end(), std::size_t{0});

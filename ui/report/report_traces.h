@@ -4,8 +4,8 @@
 
 namespace feedscope::ui {
 
-/// How well the current run agrees with what the control recorded, a part for each trace: verdict, figures,
-/// the places that differ most, what is to be known of the trace. Empty without traces.
+/// Agreement of the current run with the recordings, a part for each trace: verdict, figures, the places with
+/// the largest differences, notes on the trace. Empty without traces.
 QString traces_block(const ReportInput& input);
 
 }  // namespace feedscope::ui

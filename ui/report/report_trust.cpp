@@ -32,7 +32,7 @@ QString trust_line(const QString& html) {
   return QStringLiteral("<p class=\"fine\">%1</p>\n").arg(html);
 }
 
-/// A paper, in the language that it has.
+/// A publication, in its own language.
 QString source_span(const std::string& reference) {
   return QStringLiteral("<span class=\"source\">%1</span>").arg(html_text(reference));
 }

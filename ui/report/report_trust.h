@@ -7,7 +7,8 @@
 namespace feedscope::ui {
 
 /// Machine, settings, models and trust in two columns: limits of the machines, settings that differ from
-/// their files, a line a model, program, notes on the runs, what is not modelled and not counted.
+/// their files, a line for each model, program, notes on the runs, effects that are not modelled and times
+/// that are not counted.
 QString trust_block(const ReportInput& input);
 
 }  // namespace feedscope::ui

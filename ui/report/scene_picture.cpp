@@ -83,7 +83,7 @@ ScenePicture::ScenePicture(const ReportInput& input, std::size_t row, ThemeKind 
   }
 }
 
-/// As the window does, but without the tool.
+/// As in the window, but without the tool.
 void ScenePicture::show_stretch() {
   const StretchChoice& stretch = input_.scene.stretch;
   if (stretch.stretch == PathStretch::charts && input_.charts.time) {
@@ -95,7 +95,7 @@ void ScenePicture::show_stretch() {
   }
 }
 
-/// Of the run; compared with another one if the colours need that.
+/// Samples of the run, compared with another one if the colours need that.
 std::shared_ptr<const SampledPath> ScenePicture::samples() {
   const ShownRun& shown = *input_.runs[row_].shown;
   const auto reference = needs_reference(input_.scene.colouring)
@@ -147,10 +147,10 @@ AnnotatedView ScenePicture::annotated(const QSizeF& size, const SceneScale& scal
           run.shown->run.sources};
 }
 
-/// False: the frame cannot be drawn as vectors.
+/// Paints vectors; false if the frame cannot be drawn as vectors.
 bool ScenePicture::paint_lines(QPainter& painter, const QRectF& place, const SceneScale& scale) {
   prepare(place.size(), scale);
-  window_->Render();  // makes what it draws
+  window_->Render();  // updates the drawn contents
   painter.save();
   if (!transparent_) {
     const Rgb& colour =

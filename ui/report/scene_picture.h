@@ -12,33 +12,32 @@ class vtkGenericOpenGLRenderWindow;
 
 namespace feedscope::ui {
 
-/// How large a 3D view is drawn.
+/// Scale of a 3D view.
 struct SceneScale {
-  double pixel_ratio = 1;  ///< pixels to a unit of the painter
-  double text_scale = 1;   ///< size of text and lines, 1 for 96 units an inch
+  double pixel_ratio = 1;  ///< pixels per unit of the painter
+  double text_scale = 1;   ///< size of text and lines, 1 for 96 units per inch
 };
 
 /// A run in 3D for pictures, drawn in software without a display.
 class ScenePicture {
  public:
-  /// Run `row` of `input`, which outlives this, with the look that the input has. Throws what
-  /// make_render_window() throws.
+  /// Run `row` of `input`, which outlives this, in the appearance of the input. Throws as
+  /// make_render_window().
   ScenePicture(const ReportInput& input, std::size_t row, ThemeKind theme, bool transparent = false);
   ~ScenePicture();
   ScenePicture(const ScenePicture&) = delete;
   ScenePicture& operator=(const ScenePicture&) = delete;
 
   PathScene& scene() { return scene_; }
-  /// Gives the scene its window's size, so that what is fitted now fits the picture. Throws as image().
+  /// Sets the size of the scene's window, so that later fits suit the picture. Throws as image().
   void prepare(const QSizeF& size, const SceneScale& scale);
-  /// The scene as it is now. Throws InputError if a side is too long for software OpenGL.
+  /// The current scene. Throws InputError if a side is too long for software OpenGL.
   QImage image(const QSizeF& size, const SceneScale& scale);
-  /// The same as part of a larger picture, the annotations above it. In devices of shapes (SVG, PDF) all of
-  /// it is vectors; where there are too many lines for that (see paint_vectors), the scene is a bitmap.
+  /// Paints the scene into a larger picture, with the annotations on top. Devices of shapes (SVG, PDF) get
+  /// vectors; with too many lines for that (see paint_vectors), the scene is a bitmap.
   void paint(QPainter& painter, const QRectF& place, const SceneScale& scale);
-  /// Where the annotations are in such a picture, as it was prepared.
+  /// Places of the annotations in a picture prepared like this.
   std::vector<PlacedAnnotation> annotations(const QSizeF& size, const SceneScale& scale) const;
-  /// What the annotations say.
   QStringList annotation_texts();
 
  private:

@@ -44,7 +44,7 @@ QColor colour_of(const double* rgb, double opacity) {
                           static_cast<float>(opacity));
 }
 
-/// Colours of points; null: they have none.
+/// Colours of points; null if there are none.
 vtkUnsignedCharArray* colours_of(vtkPolyData& data) {
   return vtkUnsignedCharArray::SafeDownCast(data.GetPointData()->GetScalars());
 }
@@ -71,11 +71,11 @@ struct Shape {
   QColor colour;
 };
 
-/// What one layer of the window shows, in the order in which it is painted.
+/// Contents of one layer of the window, in the order of painting.
 struct LayerVectors {
   std::vector<LinePieces::Polyline> lines;
   std::vector<Shape> shapes;
-  std::vector<TextOutline> letters;  ///< of shapes that are texts
+  std::vector<TextOutline> letters;  ///< of shapes that represent text
 };
 
 /// Reads one layer of a window.
@@ -89,7 +89,7 @@ class LayerReader {
         pieces_(room_),
         view_(*renderer.GetActiveCamera(), size[0], size[1]) {}
 
-  /// False: the layer holds what cannot be read.
+  /// False if the layer has contents that cannot be read.
   bool read() {
     vtkActorCollection& actors = *renderer_.GetActors();
     actors.InitTraversal();
@@ -118,7 +118,7 @@ class LayerReader {
  private:
   QPointF from_display(const Vec2& place) const { return {place.x(), height_ - place.y()}; }
 
-  /// Points that lie on lines need no discs: lines end and join round.
+  /// Reads lines; points on them need no discs, because lines have round ends and joints.
   bool read(vtkActor& actor) {
     auto* mapper = vtkPolyDataMapper::SafeDownCast(actor.GetMapper());
     vtkPolyData* data = mapper != nullptr ? mapper->GetInput() : nullptr;
@@ -165,17 +165,17 @@ class LayerReader {
     return {moved[0], moved[1], moved[2]};
   }
 
-  /// Towards the eye [pixels at scale 1].
+  /// Distance towards the eye [pixels at scale 1].
   double depth_of(const Vec3& place) const {
     return (place - view_.focal).dot(view_.towards) * view_.scale / scale_;
   }
 
-  /// Shares of a line between which it is in front of the eye and on the right side of all clipping planes;
-  /// none: nowhere.
+  /// Fractions of a line between which it is in front of the eye and on the right side of all clipping
+  /// planes; none if it is nowhere.
   std::optional<std::array<double, 2>> shown_part(vtkMapper& mapper, const Vec3& from, const Vec3& to) const {
     constexpr double near = 0.999;  // of the distance of the eye
     std::array<double, 2> part{0, 1};
-    const auto cut = [&part](double at_from, double at_to) {  // kept where it is not negative
+    const auto cut = [&part](double at_from, double at_to) {  // keeps non-negative values
       if (at_from < 0 && at_to < 0) {
         part = {1, 0};
       } else if (at_from < 0) {
@@ -199,7 +199,7 @@ class LayerReader {
     return part[0] <= part[1] ? std::optional(part) : std::nullopt;
   }
 
-  /// Polygons of one colour each.
+  /// Reads polygons of one colour each.
   void read(vtkPolyData& data) {
     vtkUnsignedCharArray* colours = colours_of(data);
     if (colours == nullptr) {
@@ -215,7 +215,7 @@ class LayerReader {
         const double* at = data.GetPoint(points[i]);
         polygon.append(from_display({at[0], at[1]}));
       }
-      if (area_of(polygon) > 0) {  // others would be hairlines in PDF viewers
+      if (area_of(polygon) > 0) {  // degenerate ones would be hairlines in PDF viewers
         QPainterPath path;
         path.addPolygon(polygon);
         path.closeSubpath();
@@ -233,7 +233,7 @@ class LayerReader {
     }
   }
 
-  /// Cut to the window: not all readers of SVG know clips, and reports paint without one.
+  /// Clips to the window: not all SVG readers support clips, and reports paint without one.
   void add(const QPainterPath& path, const QColor& colour) {
     const QRectF extent = path.controlPointRect();
     if (room_.contains(extent)) {

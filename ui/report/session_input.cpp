@@ -11,7 +11,7 @@ ReportInput report_input(const Session& session,
   const auto made = std::ranges::find_if(results, [](const auto& result) { return result != nullptr; });
   const QStringList titles =
       made == results.end() ? QStringList() : run_titles(session.runs, (*made)->run.input.feed_controls);
-  std::vector<std::optional<std::size_t>> rows;  // in the input, of the runs of the session
+  std::vector<std::optional<std::size_t>> rows;  // in the input, for the runs of the session
   for (std::size_t i = 0; i < session.runs.size(); ++i) {
     rows.push_back(results[i] ? std::optional(input.runs.size()) : std::nullopt);
     if (results[i]) {
@@ -25,7 +25,7 @@ ReportInput report_input(const Session& session,
   input.scene = session.scene;
   input.cursor = session.cursor;
   input.reference = row_of(session.scenes.reference ? session.scenes.reference : session.scenes.other);
-  if (session.scene.camera != CameraState()) {  // else the session has none
+  if (session.scene.camera != CameraState()) {  // else the session has no camera
     input.view.reset();
   }
   input.charts = session.charts;

@@ -5,10 +5,10 @@
 
 namespace feedscope::ui {
 
-/// What pictures, sheet and report of a session show: its runs with their names and colours, its camera,
-/// charts, annotations and what was identified. `results`: of its runs, in their order, null
-/// of one that could not be made. Title, author, date
-/// and commands are left to the caller.
+/// Input of pictures, sheet and report from a session: its runs with their names and colours, its camera,
+/// charts, annotations and identification. `results`: of its runs, in order, null
+/// for a failed one. The caller sets title, author, date
+/// and commands.
 ReportInput report_input(const Session& session, const std::vector<std::shared_ptr<const ShownRun>>& results);
 
 }  // namespace feedscope::ui

@@ -40,7 +40,7 @@ constexpr double title_height = 58;
 constexpr double figures_height = 50;
 constexpr double footer_height = 16;
 constexpr std::size_t max_runs = 12;                  // in the table
-constexpr QSizeF enough_for_a_chart(640, 400.0 / 3);  // smaller ones are laid out larger and shrunk
+constexpr QSizeF enough_for_a_chart(640, 400.0 / 3);  // smaller charts are laid out larger and shrunk
 
 struct Colours {
   QColor title, text, muted, rule, tile, paper, alarm;
@@ -71,7 +71,7 @@ class SheetPainter {
   }
 
  private:
-  /// View and texts side by side, charts below.
+  /// Landscape: view and texts side by side, charts below.
   void lie(const QRectF& room) {
     const double upper = 0.5 * room.height();
     const double left = 0.60 * room.width();
@@ -81,7 +81,7 @@ class SheetPainter {
     draw_charts({room.left(), room.top() + upper + gap, room.width(), room.height() - upper - gap});
   }
 
-  /// View, charts and texts one above the other.
+  /// Portrait: view, charts and texts one above the other.
   void stand(const QRectF& room) {
     constexpr double below_table = 150;
     const double table = 40 + 22 * static_cast<double>(std::min(input_.runs.size(), max_runs + 1));
@@ -180,7 +180,7 @@ class SheetPainter {
     int pixels = 9;
     while (pixels > smallest &&
            QFontMetricsF(paper_font(pixels)).boundingRect(room, wrapped, command).height() > room.height()) {
-      --pixels;  // a command with a piece omitted could not be run
+      --pixels;  // a truncated command would not run
     }
     painter_.setFont(paper_font(pixels));
     painter_.setPen(colours_.muted);
@@ -218,7 +218,7 @@ class SheetPainter {
     painter_.drawRect(room);
   }
 
-  /// Of the axes where drives move them in any run.
+  /// Actual error if drives move the axes in any run.
   QString error_title() const {
     const bool actual = std::ranges::any_of(
         input_.runs, [](const ReportRun& run) { return summary_of(run).actual.has_value(); });
@@ -271,13 +271,13 @@ class SheetPainter {
     return table.html();
   }
 
-  /// What limits the current run most.
+  /// The main limiting causes of the current run.
   QString causes_html() const {
     if (is_refused(input_.run().shown->run)) {
       return {};
     }
     constexpr qsizetype most = 5;
-    constexpr double worth_a_row = 5e-4;  // of the cycle time: less is shown as 0.0 %
+    constexpr double worth_a_row = 5e-4;  // of the cycle time: smaller shares would read 0.0 %
     const Summary& summary = input_.run().shown->run.summary;
     HtmlTable table("lrr", {64, 18, 18});
     table.add_head({ReportWords::tr("%1 is limited by").arg(lettered_name(input_, input_.current)),
@@ -292,7 +292,7 @@ class SheetPainter {
     return table.empty() ? QString() : table.html();
   }
 
-  /// Made smaller where it would not fit.
+  /// Shrinks the contents to fit.
   void draw_html(const QRectF& room, const QString& contents) {
     QTextDocument document;
     document.setDefaultFont(paper_font(11));

@@ -17,13 +17,13 @@ namespace {
 
 constexpr int dots_per_inch = 96;
 
-/// Thousandths of a unit, without zeros behind.
+/// Rounds to thousandths of a unit, without trailing zeros.
 QByteArray number(double value) {
   const double rounded = std::round(value * 1000) / 1000;
   return QByteArray::number(rounded == 0 ? 0.0 : rounded, 'g', 10);
 }
 
-/// As QPainterPath::addRect makes it.
+/// Whether a path has the form of QPainterPath::addRect.
 bool is_rectangle(const QPainterPath& path) {
   if (path.elementCount() != 5) {
     return false;
@@ -38,18 +38,18 @@ bool is_rectangle(const QPainterPath& path) {
          at(3).x() == at(0).x();
 }
 
-/// A point in whole thousandths of a unit, so that rounding does not add up.
+/// A point in whole thousandths of a unit, so that rounding errors do not add up.
 struct Place {
   long long x = 0;
   long long y = 0;
 };
 
-/// Directions from a point in which a line passes all points so far within a thickness.
+/// Directions from a point in which a line passes all previous points within a thickness.
 class Sector {
  public:
   explicit Sector(Place from) : from_(from) {}
 
-  /// Whether a line to `to` passes all points before, none of which is farther away.
+  /// Whether a line to `to` passes all previous points, none of which is farther away.
   bool takes(Place to) {
     const QPointF way(static_cast<double>(to.x - from_.x), static_cast<double>(to.y - from_.y));
     const double distance = std::hypot(way.x(), way.y());
@@ -74,7 +74,7 @@ class Sector {
   }
 
  private:
-  static constexpr double thickness = 5;  // [thousandths], nothing that an eye or a printer sees
+  static constexpr double thickness = 5;  // [thousandths], invisible on screen and paper
   static double cross(const QPointF& a, const QPointF& b) { return a.x() * b.y() - a.y() * b.x(); }
 
   Place from_;
@@ -84,8 +84,8 @@ class Sector {
   QPointF high_;
 };
 
-/// A path as steps from the end of the one before, in the fewest characters: points that a straight line
-/// passes are left out.
+/// A path as steps from the end of the previous one, in the fewest characters: points on a straight line are
+/// omitted.
 class RelativeSteps {
  public:
   QByteArray of(const QPainterPath& path) {
@@ -137,7 +137,7 @@ class RelativeSteps {
     }
     at_ = *(places.end() - 1);
   }
-  /// One that the numbers before imply is not repeated: after a move they are lines.
+  /// Omits a command that previous numbers imply: after a move, further numbers are lines.
   void command(char name) {
     if (name == 'm' || (name != command_ && !(name == 'l' && command_ == 'm'))) {
       data_ += name;
@@ -158,7 +158,7 @@ class RelativeSteps {
 
   static constexpr double thousand = 1000;
   QByteArray data_;
-  QByteArray number_;  ///< the last one, if no command follows it
+  QByteArray number_;  ///< the last number, unless a command follows it
   char command_ = 0;
   Place at_;
 };
@@ -196,12 +196,12 @@ QByteArray fill_of(const QBrush& brush) {
   return brush.style() == Qt::NoBrush ? QByteArray(" fill=\"none\"") : colour_of("fill", brush.color());
 }
 
-/// Of lines whose colours change from one to the next: each says its own.
+/// Line colour, written for each element, because it may change from one line to the next.
 QByteArray stroke_colour_of(const QPen& pen) {
   return pen.style() == Qt::NoPen ? QByteArray() : colour_of("stroke", pen.color());
 }
 
-/// All else of a pen.
+/// All other attributes of a pen.
 QByteArray stroke_of(const QPen& pen) {
   if (pen.style() == Qt::NoPen) {
     return {};
@@ -233,8 +233,8 @@ QByteArray path_element(const QPen& pen, const QPainterPath& path) {
 
 }  // namespace
 
-/// Text is written as the outlines of its letters, each letter once; clipped text is left to QPaintEngine,
-/// which fills its outlines. Invisible text, which is there to be found and copied, is written as text.
+/// Writes text as outlines of its letters, each letter once; clipped text is left to QPaintEngine, which
+/// fills its outlines. Invisible text, made for searching and copying, is written as text.
 class SvgDevice::Engine : public QPaintEngine {
  public:
   explicit Engine(QByteArray head) : QPaintEngine(features), head_(std::move(head)) {}
@@ -346,7 +346,7 @@ class SvgDevice::Engine : public QPaintEngine {
     }
   }
 
-  /// Of `data`, which is appended where it is new.
+  /// Index of `data`, appended if it is new.
   static qsizetype index_in(QByteArrayList& list, const QByteArray& data) {
     const qsizetype known = list.indexOf(data);
     if (known < 0) {
@@ -355,13 +355,13 @@ class SvgDevice::Engine : public QPaintEngine {
     return known < 0 ? list.size() - 1 : known;
   }
 
-  /// A shape, and whether it must be clipped.
+  /// A shape, and whether it still needs clipping.
   struct Clipped {
     QPainterPath path;
     bool clip = false;
   };
 
-  /// Within a rectangle shapes are cut where that is simple: some readers of SVG files know no clips.
+  /// Cuts shapes to a rectangular clip where that is simple: some SVG readers do not support clips.
   Clipped clipped(const QPainterPath& path, const QPen& pen) const {
     if (!painter()->hasClipping()) {
       return {path, false};
@@ -390,7 +390,7 @@ class SvgDevice::Engine : public QPaintEngine {
     return {part, false};
   }
 
-  /// Neighbours with the same clip and style share a group, whatever the colours of their lines.
+  /// Neighbours with the same clip and style share a group, even with different line colours.
   void add(const QByteArray& style, const QByteArray& element, bool may_be_cut) {
     const double opacity = painter()->opacity();
     const int clip = may_be_cut ? clip_now() : -1;
@@ -419,7 +419,7 @@ class SvgDevice::Engine : public QPaintEngine {
     group_.clear();
   }
 
-  /// The index of the clip that is set; -1: none.
+  /// The index of the current clip; -1: none.
   int clip_now() {
     if (!painter()->hasClipping()) {
       return -1;
@@ -430,7 +430,7 @@ class SvgDevice::Engine : public QPaintEngine {
 
   QByteArray head_;
   QByteArray body_;
-  QByteArray group_;  ///< that is open
+  QByteArray group_;  ///< the open group
   QByteArrayList clips_;
   QByteArrayList letters_;
 };

@@ -8,17 +8,17 @@
 
 namespace feedscope::ui {
 
-/// A paint device that writes SVG: shapes, clips and pictures as they are, text as outlines, so that it looks
-/// the same where the fonts are missing. The same painting gives the same bytes. (QSvgGenerator of Qt 6.4
-/// drops clips and names fonts instead.)
+/// A paint device that writes SVG: shapes, clips and pictures directly, text as outlines, so that it does not
+/// depend on installed fonts. The same painting gives the same bytes. (QSvgGenerator of Qt 6.4 drops clips
+/// and refers to fonts by name.)
 class SvgDevice : public QPaintDevice {
  public:
-  /// `size` in units of the painter, 96 an inch. `page`: width and height as the file names them ("297mm").
+  /// `size` in units of the painter, 96 per inch. `page`: width and height for the file ("297mm").
   SvgDevice(QSizeF size, const QString& title, const QString& width, const QString& height);
   ~SvgDevice() override;
 
   QPaintEngine* paintEngine() const override;
-  /// The file, once painting has ended.
+  /// The file, after painting has ended.
   QByteArray svg() const;
 
  protected:

@@ -28,7 +28,7 @@ QString type_of(const QByteArray& bytes) {
                                           : QStringLiteral("image/unknown");
 }
 
-/// A file as a data: URL. Throws InputError that says what is wrong with it, without its name.
+/// A file as a data: URL. Throws InputError with the reason, without the file's name.
 QString picture_url(const QString& path) {
   QFile file(path);
   if (!file.open(QIODevice::ReadOnly)) {

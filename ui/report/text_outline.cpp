@@ -23,10 +23,10 @@ namespace feedscope::ui {
 
 namespace {
 
-constexpr int text_dots_per_inch = 72;  // as Canvas writes
+constexpr int text_dots_per_inch = 72;  // as in Canvas
 
-/// VTK 9.1 takes each byte of a std::string for a letter of its outlines, and has another kind of string for
-/// more than ASCII; later versions have one kind for all.
+/// In outlines, VTK 9.1 treats each byte of a std::string as a letter, and has another string type for more
+/// than ASCII; later versions have one type for all.
 bool make_outline(vtkTextProperty& style, const QString& text, vtkPath& outline) {
   vtkTextRenderer& renderer = *vtkTextRenderer::GetInstance();
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)
@@ -40,7 +40,7 @@ bool make_outline(vtkTextProperty& style, const QString& text, vtkPath& outline)
 #endif
 }
 
-/// Whether the font of VTK has every letter of the text.
+/// Whether VTK's font has all letters of the text.
 bool has_letters(vtkTextProperty& style, const QString& text) {
   constexpr char32_t ascii = 128;
   const QList<uint> letters = text.toUcs4();
@@ -81,7 +81,7 @@ QPainterPath shape_of(vtkPath& outline, const QPointF& start) {
   return path;
 }
 
-/// Letters that are set as the text is, around the origin.
+/// Offset of the letters from the origin, by the text's justification.
 QPointF set_as(vtkTextProperty& style, const TextOutline& letters) {
   const QFontMetricsF metrics(letters.font);
   const int across = style.GetJustification();

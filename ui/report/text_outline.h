@@ -15,14 +15,14 @@ struct TextOutline {
   QPainterPath shape;  ///< to be filled; [pixels] from the upper left corner of the window
   QString text;
   QFont font;        ///< of the letters: DejaVu Sans
-  QTransform place;  ///< from the start of the base line of the letters to [pixels]
+  QTransform place;  ///< from the start of the letters' baseline to [pixels]
 };
 
-/// Of a text in a window of `height` pixels. Letters that the font of VTK has not are those of DejaVu Sans.
-/// The shape is empty for a text without letters. Needs a QApplication.
+/// Outline of a text in a window of `height` pixels. DejaVu Sans replaces letters that VTK's font lacks. The
+/// shape is empty for a text without letters. Needs a QApplication.
 TextOutline text_outline(vtkTextActor& actor, int height);
 
-/// The letters over the shape, invisible: they can be found and copied in PDF and SVG files.
+/// Paints invisible letters over the shape, so that text in PDF and SVG files can be searched and copied.
 void paint_letters(QPainter& painter, const TextOutline& outline);
 
 }  // namespace feedscope::ui

@@ -15,7 +15,7 @@ struct BarTexts {
   Q_DECLARE_TR_FUNCTIONS(feedscope::ui::ComparisonChart)
 };
 
-constexpr double separated = 3;  // a part wider than this is set apart from the one before by a white line
+constexpr double separated = 3;  // wider parts are separated from the previous one by a white line
 const QColor rest_color(0xb4, 0xba, 0xc2);
 const QColor refused_color(0xff, 0xff, 0xff, 0xa0);
 
@@ -24,7 +24,7 @@ QColor color_of(CauseKind kind) {
   return QColor::fromRgbF(static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2]));
 }
 
-/// What of a piece a text may fill so that the line at `x` does not cross it: the wider side.
+/// The part of a piece for a text that does not cross the line at `x`: the wider side.
 QRectF clear_side(const QRectF& piece, double x) {
   if (x <= piece.left() || x >= piece.right()) {
     return piece;

@@ -12,23 +12,22 @@ class QPainter;
 
 namespace feedscope::ui {
 
-/// The colour of a kind of causes; hatched grey: several that take little time.
+/// Fills with the colour of a kind of causes; hatched grey for several with little time.
 void fill_cause(QPainter& painter, const QRectF& area, const std::optional<CauseKind>& kind);
-/// Over a bar: its control refuses lines of the program.
+/// Hatches a bar: its control refuses lines of the program.
 void hatch_refused(QPainter& painter, const QRectF& area);
-/// What a legend calls the parts of bars, in the order of ComparisonBars::kinds, then the rest if there is
-/// one.
+/// Legend texts for the parts of bars, in the order of ComparisonBars::kinds, then the rest if there is one.
 std::vector<QString> cause_legend(const ComparisonBars& bars);
 
-/// A bar of a comparison, cut by what limits the feed.
+/// Layout of a comparison's bar, divided by limiting cause.
 struct CauseBar {
-  QRectF place;  ///< its height, and where it begins
+  QRectF place;  ///< its height and left end
   double pixels_per_second = 0;
-  std::optional<double> line;  ///< x that texts keep clear of
-  /// The text of a part that is this wide [pixels]; empty where it has no room.
+  std::optional<double> line;  ///< x that texts do not cross
+  /// The text of a part of this width [pixels]; empty if it does not fit.
   std::function<QString(const BarPart&, double width)> text;
 };
-/// Texts in the painter's font. Returns where the bar ends.
+/// Texts in the painter's font. Returns the end of the bar.
 double paint_cause_bar(QPainter& painter, const ComparisonBar& bar, const CauseBar& how);
 
 }  // namespace feedscope::ui

@@ -17,7 +17,7 @@ std::size_t index_of(CauseKind kind) {
   return static_cast<std::size_t>(kind);
 }
 
-/// The largest share of a cycle time that each kind takes in any run.
+/// The largest share of a cycle time for each kind in any run.
 std::array<double, kind_count> largest_shares(std::span<const ComparedRun> runs) {
   std::array<double, kind_count> largest{};
   for (const ComparedRun& run : runs) {
@@ -59,7 +59,7 @@ ComparisonBar bar_of(const ComparedRun& run, const KindFlags& told) {
   const Summary& summary = run.summary;
   ComparisonBar bar{run.setup.model->info().id,
                     run.tolerance,
-                    run.is_possible() ? summary.cycle_time : 0,  // rapids and dwells are no run of it
+                    run.is_possible() ? summary.cycle_time : 0,  // rapids and dwells are not a run of it
                     run.against_cam(),
                     summary.cutting_contour_error,
                     run.refused,

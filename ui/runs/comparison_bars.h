@@ -10,47 +10,47 @@
 
 namespace feedscope::ui {
 
-/// A stretch of a bar: the time of one cause.
+/// A part of a bar: the time of one cause.
 struct BarPart {
-  std::optional<Cause> cause;  ///< none: several that take little time, together
+  std::optional<Cause> cause;  ///< none: several with little time, together
   double time = 0;             ///< [s]
 };
 
-/// One run as a bar, and the figures beside it.
+/// One run as a bar, and the figures next to it.
 struct ComparisonBar {
   std::string model;                          ///< id
-  std::optional<ToleranceInForce> tolerance;  ///< where the model follows one
+  std::optional<ToleranceInForce> tolerance;  ///< if the model follows one
   double cycle_time = 0;                      ///< [s]
   double against_cam = 1;                     ///< cycle time over programmed time
   double contour_error = 0;                   ///< largest [mm]
   bool refused = false;                       ///< ComparedRun::refused
   bool out_of_reach = false;                  ///< ComparedRun::out_of_reach
-  std::size_t lines_not_run = 0;              ///< that the control refuses
+  std::size_t lines_not_run = 0;              ///< refused by the control
   std::vector<BarPart> parts;  ///< in the order of all_causes(), the rest last; they add up to cycle_time
 };
 
 /// Neighbouring runs on one machine.
 struct MachineBars {
   std::string machine;         ///< name
-  double programmed_time = 0;  ///< what `cam` promises [s]
+  double programmed_time = 0;  ///< promised by `cam` [s]
   std::vector<ComparisonBar> bars;
 };
 
-/// A comparison as stacked bars: what is drawn, apart from how.
+/// A comparison as stacked bars: contents, without layout.
 struct ComparisonBars {
   std::vector<MachineBars> machines;  ///< in the order of the runs
-  std::vector<CauseKind> kinds;       ///< that are told apart, in the order of their parts
+  std::vector<CauseKind> kinds;       ///< distinguished kinds, in the order of their parts
   bool rest = false;                  ///< whether any bar has a part without cause
   bool lines_refused = false;         ///< whether a control refuses lines of any run
-  double longest = 0;                 ///< time that the bars must have room for [s]
+  double longest = 0;                 ///< longest time that the bars show [s]
 
   std::size_t count() const;
 };
 
-/// Kinds of causes that a legend may hold, the rest not counted.
+/// Largest number of kinds of causes in a legend, without the rest.
 inline constexpr std::size_t max_cause_kinds = 11;
 
-/// Kinds of causes that take less than 1 % of every run, and those beyond max_cause_kinds, become one part;
+/// Kinds of causes with less than 1 % of every run, and those beyond max_cause_kinds, become one part;
 /// a single such kind keeps its name if there is room.
 ComparisonBars comparison_bars(std::span<const ComparedRun> runs);
 

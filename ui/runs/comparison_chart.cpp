@@ -19,7 +19,7 @@ constexpr int text_size = 12;
 constexpr int small_text_size = 11;
 constexpr double swatch = 12;
 constexpr double min_bar_with_text = 13;
-constexpr double text_room = 8;  // that a text in a bar needs beside itself
+constexpr double text_room = 8;  // around a text in a bar
 constexpr double label_gap = 5;
 const QColor band_color(0xf2, 0xf4, 0xf6);
 
@@ -29,7 +29,7 @@ QFont sized(QFont font, int pixels, bool bold = false) {
   return font;
 }
 
-/// "X 35 %" where there is room, else "X" or nothing; no axis where none sets it.
+/// "X 35 %" if it fits, else "X" or nothing; no axis if the cause has none.
 QString share_in(const QFontMetricsF& metrics, const BarPart& part, double cycle_time, double width) {
   const bool has_axis = part.cause && part.cause->axis >= 0;
   const QString axis = has_axis ? QString(QChar(axis_name(*part.cause))) : QString();

@@ -7,18 +7,19 @@
 
 namespace feedscope::ui {
 
-/// Several runs of a program side by side: a bar each, as long as its cycle time, cut by what limits it; the
-/// programmed time of each machine as a line across its bars; the figures of each run beside its bar.
+/// Several runs of a program side by side: one bar each, as long as its cycle time, divided by limiting
+/// cause; the programmed time of each machine as a line across its bars; the figures of each run next to its
+/// bar.
 class ComparisonChart : public QWidget {
   Q_OBJECT
 
  public:
   explicit ComparisonChart(QWidget* parent = nullptr);
 
-  /// `title`: the program; `details`: what else holds for all runs, behind the title.
+  /// `title`: the program; `details`: further facts common to all runs, after the title.
   void set_comparison(const QString& title, const QString& details, ComparisonBars bars);
   const ComparisonBars& bars() const { return bars_; }
-  /// At the size that the chart has.
+  /// Draws the chart at its size.
   void draw(QPainter& painter) const;
 
   QSize sizeHint() const override;

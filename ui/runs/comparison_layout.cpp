@@ -26,7 +26,7 @@ constexpr double axis_height = 40;
 constexpr double min_row = 16;
 constexpr double natural_row = 26;
 constexpr double largest_row = 36;
-constexpr double model_gap = 0.35;    // between models of which one has several runs, in rows
+constexpr double model_gap = 0.35;    // between models if one has several runs, in rows
 constexpr double machine_gap = 0.35;  // between machines, in rows
 constexpr double bar_share = 0.74;
 constexpr double column_gap = 18;
@@ -47,7 +47,7 @@ void for_each_bar(const ComparisonBars& bars, Visit visit) {
   }
 }
 
-/// Whether some model of a machine has several runs, so that models are worth setting apart.
+/// Whether a model of a machine has several runs, so that a gap between models helps.
 bool has_families(const MachineBars& machine) {
   return std::ranges::adjacent_find(machine.bars, {}, &ComparisonBar::model) != machine.bars.end();
 }
@@ -68,7 +68,7 @@ double row_units(const ComparisonBars& bars) {
   return units;
 }
 
-/// Height of everything but the rows.
+/// Height without the rows.
 double fixed_height(double legend_rows) {
   return 2 * margin + title_height + legend_rows * legend_row + legend_gap + headings_height + axis_height;
 }
@@ -82,7 +82,7 @@ std::vector<QString> legend_texts(const ComparisonBars& bars) {
   return texts;
 }
 
-/// Entries in rows from the left, as many in each as there is room for.
+/// Places entries in rows from the left, as many in each as fit.
 std::vector<QRectF> lay_legend(const std::vector<QString>& texts, double width,
                                const QFontMetricsF& metrics) {
   std::vector<double> widths;
@@ -141,7 +141,7 @@ std::vector<TextColumn> name_columns(const ComparisonBars& bars) {
                     })};
 }
 
-/// The figures of a run; none where the control refuses the program or the machine cannot reach it.
+/// The figures of a run; none if the control refuses the program or the machine cannot reach it.
 template <typename Text>
 TextColumn figure_column(const ComparisonBars& bars, const QString& heading, const QString& below,
                          Text text) {
@@ -182,14 +182,14 @@ double width_of(const TextColumn& column, const QFontMetricsF& metrics) {
   return std::ceil(width);
 }
 
-/// Cuts the texts of a column that has not the width for them.
+/// Shortens the texts of a column to its width.
 void fit_texts(TextColumn& column, const QFontMetricsF& metrics) {
   for (QString& text : column.texts) {
     text = metrics.elidedText(text, Qt::ElideMiddle, column.right - column.left);
   }
 }
 
-/// Stands columns from the left and gives the end of the last.
+/// Places columns from the left and returns the end of the last.
 double lay_columns(std::vector<TextColumn>& columns, double left, const QFontMetricsF& metrics) {
   for (TextColumn& column : columns) {
     column.left = left;
@@ -207,7 +207,7 @@ void move_columns(std::vector<TextColumn>& columns, double distance) {
   }
 }
 
-/// Rows and machine lines from `top` down; gives where they end.
+/// Places rows and machine lines from `top` down and returns their end.
 double lay_rows(ComparisonLayout& layout, const ComparisonBars& bars, double top, double width, double row) {
   double y = top;
   for (const MachineBars& machine : bars.machines) {

@@ -11,27 +11,27 @@
 
 namespace feedscope::ui {
 
-/// A column of texts beside the bars: its heading in two lines, the second the unit or more of the name.
+/// A column of texts next to the bars: its heading in two lines, the second the unit or the rest of the name.
 struct TextColumn {
   QString heading;
   QString below;
-  std::vector<QString> texts;  ///< one a run
+  std::vector<QString> texts;  ///< one for each run
   Qt::AlignmentFlag side = Qt::AlignRight;
   double left = 0;
   double right = 0;
 };
 
-/// Where everything of a comparison stands [px]: title, legend, column headings, then a row each run with
+/// Places of all parts of a comparison [px]: title, legend, column headings, then a row for each run with
 /// its name, its bar and its figures, and the time axis below.
 struct ComparisonLayout {
   QRectF title;
   std::vector<QString> legend_texts;  ///< kinds, the rest, refused lines, the programmed time
-  std::vector<QRectF> legend;         ///< with room for the swatch in front of the text
+  std::vector<QRectF> legend;         ///< with room for the swatch before the text
   QRectF headings;
   std::vector<TextColumn> names;    ///< left of the plot: model, tolerance
   std::vector<TextColumn> figures;  ///< right of the plot
   std::vector<QRectF> machines;     ///< the line above the runs of each machine
-  std::vector<QRectF> rows;         ///< one a run, over the whole width
+  std::vector<QRectF> rows;         ///< one for each run, over the whole width
   QRectF plot;                      ///< around the rows; 0 s at its left
   QRectF axis;                      ///< below the plot
   double bar_height = 0;
@@ -41,19 +41,19 @@ struct ComparisonLayout {
   double x_of(double time) const { return plot.left() + time * pixels_per_second; }
 };
 
-/// Room for the swatch in front of a legend's text [px].
+/// Room for the swatch before a legend's text [px].
 inline constexpr double legend_swatch = 20;
 
-/// `size` at least min_comparison_size(). Rows grow with the height up to a largest size.
+/// `size` at least min_comparison_size(). Rows grow with the height up to a maximum.
 ComparisonLayout lay_out(const ComparisonBars& bars, const QSize& size, const QFont& font);
 
-/// The height at which rows are easy to read in a picture this wide, and the least at which they fit.
+/// The height for easily readable rows in a picture of this width, and the smallest height in which they fit.
 int natural_comparison_height(const ComparisonBars& bars, int width, const QFont& font);
 int min_comparison_height(const ComparisonBars& bars, int width, const QFont& font);
 
-/// The least width of a comparison [px].
+/// Smallest width of a comparison [px].
 inline constexpr int min_comparison_width = 640;
-/// min_comparison_height or more of the runs of `bars`, whatever comes to limit them.
+/// At least min_comparison_height for the runs of `bars`, whatever their limiting causes.
 int enough_comparison_height(const ComparisonBars& bars, int width);
 
 }  // namespace feedscope::ui

@@ -10,17 +10,16 @@ class QToolButton;
 
 namespace feedscope::ui {
 
-/// Says why nothing is shown: what is being done and how far it is; the current run was cancelled or has
-/// failed, and can be simulated again; the program could not be read, or nothing in it moves. Hidden where
-/// there is something to see.
+/// Explains an empty view: work in progress and its state; a current run that was cancelled or failed, and
+/// can be simulated again; a program that cannot be read or does not move. Hidden otherwise.
 class RunNotice : public QFrame {
   Q_OBJECT
 
  public:
-  /// Lies over the lower edge of `stage`, which keeps its size. `workbench` outlives this.
+  /// Covers the lower edge of `stage`, which keeps its size. `workbench` outlives this.
   RunNotice(Workbench& workbench, QWidget& stage);
 
-  /// To be said while no program is there; empty: nothing.
+  /// Text shown without a program; empty: none.
   void say_without_program(const QString& text);
   QString text() const;
   QToolButton* again() { return again_; }
@@ -31,7 +30,7 @@ class RunNotice : public QFrame {
  private:
   void place();
   void follow();
-  /// Whether the current run is on its way.
+  /// Whether the current run is being simulated.
   bool waits() const;
   QString reason() const;
 
@@ -39,7 +38,7 @@ class RunNotice : public QFrame {
   QLabel* text_;
   QProgressBar* progress_;
   QString without_program_;
-  QString activity_;  ///< what is being done
+  QString activity_;  ///< current activity
   QToolButton* again_;
 };
 

@@ -28,7 +28,7 @@ QString number(double value, int decimals) {
 RunTable::RunTable(RunList& runs, QObject* parent) : QAbstractTableModel(parent), runs_(runs) {
   connect(&runs_, &RunList::list_changed, this, &RunTable::reset);
   connect(&runs_, &RunList::item_changed, this, &RunTable::changed);
-  connect(&runs_, &RunList::result_changed, this, &RunTable::all_changed);  // the best one may be another
+  connect(&runs_, &RunList::result_changed, this, &RunTable::all_changed);  // another run may be the best
   connect(&runs_, &RunList::current_changed, this, &RunTable::all_changed);
   connect(&runs_, &RunList::error_bound_changed, this, &RunTable::all_changed);
   connect(&runs_, &RunList::status_changed, this, &RunTable::changed);
@@ -63,7 +63,7 @@ void RunTable::all_changed() {
   emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
 }
 
-/// Columns come with the first run that has their figure, and go with the last one.
+/// Adds columns with the first run that has their figure, and removes them with the last.
 void RunTable::follow_figures() {
   const auto taken = runs_.items().size() > 1 ? recommended(runs_) : std::nullopt;
   taken_ = taken ? std::optional(taken->run) : std::nullopt;

@@ -10,29 +10,29 @@
 
 namespace feedscope::ui {
 
-/// The runs as a table of results: a row a run, the current one bold. The check box shows or hides a run
-/// beside the current one; name and colour can be edited.
+/// The runs as a table of results: a row for each run, the current one bold. The check box shows or hides a
+/// run; name and colour can be edited.
 ///
-/// Below them the traces of the program: how long the control took, and how far it left the path.
+/// Below them the traces of the program: the time of the control, and its deviation from the path.
 ///
 /// The run to take is marked: recommended().
 class RunTable : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  /// Behind them figures of drives and cutting load, where any run has them.
+  /// Columns of figures of drives and cutting load follow if any run has them.
   enum Column { name, machine, model, tolerance, cycle_time, difference, mean_feed, contour_error, columns };
 
   /// `runs` outlives this.
   explicit RunTable(RunList& runs, QObject* parent = nullptr);
 
-  /// Shows these below the runs; `traces` outlives this.
+  /// Adds rows for these below the runs; `traces` outlives this.
   void set_traces(TraceList& traces);
-  /// Which of the traces a row is; none: a run.
+  /// Index of the trace in a row; none: a run.
   std::optional<std::size_t> trace_of(int row) const;
 
-  /// Rows of the fastest runs that keep the bound (fastest_runs), of those that have a result; none if none
-  /// keeps it or is possible.
+  /// Rows of the fastest runs with a result within the bound (fastest_runs); none if none keeps it or is
+  /// possible.
   std::vector<std::size_t> fastest() const;
 
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -50,9 +50,9 @@ class RunTable : public QAbstractTableModel {
   const Summary* summary(std::size_t row) const;
   /// Whether the control refuses so much of the program that there is no cycle time; false without a result.
   bool refused(std::size_t row) const;
-  /// Whether the program sends the machine where it cannot go; false without a result.
+  /// Whether the program exceeds the machine's reach; false without a result.
   bool out_of_reach(std::size_t row) const;
-  /// There is a result, of a run that control and machine can do.
+  /// Whether there is a result that control and machine can run.
   bool counts(std::size_t row) const;
   std::size_t lines_not_run(std::size_t row) const;
   bool keeps_bound(const Summary& summary) const;
@@ -66,8 +66,8 @@ class RunTable : public QAbstractTableModel {
 
   RunList& runs_;
   TraceList* traces_ = nullptr;
-  std::optional<std::size_t> taken_;          ///< row of the run to take, where there are others
-  std::vector<const SourceFigure*> figures_;  ///< behind `columns`
+  std::optional<std::size_t> taken_;          ///< row of the run to take, if there are others
+  std::vector<const SourceFigure*> figures_;  ///< after `columns`
 };
 
 }  // namespace feedscope::ui

@@ -44,7 +44,7 @@ RunsView::RunsView(RunList& runs, QWidget* parent)
   table_->setTabKeyNavigation(false);
 
   make_actions();
-  auto* bar = new QToolBar(this);  // what has no room in it goes into a menu: the panel may be narrow
+  auto* bar = new QToolBar(this);  // commands that do not fit go into a menu: the panel may be narrow
   bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
   for (QAction* action : actions_) {
     bar->addAction(action);
@@ -168,7 +168,7 @@ void RunsView::follow_status() {
   again_->setEnabled(status == RunStatus::cancelled || status == RunStatus::failed);
 }
 
-/// As wide as the names are, so that what is cut last is a name.
+/// Fits the name column to the names, so that they are shortened last.
 void RunsView::fit_names() {
   constexpr double most = 0.45;  // of the table
   const auto& view = static_cast<const QAbstractItemView&>(*table_);

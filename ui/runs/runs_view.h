@@ -10,8 +10,8 @@ class QTableView;
 
 namespace feedscope::ui {
 
-/// The runs of the program with their results: choose the current one, duplicate and change it, hide,
-/// reorder, remove.
+/// The runs of the program with their results: chooses the current one, duplicates and changes it, hides,
+/// reorders, removes.
 class RunsView : public Panel {
   Q_OBJECT
 
@@ -24,15 +24,15 @@ class RunsView : public Panel {
   RunTable& results() { return *model_; }
   /// Duplicate, rename, remove, up, down.
   QList<QAction*> panel_actions() const override { return actions_; }
-  /// Simulates a run again that was cancelled or has failed.
+  /// Simulates a cancelled or failed run again.
   QAction* again() { return again_; }
-  /// The runs that are simulated as CSV: columns of comparison_csv, with their names.
+  /// The simulated runs as CSV: columns of comparison_csv, with their names.
   std::string csv() const;
 
  signals:
-  /// The run of this row is to be simulated once more.
+  /// Requests another simulation of the run in this row.
   void again_wanted(std::size_t row);
-  /// The row of a trace has been selected.
+  /// The user has selected the row of a trace.
   void trace_chosen(std::size_t trace);
 
  protected:
@@ -47,7 +47,7 @@ class RunsView : public Panel {
   void move_up();
   void move_down();
   void choose_colour();
-  /// None: a run is selected.
+  /// None if a run is selected.
   std::optional<std::size_t> chosen_trace() const;
   void follow_current();
   void follow_status();

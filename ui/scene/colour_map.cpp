@@ -10,7 +10,7 @@ struct Lab {
   double lightness, a, b;
 };
 
-// All inside sRGB, and straight between them too; lightness evenly spaced.
+// All inside sRGB, as are the straight lines between them; lightness evenly spaced.
 using ControlPoints = std::array<Lab, 5>;
 constexpr ControlPoints ramp_on_light{Lab{20, 36, -50}, Lab{35, 4, -40}, Lab{50, -26, -12}, Lab{65, -36, 30},
                                       Lab{80, 4, 74}};
@@ -43,7 +43,7 @@ Rgb to_rgb(const Lab& lab) {
           encode(0.0556434 * x - 0.2040259 * y + 1.0572252 * z)};
 }
 
-/// Colour at `value` in [0, 1] of the straight lines through `points`.
+/// Colour at `value` in [0, 1] on the polyline through `points`.
 Rgb colour_along(const ControlPoints& points, double value) {
   const double position = std::clamp(value, 0.0, 1.0) * (points.size() - 1);
   const std::size_t i = std::min(static_cast<std::size_t>(position), points.size() - 2);

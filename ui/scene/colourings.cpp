@@ -26,7 +26,7 @@ std::vector<Colouring> list_colourings() {
   return list;
 }
 
-/// By Colouring.
+/// Indexed by Colouring.
 std::array<std::size_t, colouring_count> list_samples() {
   std::array<std::size_t, colouring_count> samples{};
   std::size_t next = 0;

@@ -7,12 +7,12 @@ class vtkRenderer;
 
 namespace feedscope::ui {
 
-/// While this lives, the OpenGL context of a renderer's window is the current one. Whoever takes an actor
-/// away outside of a frame needs it: VTK gives the actor's buffers back there and then, in whatever context
-/// is current, and without one they are lost until the window ends.
+/// Makes the OpenGL context of a renderer's window current during its lifetime. Needed to remove an actor
+/// outside of a frame: VTK then releases the actor's buffers in the current context, and without one they
+/// leak until the window ends.
 class CurrentContext {
  public:
-  /// Nothing happens for a renderer without a window that draws.
+  /// Does nothing for a renderer without a window that draws.
   explicit CurrentContext(vtkRenderer& renderer);
   ~CurrentContext();
   CurrentContext(const CurrentContext&) = delete;

@@ -13,8 +13,8 @@ vtkStandardNewMacro(GlRenderWindow);
 
 void GlRenderWindow::OpenGLInitContext() {
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 4, 0)
-  // Up to VTK 9.3 the base class takes GLEW's "no GLX display" for a failure and gives up, although GLEW
-  // loads every entry point before it looks for an X display. VTK 9.4 loads GL without GLEW.
+  // Up to VTK 9.3 the base class treats GLEW's "no GLX display" as a failure and gives up, although GLEW
+  // loads all entry points before it searches an X display. VTK 9.4 loads GL without GLEW.
   this->ContextCreationTime.Modified();
   if (this->Initialized) {
     return;
@@ -37,8 +37,7 @@ void GlRenderWindow::OpenGLInitContext() {
 
 void GlRenderWindow::Start() {
   vtkGenericOpenGLRenderWindow::Start();
-  // The context comes with OpenGL's and Qt's GL_LESS; VTK draws flat shapes on top of each other at one
-  // depth.
+  // The context has the GL_LESS of OpenGL and Qt; VTK draws flat shapes on top of each other at one depth.
   this->GetState()->vtkglDepthFunc(GL_LEQUAL);
   const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
   const std::string_view renderer = name != nullptr ? name : "";

@@ -4,7 +4,7 @@
 
 namespace feedscope::ui {
 
-/// VTK's window for somebody else's OpenGL context, which also starts where there is no GLX display
+/// VTK's window for an external OpenGL context, which also starts without a GLX display
 /// (Wayland, EGL, OSMesa).
 class GlRenderWindow : public vtkGenericOpenGLRenderWindow {
  public:
@@ -12,7 +12,7 @@ class GlRenderWindow : public vtkGenericOpenGLRenderWindow {
 
   void OpenGLInitContext() override;
   void Start() override;
-  /// Whether the context is one of Mesa's without a GPU; false before the first frame.
+  /// Whether the context is Mesa's without a GPU; false before the first frame.
   bool draws_in_software() const { return software_; }
 
  protected:

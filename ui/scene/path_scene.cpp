@@ -261,7 +261,7 @@ void PathScene::set_camera(const CameraState& state) {
 }
 
 void PathScene::orbit(const Pixel& shift, const std::optional<Vec3>& pivot) {
-  const double turn = units::pi / 400 / impl_->scale;  // [rad] a pixel
+  const double turn = units::pi / 400 / impl_->scale;  // [rad] per pixel
   const Vec3 about = pivot ? impl_->frame.to_scene(*pivot) : impl_->projection().focal;
   impl_->camera.orbit(-turn * shift[0], turn * shift[1], about);
   impl_->changed();

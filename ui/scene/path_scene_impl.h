@@ -24,7 +24,7 @@
 
 namespace feedscope::ui {
 
-/// What a scene holds, and how its parts come into a frame. Included by path_scene.cpp alone.
+/// Contents of a scene, and the preparation of its frames. Included by path_scene.cpp alone.
 class PathScene::Impl : public ScenePaths {
  public:
   Impl()
@@ -83,7 +83,7 @@ class PathScene::Impl : public ScenePaths {
     changed();
   }
   AxesCube cube() const {
-    constexpr double cube_half = 13;  // [pixels], so that its largest outline has 44
+    constexpr double cube_half = 13;  // [pixels], so that its largest outline is 44
     const ScreenRectangle place = layout().cube;
     return {projection(), place.centre(), place.empty() ? 0 : cube_half * scale};
   }
@@ -159,7 +159,7 @@ class PathScene::Impl : public ScenePaths {
     });
   }
 
-  /// What a fit depends on but for the path.
+  /// Parameters of a fit except the path.
   std::vector<double> fitted_window() const {
     std::vector<double> window{double(stage.width()), double(stage.height()), scale, axes ? 1.0 : 0.0};
     for (const ScreenRectangle& rectangle : covered()) {
@@ -182,9 +182,9 @@ class PathScene::Impl : public ScenePaths {
     apply_look();
   }
 
-  /// Before each frame: follows the window's size and draws what depends on the camera.
+  /// Before each frame: follows the window's size and draws the parts that depend on the camera.
   void prepare() {
-    layers.place(frame, projection(), scale, moving);  // says what the legend needs
+    layers.place(frame, projection(), scale, moving);  // determines the contents of the legend
     if (camera.fitted() && fitted_in != fitted_window()) {
       fit_now();
     }
@@ -217,18 +217,18 @@ class PathScene::Impl : public ScenePaths {
   Tool tool_drawn;
   SceneCamera camera;
   std::function<void()> callback;
-  std::optional<PathDeviation> deviation;  ///< from the programmed path of the run
+  std::optional<PathDeviation> deviation;  ///< of the run from the programmed path
 
   std::optional<Vec3> cursor;       ///< as drawn
-  std::optional<double> cursor_at;  ///< its time, where it is on the path
+  std::optional<double> cursor_at;  ///< its time, if it is on the path
   std::optional<TimeStretch> highlight;
   StretchChoice stretch;
   ScenePointers pointers;
   PathLook look;
   SceneTexts texts;
   SceneFrame frame = frame_around({});
-  double beyond = 0;  ///< how far outside the frame's box rapids may be [scene units]
-  Bounds near;        ///< what a fit looks at [mm]
+  double beyond = 0;  ///< extent of rapids outside the frame's box [scene units]
+  Bounds near;        ///< extent of a fit [mm]
   bool axes = false;
   bool legend = true;
   bool cube_shown = false;

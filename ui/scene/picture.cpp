@@ -42,7 +42,7 @@ void check(const char* name, int side) {
 
 double scale_for(PictureSize size) {
   const double ratio = std::min(size.width / 800.0, size.height / 600.0);
-  // Text need not grow in step with the picture: there is more room to look at.
+  // Text may grow less than the picture: that leaves more room for the path.
   return ratio < 1 ? std::max(0.7, ratio) : std::max(1.0, 0.75 * ratio);
 }
 

@@ -14,7 +14,7 @@ struct PictureSize {
   int height = 0;  ///< [pixels]
 };
 
-/// Bounds of a picture: what software OpenGL draws within a gigabyte.
+/// Bounds of a picture: software OpenGL draws it within a gigabyte.
 inline constexpr int min_picture_side = 64;
 inline constexpr int largest_picture_side = 8192;
 
@@ -24,17 +24,17 @@ struct Picture {
   std::vector<unsigned char> rgb;
 };
 
-/// Size of text and lines that suits a picture: 1 at 800 x 600, larger with the picture.
+/// Suitable size of text and lines in a picture: 1 at 800 x 600, larger with the picture.
 double scale_for(PictureSize size);
 
-/// The scene as drawn in software; no display needed.
-/// Throws InputError if a side is out of bounds, and what make_render_window() throws.
+/// The scene drawn in software; no display needed.
+/// Throws InputError if a side is out of bounds, and as make_render_window().
 Picture draw_picture(PathScene& scene, PictureSize size);
 
 /// Programmed and executed path of a run, seen from `view`.
 Picture draw_run(const Run& run, PictureSize size, StandardView view);
 
-/// As the bytes of a PNG file.
+/// The bytes of a PNG file.
 std::string to_png(const Picture& picture);
 
 /// Reads a PNG file. Throws InputError naming it if it cannot be read.

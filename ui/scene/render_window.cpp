@@ -11,7 +11,7 @@
 namespace feedscope::ui {
 namespace {
 
-// Of a pixel. In software each costs as much again, and four are the most that Mesa has.
+// Per pixel. In software each costs as much again, and Mesa has at most four.
 constexpr int samples_in_software = 4;
 constexpr int samples_of_gpu = 8;
 

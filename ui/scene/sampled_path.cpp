@@ -44,7 +44,7 @@ SampledPath sample_programmed(const Toolpath& toolpath, std::size_t max_points) 
   path.kinds.reserve(std::min(wanted, max_points) + 1);
   Sampler sampler(path, spacing);
   std::optional<Vec3> end;  // of the last segment with a path
-  bool gap = false;         // behind it
+  bool gap = false;         // after it
   for (std::size_t i = 0; i < toolpath.segments.size(); ++i) {
     const Segment& segment = toolpath.segments[i];
     if (segment.kind == SegmentKind::dwell) {
@@ -74,13 +74,12 @@ SampledPath sample_programmed(const Toolpath& toolpath, std::size_t max_points) 
 
 namespace {
 
-constexpr std::size_t many_points = 100'000;  // below, one level of detail will do
-constexpr std::size_t quick_points = 25'000;  // drawn in software in a few hundredths of a second
+constexpr std::size_t many_points = 100'000;  // with fewer, one level of detail is enough
+constexpr std::size_t quick_points = 25'000;  // drawn in software within a few hundredths of a second
 constexpr double points_across = 16'000;      // along the largest extent, at the first level
 constexpr double coarsest_points_across = 100;
 
-/// The points of `level` without those closer than `spacing` [mm] to the one kept before them and to the
-/// next.
+/// The points of `level` without those closer than `spacing` [mm] to the previously kept one and to the next.
 PathLevel thinned(const SampledPath& path, const PathLevel& level, double spacing) {
   PathLevel kept{spacing, 0, {}};
   const auto limit = static_cast<float>(spacing * spacing);

@@ -10,7 +10,7 @@
 
 namespace feedscope::ui {
 
-/// Colours of all that is no path value. Lines and text stand out from the background; told apart without
+/// Colours of everything except path values. Lines and text contrast with the background, and differ without
 /// red and green.
 struct SceneColours {
   Background kind = Background::light;
@@ -20,22 +20,22 @@ struct SceneColours {
   Rgb grid;
   Rgb programmed;
   Rgb rapid;
-  Rgb actual;  ///< what the axes run
+  Rgb actual;  ///< the actual path
   Rgb blend_edge;
   Rgb curve_edge;
   Rgb tool;
-  Rgb highlight;  ///< range of the charts, what is measured
+  Rgb highlight;  ///< range of the charts, measurement
   std::array<Rgb, 3> axes;
 };
 
 const SceneColours& scene_colours(Background kind);
 
-/// Every text that the scene draws: the caller may put another language's in. UTF-8, Latin letters.
+/// All texts that the scene draws; the caller may translate them. UTF-8, Latin letters.
 struct SceneTexts {
   std::string programmed = "programmed";
   std::string rapid = "rapid";
   std::string executed = "executed";
-  std::string actual = "actual path";  ///< what the axes run
+  std::string actual = "actual path";  ///< actual path of the axes
   std::string blend = "corner blend";
   std::string curve = "smooth curve";
   std::string tool_axis = "tool axis";
@@ -57,7 +57,7 @@ struct SceneTexts {
 
   std::string name_of(CauseKind kind) const;
   std::string name_of(const QuantityInfo& info) const;
-  /// A number as tick labels write it, with this decimal point and a true minus.
+  /// A number of a tick label with this decimal point and a true minus sign.
   std::string localised(std::string number) const;
 };
 

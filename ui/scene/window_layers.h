@@ -15,8 +15,8 @@ namespace feedscope::ui {
 /// Pixel of the window, device pixels from its upper left corner.
 using Pixel = std::array<double, 2>;
 
-/// Three layers of one window with one camera: behind, the frame's grid and labels and what underlays the
-/// path; then the path; in front the tool, and on top legend, panel and pointers.
+/// Three layers of one window with one camera: at the back, the frame's grid and labels and the highlights
+/// under the path; then the path; in front the tool, and on top legend, panel and pointers.
 class WindowLayers {
  public:
   WindowLayers();

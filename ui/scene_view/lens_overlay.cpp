@@ -11,7 +11,7 @@
 namespace feedscope::ui {
 namespace {
 
-constexpr int side = 180;  // [pixels] at least, at the usual size of type
+constexpr int side = 180;  // [pixels] at least, at the usual font size
 constexpr int margin = 8;
 
 }  // namespace
@@ -99,7 +99,7 @@ void LensOverlay::follow() {
   update();
 }
 
-/// So that most of the view is left to the path.
+/// Requires that most of the view remains for the path.
 bool LensOverlay::has_room() const {
   constexpr double times_wide = 3.6;
   constexpr double times_high = 1.7;

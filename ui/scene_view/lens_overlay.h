@@ -22,11 +22,11 @@ class LensOverlay : public QWidget {
   /// Becomes a part of `view`. `workbench` outlives this.
   LensOverlay(Workbench& workbench, SceneView& view);
 
-  /// Shows or hides it, whatever there is to compare.
+  /// Shows or hides it, even without runs to compare.
   QAction* action() { return action_; }
-  /// Whether it shows itself; else only by its action.
+  /// Whether it appears by itself; else only by its action.
   void set_offered(bool offered);
-  /// What is shown; null while nothing is.
+  /// The shown lens; null if hidden.
   const Lens* lens() const { return isVisible() && lens_ ? &*lens_ : nullptr; }
 
  protected:
@@ -36,7 +36,7 @@ class LensOverlay : public QWidget {
 
  private:
   void follow();
-  /// The runs, the current one first.
+  /// Lists the runs, the current one first.
   void list_runs();
   bool has_room() const;
   int usual_side() const;

@@ -45,7 +45,7 @@ SceneActions::Choice SceneActions::make_choice(const QString& tip) {
   return choice;
 }
 
-/// `slot` is called when the user chooses it.
+/// Calls `slot` when the user chooses the option.
 template <typename Slot>
 QAction* SceneActions::add_option(const Choice& choice, const QString& text, const QString& tip,
                                   const QVariant& value, Slot slot) {
@@ -81,7 +81,7 @@ void SceneActions::make_colourings() {
   set_comparable(false);
 }
 
-/// Those that are alike in a menu of their own.
+/// Moves similar colourings to submenus.
 void SceneActions::group_colourings() {
   QMenu* acceleration = colouring_.menu->addMenu(tr("Acceleration and jerk"));
   QMenu* deviation = colouring_.menu->addMenu(tr("Deviation"));
@@ -231,7 +231,7 @@ void SceneActions::make_views() {
   make_stretches();
 }
 
-/// Below the views: which stretch of the path is drawn in full.
+/// Adds below the views the choice of the range drawn in full.
 void SceneActions::make_stretches() {
   QMenu* stretches = views_->addMenu(tr("&Drawn in full"));
   stretch_ = new QActionGroup(this);
@@ -374,7 +374,7 @@ void SceneActions::follow_scene() {
   check(*tool_.group, static_cast<int>(shown.tool.kind));
   for (const auto& [size, value] :
        {std::pair(diameter_, shown.tool.diameter), std::pair(corner_radius_, shown.tool.corner_radius)}) {
-    const QSignalBlocker blocker(size);  // it is told, it does not tell
+    const QSignalBlocker blocker(size);  // the field follows, it must not set
     size->setValue(value);
   }
   perspective_->setChecked(shown.camera.perspective);

@@ -18,7 +18,7 @@ class NumberBox;
 
 class SceneView;
 
-/// The commands of a SceneView: its bar, its context menu, its keys.
+/// The commands of a SceneView: its toolbar, its context menu, its keys.
 class SceneActions : public QObject {
   Q_OBJECT
 
@@ -27,21 +27,21 @@ class SceneActions : public QObject {
 
   QToolBar* bar() { return bar_; }
   QList<QAction*> all() const;
-  /// Those that have keys.
+  /// Commands with keys.
   const QList<QAction*>& commands() const { return commands_; }
   /// Leaves on the bar what acts on this view alone: another one, which this is linked to, has the rest.
   void keep_own_on_bar();
   /// The context menu.
   void fill(QMenu& menu) const;
-  /// The scene may have changed: checks, sizes and the bar's words say what it shows.
+  /// Updates checks, sizes and toolbar texts after a change of the scene.
   void follow_scene();
-  /// Whether there is another run to compare with; without one these colourings say what to do.
+  /// Whether there is another run to compare with; without one these colourings explain what to do.
   void set_comparable(bool comparable);
-  /// Whether the run shown has drives; without them the actual path and its colourings are not available.
+  /// Whether the shown run has drives; without them the actual path and its colourings are not available.
   void set_drives(bool drives);
   void set_load(bool load);
   void enable(QuantitySource source, bool available, const QString& why_not);
-  /// Which run that is, below the colourings.
+  /// Adds the menu of the run to compare with, below the colourings.
   void add_comparison_menu(QMenu& menu);
 
  private:
@@ -84,13 +84,13 @@ class SceneActions : public QObject {
   QAction* actual_ = nullptr;
   QAction* rapids_ = nullptr;
   QAction* machine_ = nullptr;
-  std::optional<bool> drives_;  ///< whether the run shown has any, as the actions say
+  std::optional<bool> drives_;  ///< whether the shown run has any, as set in the actions
   std::optional<bool> load_;    ///< whether it has a cutting load
   QAction* measure_ = nullptr;
   QAction* box_ = nullptr;
   NumberBox* diameter_ = nullptr;
   NumberBox* corner_radius_ = nullptr;
-  std::optional<SceneState> followed_;  ///< but for where the camera is
+  std::optional<SceneState> followed_;  ///< without the camera's position
 };
 
 }  // namespace feedscope::ui

@@ -29,7 +29,7 @@ GpuCanvas::GpuCanvas(vtkGenericOpenGLRenderWindow& window, QWidget* parent)
   format.setDepthBufferSize(24);
   format.setStencilBufferSize(8);
   setFormat(format);
-  // Outside of a frame VTK asks for the context to give buffers back.
+  // Outside of a frame VTK requests the context to release buffers.
   const auto observe = [&](unsigned long event, void (*call)(vtkObject*, unsigned long, void*, void*)) {
     const vtkNew<vtkCallbackCommand> command;
     command->SetClientData(this);
@@ -83,8 +83,8 @@ void GpuCanvas::resizeGL(int width, int height) {
 }
 
 void GpuCanvas::paintGL() {
-  window_.Render();  // VTK copies its picture into the frame buffer that Qt has bound
-  // Where VTK has blended, alpha is below 1, and Qt would let what lies behind the widget through.
+  window_.Render();  // VTK copies its picture into the frame buffer bound by Qt
+  // After blending by VTK, alpha is below 1, and Qt would show what is under the widget.
   QOpenGLFunctions& gl = *context()->functions();
   gl.glDisable(GL_SCISSOR_TEST);
   gl.glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);

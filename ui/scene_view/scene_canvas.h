@@ -24,7 +24,7 @@ class GpuCanvas : public QOpenGLWidget {
   bool is_current() const;
 
   vtkGenericOpenGLRenderWindow& window_;
-  unsigned long make_current_ = 0;  ///< observers of the window
+  unsigned long make_current_ = 0;  ///< observer of the window
   unsigned long ask_current_ = 0;
 };
 
@@ -33,7 +33,7 @@ class SoftwareCanvas : public QWidget {
  public:
   SoftwareCanvas(vtkGenericOpenGLRenderWindow& window, QWidget* parent);
 
-  /// The next paint draws the scene again instead of showing the last image.
+  /// Makes the next paint draw the scene again instead of showing the last image.
   void request_frame();
 
  protected:

@@ -24,7 +24,7 @@ void read_positive(const QJsonValue& json, double& number) {
   }
 }
 
-/// A fit that is made again ends in other last digits.
+/// Rounds away the last digits, which differ when a fit is repeated.
 double kept(double length) {
   constexpr double nanometre = 1e-6;  // [mm]
   return std::round(length / nanometre) * nanometre;

@@ -7,7 +7,7 @@
 namespace feedscope::ui {
 
 QJsonObject to_json(const SceneState& state);
-/// What is missing or wrong stays as it is in `state`.
+/// Missing or wrong values leave `state` unchanged.
 void read_json(const QJsonObject& json, SceneState& state);
 
 }  // namespace feedscope::ui

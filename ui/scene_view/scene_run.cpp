@@ -86,7 +86,7 @@ void SceneRun::follow() {
   const auto run = shown_ != nullptr ? shown_->run.trajectory : nullptr;
   if (samples_ != before || run != run_before) {
     if (samples_ != nullptr && samples_->levels.size() > 1) {
-      view_.begin_rest();  // the run is seen at once, all of its detail a little later
+      view_.begin_rest();  // shows the run at once, all of its detail a little later
     }
     scene.set_executed(run, samples_);
   }

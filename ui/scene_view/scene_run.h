@@ -8,8 +8,8 @@
 
 namespace feedscope::ui {
 
-/// Shows one run of the list in a 3D view: as it is, or compared with another run while the colours need
-/// that. The mouse then tells both.
+/// Shows one run of the list in a 3D view, compared with another run if the colours need that. The hover text
+/// then describes both.
 class SceneRun : public QObject {
   Q_OBJECT
 
@@ -17,20 +17,20 @@ class SceneRun : public QObject {
   /// All outlive this.
   SceneRun(SceneView& view, RunList& runs, RunComparison& comparison, QObject* parent = nullptr);
 
-  /// The run with this id, with the result that it has now; 0: none.
+  /// Shows the run with this id, with its current result; 0: none.
   void show(int id);
-  /// What is shown; null without a result.
+  /// The shown run; null without a result.
   const std::shared_ptr<const ShownRun>& shown() const { return shown_; }
   const std::shared_ptr<const SampledPath>& samples() const { return samples_; }
-  /// A path in another view to be coloured by the same scale; may be null.
+  /// A path in another view that shares the colour scale; may be null.
   void share_scale_with(std::shared_ptr<const SampledPath> samples);
-  /// Whether the run that is compared with is the other half of this view: the title then holds for both.
+  /// Whether the reference run is in the other half of this view: the title then covers both.
   void set_halves(bool halves);
-  /// The run that the colours compare with; empty where they compare with none.
+  /// The reference run of the colours; empty if they do not compare.
   const QString& reference_name() const { return reference_name_; }
 
  signals:
-  /// Other samples or another reference.
+  /// The samples or the reference have changed.
   void changed();
 
  private:
@@ -45,7 +45,7 @@ class SceneRun : public QObject {
   RunComparison& comparison_;
   int id_ = 0;
   bool following_ = false;
-  bool compares_ = false;  ///< the colours need another run
+  bool compares_ = false;  ///< whether the colours need another run
   bool halves_ = false;
   std::shared_ptr<const ShownRun> shown_;
   std::shared_ptr<const ShownRun> reference_;

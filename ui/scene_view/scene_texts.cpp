@@ -18,7 +18,7 @@ struct Scene {
   Q_DECLARE_TR_FUNCTIONS(Scene)
 };
 
-/// Without group separators: VTK's font has no narrow space, which French puts there.
+/// Without group separators: VTK's font lacks the narrow space that French uses.
 QString number(double value, int decimals) {
   QLocale locale;
   locale.setNumberOptions(QLocale::OmitGroupSeparator);

@@ -58,8 +58,8 @@ SceneView::SceneView(RenderBackend backend, QWidget* parent) : QWidget(parent) {
 }
 
 SceneView::~SceneView() {
-  canvas_->removeEventFilter(this);  // its overlay is gone before it hides
-  delete canvas_;                    // gives VTK's OpenGL objects back while the window still lives
+  canvas_->removeEventFilter(this);  // its overlay is deleted before it hides
+  delete canvas_;                    // releases VTK's OpenGL objects while the window exists
 }
 
 void SceneView::make_canvas(RenderBackend backend) {
@@ -170,7 +170,7 @@ bool SceneView::eventFilter(QObject* watched, QEvent* event) {
       return false;
     case QEvent::ShortcutOverride: {
       const bool ours = (measuring_ || boxing_) && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape;
-      event->setAccepted(ours);  // before the window's own use of the key
+      event->setAccepted(ours);  // takes precedence over the window's use of the key
       return ours;
     }
     case QEvent::KeyPress:
@@ -339,7 +339,7 @@ void SceneView::choose_visible_times() {
 void SceneView::show_times(double from, double to) {
   const auto duration = scene_.duration();
   const bool all = from <= 1e-9 * duration && to >= (1 - 1e-9) * duration;
-  if (!all && drag_ == Drag::none) {  // charts that are zoomed or dragged do not wait for every detail here
+  if (!all && drag_ == Drag::none) {  // zooming or dragging in charts does not wait for full detail here
     begin_rest();
   }
   scene_.set_highlight(all ? std::nullopt : std::optional(std::array{from, to}));
@@ -383,7 +383,7 @@ void SceneView::leave() {
 void SceneView::show_menu(const QMouseEvent& mouse) {
   QMenu menu(this);
   if (const auto time = scene_.pick_time(pixel(mouse.position()))) {
-    for (QAction* action : place_actions_) {  // they act where the cursor is, which goes there only with them
+    for (QAction* action : place_actions_) {  // they act at the cursor, which moves there only with them
       QAction* here = menu.addAction(action->icon(), action->text());
       here->setEnabled(action->isEnabled());
       here->setToolTip(action->toolTip());
@@ -420,7 +420,7 @@ void SceneView::follow_palette() {
 }
 
 double SceneView::text_scale() const {
-  constexpr double usual_font_pixels = 12;  // 9 points at 96 dots an inch
+  constexpr double usual_font_pixels = 12;  // 9 points at 96 dots per inch
   return std::max(1.0, QFontInfo(font()).pixelSize() / usual_font_pixels);
 }
 

@@ -23,37 +23,37 @@ namespace feedscope::ui {
 class AnnotationOverlay;
 class SceneActions;
 
-/// Software where Qt draws off screen (QT_QPA_PLATFORM offscreen or minimal), gpu elsewhere.
+/// Software if Qt draws off screen (QT_QPA_PLATFORM offscreen or minimal), gpu otherwise.
 /// Needs a QGuiApplication.
 RenderBackend default_backend();
 
-/// Widget around a PathScene, with a bar of its commands. Left drag turns about what is under the mouse,
-/// middle or Shift drag moves, wheel or right drag zooms, Ctrl drag draws a box to zoom to; a click on the
-/// executed path picks a time, one on the cube's faces a view, a double click fits. The mouse held over the
-/// path tells line, feed, cause and deviation. All views of a process must have the same backend.
+/// Widget for a PathScene, with a toolbar. Left drag turns about the place under the mouse, middle or Shift
+/// drag moves, wheel or right drag zooms, Ctrl drag draws a box to zoom to; a click on the executed path
+/// picks a time, one on the cube's faces a view, a double click fits. The mouse at rest over the path shows
+/// line, feed, cause and deviation. All views of a process must have the same backend.
 class SceneView : public QWidget {
   Q_OBJECT
 
  public:
-  /// Throws what make_render_window() throws.
+  /// Throws as make_render_window().
   explicit SceneView(RenderBackend backend = default_backend(), QWidget* parent = nullptr);
   ~SceneView() override;
 
-  /// Whatever changes the scene, the view's commands follow.
+  /// The view's commands follow every change of the scene.
   PathScene& scene() { return scene_; }
   SceneState state() const { return scene_state(scene_); }
   void set_state(const SceneState& state) { set_scene_state(scene_, state); }
-  /// The widget that shows the scene and takes the mouse.
+  /// The widget that shows the scene and receives the mouse.
   QWidget& canvas() { return *canvas_; }
-  /// How much larger than usual text and lines are, by the font; the pixels of the screen count besides.
+  /// Factor on the usual size of text and lines, by the font; the pixel ratio of the screen is separate.
   double text_scale() const;
   AnnotationOverlay& annotations() { return *overlay_; }
   QSize sizeHint() const override { return {800, 600}; }
-  /// Every command of the view: for menus, key lists and the command palette.
+  /// All commands of the view, for menus, key lists and the command palette.
   QList<QAction*> panel_actions() const;
-  /// Adds them to a menu, those that belong together as submenus.
+  /// Adds them to a menu, with submenus for groups.
   void fill_menu(QMenu& menu) const;
-  /// The commands stay, with or without their bar.
+  /// Shows or hides the toolbar; the commands remain.
   void show_bar(bool shown);
   int bar_height() const;
   void set_bar_height(int height);
@@ -66,33 +66,33 @@ class SceneView : public QWidget {
   /// Whether there is another run to compare with, and the menu that says which.
   void set_comparable(bool comparable);
   void add_comparison_menu(QMenu& menu);
-  /// More lines for what the mouse tells of a time of the executed path.
+  /// Sets a source of further lines of the hover text at a time of the executed path.
   void set_hover_more(std::function<QString(double time)> more) { hover_more_ = std::move(more); }
-  /// More for the context menu, which opens where the pointer is on the path: picked() comes first.
+  /// Further actions of the context menu, for the place under the pointer on the path: picked() comes first.
   void set_place_actions(const QList<QAction*>& actions) { place_actions_ = actions; }
 
  public slots:
-  /// The charts show from `from` to `to` [s]; marked on the path unless that is all of the run.
+  /// The charts show the range from `from` to `to` [s]; highlighted on the path unless it is the whole run.
   void show_times(double from, double to);
-  /// The path between two times fills the view [s].
+  /// Zooms to the path between two times [s].
   void zoom_to_times(double from, double to);
-  /// Frames without every detail until some time after the last move or other change.
+  /// Draws frames without full detail until some time after the last move or other change.
   void begin_rest();
-  /// Every detail from the next frame on.
+  /// Draws full detail from the next frame on.
   void rest();
-  /// Two clicks on the path measure from one place to the other; false ends and clears.
+  /// Two clicks on the path measure between them; false ends and clears.
   void set_measuring(bool measuring);
-  /// The next drag draws a box to zoom to.
+  /// Makes the next drag draw a box to zoom to.
   void set_boxing(bool boxing);
-  /// Emits times_chosen() for what is in view.
+  /// Emits times_chosen() for the visible range.
   void choose_visible_times();
 
  signals:
-  /// A new frame is needed: camera, colours, path.
+  /// Camera, colours or path have changed: a new frame is needed.
   void changed();
   /// A click, not a drag, on the executed path; `time` [s].
   void picked(double time);
-  /// The charts are to show this range [s].
+  /// Requests this range in the charts [s].
   void times_chosen(double from, double to);
   void measuring_changed(bool measuring);
   void boxing_changed(bool boxing);
@@ -134,10 +134,10 @@ class SceneView : public QWidget {
   Drag drag_ = Drag::none;
   bool dragged_ = false;
   bool measuring_ = false;
-  bool axes_before_ = false;  ///< measuring, which shows them
+  bool axes_before_ = false;  ///< before measuring, which shows them
   bool boxing_ = false;
   std::optional<double> measured_from_;  ///< first place clicked [s]
-  std::optional<Vec3> pivot_;            ///< of the drag under way
+  std::optional<Vec3> pivot_;            ///< of the current drag
   QPointF pressed_;
   QPointF last_;
 };

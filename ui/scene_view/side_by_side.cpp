@@ -21,7 +21,7 @@
 namespace feedscope::ui {
 namespace {
 
-/// What `state` of one view is in another, so that both show a millimetre as large.
+/// `state` of one view converted for another, so that a millimetre has the same size in both.
 SceneState between_views(SceneState state, SceneView& from, SceneView& to) {
   const int height = from.canvas().height();
   if (height > 0 && to.canvas().height() > 0) {
@@ -30,7 +30,7 @@ SceneState between_views(SceneState state, SceneView& from, SceneView& to) {
   return state;
 }
 
-/// But for whether the camera is fitted, and for rounding.
+/// Equality up to rounding, except for whether the camera is fitted.
 bool same_look(SceneState a, const SceneState& b) {
   constexpr double rounding = 1e-9;
   const double tiny = rounding * b.camera.height;
@@ -70,7 +70,7 @@ SideBySide::SideBySide(Workbench& workbench, SceneView& first, RenderBackend bac
   });
   connect(&first_run_, &SceneRun::changed, this, &SideBySide::share_colour_scale);
   connect(&comparison_, &RunComparison::cancelled, this, [this] {
-    SceneState look = first_.state();  // which a second view follows
+    SceneState look = first_.state();  // followed by a second view
     look.colouring = Colouring::feed;
     first_.set_state(look);
   });
@@ -120,7 +120,7 @@ void SideBySide::show_program() {
   scene.set_programmed(workbench_.shown_program().samples);
   scene.set_warning(program == nullptr ? "" : reading_faults_text(*program).toStdString());
   if (program != nullptr && std::exchange(fitted_to_, workbench_.file()) != workbench_.file()) {
-    scene.fit();  // the place of the program before means nothing in this one
+    scene.fit();  // the camera's place in the previous program is meaningless in this one
   }
 }
 
@@ -165,7 +165,7 @@ void SideBySide::make_comparison_menu() {
   list_references();
 }
 
-/// Only when it is opened: other lists of commands hold its actions meanwhile.
+/// Built when it is opened, because other lists of commands keep its actions.
 void SideBySide::list_references() {
   references_->clear();
   delete references_->findChild<QActionGroup*>();
@@ -191,7 +191,7 @@ void SideBySide::set_mode(ScenesMode mode) {
     if (mode_ != ScenesMode::one) {
       open();
     }
-    lens_->set_offered(mode_ == ScenesMode::one);  // two views show the runs beside each other
+    lens_->set_offered(mode_ == ScenesMode::one);  // two views already show the runs side by side
     show_overlays();
   }
   beside_->setChecked(mode_ == ScenesMode::side_by_side);
@@ -232,7 +232,7 @@ void SideBySide::rest() {
 
 void SideBySide::open() {
   second_ = new SceneView(backend_, this);
-  second_->set_state(first_.state());  // before anything of it is handed on to the first one
+  second_->set_state(first_.state());  // before its state reaches the first view
   make_choice(second_);
   second_->take_commands_of(first_);
   if (mode_ == ScenesMode::side_by_side) {
@@ -293,7 +293,7 @@ void SideBySide::close() {
   delete std::exchange(named_, nullptr);
   SceneView* view = std::exchange(second_, nullptr);
   if (split_ != nullptr) {
-    split_.reset();  // the view with it
+    split_.reset();  // also deletes the view
   } else {
     delete view;
   }
@@ -302,7 +302,7 @@ void SideBySide::close() {
   first_run_.set_halves(false);
 }
 
-/// All runs but the current one; the one that was chosen stays, else the first.
+/// Lists all runs except the current one; keeps the chosen one, else the first.
 void SideBySide::list_runs() {
   if (second_ == nullptr) {
     return;
@@ -446,7 +446,7 @@ void SideBySide::show_cursor() {
   second_->scene().set_cursor(trajectory.state(time_of(trajectory, place)));
 }
 
-/// Both show the same, pixel by pixel: it is the first one that fits, and only what it shows is handed on.
+/// Keeps both views equal, pixel by pixel: only the first one fits, and passes its state on.
 void SideBySide::link(SceneView& from) {
   if (linking_) {
     return;
@@ -466,7 +466,7 @@ void SideBySide::link(SceneView& from) {
   linking_ = false;
 }
 
-/// Its size may be another one, or it has been fitted again while it was drawn.
+/// The first view may have changed size, or been fitted again during drawing.
 void SideBySide::follow_first() {
   if (second_ != nullptr && !same_look(second_->state(), between_views(first_.state(), first_, *second_))) {
     link(first_);
@@ -475,7 +475,7 @@ void SideBySide::follow_first() {
 
 bool SideBySide::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Paint || event->type() == QEvent::Resize) {
-    // The canvas and what is fitted to it follow first.
+    // Waits until the canvas and its fit have been updated.
     QMetaObject::invokeMethod(this, &SideBySide::follow_first, Qt::QueuedConnection);
   }
   return QWidget::eventFilter(watched, event);

@@ -19,9 +19,9 @@ namespace feedscope::ui {
 class LensOverlay;
 class SplitOverlay;
 
-/// The 3D view of the current run and, if wanted, that of another one: beside it, or over the right part of
-/// it behind a line that is dragged. Both are turned, coloured and enlarged in the same way, the tool of both
-/// at the same place of the program; colours may say how one differs from the other.
+/// The 3D view of the current run and, if requested, that of another one: next to it, or over its right part
+/// beyond a line that can be dragged. Both have the same direction, colours and zoom, with the tool at the
+/// same place of the program; colours may show their difference.
 class SideBySide : public QWidget {
   Q_OBJECT
 
@@ -36,15 +36,15 @@ class SideBySide : public QWidget {
   void set_state(const ScenesState& state);
   /// The view of the current run.
   SceneView& first() { return first_; }
-  /// SceneView::rest() of all views.
+  /// Calls SceneView::rest() of all views.
   void rest();
-  /// Null while there is one view alone.
+  /// Null with one view only.
   SceneView* second() { return second_; }
   /// Null unless the view is split.
   SplitOverlay* split() { return split_.get(); }
-  /// In the view of the current run.
+  /// The lens of the current run's view.
   LensOverlay& lens() { return *lens_; }
-  /// Which run stands beside the current one.
+  /// The choice of the run next to the current one.
   QComboBox* choice() { return choice_; }
   RunComparison& comparison() { return comparison_; }
   QList<QAction*> panel_actions() const { return actions_; }
@@ -54,12 +54,12 @@ class SideBySide : public QWidget {
 
  private:
   void follow_workbench();
-  /// The program is another one.
+  /// The program has changed.
   void show_program();
-  /// The current run or its result is another one.
+  /// The current run or its result has changed.
   void show_current();
   void show_run_name();
-  /// The other runs, as lines in the view of the current one.
+  /// Shows the other runs as lines in the view of the current one.
   void show_overlays();
   void make_actions();
   QAction* add_mode(ScenesMode mode, const QString& text, const QString& tip, const QKeySequence& key);
@@ -95,9 +95,9 @@ class SideBySide : public QWidget {
   QLabel* first_name_ = nullptr;  ///< on the bar of the first of two views
   QAction* named_ = nullptr;
   std::unique_ptr<SplitOverlay> split_;
-  int other_ = 0;  ///< id of the run that was chosen to stand beside; 0: the first other one
+  int other_ = 0;  ///< id of the run chosen as the other one; 0: the first other one
   bool linking_ = false;
-  std::filesystem::path fitted_to_;  ///< program that the camera was last fitted to
+  std::filesystem::path fitted_to_;  ///< program to which the camera was last fitted
 };
 
 }  // namespace feedscope::ui

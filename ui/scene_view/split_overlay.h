@@ -20,9 +20,9 @@ class SplitHandle : public QWidget {
   explicit SplitHandle(QWidget* parent);
 
  signals:
-  /// To `x` of the parent.
+  /// Moved to `x` of the parent.
   void dragged(int x);
-  /// By so many steps, to the left below 0; far beyond the ends: to an end.
+  /// Moved by this number of steps, negative to the left; far beyond the ends: to an end.
   void stepped(int steps);
 
  protected:
@@ -32,20 +32,20 @@ class SplitHandle : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  int grabbed_at_ = 0;  ///< from the middle of the handle
+  int grabbed_at_ = 0;  ///< from the centre of the handle
 };
 
-/// Lays one 3D view over the right part of another one that is as large: pixels of both are at the same
-/// place. A name stands at the top on either side of the line.
+/// Places one 3D view over the right part of another one of equal size: pixels of both are at the same place.
+/// A name is at the top on either side of the line.
 class SplitOverlay : public QObject {
   Q_OBJECT
 
  public:
-  /// `right` becomes a part of `left` while this lives and is deleted with this; so is `right_name`.
+  /// `right` becomes a part of `left` during the lifetime of this and is deleted with it; so is `right_name`.
   SplitOverlay(SceneView& left, SceneView* right, QWidget* right_name, double share);
   ~SplitOverlay() override;
 
-  /// Of the width that is on the left, 0 to 1, clamped.
+  /// Fraction of the width on the left, 0 to 1, clamped.
   void set_share(double share);
   double share() const { return share_; }
   void step(int steps);

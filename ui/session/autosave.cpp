@@ -12,7 +12,7 @@
 namespace feedscope::ui {
 namespace {
 
-/// A lock that holds however long its process lives, and not a moment longer.
+/// A lock for exactly the lifetime of its process.
 std::unique_ptr<QLockFile> make_lock(const QString& file) {
   auto lock = std::make_unique<QLockFile>(file + QStringLiteral(".lock"));
   lock->setStaleLockTime(0);
@@ -26,7 +26,7 @@ QString Autosave::usual_folder() {
 }
 
 Autosave::Autosave(QString folder) : folder_(std::move(folder)) {
-  // Not the number of the process, which one that is gone may have had.
+  // Not the process id, which an ended process may have had.
   const QString name = QUuid::createUuid().toString(QUuid::WithoutBraces);
   file_ = QStringLiteral("%1/%2%3").arg(folder_, name, QLatin1String(session_suffix));
 }
@@ -62,7 +62,7 @@ std::optional<Autosave::LeftBehind> Autosave::left_behind() const {
       continue;
     }
     std::shared_ptr<QLockFile> lock = make_lock(info.filePath());
-    // Whoever had the lock may have discarded the file since the folder was listed.
+    // The previous owner of the lock may have discarded the file since the folder was listed.
     if (lock->tryLock(0) && QFile::exists(info.filePath())) {
       return LeftBehind{to_path(info.filePath()), info.lastModified(), std::move(lock)};
     }
@@ -72,7 +72,7 @@ std::optional<Autosave::LeftBehind> Autosave::left_behind() const {
 
 void Autosave::discard(const LeftBehind& left) {
   QFile::remove(to_qstring(left.file));
-  left.lock->unlock();  // removes its file too
+  left.lock->unlock();  // also removes its file
 }
 
 }  // namespace feedscope::ui

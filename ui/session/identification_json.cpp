@@ -13,7 +13,7 @@ namespace {
 
 const QString typical_start = QStringLiteral("typical");
 
-/// The number of a table row; none if the value is not a whole number from 0 on.
+/// The row number in a table; none if the value is not a whole number from 0 on.
 std::optional<std::size_t> row_of(const QJsonValue& json) {
   constexpr int none = -1;
   const int row = json.toInt(none);
@@ -39,7 +39,7 @@ QJsonObject to_json(const TableState& state, const std::filesystem::path& folder
           {"times", times}};
 }
 
-/// Null, and a note, if a time or the resolution is not above 0.
+/// Null with a note if a time or the resolution is not above 0.
 TableState read_table(const QJsonObject& json, const std::filesystem::path& folder, QStringList& notes) {
   note_unknown(json, {"file", "used", "resolution_s", "times"}, QStringLiteral("\"section_times\""), notes);
   auto table = std::make_shared<SectionTable>();
@@ -61,7 +61,7 @@ TableState read_table(const QJsonObject& json, const std::filesystem::path& fold
   return {std::move(table), json["used"].toBool(true)};
 }
 
-// ---- What is fitted
+// ---- Choices of models and numbers
 
 void add_choice(const FitChoiceState& choice, QJsonObject& json) {
   if (choice.run) {

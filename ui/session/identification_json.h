@@ -8,12 +8,12 @@
 
 namespace feedscope::ui {
 
-/// What is chosen and found in the identification, as `identification` of a session file; empty for nothing.
-/// Names of tables relative to `folder`.
+/// Choices and results of the identification, as `identification` of a session file; empty for none. Names of
+/// tables relative to `folder`.
 QJsonObject to_json(const IdentificationState& state, const std::filesystem::path& folder,
                     const MachineLibrary& machines);
 
-/// Unknown keys go to `notes`, and so does a result that cannot be used, which is omitted.
+/// Notes unknown keys, and an unusable result, which is omitted.
 IdentificationState read_identification(const QJsonObject& json, const std::filesystem::path& folder,
                                         const MachineLibrary& machines, QStringList& notes);
 

@@ -23,7 +23,7 @@ constexpr const char* cut_off_key = "simulate_cut_off";
 constexpr const char* offsets_key = "work_offsets_mm";
 constexpr double largest_count = 1e15;
 
-/// The number of `key`, at least `least` and, if `whole`, without a part behind the point.
+/// The number of `key`, at least `least` and, if `whole`, without decimals.
 double number_of(const QJsonObject& json, const QString& key, double least, bool whole) {
   const double value = json[key].toDouble(-1);
   if (value >= least && value <= largest_count && (!whole || value == std::floor(value))) {

@@ -9,10 +9,10 @@
 
 namespace feedscope::ui {
 
-/// What differs from the usual way to read a program; the path of a tool table relative to `folder`.
+/// Options that differ from the defaults; the path of a tool table is relative to `folder`.
 QJsonObject to_json(const ReadOptions& options, const std::filesystem::path& folder);
 
-/// Throws InputError naming key and value: a dialect that is not known, a limit or radius out of bounds.
+/// Throws InputError naming key and value: an unknown dialect, a limit or radius out of bounds.
 ReadOptions read_reading(const QJsonObject& json, const std::filesystem::path& folder);
 
 std::vector<std::string> reading_keys();

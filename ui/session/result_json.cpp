@@ -18,8 +18,8 @@ QString as_text(const std::string& text) {
   return QString::fromStdString(text);
 }
 
-/// A number; 0 for one that is not given. Throws InputError for what is there and is none, such as null,
-/// which must not pass for 0.
+/// A number; 0 for a missing key. Throws InputError for any other value, such as null, which must not count
+/// as 0.
 double number_of(const QJsonObject& json, QLatin1String key, const QString& place) {
   const QJsonValue value = json[key];
   if (!value.isUndefined() && !value.isDouble()) {
@@ -28,9 +28,9 @@ double number_of(const QJsonObject& json, QLatin1String key, const QString& plac
   return value.toDouble();
 }
 
-/// A count or row; 0 for what is none.
+/// A count or row; 0 for an invalid one.
 std::size_t count_of(const QJsonValue& json) {
-  constexpr double most = 1e15;  // a double holds it exactly
+  constexpr double most = 1e15;  // exact in a double
   const double number = json.toDouble();
   return number >= 0 && number <= most ? static_cast<std::size_t>(number) : 0;
 }
@@ -51,9 +51,9 @@ UsedRecording read_recording(const QJsonObject& json, const QString& place, QStr
           number_of(json, QLatin1String("seconds"), place), number_of(json, QLatin1String("sum"), place)};
 }
 
-// ---- What a model says of a recording
+// ---- Agreement of a model with a recording
 
-/// Times of the cells, several together where there are many.
+/// Adds the times of the cells, grouped if there are many.
 void add_stretches(const std::vector<AgreementCell>& cells, QJsonObject& json) {
   const std::size_t together = (cells.size() + most_stretches - 1) / most_stretches;
   QJsonArray recorded;
@@ -178,7 +178,8 @@ QJsonObject to_json(const DriveFit& drive) {
           {"delay_s", drive.delay}};
 }
 
-/// Its numbers are among those of the model. Throws InputError if it is of no linear axis.
+/// Reads a drive, whose numbers are among those of the model. Throws InputError unless it is of a linear
+/// axis.
 DriveFit read_drive(const QJsonObject& json, const QString& place, QStringList& notes) {
   note_unknown(json, {"axis", "explains", "samples", "following_error_mm", "left_mm", "delay_s"}, place,
                notes);

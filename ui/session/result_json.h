@@ -7,12 +7,12 @@
 
 namespace feedscope::ui {
 
-/// What was identified, without the simulated runs: their times over the recordings are kept in at most 200
-/// stretches.
+/// Identification results without the simulated runs: at most 200 ranges keep their times over the
+/// recordings.
 QJsonObject to_json(const IdentificationResult& result, const MachineLibrary& machines);
 
-/// Unknown keys go to `notes`. Throws InputError for a result without models or recordings, and for a machine
-/// or model that is not known.
+/// Notes unknown keys. Throws InputError for a result without models or recordings, and for an unknown
+/// machine or model.
 IdentificationResult read_result(const QJsonObject& json, const MachineLibrary& machines, QStringList& notes);
 
 }  // namespace feedscope::ui

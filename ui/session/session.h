@@ -20,10 +20,10 @@
 
 namespace feedscope::ui {
 
-/// Everything that someone has set up around one program, as a session file keeps it.
+/// The user's work on one program, as stored in a session file.
 struct Session {
-  std::filesystem::path program;  ///< absolute; the file holds it relative to itself
-  QByteArray program_hash;        ///< SHA-256 of the program's bytes, in hex; empty: not known
+  std::filesystem::path program;  ///< absolute; relative to the session in its file
+  QByteArray program_hash;        ///< SHA-256 of the program's bytes, in hex; empty: unknown
   ReadOptions reading;            ///< of the program; a tool table's path is absolute
   std::vector<RunItem> runs;      ///< at least one
   std::size_t current_run = 0;
@@ -33,15 +33,15 @@ struct Session {
   ScenesState scenes;
   ChartsState charts;
   CircularState circular;
-  LoadSetup load;  ///< how the tools are engaged; may not fit the program
+  LoadSetup load;  ///< engagement of the tools; may not fit the program
   std::vector<Annotation> annotations;
-  std::vector<TraceItem> traces;         ///< absolute files; one that is not there is kept nevertheless
-  IdentificationState identification;    ///< rows of `runs` and `traces`
-  LessonWork lessons;                    ///< predictions, answers and values tried
-  bool lessons_unlocked = false;         ///< lessons show their run without a prediction
+  std::vector<TraceItem> traces;         ///< absolute paths; missing files are kept
+  IdentificationState identification;    ///< refers to rows of `runs` and `traces`
+  LessonWork lessons;                    ///< predictions, answers and tried values
+  bool lessons_unlocked = false;         ///< whether lessons show their run without a prediction
   QByteArray layout;                     ///< of the docks, as QMainWindow::saveState; may be empty
-  bool presentation = false;             ///< large type and few panels; `layout` is that without
-  std::optional<ThemeKind> theme;        ///< none: as the one who opens it likes it
+  bool presentation = false;             ///< large type and few panels; `layout` is without it
+  std::optional<ThemeKind> theme;        ///< none: the preference of the user who opens it
   std::optional<int> program_font_size;  ///< [pixels]
 };
 

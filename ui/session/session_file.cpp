@@ -13,7 +13,7 @@ namespace {
 
 constexpr qint64 largest_file = 64LL << 20;  // bytes; a session of a thousand annotations is a few hundred KB
 
-/// "line 3, column 7" of a place in a text.
+/// "line 3, column 7" of an offset in a text.
 QString place_of(const QByteArray& text, qsizetype offset) {
   const QByteArray before = text.left(offset);
   const qsizetype line = before.count('\n') + 1;
@@ -56,7 +56,7 @@ void write_lesson_work(const LessonWork& work, QIODevice& out) {
 
 namespace {
 
-/// What `read` makes of the JSON in a file, with the file's name in what it throws.
+/// Result of `read` for the JSON in a file; adds the file's name to exceptions.
 template <class Read>
 auto read_file(const std::filesystem::path& file, const Read& read) {
   const QString name = to_qstring(file);

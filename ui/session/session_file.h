@@ -8,22 +8,21 @@ namespace feedscope::ui {
 
 inline constexpr const char* session_suffix = ".feedscope";
 
-/// By the end of its name.
+/// Decides by the ending of the file name.
 bool is_session_file(const std::filesystem::path& file);
 
-/// As the bytes of a session file that is in `folder`.
+/// The bytes of a session file in `folder`.
 QByteArray session_bytes(const Session& session, const std::filesystem::path& folder);
 
-/// Writes the whole file or leaves what was there. Throws InputError naming file and reason.
+/// Writes the whole file or leaves the old one. Throws InputError naming file and reason.
 void write_session(const Session& session, const std::filesystem::path& file);
 
-/// Throws InputError naming the file, and line and column where it is no JSON; and what read_session throws.
+/// Throws InputError naming the file, with line and column if it is not JSON; and as read_session().
 ReadSession read_session_file(const std::filesystem::path& file);
 
-/// Only what was done in lessons, for read_lesson_work().
+/// Writes the work on lessons only, for read_lesson_work().
 void write_lesson_work(const LessonWork& work, QIODevice& out);
-/// What was done in lessons, of a session file or of what write_lesson_work() has written. Throws as
-/// read_session_file().
+/// Work on lessons from a session file or a file of write_lesson_work(). Throws as read_session_file().
 LessonWork read_lesson_work(const std::filesystem::path& file);
 
 /// SHA-256 of a file's bytes in hex; empty if it cannot be read.

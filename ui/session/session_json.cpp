@@ -20,7 +20,7 @@ namespace {
 constexpr const char* format_name = "feedscope-session";
 constexpr int largest_text_size = 200;  // [points]
 
-/// As a session keeps it, of the form #rrggbb: without transparency, eight bits a channel.
+/// A colour in the form #rrggbb: without transparency, eight bits per channel.
 QColor colour_of(const QJsonValue& json) {
   const QColor colour(json.toString());
   return colour.isValid() ? QColor(colour.rgb()) : colour;

@@ -11,35 +11,35 @@
 
 namespace feedscope::ui {
 
-/// Of the files written now. One with a higher version is refused; a key that is missing has the value of a
-/// new session, so that a version lasts as long as no key changes its meaning.
+/// Version of written files. Higher versions are refused; a missing key has the value of a new session, so
+/// that the version changes only when a key changes its meaning.
 inline constexpr int session_version = 1;
 
 inline InputError input_error(const QString& message) {
   return InputError(message.toStdString());
 }
 
-/// Notes the keys of `json` that are not in `known`, with the nearest one that is. `place`: of `json`, for
+/// Notes the keys of `json` that are not in `known`, with the nearest known one. `place`: of `json`, for
 /// people.
 void note_unknown(const QJsonObject& json, const std::vector<std::string>& known, const QString& place,
                   QStringList& notes);
 
-/// Paths relative to `folder`, where the session file is.
+/// Paths relative to `folder`, that of the session file.
 QJsonObject to_json(const Session& session, const std::filesystem::path& folder);
 
 struct ReadSession {
   Session session;
-  QStringList notes;  ///< for the user: keys that are not known, values that are not kept
+  QStringList notes;  ///< for the user: unknown keys, discarded values
 };
 
-/// Throws InputError naming key and value: no session, a newer version, a run on a machine, model or setting
-/// that is not known or out of bounds. `machines`: those that go by their id.
+/// Throws InputError naming key and value: not a session, a newer version, an unknown or out-of-bounds
+/// machine, model or setting of a run. `machines`: those known by id.
 ReadSession read_session(const QJsonObject& json, const std::filesystem::path& folder,
                          const MachineLibrary& machines);
 
-/// Only what was done in lessons, as a session has it.
+/// The work on lessons only, as in a session.
 QJsonObject lesson_work_json(const LessonWork& work);
-/// That of a session or of lesson_work_json(). Throws InputError as read_session().
+/// Work on lessons from a session or lesson_work_json(). Throws InputError as read_session().
 LessonWork read_lesson_work(const QJsonObject& json);
 
 }  // namespace feedscope::ui

@@ -20,7 +20,7 @@ bool is_shipped(const Machine& machine, const MachineLibrary& machines) {
          machines.load(machine.id) == machine;
 }
 
-/// What differs from the machine's file: edits, and settings that a command line set.
+/// Differences from the machine's file: edits, and settings of a command line.
 QJsonObject changes_of(const SetupState& state) {
   QJsonObject changes;
   const Settings plain = complete_settings(*state.file().model, state.file().machine);

@@ -7,12 +7,12 @@
 
 namespace feedscope::ui {
 
-/// Machine, model and what differs from the machine's file: `machine` or, of one that is not among
-/// `machines`, `machine_file`; `model`; `set`.
+/// Machine, model and changes to the machine's file: `machine` or, for one that is not among `machines`,
+/// `machine_file`; `model`; `set`.
 QJsonObject to_json(const SetupState& state, const MachineLibrary& machines);
 
-/// Other keys are of no concern. `place`: which setup of the session, for messages. Throws InputError naming
-/// it and the machine, model or setting that is not known or out of bounds.
+/// Ignores other keys. `place`: of the setup in the session, for messages. Throws InputError with it and the
+/// unknown or out-of-bounds machine, model or setting.
 SetupState read_setup(const QJsonObject& json, const QString& place, const MachineLibrary& machines);
 
 }  // namespace feedscope::ui

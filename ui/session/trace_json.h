@@ -9,10 +9,10 @@
 
 namespace feedscope::ui {
 
-/// File relative to `folder`, columns where they were chosen, name, colour and visibility.
+/// File relative to `folder`, columns if chosen, name, colour and visibility.
 QJsonObject to_json(const TraceItem& trace, const std::filesystem::path& folder);
 
-/// `place`: which trace of which file, for messages. Throws InputError if no file is named.
+/// `place`: of the trace and its file, for messages. Throws InputError if no file is given.
 TraceItem read_trace_item(const QJsonObject& json, const QString& place, const std::filesystem::path& folder);
 
 std::vector<std::string> trace_keys();

@@ -6,8 +6,8 @@
 
 namespace feedscope::ui {
 
-/// What the numbers of a run do not say by themselves, in sentences: a program for another control, other
-/// work offsets, path control of the program that the model ignores, what the cycle time leaves out.
+/// Notes on facts that the numbers of a run do not show: a program for another control, other work offsets,
+/// path control of the program that the model ignores, times that are not in the cycle time.
 QStringList run_note_texts(const Run& run);
 
 }  // namespace feedscope::ui

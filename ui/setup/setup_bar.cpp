@@ -17,10 +17,10 @@ namespace feedscope::ui {
 
 namespace {
 
-constexpr int id_role = Qt::UserRole + 1;  // of the machine; the data is what chooses it
+constexpr int id_role = Qt::UserRole + 1;  // of the machine; the data is its key
 constexpr int usual_list = 13;             // letters of the machine
 constexpr int usual_control = 18;          // letters of the control
-constexpr double several = -1;             // of the tolerance box: not one value, a text stands for it [mm]
+constexpr double several = -1;             // of the tolerance box: no single value, shown as a text [mm]
 
 QLabel* make_label(const QString& text, QWidget* buddy, QWidget* parent) {
   auto* label = new QLabel(text, parent);
@@ -29,8 +29,8 @@ QLabel* make_label(const QString& text, QWidget* buddy, QWidget* parent) {
   return label;
 }
 
-/// Keeps the box `characters` wide whatever it lists, so that a new entry cannot push the bar out of sight;
-/// the opened list is as wide as its longest entry.
+/// Fixes the width of the box to `characters`, so that a new entry cannot push the bar out of sight; the
+/// opened list is as wide as its longest entry.
 void fix_width(QComboBox* box, int characters) {
   box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   box->setMinimumContentsLength(characters);
@@ -96,7 +96,7 @@ void SetupBar::fit_in() {
   control_model_->setMinimumContentsLength(narrow ? narrow_list : usual_control);
 }
 
-/// The shipped ones, then one's own with the owner of the file.
+/// Lists the shipped machines, then the user's with the owner of the file.
 void SetupBar::list_machines() {
   machine_->clear();
   bool own = false;
@@ -148,7 +148,7 @@ void SetupBar::show_setup() {
   const Setup& file = workbench_.setup().file();
   const QString id = QString::fromStdString(file.machine.id);
   if (machine_->findData(id, id_role) < 0) {
-    list_machines();  // one's own that has just been opened or saved
+    list_machines();  // the user's own machine that has just been opened or saved
   }
   if (machine_->findData(id, id_role) < 0) {
     machine_->insertItem(0, QString::fromStdString(file.machine.name), id);
@@ -183,7 +183,7 @@ void SetupBar::show_tolerance() {
 
 void SetupBar::set_tolerance(double tolerance) {
   if (!workbench_.set_tolerance(from_shown_unit(tolerance, Dimension::length))) {
-    show_tolerance();  // out of bounds: back to the value that holds
+    show_tolerance();  // out of bounds: restores the value
   }
 }
 

@@ -18,10 +18,10 @@ class SetupBar : public QToolBar {
   /// `workbench` outlives this.
   explicit SetupBar(Workbench& workbench, QWidget* parent = nullptr);
 
-  /// Commands before the machine.
+  /// Inserts commands before the machine.
   void insert_first(const QList<QAction*>& actions);
-  /// Behind the tolerance: whether changes are those of all runs, the command that compares, and at the end
-  /// what leaves the program.
+  /// Adds after the tolerance: whether changes apply to all runs, the comparing command, and at the end the
+  /// output commands.
   void add_last(QAction* for_all, QAction* compare, const QList<QAction*>& output);
 
  signals:
@@ -33,7 +33,7 @@ class SetupBar : public QToolBar {
  private:
   void choose_machine();
   void add_field(const QString& label, QWidget* field);
-  /// A narrow window needs the room of the labels for the commands.
+  /// Hides the labels in a narrow window, whose room the commands need.
   void fit_in();
   void list_machines();
   void show_setup();

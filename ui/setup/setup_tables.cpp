@@ -21,7 +21,7 @@ namespace feedscope::ui {
 
 namespace {
 
-/// Converted numbers have fewer digits than those that someone has written.
+/// A number with fewer digits if it was converted.
 QString plain_number(double number, double factor) {
   QLocale locale;
   locale.setNumberOptions(QLocale::OmitGroupSeparator);
@@ -35,7 +35,7 @@ QString value_text(const SettingValue& value, const SettingSpec& spec) {
   return core_text(std::get<std::string>(value));
 }
 
-/// Bounds as they are written in a file have no exponent.
+/// A bound as written in a file, without an exponent.
 QString bound_text(double bound, double factor) {
   QLocale locale;
   locale.setNumberOptions(QLocale::OmitGroupSeparator);
@@ -50,7 +50,7 @@ QString range_text(const SettingSpec& spec) {
   if (!spec.choices.empty()) {
     return SetupTable::tr("choice");
   }
-  constexpr double beyond = 1e9;  // a bound that no value comes near says nothing
+  constexpr double beyond = 1e9;  // a bound far from any value is not informative
   if (spec.maximum >= beyond) {
     return QStringLiteral("%1 %2").arg(spec.minimum_allowed ? "≥" : ">", text_of(spec.minimum));
   }
@@ -61,7 +61,7 @@ QString range_text(const SettingSpec& spec) {
       .arg(spec.minimum_allowed ? "" : "> ", text_of(spec.minimum), text_of(spec.maximum));
 }
 
-/// "= 0.51 g" of a value whose unit data sheets often give otherwise; "" of another one.
+/// "= 0.51 g" for a value that data sheets often give in another unit; "" otherwise.
 QString data_sheet_text(const SettingValue& value, const SettingSpec& spec) {
   const DataSheetUnit other = data_sheet_unit(spec.unit);
   const auto* number = std::get_if<double>(&value);
@@ -73,12 +73,12 @@ QString data_sheet_text(const SettingValue& value, const SettingSpec& spec) {
                         QString::fromUtf8(other.name.data(), qsizetype(other.name.size())));
 }
 
-/// Where nobody gives a value, a usual one holds, which is shown in its place.
+/// Whether a default applies without a value and is shown instead.
 bool has_usual_value(const SettingSpec& spec) {
   return spec.optional && spec.fallback > 0;
 }
 
-/// With title and unit as the table shows them.
+/// An error with title and unit as in the table.
 QString shown_problem(const InputError& error, const std::string& key, const std::string& unit) {
   QString text = failure_text(error);
   text.replace(QString::fromStdString(key), setting_title(key));
@@ -162,7 +162,7 @@ bool SetupTable::setData(const QModelIndex& index, const QVariant& value, int ro
   }
   const std::string key = *key_at(index);
   if (value.toString() == value_text(state_.value(key), state_.spec(key))) {
-    return true;  // not to replace a number by its rounded text
+    return true;  // keeps a number from being replaced by its rounded text
   }
   const SettingSpec spec = state_.spec(key);
   try {

@@ -10,13 +10,14 @@
 
 namespace feedscope::ui {
 
-/// A table over values of a SetupEdit. A wrong value is refused: setData() returns false, refused() says why.
+/// A table of values in a SetupEdit. A wrong value is refused: setData() returns false, and refused() emits
+/// the reason.
 ///
-/// Numbers are shown with the locale's decimal sign; point and comma are both read. Edited values are bold,
-/// assumed ones in italics; the tool tip explains a value and names its source.
+/// Numbers have the locale's decimal sign; input accepts point and comma. Edited values are bold, assumed
+/// ones in italics; the tooltip explains a value and its source.
 ///
-/// A table shows the state it was last told of: whoever hears of a change first may make a view ask for cells
-/// (a field that is disabled passes the focus on) before the table itself has heard.
+/// A table shows the last state that it has received: an earlier receiver of a change may make a view request
+/// cells (a field that is disabled passes the focus on) before the table has been notified.
 class SetupTable : public QAbstractTableModel {
   Q_OBJECT
 
@@ -35,9 +36,9 @@ class SetupTable : public QAbstractTableModel {
   const SetupState& state() const { return state_; }
 
  private:
-  /// Key of the value in a cell; none for cells that only explain.
+  /// Key of the value in a cell; none for cells with explanations only.
   virtual std::optional<std::string> key_at(const QModelIndex& index) const = 0;
-  /// Key that the whole row, or else the cell, is about.
+  /// Key that the whole row, or else the cell, belongs to.
   virtual std::string topic_of(const QModelIndex& index) const = 0;
   virtual QString caption(const QModelIndex& index) const = 0;
   virtual void reload() = 0;
@@ -47,10 +48,10 @@ class SetupTable : public QAbstractTableModel {
   SetupState state_;
 };
 
-/// What differs from the machine file, a line each: "X Jerk: 15 → 20 m/s³".
+/// Differences from the machine file, one line each: "X Jerk: 15 → 20 m/s³".
 QStringList changes_of(const SetupState& state);
 
-/// What axes have: a row a key of `specs`, a column an axis.
+/// Values of axes: a row for each key of `specs`, a column for each axis.
 class AxisTable : public SetupTable {
   Q_OBJECT
 
@@ -60,7 +61,7 @@ class AxisTable : public SetupTable {
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-  /// Cell of a key such as "X.jerk"; invalid if it is not here.
+  /// Cell of a key such as "X.jerk"; invalid if it is not in this table.
   QModelIndex index_of(const std::string& key) const;
   /// Whether any cell has a value.
   bool has_values() const;
@@ -75,7 +76,7 @@ class AxisTable : public SetupTable {
   const std::vector<SettingSpec>& specs_;
 };
 
-/// Settings that the chosen model reads: title, value, unit, range.
+/// Settings of the chosen model: title, value, unit, range.
 class SettingsTable : public SetupTable {
   Q_OBJECT
 
@@ -88,7 +89,7 @@ class SettingsTable : public SetupTable {
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
   /// Row of a setting, -1 if the model does not read it.
   int row_of(const std::string& key) const;
-  /// Whether a setting of a row may be without a value, and is.
+  /// Whether a setting of a row is optional and has no value.
   bool is_unset(int row) const;
 
  private:

@@ -88,9 +88,9 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
                                                  static_cast<Qt::Alignment>(Qt::TextWordWrap));
   }
   settings_->verticalHeader()->hide();
-  settings_->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);  // on a small screen
+  settings_->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);  // for a small screen
   settings_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-  // With Fixed, text that its width breaks into more lines than it hints at is cut.
+  // With Fixed, text that needs more lines than hinted would be cut off.
   QSizePolicy as_high_as_its_text(QSizePolicy::Preferred, QSizePolicy::Minimum);
   as_high_as_its_text.setHeightForWidth(true);
   for (QLabel* label : {machine_, run_notes_}) {
@@ -150,7 +150,7 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
   layout->addWidget(changes_);
   layout->addWidget(help_);
   layout->addStretch();
-  scroll->setWidget(content);  // large type on a low screen: nothing lies on something else
+  scroll->setWidget(content);  // large type on a low screen: nothing overlaps
 
   connect(&TypeSize::of_application(), &TypeSize::changed, this,
           [this] { QTimer::singleShot(0, this, &SetupView::fit_type); });
@@ -174,9 +174,9 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
   axes_->installEventFilter(this);
 }
 
-/// Rows as high as their type.
+/// Fits the row heights to the font.
 void SetupView::fit_type() {
-  constexpr int least_settings = 4;  // rows that are seen, however low the panel is
+  constexpr int least_settings = 4;  // visible rows, however low the panel is
   constexpr int help_lines = 6;
   for (QTableView* table : {axes_, drives_}) {
     table->verticalHeader()->setMinimumSectionSize(type_pixels(row_height));
@@ -191,14 +191,14 @@ void SetupView::fit_type() {
   help_->setMinimumHeight(help_lines * fontMetrics().height());
 }
 
-/// The names of limits on as many lines as leave the values of all axes their room.
+/// Breaks the names of limits into enough lines that the values of all axes fit.
 void SetupView::fit_names() {
   constexpr int beside = 12;  // [px] left and right of a name
   for (QTableView* table : {axes_, drives_}) {
     const QAbstractItemModel& model = *table->model();
     QHeaderView* names = table->verticalHeader();
     const QHeaderView& axes = *table->horizontalHeader();
-    const auto& view = static_cast<const QAbstractItemView&>(*table);  // in which size hints are public
+    const auto& view = static_cast<const QAbstractItemView&>(*table);  // its size hints are public
     int values = 2 * table->frameWidth();
     for (int column = 0; column < model.columnCount(); ++column) {
       values +=
@@ -224,9 +224,9 @@ bool SetupView::eventFilter(QObject* watched, QEvent* event) {
   return Panel::eventFilter(watched, event);
 }
 
-/// The ranges, which the tips say too, leave their room to the names where these need it.
+/// Narrows the ranges, which tooltips show too, if the names need the room.
 void SetupView::fit_settings() {
-  const auto& view = static_cast<const QAbstractItemView&>(*settings_);  // in which size hints are public
+  const auto& view = static_cast<const QAbstractItemView&>(*settings_);  // its size hints are public
   const QHeaderView& titles = *settings_->horizontalHeader();
   int width = 0;
   for (int column = 0; column < SettingsTable::columns; ++column) {
@@ -311,9 +311,9 @@ void SetupView::fit_tables() {
   help_->setText(any_settings ? how : tr("This model has no control settings.") + "<br>" + how);
 }
 
-/// What the settings are for that have no value.
+/// Explanation of settings without a value.
 QString SetupView::unset_tip(bool has_rotary_axes) {
-  const auto paragraph = [](const QString& text) {  // breaks into lines, unlike plain text
+  const auto paragraph = [](const QString& text) {  // wraps, unlike plain text
     return QStringLiteral("<p>%1</p>").arg(text.toHtmlEscaped());
   };
   const QString tip = paragraph(
@@ -330,7 +330,7 @@ QString SetupView::unset_tip(bool has_rotary_axes) {
              : tip;
 }
 
-/// A row that was shown stays while the button is down.
+/// Hides rows without a value; shown ones remain while the button is down.
 void SetupView::hide_unset() {
   int count = 0;
   for (int row = 0; row < settings_model_->rowCount(); ++row) {
@@ -346,7 +346,7 @@ void SetupView::hide_unset() {
   fit_settings();
 }
 
-/// As long as no axis has a drive they are there on demand.
+/// Hides the drives, unless an axis has one or the user requests them.
 void SetupView::hide_drives() {
   const bool any = drive_model_->has_values();
   const bool shown = any || show_drives_->isChecked();

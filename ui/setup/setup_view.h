@@ -10,7 +10,7 @@ class QToolButton;
 namespace feedscope::ui {
 
 /// The machine editor: axis limits and settings of the chosen model. A wrong entry is refused, with the
-/// reason below the tables; there also stands what the chosen value means and where it comes from.
+/// reason below the tables, where the meaning and the source of the chosen value also appear.
 class SetupView : public Panel {
   Q_OBJECT
 
@@ -19,20 +19,20 @@ class SetupView : public Panel {
   explicit SetupView(SetupEdit& edit, QWidget* parent = nullptr);
 
   void follow(Workbench& workbench) override;
-  /// Whether changes are those of all runs or of the current one: for every place where they are made.
+  /// Whether changes apply to all runs or to the current one; shared by all editors.
   QAction* for_all() const { return for_all_; }
   QTableView* axes() { return axes_; }
   QTableView* drives() { return drives_; }
   QTableView* settings() { return settings_; }
   QToolButton* show_drives() { return show_drives_; }
   QToolButton* unset() { return unset_; }
-  /// What the chosen value means, or why an entry was refused.
+  /// The meaning of the chosen value, or the reason why an entry was refused.
   QString message() const;
-  /// Goes to the cell of a key, as of --set; a key that is not there is left alone.
+  /// Goes to the cell of a key, as of --set; ignores an unknown key.
   void show_key(const std::string& key);
-  /// What differs from the machine file; empty if nothing does.
+  /// Differences from the machine file; empty if there are none.
   QString changes() const;
-  /// What of the program the model does not follow; empty: nothing.
+  /// Parts of the program that the model does not follow; empty: none.
   void show_run_notes(const QStringList& sentences);
 
  protected:
@@ -63,7 +63,7 @@ class SetupView : public Panel {
   QTableView* axes_;
   QTableView* drives_;
   QTableView* settings_;
-  QToolButton* show_drives_;  ///< shows drives although no axis has one
+  QToolButton* show_drives_;  ///< shows drives even if no axis has one
   QToolButton* unset_;        ///< shows settings without a value
   QLabel* help_;
   QLabel* changes_;

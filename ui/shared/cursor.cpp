@@ -7,9 +7,9 @@ namespace feedscope::ui {
 
 namespace {
 
-constexpr double settled = 1e-9;  // that close to its start a block counts as begun [s]
+constexpr double settled = 1e-9;  // a block counts as started this close to its start [s]
 
-/// First instant at which `element` is under way [s].
+/// Start of `element` [s].
 double start_of(const Trajectory& trajectory, std::uint32_t element) {
   const auto& pieces = trajectory.pieces();
   const auto own = std::ranges::lower_bound(pieces, element, {}, &Piece::element);
@@ -89,7 +89,7 @@ void Cursor::step_block(int direction) {
   move_into_block(start_of(*trajectory_, element));
 }
 
-/// Of two blocks that meet at `time`, to the one that begins there; rounding may say the other.
+/// Moves to `time`; of two blocks that meet there, to the one that begins, which rounding may miss.
 void Cursor::move_into_block(double time) {
   const State at = trajectory_->state(time);
   const State after = trajectory_->state(time + settled);

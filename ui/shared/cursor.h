@@ -9,16 +9,16 @@
 
 namespace feedscope::ui {
 
-/// The one place at which program text, 3D view and charts point. Whatever sets it, all follow `changed`.
+/// The place at which program text, 3D view and charts point together. All follow `changed`, whoever sets it.
 class Cursor : public QObject {
   Q_OBJECT
 
  public:
   using QObject::QObject;
 
-  /// Another run of the program: the cursor stays at its place on the path. Null: nothing to point at, and
-  /// the next run starts at its beginning. `line_times`: of that run, without which set_line() has to look
-  /// through all blocks. The same run once more only brings them.
+  /// Another run of the program: the cursor keeps its place on the path. Null: no place, and the next run
+  /// starts at its beginning. `line_times`: of that run; without it, set_line() searches all blocks. Calling
+  /// this again for the same run only adds them.
   void set_trajectory(std::shared_ptr<const Trajectory> trajectory,
                       std::shared_ptr<const LineTimes> line_times = nullptr);
 
@@ -26,20 +26,20 @@ class Cursor : public QObject {
   void set_time(double time);
   /// Executed path length [mm], clamped to the run.
   void set_path_length(double s);
-  /// 1-based source line; one that does not move stands for the next one that does.
+  /// 1-based source line; one without motion represents the next one with motion.
   void set_line(std::uint32_t line);
 
-  /// To the start of the next (1) or this or the previous (-1) block.
+  /// Goes to the start of the next (1) or this or the previous (-1) block.
   void step_block(int direction);
 
-  /// False while there is nothing to point at.
+  /// False without a run that moves.
   bool valid() const { return trajectory_ != nullptr && !trajectory_->pieces().empty(); }
   const State& state() const { return state_; }
-  /// What it points into; null for nothing.
+  /// The run of the cursor; null for none.
   const std::shared_ptr<const Trajectory>& trajectory() const { return trajectory_; }
 
  signals:
-  /// Once per move, and once for a new run.
+  /// Emitted once per move, and once for a new run.
   void changed();
 
  private:

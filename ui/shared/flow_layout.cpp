@@ -18,7 +18,7 @@ void FlowLayout::setGeometry(const QRect& area) {
   place(area, true);
 }
 
-/// All in one row.
+/// Size with all widgets in one row.
 QSize FlowLayout::sizeHint() const {
   QSize size(0, 0);
   for (const QLayoutItem* item : items_) {
@@ -29,7 +29,7 @@ QSize FlowLayout::sizeHint() const {
   return size.grownBy(contentsMargins());
 }
 
-/// One below the other.
+/// Size with the widgets one below the other.
 QSize FlowLayout::minimumSize() const {
   QSize size(0, 0);
   for (const QLayoutItem* item : items_) {

@@ -5,8 +5,8 @@
 
 namespace feedscope::ui {
 
-/// Widgets one after the other as words of a text: in rows, as many as the width needs, so that none is cut
-/// unless it is alone and wider than the whole. Takes part in QWidget::heightForWidth().
+/// Arranges widgets like words of a text, in as many rows as the width needs, so that none is cut unless it
+/// is alone and wider than the whole. Takes part in QWidget::heightForWidth().
 class FlowLayout : public QLayout {
  public:
   explicit FlowLayout(QWidget* parent = nullptr) : QLayout(parent) {}
@@ -24,7 +24,7 @@ class FlowLayout : public QLayout {
   QSize minimumSize() const override;
 
  private:
-  /// Height needed for the width of `area`; `move`: the widgets too.
+  /// Height needed for the width of `area`; `move`: whether to move the widgets too.
   int place(const QRect& area, bool move) const;
 
   QList<QLayoutItem*> items_;

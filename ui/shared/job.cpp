@@ -10,7 +10,7 @@
 namespace feedscope::ui {
 namespace {
 
-/// Work and what it tells go to another thread and back through queues of Qt.
+/// Work and its calls pass between threads through queues of Qt.
 HappensBefore handed_over;
 
 }  // namespace

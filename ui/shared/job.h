@@ -14,25 +14,25 @@
 
 namespace feedscope::ui {
 
-/// What work on another thread is given.
+/// Access of work on another thread to its job.
 class JobControl : public std::enable_shared_from_this<JobControl> {
  public:
   Progress progress;
 
   explicit JobControl(QObject& receiver) : receiver_(&receiver) {}
-  /// Calls `what` in the thread that started the job, unless the job is cancelled by then. What is told is
-  /// called in its order, before the result is delivered.
+  /// Calls `what` in the thread that started the job, unless the job is cancelled by then. Calls keep their
+  /// order and come before the result.
   void tell(std::function<void()> what);
 
-  /// The job goes: nothing is called any more.
+  /// The job is being destroyed: nothing is called any more.
   void leave();
 
  private:
   std::mutex mutex_;
-  QObject* receiver_;  ///< in the thread that started the job; null: gone
+  QObject* receiver_;  ///< in the thread that started the job; null: destroyed
 };
 
-/// What became of work on another thread. Neither result nor failure: it was cancelled.
+/// Outcome of work on another thread; cancelled if there is neither a result nor a failure.
 template <class Result>
 struct JobOutcome {
   std::optional<Result> result;
@@ -41,32 +41,32 @@ struct JobOutcome {
   bool cancelled() const { return !result.has_value() && failure.isEmpty(); }
 };
 
-/// Does `work`; the message for the user of what it throws, empty if that is nothing, or Cancelled.
+/// Does `work` and returns the user's message for its exception; empty without one, or for Cancelled.
 QString failure_of(const std::function<void()>& work);
 
-/// What every Job<Result> has. All signals in the thread of this object.
+/// Common part of all Job<Result>. All signals in the thread of this object.
 class JobBase : public QObject {
   Q_OBJECT
 
  public:
   explicit JobBase(QObject* parent = nullptr);
-  /// Cancels, and does not wait: work owns all that it reads.
+  /// Cancels without waiting: work owns all data that it reads.
   ~JobBase() override;
 
-  /// From start() until its outcome is delivered.
+  /// From start() until the outcome is delivered.
   bool busy() const { return control_ != nullptr; }
-  /// Part of the work that is done, 0 to 1; 1 while idle.
+  /// Fraction of the work done, 0 to 1; 1 while idle.
   double fraction() const { return control_ == nullptr ? 1 : control_->progress.fraction(); }
-  /// The work under way ends as soon as it notices, and is delivered as cancelled.
+  /// Makes the running work end as soon as it notices; it is delivered as cancelled.
   void cancel();
 
  signals:
   void busy_changed(bool busy);
-  /// `fraction` is done, 0 to 1; some times a second while busy.
+  /// `fraction` is done, 0 to 1; emitted some times a second while busy.
   void progressed(double fraction);
 
  protected:
-  /// Delivers what became of the work: to be called in the thread of this object, `cancelled` or not.
+  /// Delivers the outcome of the work; to be called in the thread of this object, `cancelled` or not.
   using Deliver = std::function<void(bool cancelled)>;
   /// Runs on another thread.
   using Task = std::function<Deliver(JobControl&)>;
@@ -79,12 +79,12 @@ class JobBase : public QObject {
 
   QFutureWatcher<Deliver> watcher_;
   QTimer poll_;
-  std::shared_ptr<JobControl> control_;  ///< of the work under way
-  Task next_;                            ///< waits until the work under way has noticed that it is cancelled
+  std::shared_ptr<JobControl> control_;  ///< of the running work
+  Task next_;                            ///< waits until the running work has noticed its cancellation
 };
 
-/// Work on another thread, one at a time: newer work cancels the one under way, whose outcome is then never
-/// delivered. Work must own all that it reads; what it throws, and too little memory, becomes a message for
+/// Work on another thread, one at a time: new work cancels the running one, whose outcome is then never
+/// delivered. Work must own all data that it reads; its exceptions, and lack of memory, become a message for
 /// the user.
 template <class Result>
 class Job : public JobBase {
@@ -99,7 +99,7 @@ class Job : public JobBase {
       auto outcome = std::make_shared<Outcome>();
       outcome->failure = failure_of([&] { outcome->result.emplace(work(control)); });
       return [outcome, deliver](bool cancelled) {
-        Outcome became = std::exchange(*outcome, Outcome());  // which the future holds until the next one
+        Outcome became = std::exchange(*outcome, Outcome());  // which the future keeps until the next one
         deliver(cancelled ? Outcome() : std::move(became));
       };
     });

@@ -15,14 +15,14 @@
 namespace feedscope::ui {
 namespace {
 
-constexpr double base_share = 0.36;  // of the height below the centre, which is where the corner opens from
-constexpr double bar_share = 0.3;    // of a side, at most, that its scale bar takes
+constexpr double base_share = 0.36;  // of the height below the centre, from which the corner opens
+constexpr double bar_share = 0.3;    // of a side, the largest length of its scale bar
 constexpr double text_pixels = 12;
 constexpr double title_pixels = 13;
 constexpr double margin = 10;
-constexpr double table_room = 300;  // least side of a lens with a table
+constexpr double table_room = 300;  // smallest side of a lens with a table
 
-/// The largest of 1, 2 and 5 times a power of ten that is at most `value`.
+/// The largest of 1, 2 and 5 times a power of ten up to `value`.
 double round_down_125(double value) {
   const double power = std::pow(10, std::floor(std::log10(value)));
   return power * (value >= 5 * power ? 5 : value >= 2 * power ? 2 : 1);
@@ -42,7 +42,7 @@ QFont font_of(QFont font, double pixels, bool bold = false) {
 
 }  // namespace
 
-/// The lens on the picture.
+/// The projection of the lens onto the picture.
 struct LensPicture::View {
   QRectF whole;
   QRectF title;
@@ -64,7 +64,7 @@ struct LensPicture::View {
     return {mix(ground.red(), text.red()), mix(ground.green(), text.green()),
             mix(ground.blue(), text.blue())};
   }
-  /// What is drawn in `room` shows through the text that comes over it.
+  /// Fades the drawing in `room` for text on top of it.
   void make_pale(QPainter& painter, const QRectF& room) const {
     constexpr double opacity = 0.8;
     QColor ground = palette.color(QPalette::Base);
@@ -115,8 +115,8 @@ void LensPicture::draw_title(QPainter& painter, const View& view) const {
   painter.drawLine(view.title.bottomLeft(), view.title.bottomRight());
 }
 
-/// On either side of the programmed path, as far as it is straight in the lens on the way to the corner: the
-/// lens is as much stretched everywhere.
+/// Draws the tolerance on both sides of each segment of the programmed path. The lens is affine, so that
+/// parallel lines stay parallel.
 void LensPicture::draw_tolerance(QPainter& painter, const View& view) const {
   if (!(lens_.tolerance > 0)) {
     return;
@@ -202,7 +202,7 @@ void LensPicture::draw_scales(QPainter& painter, const View& view) const {
   painter.drawText(room, Qt::AlignCenter, across_text);
 }
 
-/// Name, error and feed of each run at the cursor, top left.
+/// Draws name, error and feed of each run at the cursor, top left.
 void LensPicture::draw_table(QPainter& painter, const View& view) const {
   painter.setFont(font_of(painter.font(), text_pixels * scale_));
   const QFontMetricsF metrics(painter.font());

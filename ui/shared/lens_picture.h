@@ -14,25 +14,25 @@ class QPainter;
 
 namespace feedscope::ui {
 
-/// How a run is drawn in the lens.
+/// Appearance of a run in the lens.
 struct LensLook {
   QString name;
   QColor colour;
-  QList<qreal> dashes;  ///< of a pen, in line widths; empty: a whole line
+  QList<qreal> dashes;  ///< of a pen, in line widths; empty: solid
 };
 
 /// Draws a lens: the programmed path thin and grey, the tolerance in force as two pale lines, the runs over
-/// each other with a dot where each is at the cursor; how far it is stretched, a scale in either direction,
-/// and where there is room for it, a table of errors and feeds.
+/// each other with a dot for each at the cursor; the magnifications, a scale in either direction, and if
+/// there is room, a table of errors and feeds.
 class LensPicture {
   Q_DECLARE_TR_FUNCTIONS(LensPicture)
 
  public:
-  /// `looks`: of the runs. `scale`: size of texts and lines, 1 on screen.
+  /// `looks`: of the runs. `scale`: size of text and lines, 1 on screen.
   LensPicture(const Lens& lens, std::vector<LensLook> looks, double scale = 1);
 
-  /// Fills `area`, which is square but for a title above; the colours of `palette`, its window transparent if
-  /// it is `transparent`.
+  /// Fills `area`, a square with a title above it, in the colours of `palette`; a transparent window colour
+  /// is possible.
   void paint(QPainter& painter, const QRectF& area, const QPalette& palette) const;
 
  private:

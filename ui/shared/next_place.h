@@ -4,7 +4,7 @@
 
 namespace feedscope::ui {
 
-/// The row whose time comes next after (or before) `time` [s]; beyond the last one the first. -1 of no rows.
+/// The row with the next time after (or before) `time` [s]; beyond the last one, the first. -1 without rows.
 int next_place(int rows, const std::function<double(int)>& time_of, double time, bool forward);
 
 }  // namespace feedscope::ui

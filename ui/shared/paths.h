@@ -6,8 +6,8 @@
 
 namespace feedscope::ui {
 
-/// Whether file names are bytes, as on Linux, where they are taken for UTF-8. Bytes that are not valid UTF-8
-/// become replacement characters; the conversions of std::filesystem would throw.
+/// Whether file names are bytes, as on Linux, where they are read as UTF-8. Invalid UTF-8 becomes replacement
+/// characters; the conversions of std::filesystem would throw.
 inline constexpr bool paths_are_bytes = std::is_same_v<std::filesystem::path::value_type, char>;
 
 /// A file's name for people and for Qt, with the separators of the system.
@@ -18,7 +18,7 @@ inline QString to_qstring(const std::filesystem::path& path) {
   return QString::fromStdU16String(path.u16string());
 }
 
-/// With the separators that are the same on every system.
+/// With separators that are equal on every system.
 inline QString to_portable_qstring(const std::filesystem::path& path) {
   if constexpr (paths_are_bytes) {
     return QString::fromStdString(path.generic_string());

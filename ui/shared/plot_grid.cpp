@@ -9,7 +9,7 @@ namespace feedscope::ui {
 
 namespace {
 
-constexpr double label_gap = 4;  // between labels beside each other [pixels]
+constexpr double label_gap = 4;  // between labels side by side [pixels]
 
 double on_pixel(double place) {
   return std::round(place) + 0.5;

@@ -19,23 +19,23 @@ struct GridLook {
   QColor text;
   double beside = 8;  ///< from the plot to the labels left of it [pixels]
   double below = 6;   ///< from the plot to the labels under it [pixels]
-  double tick = 4;    ///< that lines across reach beyond the plot [pixels]
+  double tick = 4;    ///< extension of horizontal and vertical lines beyond the plot [pixels]
 };
 
 enum class GridLine { usual, strong };
 
-/// Grid lines of a painted chart with their labels. Lines lie on whole pixels; a label that would touch the
-/// one drawn before it along the same axis is omitted.
+/// Grid lines of a painted chart with their labels. Lines are on whole pixels; a label that would touch the
+/// previous one along the same axis is omitted.
 class PlotGrid {
  public:
   /// The painter has the font of the labels and outlives this.
   PlotGrid(QPainter& painter, const QRectF& plot, GridLook look);
 
-  /// A level line at a height of the plot, its label left of the plot.
+  /// A horizontal line at a height of the plot, with its label left of the plot.
   void level(double y, const QString& label, GridLine line = GridLine::usual);
-  /// An upright line, its label under the plot.
+  /// A vertical line, with its label under the plot.
   void upright(double x, const QString& label, GridLine line = GridLine::usual);
-  /// The same through this plot too, which lies above or below and shares the axis, without a tick.
+  /// Continues vertical lines through this plot, which is above or below and shares the axis, without a tick.
   void share(const QRectF& plot) { shared_ = plot; }
 
  private:
@@ -45,14 +45,14 @@ class PlotGrid {
   QRectF plot_;
   QRectF shared_;
   GridLook look_;
-  QRectF last_beside_;  ///< label that was drawn last
+  QRectF last_beside_;  ///< the last label drawn
   QRectF last_below_;
 };
 
-/// A value of `ticks` by the locale, with as many decimals as the step needs.
+/// A value of `ticks` in the locale, with decimals by the step.
 QString tick_text(const Ticks& ticks, std::size_t i);
 
-/// Places entries of these widths in rows from the left to the right of `area`, as many rows as they need.
+/// Places entries of these widths in rows from the left to the right of `area`, in as many rows as needed.
 /// `line`: height of an entry, `row`: from one row to the next, `gap`: between entries [pixels].
 std::vector<QRectF> entries_in_rows(std::span<const double> widths, const QRectF& area, double line,
                                     double row, double gap);

@@ -7,10 +7,10 @@ class QAbstractItemView;
 
 namespace feedscope::ui {
 
-/// Headings and rows of a table as a spreadsheet takes them: cells with tabs between them, a line each.
+/// Headings and rows of a table for a spreadsheet: cells separated by tabs, one line per row.
 QString rows_text(const QAbstractItemModel& table);
 
-/// Ctrl+C in `table` copies all of it as rows_text(), not the one cell that has the focus.
+/// Makes Ctrl+C in `table` copy all of it as rows_text() instead of the cell with the focus.
 void install_row_copy(QAbstractItemView& table);
 
 }  // namespace feedscope::ui

@@ -4,7 +4,7 @@
 
 namespace feedscope::ui {
 
-/// A cell that is read only; its table owns it.
+/// A read-only cell; its table owns it.
 inline QTableWidgetItem* fixed_item(const QString& text) {
   auto* item = new QTableWidgetItem(text);
   item->setFlags(item->flags() & ~Qt::ItemIsEditable);

@@ -7,7 +7,7 @@ namespace feedscope::ui {
 
 namespace {
 
-constexpr double deepest_zoom = 1e-7;  // of the run; beyond, doubles in the charts lose their steps
+constexpr double deepest_zoom = 1e-7;  // of the run; finer steps exceed the precision of doubles
 
 }  // namespace
 

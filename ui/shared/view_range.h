@@ -8,31 +8,31 @@
 
 namespace feedscope::ui {
 
-/// What runs along the charts.
+/// Quantity along the charts.
 enum class Abscissa { time, path_length };
 
-/// The stretch that all charts show: one shared range along one shared abscissa.
+/// The range of all charts: one shared range along one shared abscissa.
 ///
-/// Positions are seconds or millimetres, whichever the abscissa is. Over time the charts go on where a run or
-/// a trace that is shown beside the run takes longer.
+/// Positions are seconds or millimetres, by the abscissa. Over time, the charts extend beyond the run's end
+/// if another run or a trace takes longer.
 class ViewRange : public QObject {
   Q_OBJECT
 
  public:
   using QObject::QObject;
 
-  /// Another run; the range stays where it is if `keep` and the new run reaches there, else all is shown.
+  /// Another run; the range is kept if `keep` is set and the new run contains it, else everything is shown.
   void set_trajectory(std::shared_ptr<const Trajectory> trajectory, bool keep);
-  /// When what is shown beside the run ends [s]; where the whole was shown, it is again.
+  /// End of the longest other run or trace [s]; if the whole was shown, it is shown again.
   void set_end_beside(double end);
-  /// Shows the same stretch along the other abscissa.
+  /// Shows the same range along the other abscissa.
   void set_abscissa(Abscissa abscissa);
   Abscissa abscissa() const { return abscissa_; }
 
   double lower() const { return lower_; }
   double upper() const { return upper_; }
-  double length() const;  ///< of all that can be shown, in units of the abscissa
-  /// Whether rapids are shown: one switch for the path and the charts.
+  double length() const;  ///< of the whole, in units of the abscissa
+  /// Whether rapids are shown: one switch for path and charts.
   bool rapids_shown() const { return rapids_shown_; }
   void show_rapids(bool shown);
   bool shows_all() const { return lower_ <= 0 && upper_ >= length(); }
@@ -41,9 +41,9 @@ class ViewRange : public QObject {
   /// Shrinks (factor < 1) or widens the range; `pivot` keeps its place on the screen.
   void zoom(double factor, double pivot);
   void pan(double distance);
-  /// Shows from one position to another, moved and cut to what there is.
+  /// Shows the range between two positions, moved and cut to the existing one.
   void show(double lower, double upper);
-  /// The same from one time to another [s]; nothing without a run.
+  /// Shows the range between two times [s]; does nothing without a run.
   void show_times(double from, double to);
   double lower_time() const { return in_run(time_at(lower_)); }  ///< within the run [s]
   double upper_time() const { return in_run(time_at(upper_)); }  ///< within the run [s]

@@ -6,13 +6,13 @@ class QTreeView;
 
 namespace feedscope::ui {
 
-/// Texts of a column of a tree in as many lines as they need, instead of cut ones: rows are as high as their
-/// texts, whenever the column changes its width. A text is cut where `most_lines` do not hold it.
+/// Wraps texts in a column of a tree instead of cutting them: rows are as high as their texts at any column
+/// width. A text of more than `most_lines` is cut.
 class WrappedNames : public QStyledItemDelegate {
  public:
   static constexpr int most_lines = 3;
 
-  /// Of `column` of `tree`, which owns this.
+  /// For `column` of `tree`, which owns this.
   explicit WrappedNames(QTreeView& tree, int column = 0);
 
   QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;

@@ -16,7 +16,7 @@ namespace feedscope::ui {
 namespace {
 
 QString feed_text(double feed) {
-  return number_text(std::abs(feed), Dimension::feed);  // no minus before a rounded 0
+  return number_text(std::abs(feed), Dimension::feed);  // no minus sign before a rounded 0
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 namespace feedscope::ui {
 
-/// The places of a run that lose most time, the worst first.
+/// The places of a run with the largest loss of time, the worst first.
 class SlowPlacesModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -21,15 +21,15 @@ class SlowPlacesModel : public QAbstractTableModel {
 
   /// Null: none.
   void set_places(std::shared_ptr<const SlowPlaces> places);
-  /// How many are listed.
+  /// Largest number of listed places.
   void set_most(std::size_t most);
 
   const SlowPlaces* places() const { return places_.get(); }
   const SlowPlace& place(int row) const;
-  /// The row of the listed place whose slowest instant comes next after (or before) a time [s]; beyond the
-  /// last one the first. -1: nothing is listed.
+  /// The row of the listed place with the next slowest instant after (or before) a time [s]; after the last
+  /// one, the first. -1 if the list is empty.
   int next_row(double time, bool forward) const;
-  double listed_loss() const;  ///< of what is listed [s]
+  double listed_loss() const;  ///< of the listed places [s]
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;

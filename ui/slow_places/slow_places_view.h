@@ -10,8 +10,8 @@ class QTreeView;
 
 namespace feedscope::ui {
 
-/// Where a run loses time against its programmed feed, the worst first. Choosing a place, or stepping to the
-/// next one in the order of the program, goes there.
+/// Places where a run loses time against its programmed feed, the worst first. Choosing a place, or stepping
+/// to the next one in program order, goes there.
 class SlowPlacesView : public Panel {
   Q_OBJECT
 
@@ -21,7 +21,7 @@ class SlowPlacesView : public Panel {
   void follow(Workbench& workbench) override;
   /// Null: none.
   void set_places(std::shared_ptr<const SlowPlaces> places);
-  /// Where the run's cursor is [s]: from there the next and the previous one are looked for.
+  /// Time of the run's cursor [s], from which the next and the previous place are searched.
   void set_time(double time) { time_ = time; }
 
   SlowPlacesModel& model() { return *model_; }
@@ -31,7 +31,7 @@ class SlowPlacesView : public Panel {
   QList<QAction*> panel_actions() const override { return actions_; }
 
  signals:
-  /// `slowest` lies between `from` and `to` [s].
+  /// `slowest` is between `from` and `to` [s].
   void place_chosen(double slowest, double from, double to);
 
  private:

@@ -74,7 +74,7 @@ struct StudyChart::Layout {
   std::vector<QRectF> legend;
   QRectF time;
   QRectF error;
-  double from = 0;  ///< of the setting, its logarithm where that is the axis
+  double from = 0;  ///< of the setting, or its logarithm on a logarithmic axis
   double to = 1;
   bool logarithmic = false;
   double min_time = 0;
@@ -181,9 +181,9 @@ StudyChart::Layout StudyChart::lay_out() const {
   constexpr double head_room = 1.08;
   layout.max_time = time > 0 ? time * head_room : 1;
   constexpr double worth_zero =
-      0.5;  // of the longest time: where all are above, an axis from 0 would be flat
+      0.5;  // of the longest time: where all are above it, an axis from 0 would be flat
   if (time > 0 && least > worth_zero * time) {
-    constexpr double min_span = 1e-3;  // of the time: what differs less is shown as level
+    constexpr double min_span = 1e-3;  // of the time: smaller differences appear level
     const double span = std::max(time - least, min_span * time);
     const double middle = (time + least) / 2;
     layout.min_time = middle - (head_room - 0.5 + 0.1) * span;
@@ -198,7 +198,7 @@ void StudyChart::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.fillRect(rect(), theme_colours(palette()).plot);
-  if (study_.curves.empty()) {  // axes without anything on them would promise something
+  if (study_.curves.empty()) {  // empty axes would be misleading
     painter.setFont(font());
     painter.setPen(theme_colours(palette()).muted);
     painter.drawText(

@@ -8,9 +8,9 @@
 
 namespace feedscope::ui {
 
-/// Cycle time and, below it over the same axis, contour error against a setting; the bound as a dashed line,
-/// the fastest run of each curve within it ringed and labelled. Curves differ in colour and in marker; what
-/// was recorded of the program is a dotted level.
+/// Cycle time and, below it over the same axis, contour error against a setting. The bound is a dashed line;
+/// the fastest run of each curve within it is ringed and labelled. Curves differ in colour and in marker;
+/// recordings of the program are dotted horizontal lines.
 class StudyChart : public QWidget {
   Q_OBJECT
 
@@ -18,15 +18,15 @@ class StudyChart : public QWidget {
   explicit StudyChart(QWidget* parent = nullptr);
   void set_study(const QString& title, const QString& details, StudyCurves study);
   const StudyCurves& study() const { return study_; }
-  /// Traces of the whole program that the runs of the study can be compared with.
+  /// Traces of the whole program for comparison with the runs of the study.
   void set_recorded(std::vector<RecordedTime> recorded);
-  /// The run whose marker is at most a few pixels away: number of its curve and of its point.
+  /// The run with a marker at most a few pixels away: index of its curve and of its point.
   struct Hit {
     std::size_t curve = 0;
     std::size_t point = 0;
   };
   std::optional<Hit> run_at(const QPointF& place) const;
-  /// Share of its plot that the cycle times spread over; 0 without curves.
+  /// Fraction of its plot that the cycle times cover; 0 without curves.
   double height_of_times() const;
   QSize minimumSizeHint() const override;
   QSize sizeHint() const override;
@@ -45,17 +45,17 @@ class StudyChart : public QWidget {
   void draw_plot(QPainter& painter, const Layout& layout, bool is_error) const;
   void draw_settings_axis(QPainter& painter, const Layout& layout) const;
   void draw_curve(QPainter& painter, const Layout& layout, std::size_t index, bool is_error) const;
-  /// Above the line of the bound, where there is one.
+  /// Label above the line of the bound, if there is one.
   QRectF bound_label(const Layout& layout) const;
   QString bound_text() const;
   void draw_recorded(QPainter& painter, const Layout& layout, bool is_error) const;
-  /// Above or below their levels, where they hide the least.
+  /// Labels above or below their lines, where they hide the least.
   std::vector<QRectF> recorded_labels(const Layout& layout, bool is_error) const;
   std::vector<QLineF> curve_lines(const Layout& layout, bool is_error) const;
   QString recorded_text(std::size_t index, bool is_error) const;
-  /// Names the fastest run of each curve.
+  /// Labels the fastest run of each curve.
   void draw_labels(QPainter& painter, const Layout& layout, bool is_error) const;
-  /// Beside a marker, where it hides the least.
+  /// Label next to a marker, where it hides the least.
   QRectF free_label(const Layout& layout, const QPointF& at, const QSizeF& size, bool is_error,
                     const std::vector<QRectF>& taken) const;
 

@@ -19,10 +19,10 @@ struct StudyPoint {
 struct StudyCurve {
   QString name;
   std::vector<StudyPoint> points;
-  std::vector<std::size_t> fastest;  ///< within the bound: all that are equally fast
+  std::vector<std::size_t> fastest;  ///< within the bound: all equally fast ones
 };
 
-/// What a machine took for the program, drawn across the whole range of the setting.
+/// A machine's recorded time for the program, drawn across the whole range of the setting.
 struct RecordedTime {
   QString name;  ///< of the trace
   QColor colour;
@@ -30,7 +30,7 @@ struct RecordedTime {
   double error = 0;  ///< largest distance from the programmed path [mm]
 };
 
-/// What a StudyChart shows.
+/// Contents of a StudyChart.
 struct StudyCurves {
   QString title;  ///< of the setting, in the window's language
   QString unit;   ///< "" for a plain number
@@ -40,11 +40,11 @@ struct StudyCurves {
   std::vector<RecordedTime> recorded = {};
 };
 
-/// What the runs have in common that one picture of a study shows as a curve or a map: model, machine, the
-/// tolerance where it is not the same in all of the study, the values of all sweeps after the second.
+/// Common part of the runs in one curve or map of a study: model, machine, the tolerance if it differs within
+/// the study, the values of all sweeps after the second.
 QString family_name(const Study& study, const StudyRun& run);
 
-/// `study` has one sweep; of two, study_maps().
+/// `study` has one sweep; with two, use study_maps().
 StudyCurves study_curves(const Study& study);
 
 }  // namespace feedscope::ui

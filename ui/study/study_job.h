@@ -9,7 +9,7 @@
 
 namespace feedscope::ui {
 
-/// A setup whose setting takes one value after the other.
+/// A setup, and the values of one of its settings.
 struct StudyJobRequest {
   LoadedProgram program;
   Setup setup;
@@ -25,13 +25,13 @@ class StudyJob : public QObject {
  public:
   explicit StudyJob(QObject* parent = nullptr);
 
-  /// Throws InputError naming key, value and bound if the setup cannot take a value.
+  /// Throws InputError with key, value and bound if the setup cannot have a value.
   void start(const StudyJobRequest& request);
   void cancel() { job_.cancel(); }
   bool busy() const { return job_.busy(); }
 
  signals:
-  /// `fraction` is done, 0 to 1; a few times a second.
+  /// `fraction` is done, 0 to 1; emitted a few times a second.
   void progressed(double fraction);
   void finished(std::shared_ptr<const feedscope::Study> study);
   void cancelled();

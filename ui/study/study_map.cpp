@@ -42,7 +42,7 @@ QString value_text(double value) {
   return QLocale().toString(value, 'g', 4);
 }
 
-/// With as few digits, of two at least, as tell them apart.
+/// Texts with as few digits as distinguish them, at least two.
 QStringList axis_texts(const std::vector<double>& values) {
   constexpr int most_digits = 15;
   QStringList texts;
@@ -62,7 +62,7 @@ QString with_unit(const QString& text, const QString& unit) {
   return unit.isEmpty() ? text : QStringLiteral("%1 [%2]").arg(text, unit);
 }
 
-/// Places of values in rising order.
+/// Indices of values in ascending order.
 std::vector<std::size_t> rising_order(const std::vector<double>& values) {
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -95,7 +95,7 @@ StudyMap map_of(const Study& study, std::span<const StudyRun> runs) {
   return map;
 }
 
-/// Round bounds that cut the times of all runs into StudyMapPicture::most_colours parts at most.
+/// Round bounds that divide the times of all runs into at most StudyMapPicture::most_colours parts.
 Ticks time_bounds(const StudyMaps& study) {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
@@ -105,7 +105,7 @@ Ticks time_bounds(const StudyMaps& study) {
       high = cell.possible ? std::max(high, cell.time) : high;
     }
   }
-  constexpr double level_span = 1e-6;  // of the time: less is rounding
+  constexpr double level_span = 1e-6;  // of the time: smaller differences are rounding
   return high - low > level_span * high ? round_ticks(low, high, StudyMapPicture::most_colours - 1) : Ticks();
 }
 
@@ -141,7 +141,7 @@ std::size_t rows_of_maps(std::size_t maps) {
   return (maps + columns_of_maps(maps) - 1) / columns_of_maps(maps);
 }
 
-/// Of `maps` maps of this size with title and legend.
+/// Size of a picture of `maps` maps with title and legend.
 QSize picture_size(std::size_t maps, const QSize& map) {
   constexpr int title_and_legend = 100;
   const auto across = static_cast<int>(columns_of_maps(maps));
@@ -151,7 +151,7 @@ QSize picture_size(std::size_t maps, const QSize& map) {
           down * map.height() + title_and_legend};
 }
 
-/// A dark line with a light rim shows on every colour of the map.
+/// Draws a dark line with a light rim, visible on every colour of the map.
 void draw_rimmed(QPainter& painter, const QLineF& line, const QPen& pen) {
   QPen rim(QColor(255, 255, 255, 190), pen.widthF() + 1.6);
   rim.setCapStyle(Qt::FlatCap);
@@ -193,7 +193,7 @@ namespace {
 struct CellSquare {
   std::array<QPointF, 4> corners;
   std::array<double, 4> errors{};  ///< [mm]
-  bool possible = true;            ///< all of them
+  bool possible = true;            ///< whether all of them are
 };
 
 CellSquare square_at(const StudyMap& map, std::size_t columns, std::size_t column, std::size_t row) {
@@ -210,7 +210,7 @@ CellSquare square_at(const StudyMap& map, std::size_t columns, std::size_t colum
   return square;
 }
 
-/// On a saddle the lines part the corners that are not as the mean of all four is.
+/// On a saddle the lines cut off the corners on the other side of `level` than the mean of all four.
 void add_pieces(const CellSquare& square, double level, std::vector<QLineF>& pieces) {
   std::array<QPointF, 4> crossings;
   std::size_t count = 0;
@@ -243,7 +243,7 @@ std::vector<QLineF> contour_pieces(const StudyMap& map, std::size_t columns, dou
   return pieces;
 }
 
-/// Where the cells of a map lie.
+/// Places of the cells of a map.
 struct StudyMapPicture::Place {
   QRectF plot;
   std::size_t columns = 1;
@@ -252,7 +252,7 @@ struct StudyMapPicture::Place {
   QSizeF cell() const {
     return {plot.width() / static_cast<double>(columns), plot.height() / static_cast<double>(rows)};
   }
-  /// (0, 0): the middle of the first cell, which is in the lower left corner.
+  /// (0, 0): the centre of the first cell, which is in the lower left corner.
   QPointF at(const QPointF& place) const {
     return {plot.left() + (place.x() + 0.5) * cell().width(),
             plot.bottom() - (place.y() + 0.5) * cell().height()};
@@ -440,7 +440,7 @@ void StudyMapPicture::paint_times(QPainter& painter, const StudyMap& map, const 
     const QRectF around(place.middle(i) - QPointF(size.width() / 2, size.height() / 2), size);
     if (fits && cell.possible) {
       if (cell.lines_not_run == 0) {
-        painter.fillRect(around, colour_of(cell.time));  // lines of the error do not cross the time
+        painter.fillRect(around, colour_of(cell.time));  // keeps lines of the error off the time
       }
       painter.setPen(text_on(colour_of(cell.time)));
       painter.drawText(around, Qt::AlignCenter, text);

@@ -18,25 +18,25 @@ namespace feedscope::ui {
 struct StudyMapAxis {
   QString title;               ///< in the window's language
   QString unit;                ///< "" for a plain number
-  std::vector<double> values;  ///< rising, in that unit
+  std::vector<double> values;  ///< ascending, in that unit
 };
 
-/// The run with one value of either setting.
+/// The run with one value of each setting.
 struct StudyMapCell {
   double time = 0;   ///< cycle time [s]
   double error = 0;  ///< largest contour error [mm]
   bool possible = true;
-  std::size_t lines_not_run = 0;  ///< that the control refuses
+  std::size_t lines_not_run = 0;  ///< refused by the control
   bool fastest = false;           ///< within the bound, as fastest_marks()
 };
 
-/// All runs of one model on one machine with the same further settings.
+/// All runs of one model on one machine with equal further settings.
 struct StudyMap {
-  QString name;                     ///< what tells it apart from the others
-  std::vector<StudyMapCell> cells;  ///< one a pair of values, the first setting changes from cell to cell
+  QString name;                     ///< difference from the other maps
+  std::vector<StudyMapCell> cells;  ///< one for each pair of values; the first setting varies fastest
 };
 
-/// A study of two settings or more: the first two are the axes, the others tell the maps apart.
+/// A study of at least two settings: the first two are the axes, the others distinguish the maps.
 struct StudyMaps {
   StudyMapAxis x;
   StudyMapAxis y;
@@ -44,23 +44,22 @@ struct StudyMaps {
   std::vector<StudyMap> maps;
 };
 
-/// `study` has two sweeps or more.
+/// `study` has at least two sweeps.
 StudyMaps study_maps(const Study& study);
 
-/// Where the contour error is `level` [mm], interpolated between neighbouring cells: pieces of lines in
-/// columns and rows of the map, (0, 0) in the middle of the first cell. Nothing next to cells of runs that
-/// are not possible.
+/// Lines with the contour error `level` [mm], interpolated between neighbouring cells, in columns and rows of
+/// the map, with (0, 0) at the centre of the first cell. No lines next to cells of impossible runs.
 std::vector<QLineF> contour_pieces(const StudyMap& map, std::size_t columns, double level);
 
-/// Maps side by side on one scale: a cell for each run, coloured by its cycle time, lines of equal contour
-/// error across them, the fastest run within the bound ringed.
+/// Maps side by side on one scale: a cell for each run, coloured by its cycle time, with lines of equal
+/// contour error, and a ring around the fastest run within the bound.
 class StudyMapPicture {
  public:
   static constexpr int most_colours = 8;  ///< of the scale
 
   StudyMapPicture(QString title, QString details, StudyMaps study, const QFont& font);
 
-  /// At which the cells of this many maps are easy to read, and the least [pixels].
+  /// Size at which the cells of this many maps are easily readable, and the smallest size [pixels].
   static QSize natural_size(std::size_t maps);
   static QSize least_size(std::size_t maps);
   void paint(QPainter& painter, const QSize& size) const;
@@ -76,7 +75,7 @@ class StudyMapPicture {
   void paint_contours(QPainter& painter, const StudyMap& map, const Place& place) const;
   void paint_times(QPainter& painter, const StudyMap& map, const Place& place) const;
   void paint_legend(QPainter& painter, const QRectF& area) const;
-  /// Returns where its sample ends.
+  /// Returns the end of its sample.
   double paint_scale(QPainter& painter, const QRectF& area) const;
 
   QString title_;

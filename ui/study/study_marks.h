@@ -8,9 +8,10 @@
 
 namespace feedscope::ui {
 
-/// Of the `curve`th curve of a study, from 0: Okabe and Ito's hues that stand out on the palette's plot.
+/// Hue of curve number `curve` of a study, from 0: those of Okabe and Ito that contrast with the palette's
+/// plot.
 QColor study_hue(std::size_t curve, const QPalette& palette);
-/// Round, square, triangle, diamond: curves told apart without colour.
+/// Round, square, triangle, diamond: curves differ in shape as well as in colour.
 QPainterPath study_marker(std::size_t curve, const QPointF& at, double radius);
 
 }  // namespace feedscope::ui

@@ -14,7 +14,7 @@ class StudyTable : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  /// Behind them figures of drives and cutting load, where any run has them.
+  /// Columns of figures of drives and cutting load follow if any run has them.
   enum Column { value, cycle_time, mean_feed, contour_error, cause, columns };
 
   using QAbstractTableModel::QAbstractTableModel;
@@ -32,10 +32,10 @@ class StudyTable : public QAbstractTableModel {
 
   std::shared_ptr<const Study> study_;
   std::vector<bool> marks_;                   ///< by row
-  std::vector<const SourceFigure*> figures_;  ///< behind `columns`
+  std::vector<const SourceFigure*> figures_;  ///< after `columns`
 };
 
-/// What takes most of the time of a run: "49 % jerk of axis X".
+/// The cause with the largest share of a run's time: "49 % jerk of axis X".
 QString main_cause_text(const Summary& summary);
 
 }  // namespace feedscope::ui

@@ -43,7 +43,7 @@ constexpr int usual_count = 12;
 constexpr double usual_bound = 10;  // [um]
 const std::string tolerance = "tolerance";
 
-/// The setting of the setup that a sweep of `key` changes.
+/// The setup's setting for a sweep of `key`.
 std::string setting_of(const std::string& key) {
   return key == tolerance ? contour_tolerance_key : key;
 }
@@ -53,7 +53,8 @@ SetupState with_value(SetupState setup, const std::string& key, double value) {
   return setup;
 }
 
-/// To as few digits as keep the values apart, two at least: people can set 0.0066 mm. The ends stay.
+/// Rounds to as few digits as distinguish the values, at least two: people can set 0.0066 mm. The ends are
+/// unchanged.
 Sweep rounded(Sweep sweep) {
   constexpr int most = 5;
   for (int digits = 2; digits <= most; ++digits) {
@@ -70,7 +71,7 @@ Sweep rounded(Sweep sweep) {
   return sweep;
 }
 
-/// Of the traces that are shown and cover the whole program.
+/// Times of the shown traces that cover the whole program.
 std::vector<RecordedTime> recorded_times(const TraceList& traces) {
   std::vector<RecordedTime> recorded;
   for (std::size_t row = 0; row < traces.items().size(); ++row) {
@@ -229,7 +230,7 @@ void StudyView::make_layout() {
   layout->addWidget(results, 1);
 }
 
-/// Numbers alone: a choice has no range, and what is not known none to propose.
+/// Lists settings with numbers only: a choice has no range, and an unknown value has none to propose.
 void StudyView::list_keys() {
   const SetupState& setup = workbench_.setup().state();
   const QString chosen = key_->currentData().toString();
@@ -315,7 +316,7 @@ void StudyView::run() {
   verdict_->setText(tr("Simulating %1 runs …").arg(count_->value()));
 }
 
-/// Of another program than the one that is shown.
+/// Discards the results of a previous program.
 void StudyView::forget() {
   job_.cancel();
   forget_results();

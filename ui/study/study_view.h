@@ -23,7 +23,7 @@ class WholeNumberBox;
 class NumberBox;
 
 /// A setting of the current run over a range: cycle time and contour error against it as curves and table,
-/// the fastest value within a bound, what limits at both ends; any of the values becomes a run.
+/// the fastest value within a bound, the limits at both ends; each value can become a run.
 class StudyView : public Panel {
   Q_OBJECT
 
@@ -31,9 +31,9 @@ class StudyView : public Panel {
   /// `workbench` outlives this.
   explicit StudyView(Workbench& workbench, QWidget* parent = nullptr);
 
-  /// Simulates the study that the fields describe, or says what is wrong with them.
+  /// Simulates the study of the input fields, or reports an error in them.
   void run();
-  /// Adds the run of a row of the results to the runs, as the current one.
+  /// Adds the run of a row of the results, and makes it current.
   void make_run(int row);
   bool busy() const override { return job_.busy(); }
 
@@ -52,7 +52,7 @@ class StudyView : public Panel {
   void make_layout();
   void list_keys();
   void propose_range();
-  /// In the unit shown; both in the unit of `key`.
+  /// Shows the range in the shown unit; both values in the unit of `key`.
   void show_range(double from, double to, const std::string& key);
   void follow_traces();
   void take(std::shared_ptr<const Study> study);
@@ -64,8 +64,8 @@ class StudyView : public Panel {
   Workbench& workbench_;
   StudyJob job_;
   std::shared_ptr<const Study> study_;
-  SetupState studied_;    ///< setup of the run that study_ is of
-  QString studied_name_;  ///< of that run then, with its machine
+  SetupState studied_;    ///< setup of the run of study_
+  QString studied_name_;  ///< of that run at the time, with its machine
   StudyTable* results_;
   QComboBox* key_;
   NumberBox* from_;

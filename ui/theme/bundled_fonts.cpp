@@ -21,7 +21,7 @@ constexpr std::array faces{Face{"DejaVu Sans", "Book", "DejaVuSans.ttf"},
                            Face{"DejaVu Sans Mono", "Book", "DejaVuSansMono.ttf"},
                            Face{"DejaVu Sans Mono", "Bold", "DejaVuSansMono-Bold.ttf"}};
 
-/// Qt also lists generic families for which no font is installed.
+/// Whether a font has no letters: Qt also lists generic families without an installed font.
 bool draws_boxes(const QFont& font) {
   const QRawFont raw = QRawFont::fromFont(font);
   return !raw.isValid() || !raw.supportsCharacter(QLatin1Char('A'));

@@ -3,7 +3,7 @@
 namespace feedscope::ui {
 
 QFont without_ligatures(QFont font) {
-  constexpr double least = 1.0 / 64;  // [px]: Qt sets no ligatures in spaced text; too little to be seen
+  constexpr double least = 1.0 / 64;  // [px]: Qt sets no ligatures in spaced text; too small to be visible
   font.setLetterSpacing(QFont::AbsoluteSpacing, least);
   return font;
 }

@@ -4,10 +4,10 @@
 
 namespace feedscope::ui {
 
-/// The same font without ligatures: "ff" stays two letters when text is copied from a PDF file or searched.
+/// The same font without ligatures: "ff" remains two letters for search and copying in a PDF file.
 QFont without_ligatures(QFont font);
 
-/// The font of reports, sheets and pictures, which is on every machine that Feedscope is installed on.
+/// The font of reports, sheets and pictures, installed with Feedscope everywhere.
 QFont paper_font(int pixels, bool bold = false);
 
 }  // namespace feedscope::ui

@@ -81,8 +81,8 @@ QPainterPath lines_of(EditIcon kind) {
   return kind == EditIcon::undo ? path : QTransform(-1, 0, 0, 1, side, 0).map(path);
 }
 
-/// Lines in the colour of texts at the time of painting, at most `largest` pixels high at the usual size of
-/// type.
+/// Lines in the colour of texts at the time of painting, at most `largest` pixels high at the usual font
+/// size.
 class LineIconEngine : public QIconEngine {
  public:
   LineIconEngine(QPainterPath lines, int largest) : lines_(std::move(lines)), largest_(largest) {}
@@ -130,7 +130,7 @@ QIcon edit_icon(EditIcon kind) {
 
 QIcon media_icon(MediaIcon kind, const QPalette& palette) {
   QIcon icon;
-  for (const int scale : {1, 2, 3, 4, 6, 8}) {  // of the pixels of a screen, and of the size of type
+  for (const int scale : {1, 2, 3, 4, 6, 8}) {  // of the pixels of a screen, and of the font size
     QPixmap pixmap(side * scale, side * scale);
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);

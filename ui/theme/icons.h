@@ -10,16 +10,16 @@ enum class MediaIcon { play, pause, back, on };
 /// Drawn in the colour of button texts: the style's own icons are black in every theme.
 QIcon media_icon(MediaIcon kind, const QPalette& palette);
 
-/// On the title of a dock: to close it, to take it out of the window or put it back; at the end of a tool
-/// bar: that there is more.
+/// Icons on the title of a dock: close it, detach it from the window or return it; and at the end of a
+/// toolbar: more commands.
 enum class DockIcon { close, detach, more, more_below };
 
-/// Always in the colour that texts of the application have at the time.
+/// Always in the current colour of the application's texts.
 QIcon dock_icon(DockIcon kind);
 
 enum class EditIcon { undo, redo };
 
-/// An arrow that turns back, or on again; in the colour of texts as dock_icon().
+/// An arrow back or forward; in the colour of texts as dock_icon().
 QIcon edit_icon(EditIcon kind);
 
 }  // namespace feedscope::ui

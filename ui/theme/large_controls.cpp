@@ -11,7 +11,7 @@
 namespace feedscope::ui {
 namespace {
 
-constexpr int list_arrow_room = 19;  // [px], as Fusion has them
+constexpr int list_arrow_room = 19;  // [px], as in Fusion
 constexpr int number_arrow_room = 14;
 constexpr int groove = 7;
 

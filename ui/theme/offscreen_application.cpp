@@ -24,8 +24,8 @@ void print_only_failures(QtMsgType type, const QMessageLogContext&, const QStrin
   }
 }
 
-/// The threads of Qt that draw parts of a large picture, while there is memory for them: Qt waits forever for
-/// one that it cannot start. Throws std::bad_alloc if they cannot be had.
+/// Starts Qt's threads for drawing parts of a large picture while there is memory: Qt waits forever for one
+/// that it cannot start. Throws std::bad_alloc if that fails.
 void start_drawing_threads() {
   QThreadPool& pool = *QThreadPool::globalInstance();
   const int count = pool.maxThreadCount();
@@ -36,7 +36,7 @@ void start_drawing_threads() {
       try {
         trial.emplace_back([&all] { all.arrive_and_wait(); });
       } catch (const std::system_error&) {
-        all.count_down(count - i + 1);  // those that have begun end
+        all.count_down(count - i + 1);  // ends those that have started
         throw;
       }
     }
@@ -51,8 +51,8 @@ void start_drawing_threads() {
   }
   all->arrive_and_wait();
 #if QT_VERSION >= QT_VERSION_CHECK(6, 5, 0)
-  // Later versions of Qt than 6.4: the drawing has a pool of its own, which cannot be reached: a picture of
-  // many lines is drawn in parts by its threads, which then stay for half a minute after each use.
+  // After Qt 6.4, drawing has its own inaccessible pool. Its threads draw a picture of many lines in parts,
+  // and then live for half a minute after each use.
   constexpr int lines_a_part = 64;
   const QSize many_lines(16, 4 * count * lines_a_part);
   QImage source(many_lines, QImage::Format_RGBX8888);
@@ -74,13 +74,13 @@ OffscreenApplication::OffscreenApplication(ThemeKind theme, double pixel_ratio) 
     if (pixel_ratio != 1) {
       qputenv("QT_SCALE_FACTOR", QByteArray::number(pixel_ratio));
     }
-    qInstallMessageHandler(print_only_failures);  // the platform warns of what pictures do not need
+    qInstallMessageHandler(print_only_failures);  // the platform warns of things that pictures do not need
     application_ = std::make_unique<QApplication>(count_, arguments_);
     start_drawing_threads();
   }
   apply_theme(theme);
   QFont font = QApplication::font();
-  font.setFamily(QStringLiteral("DejaVu Sans"));  // in every package list, as the system's font is not
+  font.setFamily(QStringLiteral("DejaVu Sans"));  // in every package list, unlike the system's font
   QApplication::setFont(without_ligatures(font));
 }
 

@@ -8,12 +8,11 @@ class QApplication;
 
 namespace feedscope::ui {
 
-/// A QApplication without display, unless the process has one already; with the theme, the font and the
-/// numbers that pictures have everywhere: DejaVu Sans, decimal points.
+/// A QApplication without a display, unless the process already has one; with the theme, font and number
+/// format of all pictures: DejaVu Sans, decimal points.
 class OffscreenApplication {
  public:
-  /// `pixel_ratio`: pixels of widgets' pictures to a logical one; counts where the process has no
-  /// QApplication yet.
+  /// `pixel_ratio`: pixels of widget pictures per logical pixel; used if the process has no QApplication yet.
   explicit OffscreenApplication(ThemeKind theme = ThemeKind::light, double pixel_ratio = 1);
   ~OffscreenApplication();
 

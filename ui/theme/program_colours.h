@@ -5,8 +5,8 @@
 
 namespace feedscope::ui {
 
-/// Colours of a program's text. Axes and feed have the hues that they have in the charts; every colour of
-/// text stands out from its ground by at least 4.5 to 1.
+/// Colours of a program's text. Axes and feed have the hues of the charts; every text colour has a contrast
+/// of at least 4.5 to 1 to its background.
 struct ProgramColours {
   QColor comment;
   QColor label;
@@ -23,10 +23,10 @@ struct ProgramColours {
   QColor keyword;
   QColor variable;
   QColor literal;
-  QColor caret_line;  ///< frame of the line that the keyboard is in
-  QColor found;       ///< behind what a search found
-  QColor found_mark;  ///< of the same in the strip over the whole program
-  QColor slow;        ///< of the slowest line in a strip of times
+  QColor caret_line;  ///< frame of the caret's line
+  QColor found;       ///< background of search hits
+  QColor found_mark;  ///< search hits in the overview strip
+  QColor slow;        ///< of the slowest line in a heat strip
 };
 
 const ProgramColours& program_colours(const QPalette& palette);

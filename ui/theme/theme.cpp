@@ -94,27 +94,27 @@ QPalette make_palette(const Roles& roles, const ThemeColours& colours) {
   return palette;
 }
 
-/// Fusion, whose icons of docks are black in every theme.
+/// Fusion with dock icons in the theme's colours instead of black.
 class ThemeStyle : public QProxyStyle {
  public:
   ThemeStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
 
-  /// Fusion draws a disabled text twice, once in white: on the dark theme it would be the brightest there is.
+  /// Fusion draws a disabled text twice, once in white, which would be the brightest in the dark theme.
   int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                 QStyleHintReturn* result) const override {
     switch (hint) {
       case SH_EtchDisabledText:
         return 0;
-      case SH_Slider_AbsoluteSetButtons:  // a click on the groove goes there
+      case SH_Slider_AbsoluteSetButtons:  // a click on the groove moves there
         return Qt::LeftButton;
       default:
         return QProxyStyle::styleHint(hint, option, widget, result);
     }
   }
-  /// The names of four panels side by side find room in every language.
+  /// Tabs narrow enough for the names of four panels in every language.
   int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
     constexpr int crowded = 4;
-    constexpr int narrow = 10;  // [px] beside a name
+    constexpr int narrow = 10;  // [px] on each side of a name
     const auto* tabs = metric == PM_TabBarTabHSpace ? qobject_cast<const QTabBar*>(widget) : nullptr;
     if (tabs != nullptr && tabs->count() >= crowded) {
       return type_pixels(narrow);
@@ -137,12 +137,12 @@ class ThemeStyle : public QProxyStyle {
       case PM_ButtonMargin:
       case PM_LayoutHorizontalSpacing:
       case PM_LayoutVerticalSpacing:
-        return type_pixels(usual);  // what belongs to type is as large
+        return type_pixels(usual);  // scales with the font
       default:
         return usual;
     }
   }
-  /// Fusion frames the box of a row in black, which is not seen on the dark theme.
+  /// Fusion frames the check box of a row in black, which is invisible in the dark theme.
   void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override {
     if (const auto arrow = large_arrow(element, *option)) {
@@ -232,7 +232,7 @@ class ThemeStyle : public QProxyStyle {
   static constexpr int arrow_side = 9;
   static constexpr int arrow_room = 11;
 
-  /// Of a button whose whole face opens a menu.
+  /// For a button whose whole face opens a menu.
   static bool has_menu_arrow(const QStyleOptionToolButton& button) {
     return button.features.testFlag(QStyleOptionToolButton::HasMenu) &&
            !button.features.testFlag(QStyleOptionToolButton::MenuButtonPopup) && !button.text.isEmpty();

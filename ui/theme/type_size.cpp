@@ -12,7 +12,7 @@ namespace feedscope::ui {
 
 namespace {
 
-constexpr int usual_pixels = 12;  // 9 points at 96 dots an inch
+constexpr int usual_pixels = 12;  // 9 points at 96 dots per inch
 
 }  // namespace
 

@@ -6,17 +6,17 @@ class QWidget;
 
 namespace feedscope::ui {
 
-/// The size of all type of the program, as one factor against the usual one: panels, charts and captions of
-/// the 3D view follow it, as a class sees them from the last row. Reports and files have sizes of their own.
+/// The font size of the program, as a factor on the usual one: panels, charts and captions of the 3D view
+/// follow it, for a class that reads from the last row. Reports and files have their own sizes.
 class TypeSize : public QObject {
   Q_OBJECT
 
  public:
-  /// That of the QApplication, which must be there.
+  /// That of the QApplication, which must exist.
   static TypeSize& of_application();
 
   double scale() const { return scale_; }
-  /// Type of all widgets, now; `scale` is brought between 0.5 and 8.
+  /// Sets the font size of all widgets now; `scale` is clamped to 0.5 to 8.
   void set_scale(double scale);
 
  signals:
@@ -28,16 +28,16 @@ class TypeSize : public QObject {
   double scale_ = 1;
 };
 
-/// What has `usual` pixels at the usual size of type, at the present one.
+/// Current size of something that has `usual` pixels at the usual font size.
 int type_pixels(int usual);
 
-/// Width of a line that is usually `usual` pixels wide, at the present size of type.
+/// Current width of a line that has `usual` pixels at the usual font size.
 double line_pixels(double usual);
-/// The same of what `widget` draws: as large windows have larger pictures, lines grow with the main window,
-/// too, where that is larger than 1920x1080.
+/// As above for drawings of `widget`: its lines also grow with a main window larger than 1920x1080, like its
+/// pictures.
 double line_pixels(double usual, const QWidget& widget);
 
-/// Gives a widget the type that usually has `usual` pixels, now and whenever the size of type changes.
+/// Sets a widget's font to `usual` pixels at the usual font size, now and whenever the font size changes.
 void set_type_pixels(QWidget& widget, int usual);
 
 }  // namespace feedscope::ui

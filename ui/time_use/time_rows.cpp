@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t most_rows = 8;
 constexpr double worth_a_row = 1e-3;  // of the cycle time
 
-/// Builds the rows in the language of the user.
+/// Builds the rows in the user's language.
 class TimeRows {
   Q_DECLARE_TR_FUNCTIONS(TimeRows)
 
@@ -162,7 +162,7 @@ class TimeRows {
 
   static double weight_of(const CauseCost& cost) { return std::max(cost.time, std::abs(cost.lost)); }
 
-  /// Weight of the last cause that there is a row for.
+  /// Weight of the last cause with a row.
   double least_shown() const {
     std::vector<double> weights;
     for (const CauseCost& cost : use_.causes) {
@@ -173,7 +173,7 @@ class TimeRows {
     return weights.size() > most_rows ? std::max(least, weights[most_rows - 1]) : least;
   }
 
-  /// The place that loses most to a cause, if it is among the worst of a group.
+  /// The place with the largest loss to a cause, if it is among the worst of a group.
   std::optional<SlowPlace> worst_of(Cause cause) const {
     std::optional<SlowPlace> worst;
     for (const SlowGroup& group : report_.slow.groups) {

@@ -9,15 +9,15 @@
 
 namespace feedscope::ui {
 
-/// What a row leads to: a place, a change, or nothing.
+/// A row and its target: a place, a change, or none.
 struct TimeRow {
   std::array<QString, 3> cells;
   QString tip;
-  double share = 0;                ///< bar behind the cells, 0 to 1
-  std::optional<SlowPlace> place;  ///< to go to
-  std::optional<double> time;      ///< to go to [s]
-  std::optional<Remedy> remedy;    ///< to make a run of
-  std::vector<TimeRow> rows = {};  ///< below it
+  double share = 0;                ///< bar under the cells, 0 to 1
+  std::optional<SlowPlace> place;  ///< target
+  std::optional<double> time;      ///< target [s]
+  std::optional<Remedy> remedy;    ///< change for a new run
+  std::vector<TimeRow> rows = {};  ///< child rows
 };
 
 /// The rows under one heading, whose cells name the columns.
@@ -26,8 +26,8 @@ struct TimeSection {
   std::vector<TimeRow> rows;
 };
 
-/// What the panel lists of a report on a run, the most important section first. Without changes while none
-/// have been tried.
+/// Contents of the panel for a report on a run, the most important section first. Without changes until some
+/// are tried.
 std::vector<TimeSection> time_sections(const TimeReport& report, const Run& run);
 
 }  // namespace feedscope::ui

@@ -30,7 +30,7 @@ namespace {
 constexpr int share_role = Qt::UserRole;
 constexpr int row_role = Qt::UserRole + 1;  // of TimeRow*
 
-/// A share of the whole as a bar behind the text of the second column.
+/// Draws a share of the whole as a bar under the text of the second column.
 class ShareBar : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;

@@ -14,9 +14,9 @@ class QTreeWidgetItem;
 
 namespace feedscope::ui {
 
-/// Where the time of the current run goes and what would help: a conclusion, then what the cycle time
-/// consists of, the places that lose most by what they have in common, changes that were simulated, causes
-/// and operations. A click goes to the place; a change becomes a run.
+/// Breakdown of the current run's time and helpful changes: a conclusion, then the parts of the cycle time,
+/// the places with the largest loss grouped by common properties, simulated changes, causes and operations. A
+/// click goes to the place; a change becomes a run.
 class TimeView : public Panel {
   Q_OBJECT
 
@@ -33,13 +33,13 @@ class TimeView : public Panel {
   QString conclusion() const;
 
  signals:
-  /// `slowest` lies between `from` and `to` [s].
+  /// `slowest` is between `from` and `to` [s].
   void place_chosen(double slowest, double from, double to);
-  /// A place that has been chosen [s].
+  /// The user has chosen a place [s].
   void time_chosen(double time);
-  /// A run with this setup is wanted beside the current one.
+  /// Requests a new run with this setup.
   void run_wanted(const feedscope::ui::SetupState& setup);
-  /// What is said here is wanted on paper.
+  /// Requests a report with these contents.
   void report_wanted();
 
  protected:

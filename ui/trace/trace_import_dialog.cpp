@@ -30,7 +30,7 @@ namespace {
 constexpr std::size_t looked_at = 65536;  // bytes of the file
 constexpr int shown_rows = 8;
 
-/// Whole lines of the beginning of a file. Throws InputError if it cannot be read.
+/// Whole lines of the start of a file. Throws InputError if it is unreadable.
 std::string head_of(const std::filesystem::path& file) {
   TraceText text(file, nullptr);
   std::string head(text.head().substr(0, looked_at));
@@ -128,7 +128,7 @@ void TraceImportDialog::use_preset(int index) {
     fields_->set_columns(specification.isEmpty() ? TraceColumns()
                                                  : parse_trace_columns(specification.toStdString()));
   } catch (const InputError&) {
-    // a kept preset that is damaged changes nothing
+    // a damaged saved preset changes nothing
   }
   refresh();
 }
@@ -162,7 +162,7 @@ void TraceImportDialog::ask_name() {
   } while (!problem.isEmpty());
 }
 
-/// Shows the file's rows, separated as the fields say; false if it has no table.
+/// Shows the file's rows, separated as chosen; false if it has no table.
 bool TraceImportDialog::show_rows() {
   try {
     const QString chosen = specification();

@@ -14,21 +14,21 @@ namespace feedscope::ui {
 
 class TraceImportFields;
 
-/// How the table of a trace is read: a preview of its first rows, what each column is, and what comes out.
-/// What is chosen can be kept under a name.
+/// Asks how to read the table of a trace: shows its first rows, the meaning of each column, and the result.
+/// The choices can be saved under a name.
 class TraceImportDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// `columns`: a specification to begin with; "": none. `reason`: why this is asked; may be empty.
+  /// `columns`: initial specification; "": none. `reason`: reason for asking; may be empty.
   TraceImportDialog(const std::filesystem::path& file, const std::string& columns, const QString& reason,
                     QWidget* parent = nullptr);
 
-  /// As parse_trace_columns() reads it; "" where everything is found from the file.
+  /// Specification for parse_trace_columns(); "" if everything is detected from the file.
   QString specification() const;
-  /// What comes out of the first rows, or what is wrong; for people.
+  /// The result for the first rows, or an error; for people.
   QString outcome() const;
-  /// Keeps what is chosen under this name; what is wrong with the name, if it is not kept.
+  /// Saves the choices under this name; returns an error in the name if it does not.
   QString keep_as(const QString& name);
 
   TraceImportFields& fields() { return *fields_; }
@@ -43,7 +43,7 @@ class TraceImportDialog : public QDialog {
   bool show_rows();
 
   std::string name_;  ///< of the file, for messages
-  std::string head_;  ///< whole lines of its beginning
+  std::string head_;  ///< whole lines of its start
   QComboBox* presets_;
   QPushButton* keep_;
   QPushButton* forget_;

@@ -104,7 +104,7 @@ void TraceImportFields::add_row(TraceQuantity quantity, const QString& title, QG
   const int at = grid.rowCount();
   row.column = add_choice({{tr("found, if there is one"), ""}});
   row.column->setAccessibleName(tr("Column of %1").arg(title));
-  // As wide as its first choice; titles of columns can be of any length.
+  // As wide as its first choice; titles of columns have any length.
   row.column->setMinimumContentsLength(static_cast<int>(row.column->itemText(0).size()));
   row.column->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   auto* label = new QLabel(title, this);

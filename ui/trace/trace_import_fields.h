@@ -15,19 +15,19 @@ namespace feedscope::ui {
 class NumberBox;
 class WholeNumberBox;
 
-/// The fields that say how a table of samples is read: for each quantity column, unit, sign and offset; how
-/// columns and decimals are parted, the rate, and lines to skip.
+/// Fields for reading a table of samples: for each quantity column, unit, sign and offset; separators of
+/// columns and decimals, the rate, and lines to skip.
 class TraceImportFields : public QWidget {
   Q_OBJECT
 
  public:
   explicit TraceImportFields(QWidget* parent = nullptr);
 
-  /// The columns that there are, by their titles; "" where a column has none.
+  /// Titles of the columns; "" for a column without one.
   void set_titles(const std::vector<QString>& titles);
-  /// Shows a specification; a column that is named there and not among the titles is not shown.
+  /// Shows a specification; columns that are not among the titles are not shown.
   void set_columns(const TraceColumns& columns);
-  /// What is shown, as parse_trace_columns() reads it; "" where everything is to be found from the file.
+  /// Specification for parse_trace_columns(); "" if everything is to be detected from the file.
   QString specification() const;
 
  signals:
@@ -36,9 +36,9 @@ class TraceImportFields : public QWidget {
  private:
   struct Row {
     QComboBox* column = nullptr;
-    QComboBox* unit = nullptr;      ///< null: has none
-    QCheckBox* mirrored = nullptr;  ///< null: has no sign
-    NumberBox* offset = nullptr;    ///< null: has none
+    QComboBox* unit = nullptr;      ///< null: without a unit
+    QCheckBox* mirrored = nullptr;  ///< null: without a sign
+    NumberBox* offset = nullptr;    ///< null: without an offset
   };
 
   void add_row(TraceQuantity quantity, const QString& title, QGridLayout& grid);

@@ -31,7 +31,7 @@ std::vector<KeptTracePreset> kept_trace_presets() {
 }
 
 bool keep_trace_preset(const QString& name, const QString& specification) {
-  const QString kept = name.trimmed().replace('/', '-').replace('\\', '-');  // which would part settings
+  const QString kept = name.trimmed().replace('/', '-').replace('\\', '-');  // slashes form groups
   if (kept.isEmpty() || std::ranges::any_of(trace_presets(), [&](const TracePreset& preset) {
         return text_of(preset.name) == kept;
       })) {

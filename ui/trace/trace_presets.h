@@ -5,20 +5,19 @@
 
 namespace feedscope::ui {
 
-/// How tables of samples are read, under a name: those that come with the program, and the user's own, which
-/// are kept in the settings.
+/// A named way to read tables of samples: shipped, or the user's own, stored in the settings.
 struct KeptTracePreset {
   QString name;
-  QString specification;  ///< as parse_trace_columns() reads it
-  bool own = false;       ///< the user's
+  QString specification;  ///< for parse_trace_columns()
+  bool own = false;       ///< whether it is the user's
 };
 
-/// Those of the program first.
+/// Shipped presets first.
 std::vector<KeptTracePreset> kept_trace_presets();
-/// Another one, or in place of the user's own of that name. False, and nothing happens, for an empty name and
-/// for one of the program.
+/// Adds a preset, or replaces the user's own one of that name. Returns false without effect for an empty name
+/// and for a shipped preset.
 bool keep_trace_preset(const QString& name, const QString& specification);
-/// Of the user.
+/// Deletes a preset of the user.
 void forget_trace_preset(const QString& name);
 
 }  // namespace feedscope::ui

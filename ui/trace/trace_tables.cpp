@@ -76,7 +76,7 @@ void begin_figures(QStandardItemModel& table) {
          TraceTables::tr("Simulated against recorded")});
 }
 
-/// Column titles with the unit on a second line, which makes the tables narrow enough to stand side by side.
+/// Column titles with the unit on a second line, so that the tables are narrow enough to be side by side.
 QStringList over_two_lines(QStringList titles) {
   return titles.replaceInStrings(QStringLiteral(" ["), QStringLiteral("\n["));
 }
@@ -214,7 +214,7 @@ QStringList remarks_of(const ShownTrace& shown) {
   QStringList remarks;
   std::vector<Diagnostic> messages = messages_on(*shown.trace, shown.found);
   if (!shown.found.belongs()) {
-    messages.erase(messages.begin());  // the verdict says it
+    messages.erase(messages.begin());  // contained in the verdict
   }
   for (const Diagnostic& message : messages) {
     remarks.append(message_text(message));

@@ -9,23 +9,23 @@ class QStandardItemModel;
 
 namespace feedscope::ui {
 
-/// Role of the place on the programmed path that a row of a table stands for [mm]; none: no place.
+/// Role of a table row's place on the programmed path [mm]; none: no place.
 inline constexpr int trace_place_role = Qt::UserRole;
-/// Role of how far to both sides it is to be shown [mm].
+/// Role of the shown length on both sides of it [mm].
 inline constexpr int trace_reach_role = Qt::UserRole + 1;
 
-/// Times, feeds and distances of a trace beside its run: what, trace, simulated, difference.
+/// Times, feeds and distances of a trace compared with its run: title, trace, simulated, difference.
 void fill_figures(QStandardItemModel& table, const ShownTrace& shown);
-/// Where trace and run differ most, the largest difference of time first.
+/// Places with the largest differences of trace and run, the largest difference of time first.
 void fill_worst_places(QStandardItemModel& table, const ShownTrace& shown);
-/// The corners, those first whose speeds differ most; at most 200.
+/// The corners, those with the largest difference of speed first; at most 200.
 void fill_corners(QStandardItemModel& table, const ShownTrace& shown);
-/// Headings without rows.
+/// Leaves headings without rows.
 void clear_tables(QStandardItemModel& figures, QStandardItemModel& places, QStandardItemModel& corners);
 
-/// How well the run agrees, in one sentence.
+/// Agreement of the run, in one sentence.
 QString verdict_of(const ShownTrace& shown);
-/// What is to be known about the trace: how it was read, smoothed and laid beside the program.
+/// Notes on the trace: on reading, smoothing and matching it to the program.
 QStringList remarks_of(const ShownTrace& shown);
 
 }  // namespace feedscope::ui

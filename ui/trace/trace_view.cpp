@@ -35,9 +35,9 @@ namespace feedscope::ui {
 namespace {
 
 constexpr int progress_steps = 1000;
-constexpr int least_name = 100;  // of a figure, in several lines [px]
+constexpr int least_name = 100;  // of a figure's title, in several lines [px]
 
-/// In which all columns show their contents [px].
+/// Width that shows the contents of all columns [px].
 int wanted_width(const QTreeView& view) {
   view.header()->resizeSections(QHeaderView::ResizeToContents);
   return view.header()->length();

@@ -16,8 +16,8 @@ class QTreeView;
 
 namespace feedscope::ui {
 
-/// What a control recorded of the program beside the current run: how well the run agrees, in a sentence and
-/// in figures, and the places and corners where it does not, to go to.
+/// A recorded trace of the program compared with the current run: their agreement in a sentence and in
+/// figures, and the places and corners with differences, to go to.
 class TraceView : public Panel {
   Q_OBJECT
 
@@ -27,7 +27,7 @@ class TraceView : public Panel {
 
   /// Whether a file looks like a trace: rows of samples, not the text of a program.
   static bool is_trace(const std::filesystem::path& file);
-  /// Lays a trace beside the program. Asks what its columns are where nothing says so.
+  /// Adds a trace to the program. Asks for its columns if they cannot be detected.
   void open(const std::filesystem::path& file);
   void ask_for_file();
   /// Shows the trace of this row of the list.
@@ -41,9 +41,9 @@ class TraceView : public Panel {
   QTreeView& corners() { return *corners_view_; }
 
  signals:
-  /// A place has been chosen: `time` of the current run there, which lies between `from` and `to` [s].
+  /// The user has chosen a place: `time` of the current run there, which is between `from` and `to` [s].
   void place_chosen(double time, double from, double to);
-  /// A trace has been compared, and this is wrong with it.
+  /// A trace has been compared, with this message on it.
   void noted(Severity severity, const QString& message);
 
  private:
@@ -74,9 +74,9 @@ class TraceView : public Panel {
   QTreeView* places_view_ = nullptr;
   QTreeView* corners_view_ = nullptr;
   QList<QAction*> actions_;
-  QList<QAction*> of_trace_;              ///< need one
+  QList<QAction*> of_trace_;              ///< require one
   std::size_t chosen_ = 0;                ///< row
-  std::weak_ptr<const ShownTrace> seen_;  ///< what the tables show
+  std::weak_ptr<const ShownTrace> seen_;  ///< contents of the tables
 };
 
 }  // namespace feedscope::ui

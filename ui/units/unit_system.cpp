@@ -6,7 +6,7 @@ namespace feedscope::ui {
 
 namespace {
 
-/// Reports and pictures are also made on other threads.
+/// Other threads also make reports and pictures.
 std::atomic<UnitSystem> in_use = UnitSystem::metric;
 
 }  // namespace

@@ -4,12 +4,11 @@
 
 namespace feedscope::ui {
 
-/// In which all numbers are shown: on screen, in pictures and in reports. Files keep their own units.
+/// The unit system of all shown numbers: on screen, in pictures and in reports. Files keep their own units.
 UnitSystem unit_system();
-/// Before windows, pictures and reports are made; what exists keeps its texts.
+/// Call before windows, pictures and reports are made; existing ones keep their texts.
 void use_unit_system(UnitSystem system);
 
-/// The unit in which numbers of a dimension are shown.
 const ShownUnit& shown(Dimension dimension);
 
 }  // namespace feedscope::ui

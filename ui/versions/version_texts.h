@@ -7,14 +7,14 @@
 
 namespace feedscope::ui {
 
-/// Words for what became of an older program, with the numbers of the user.
+/// Texts on the changes from an older program, with the numbers of the user.
 class VersionTexts {
   Q_DECLARE_TR_FUNCTIONS(VersionTexts)
 
  public:
-  /// Rich text: cycle time instead of the older one, how much of the path both have.
+  /// Rich text: cycle time and that of the older program, and the common part of the path.
   static QString conclusion(const Run& old, const Run& now, const ProgramDifference& difference);
-  /// "12", "12–40", "–" where there are none.
+  /// "12", "12–40", "–" without lines.
   static QString lines(const StretchSide& side);
   /// "12.345 s".
   static QString seconds(double time);

@@ -23,7 +23,7 @@ namespace feedscope::ui {
 
 namespace {
 
-constexpr int line_role = Qt::UserRole;  // first and last line in the program that is open
+constexpr int line_role = Qt::UserRole;  // first and last line in the open program
 constexpr int column_count = 6;
 constexpr std::size_t most_places = 100;
 constexpr double share_of_reading = 0.3;

@@ -17,8 +17,8 @@ class QTreeWidgetItem;
 
 namespace feedscope::ui {
 
-/// An older version of the program beside the one that is open, on the setup of the current run: what became
-/// of its path, and where the times differ most. A row leads to its place in the program that is open.
+/// An older version of the program compared with the open one, on the setup of the current run: the changes
+/// of the path, and the largest differences of time. A row leads to its place in the open program.
 class VersionsView : public Panel {
   Q_OBJECT
 
@@ -28,17 +28,17 @@ class VersionsView : public Panel {
   void follow(Workbench& workbench) override;
   QList<QAction*> panel_actions() const override { return {compare_}; }
   bool busy() const override { return job_.busy(); }
-  /// Reads and simulates it on another thread, again whenever the current run changes.
+  /// Reads and simulates it on another thread, again after each change of the current run.
   void compare_with(const std::filesystem::path& older);
   void cancel() { job_.cancel(); }
 
-  /// Null until it is known.
+  /// Null until it is computed.
   const ProgramDifference* difference() const { return found_ ? &found_->difference : nullptr; }
   QTreeWidget& tree() { return *tree_; }
   QString conclusion() const;
 
  signals:
-  /// In the run of the program that is open [s].
+  /// In the run of the open program [s].
   void place_chosen(double time, double from, double to);
 
  private:
@@ -61,7 +61,7 @@ class VersionsView : public Panel {
   QProgressBar* progress_;
   QPushButton* choose_;
   QAction* compare_;
-  std::filesystem::path older_;  ///< empty: none is compared with
+  std::filesystem::path older_;  ///< empty: no comparison
   std::shared_ptr<const ShownRun> shown_;
   std::optional<Found> found_;
   Job<Found> job_;

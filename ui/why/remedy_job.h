@@ -9,21 +9,21 @@
 
 namespace feedscope::ui {
 
-/// What is to be tried on a run, and the blocks whose time is asked for besides the cycle time.
+/// Changes to try on a run, and the blocks whose time is computed in addition to the cycle time.
 struct RemedyRequest {
   Run run;
   std::vector<Remedy> remedies;
   SegmentRange here;
 };
 
-/// What one of them gives.
+/// Result of one trial.
 struct RemedyTrial {
   double cycle_time = 0;    ///< [s]
   double passage_time = 0;  ///< of RemedyRequest::here [s]
-  QString failure;          ///< why there is no result; "" if there is one
+  QString failure;          ///< reason without a result; "" otherwise
 };
 
-/// Simulates a run with one change after another on another thread. A new request drops the one under way.
+/// Simulates a run with one change after another on another thread. A new request cancels the running one.
 /// All signals in the thread of this object.
 class RemedyJob : public QObject {
   Q_OBJECT

@@ -13,9 +13,9 @@ namespace feedscope::ui {
 
 namespace {
 
-constexpr double nothing = 5e-4;  // a gain that no digit shows [s]
+constexpr double nothing = 5e-4;  // a gain below the last digit [s]
 
-/// "" where it would be 0.0.
+/// "" if it rounds to 0.0.
 QString percent_text(double change, double of) {
   constexpr double least = 0.05;
   const double percent = of > 0 ? 100 * std::abs(change) / of : 0;

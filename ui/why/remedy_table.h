@@ -8,8 +8,7 @@
 
 namespace feedscope::ui {
 
-/// Changes that were tried on a run and what they gain: a row a change, those that gain most first once all
-/// are there.
+/// Changes tried on a run and their gains: one row each, the largest gain first once all are tried.
 class RemedyTable : public QAbstractTableModel {
   Q_OBJECT
 
@@ -22,9 +21,9 @@ class RemedyTable : public QAbstractTableModel {
   void begin(const Setup& setup, const std::vector<Remedy>& remedies, const RemedyTrial& before);
   void clear();
   void set_trial(std::size_t remedy, const RemedyTrial& trial);
-  /// By what they gain, those without result last.
+  /// Sorts by gain, rows without a result last.
   void sort_by_gain();
-  /// Of a row; none for a row that is not there.
+  /// The remedy of a row; none for a missing row.
   const Remedy* remedy(int row) const;
 
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -34,7 +33,7 @@ class RemedyTable : public QAbstractTableModel {
 
  private:
   struct Row {
-    std::size_t number = 0;  ///< of the remedy, as it was asked for
+    std::size_t number = 0;  ///< index of the remedy in the request
     Remedy remedy;
     QString title;
     std::optional<RemedyTrial> trial;

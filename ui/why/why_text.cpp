@@ -16,7 +16,7 @@ namespace feedscope::ui {
 
 namespace {
 
-/// What rounding leaves of nothing, in the units of people: 1 nm, 1 ns, 1 nm/s and the like.
+/// Removes rounding errors around zero, in display units: 1 nm, 1 ns, 1 nm/s and the like.
 double without_noise(double value, Dimension dimension) {
   constexpr double least = 1e-6;  // mm, mm/s, mm/s2, mm/s3; rad
   constexpr double instant = 1e-9;
@@ -52,7 +52,7 @@ QString turn_kind_sentence(Cause cause) {
   return text.arg(axis_text(cause));
 }
 
-/// The axis that the numbers of the formula are of.
+/// The axis of the numbers in the formula.
 QString axis_of_formula(const Reason& reason) {
   const auto of_axis = [](const Quantity& quantity) { return quantity.axis >= 0; };
   const auto found = std::ranges::find_if(reason.formula.numbers, of_axis);
@@ -72,7 +72,7 @@ QString percent(const Reason& reason, Symbol symbol) {
                           : QStringLiteral("%1 %").arg(significant_number(100 * found->value, 3));
 }
 
-/// What turning leaves of a limit of the axis for changes of speed; "" where the formula says something else.
+/// The share of an axis limit that turning leaves for changes of speed; "" for another formula.
 QString turn_ramp_sentence(const Reason& reason) {
   const bool rotary = reason.cause.axis >= static_cast<std::int8_t>(known_axes.size());
   const auto filled = [&](const QString& text, Symbol of_rotary, Symbol of_linear) {
@@ -108,7 +108,7 @@ QString turn_ramp_sentence(const Reason& reason) {
   }
 }
 
-/// With the limit and the speed of the axis where a formula has them, and how near the singular place is.
+/// With limit and speed of the axis if the formula contains them, and the distance of the singular place.
 QString turn_sentence(const Reason& reason) {
   QString text = turn_kind_sentence(reason.cause);
   const bool velocity = reason.formula.id == FormulaId::turning_velocity;
@@ -138,7 +138,7 @@ QString turn_sentence(const Reason& reason) {
   return text;
 }
 
-/// Powers and indices as such, Greek letters by their signs.
+/// Powers as superscripts, indices as subscripts, Greek letters as signs.
 QString as_rich_text(const QString& plain) {
   QString text = plain.toHtmlEscaped();
   static const QRegularExpression power(QStringLiteral("\\^(?:\\((\\d+/\\d+)\\)|(\\d+))"));
@@ -272,7 +272,8 @@ QString WhyText::tolerance_sentence(const Reason& reason) {
                        .arg(number(reason.formula.value(), Dimension::length), tolerance);
 }
 
-/// Of a model whose joints take a part of the acceleration: the arc is one that it runs, or there is none.
+/// For a model whose junctions take a part of the acceleration: the formula is of an executed arc, or there
+/// is none.
 bool WhyText::is_of_joints(const Reason& reason) {
   return reason.formula.id == FormulaId::shared_radial_acceleration ||
          (reason.formula.empty() && reason.reached == 0);

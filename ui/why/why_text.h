@@ -7,7 +7,7 @@
 
 namespace feedscope::ui {
 
-/// What the "Why here?" panel says, in the language and with the numbers of the user.
+/// Texts of the "Why here?" panel, in the language and with the numbers of the user.
 class WhyText {
   Q_DECLARE_TR_FUNCTIONS(WhyText)
 
@@ -16,20 +16,20 @@ class WhyText {
   static QString cause(Cause cause);
   /// One sentence with its numbers.
   static QString sentence(const Explanation& why);
-  /// The same of a slower place ahead.
+  /// A sentence on a slower place ahead.
   static QString sentence(const SlowerPlace& ahead, const State& now);
-  /// Of a place that is slow by `cause`, with `why` = explain() of an instant that it rules or before.
+  /// For a place that is slow by `cause`, with `why` = explain() at a time when that is active, or before.
   static QString sentence(Cause cause, const Explanation& why);
-  /// Where the drives make most of the contour error at an instant of `actual`; "" where they do not, and
-  /// without drives (null).
+  /// Sentence if the drives make most of the contour error at an instant of `actual`; else "", also without
+  /// drives (null).
   static QString drives(const ActualPath* actual, const State& state);
   /// The formula as rich text: symbols, then numbers and result; "" without one.
   static QString formula(const Reason& reason);
-  /// "Tapie 2007, eq 10 and 11", or who else asks for it.
+  /// "Tapie 2007, eq 10 and 11", or another source of the limit.
   static QString source(const Reason& reason);
   /// "2 008 mm/min".
   static QString speed(double value);
-  /// With the unit of people: "2.5 mm", "10 m/s³".
+  /// With its display unit: "2.5 mm", "10 m/s³".
   static QString number(double value, Dimension dimension);
 
  private:

@@ -29,7 +29,7 @@ namespace feedscope::ui {
 
 namespace {
 
-// Up to here changes are tried without being asked for.
+// Up to these, changes are tried without a request.
 constexpr std::size_t short_program = 20'000;  // [blocks]
 constexpr double short_simulation = 0.3;       // [s]
 constexpr auto resting_time = std::chrono::milliseconds(500);
@@ -41,7 +41,7 @@ QColor colour_of(Cause cause) {
                           static_cast<float>(colour[2]));
 }
 
-/// A square of the colour that the cause has in scene and charts.
+/// A square in the colour of the cause in scene and charts.
 QIcon icon_of(Cause cause) {
   constexpr int size = 12;
   QPixmap square(size, size);
@@ -55,7 +55,7 @@ QString plain(const QString& rich) {
   return document.toPlainText();
 }
 
-/// A panel of its own colour for formulas.
+/// A box with its own background for formulas.
 QFrame* make_box(QWidget* parent) {
   auto* box = new QFrame(parent);
   box->setFrameShape(QFrame::StyledPanel);
@@ -79,7 +79,7 @@ WhyView::WhyView(Cursor& cursor, QWidget* parent)
   lay_out();
   connect(&cursor_, &Cursor::changed, this, &WhyView::note_change);
   connect(&rest_, &QTimer::timeout, this, [this] {
-    if (is_seen()) {  // not hidden since: only a command may bring the panel up
+    if (is_seen()) {  // only a command may bring a hidden panel up
       try_remedies();
     }
   });
@@ -126,7 +126,7 @@ QLabel* WhyView::add_label(QWidget* parent) {
   auto* label = new QLabel(parent);
   label->setWordWrap(true);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-  label->setMinimumSize(1, 1);  // else the height that the text would have at its narrowest counts
+  label->setMinimumSize(1, 1);  // else the height at the narrowest width would count
   label->setFocusPolicy(Qt::NoFocus);
   parent->layout()->addWidget(label);
   return label;
@@ -158,7 +158,7 @@ void WhyView::make_table() {
   table_->horizontalHeader()->setHighlightSections(false);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(RemedyTable::change, QHeaderView::Stretch);
-  // Queued: the header says that a row has grown before its own length counts it.
+  // Queued: the header announces a higher row before its own length includes it.
   const QHeaderView* rows = table_->verticalHeader();
   connect(rows, &QHeaderView::geometriesChanged, this, &WhyView::fit_table, Qt::QueuedConnection);
   connect(rows, &QHeaderView::sectionResized, this, &WhyView::fit_table, Qt::QueuedConnection);
@@ -262,7 +262,7 @@ void WhyView::note_change() {
     return;
   }
   for (QAction* action : {before_action_, after_action_, ahead_action_, help_action_}) {
-    action->setEnabled(shown_ != nullptr && cursor_.valid());  // they look themselves when they are wanted
+    action->setEnabled(shown_ != nullptr && cursor_.valid());  // they check again when they are triggered
   }
 }
 

@@ -19,11 +19,11 @@ class QToolButton;
 
 namespace feedscope::ui {
 
-/// Why the tool is not faster at the cursor: the limiting cause in a sentence with its numbers and formula,
-/// the slower place ahead, the causes before and after, and what would help, tried by simulating it.
+/// Reason why the tool is not faster at the cursor: the limiting cause in a sentence with its numbers and
+/// formula, the slower place ahead, the causes before and after, and helpful changes, tried by simulation.
 ///
-/// Moving the cursor simulates nothing. Changes are tried when asked for, or by themselves once the cursor
-/// rests, where the program is short enough.
+/// Moving the cursor simulates nothing. Changes are tried on request, or when the cursor is at rest and the
+/// program is short enough.
 class WhyView : public Panel {
   Q_OBJECT
 
@@ -32,35 +32,36 @@ class WhyView : public Panel {
   explicit WhyView(Cursor& cursor, QWidget* parent = nullptr);
 
   void follow(Workbench& workbench) override;
-  /// The run that the cursor points into, and the setup that it was made with; null: none.
+  /// The cursor's run and its setup; null: none.
   void set_run(std::shared_ptr<const ShownRun> shown, const SetupState& setup);
 
   /// Null for none.
   const std::shared_ptr<const ShownRun>& shown() const { return shown_; }
 
-  /// Whether the panel can be seen when it is shown: not while another one lies on top of it.
+  /// Whether the panel is visible when shown: not while another one covers it.
   void set_on_screen(bool on_screen) override;
   bool is_seen() const { return on_screen_ && isVisible(); }
 
-  /// Tries what would help at the cursor.
+  /// Tries changes that may help at the cursor.
   void try_remedies();
   bool busy() const override { return job_.busy(); }
 
-  /// To the causes before and after, to the slower place ahead, what would help, a run with the change.
+  /// Commands for the causes before and after, the slower place ahead, trying changes, and a run with a
+  /// change.
   QList<QAction*> panel_actions() const override { return actions_; }
   RemedyTable& remedies() { return *table_model_; }
   QTableView* table() { return table_; }
-  /// What is shown, as plain text.
+  /// The shown text as plain text.
   QString cause_text() const;
   QString sentence_text() const;
-  /// What the drives do here; empty where they make little of the contour error.
+  /// Effect of the drives here; empty if they make little of the contour error.
   QString drives_text() const;
   QString formula_text() const;
 
  signals:
-  /// A place that has been chosen [s].
+  /// The user has chosen a place [s].
   void time_chosen(double time);
-  /// A run with this setup is wanted beside the current one.
+  /// Requests a new run with this setup.
   void run_wanted(const feedscope::ui::SetupState& setup);
 
  protected:
@@ -69,7 +70,7 @@ class WhyView : public Panel {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  /// What has no room in the panel is in the tips of the buttons.
+  /// Shortens the buttons to fit the panel; their tooltips have the full text.
   void fit_buttons();
   QLabel* add_label(QWidget* parent);
   QAction* add_action(const QString& text, const QString& tip, const QKeySequence& key,
@@ -111,7 +112,7 @@ class WhyView : public Panel {
 
   RemedyJob job_;
   RemedyTable* table_model_;
-  QTimer rest_;  ///< until the cursor counts as resting
+  QTimer rest_;  ///< until the cursor is considered at rest
 
   QLabel* heading_;
   QLabel* place_;

@@ -6,14 +6,13 @@
 
 namespace feedscope::ui {
 
-/// A command with the menu it stands in.
+/// A command with the menu that contains it.
 struct ListedAction {
   QString place;  ///< "View › Standard views"
   QAction* action = nullptr;
 };
 
-/// Every command of the window: menu, name, keys. What the command palette searches and the list of keys
-/// shows.
+/// All commands of the window: menu, name, keys. Source of the command palette and the list of keys.
 class ActionTable : public QAbstractTableModel {
   Q_OBJECT
 

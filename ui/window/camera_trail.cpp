@@ -9,9 +9,9 @@ namespace feedscope::ui {
 
 namespace {
 
-constexpr double least_beside = 0.2;  // of a place, before and behind it [s]
+constexpr double least_beside = 0.2;  // before and after a place [s]
 constexpr std::size_t most_kept = 50;
-constexpr double edge = 0.05;  // of the view, where a place is hardly seen
+constexpr double edge = 0.05;  // of the view, where a place is hardly visible
 
 }  // namespace
 

@@ -10,8 +10,8 @@ class QAction;
 
 namespace feedscope::ui {
 
-/// The camera goes with the cursor: to a place that was chosen in another panel, and in playback after a
-/// cursor that leaves the view. What was in view before a jump can be had back.
+/// Makes the camera follow the cursor: to a place chosen in another panel, and in playback after a cursor
+/// that leaves the view. The view before a jump can be restored.
 class CameraTrail : public QObject {
   Q_OBJECT
 
@@ -22,7 +22,7 @@ class CameraTrail : public QObject {
   QAction* back() const { return back_; }
 
  public slots:
-  /// Brings the cursor into view.
+  /// Moves the cursor into view.
   void follow_cursor();
 
  private:
@@ -33,7 +33,7 @@ class CameraTrail : public QObject {
   Workbench& workbench_;
   SceneView& scene_;
   QAction* back_;
-  std::vector<CameraState> before_;  ///< the last one last
+  std::vector<CameraState> before_;  ///< the latest last
 };
 
 }  // namespace feedscope::ui

@@ -38,7 +38,7 @@ QTableView* make_list(QAbstractItemModel* model, QWidget* parent) {
   return list;
 }
 
-/// The names are what is looked for; a deep menu takes no room from them.
+/// Limits the column of menus: the user searches for names.
 void fit_places(QTableView& list, int width) {
   constexpr double largest_share = 0.28;
   list.resizeColumnToContents(ActionTable::place);
@@ -46,7 +46,7 @@ void fit_places(QTableView& list, int width) {
                                                    static_cast<int>(largest_share * width)));
 }
 
-/// Rows that hold every word, in any order, in menu, name or what the command does.
+/// Matches rows with all words, in any order, in menu, name or description.
 QRegularExpression all_words(const QString& words) {
   QString pattern;
   for (const QString& word : words.split(' ', Qt::SkipEmptyParts)) {
@@ -55,8 +55,8 @@ QRegularExpression all_words(const QString& words) {
   return QRegularExpression(pattern, QRegularExpression::CaseInsensitiveOption);
 }
 
-/// Filters by menu, name, tip and everyday words together; what has the words in its menu or name comes
-/// first, else the order of the menus stays.
+/// Filters by menu, name, tooltip and everyday words together; matches in menu or name come first, otherwise
+/// in menu order.
 class Found : public QSortFilterProxyModel {
  public:
   explicit Found(QObject* parent) : QSortFilterProxyModel(parent) { sort(0); }
@@ -133,7 +133,7 @@ void CommandPalette::run() {
   if (action == nullptr) {
     return;
   }
-  // Who looks for a panel wants to see it: it comes to the front, where its menu entry would close it.
+  // A panel that is searched for comes to the front, where its menu entry would close it.
   if (auto* panel = qobject_cast<QDockWidget*>(action->parent());
       panel != nullptr && panel->toggleViewAction() == action) {
     panel->show();
@@ -192,7 +192,7 @@ void KeyList::show_keys(QList<ListedAction> actions) {
   activateWindow();
 }
 
-/// The window has Esc for a command of its own, which would be called from here.
+/// Keeps Esc from the window's own command.
 bool KeyList::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride &&
       static_cast<QKeyEvent*>(event)->matches(QKeySequence::Cancel)) {

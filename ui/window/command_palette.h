@@ -17,7 +17,7 @@ class CommandPalette : public QFrame {
  public:
   explicit CommandPalette(QWidget* window);
 
-  /// Opens over the middle of the window with `actions` to choose from.
+  /// Opens over the centre of the window with `actions` to choose from.
   void ask(QList<ListedAction> actions);
   QLineEdit* input() { return input_; }
   QTableView* list() { return list_; }
@@ -35,13 +35,13 @@ class CommandPalette : public QFrame {
   QTableView* list_;
 };
 
-/// The commands that have keys, and what the mouse does, in a window of its own; Esc closes it.
+/// The commands with keys, and the mouse gestures, in a separate window; Esc closes it.
 class KeyList : public QWidget {
   Q_OBJECT
 
  public:
   explicit KeyList(QWidget* window);
-  /// Opens over the middle of the window.
+  /// Opens over the centre of the window.
   void show_keys(QList<ListedAction> actions);
 
  protected:

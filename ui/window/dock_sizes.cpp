@@ -43,7 +43,7 @@ void DockSizes::note(QDockWidget& dock) {
   }
 }
 
-/// Of the tabs above it, which are not part of a panel, but of what QMainWindow::resizeDocks() sizes.
+/// Height of the tabs above a dock, which are not part of it, but of the sizes in QMainWindow::resizeDocks().
 int DockSizes::tab_height(const QDockWidget& dock) const {
   const auto bars = window_.findChildren<QTabBar*>(Qt::FindDirectChildrenOnly);
   const auto above = std::ranges::find_if(bars, [&](const QTabBar* bar) {
@@ -62,7 +62,7 @@ void DockSizes::adopt(Side& side, const QDockWidget& dock) const {
 }
 
 QDockWidget* DockSizes::shown_on(const Side& side) const {
-  // The last of those that share a place by tabs is in front; the start page may cover them all.
+  // The last of those that share a place as tabs is in front; the start page may cover them all.
   QDockWidget* front = nullptr;
   for (QDockWidget* dock : window_.findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly)) {
     if (!dock->isFloating() && dock->isVisible() && window_.dockWidgetArea(dock) == side.area) {
@@ -89,8 +89,8 @@ void DockSizes::follow_first_layout() {
   resized_.start();
 }
 
-/// A layout may have been restored before the window was shown; what does not have its size only because the
-/// window is small is to have it later.
+/// A layout may have been restored before the window was shown; panels reduced only because the window is
+/// small shall regain their size.
 void DockSizes::begin() {
   begun_ = true;
   for (Side& side : sides_) {
@@ -115,7 +115,7 @@ void DockSizes::apply() {
       window_.resizeDocks({dock}, {std::min(side.aim(window_), side.most(window_))}, side.orientation);
     }
   }
-  // The panels get their sizes with the next turn of the event loop.
+  // The panels get their sizes in the next turn of the event loop.
   QTimer::singleShot(0, this, [this] { following_ = resized_.isActive(); });
 }
 

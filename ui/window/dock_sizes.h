@@ -8,24 +8,24 @@
 
 namespace feedscope::ui {
 
-/// Keeps the panels around the middle of a window as large as the user has made them wherever the window is
-/// large enough: a smaller one takes from them too, so that the middle stays usable, and gives it back when
-/// it grows. QMainWindow alone takes all from the middle, and what it had to take from panels never comes
-/// back. Until the user sizes them, what is right and below grows with the window. A window that is hardly
-/// wide enough shows a strip of what is left.
+/// Keeps the user's sizes of the panels around the centre of a window, if the window is large enough. A
+/// smaller window shrinks them too, so that the centre remains usable, and restores them when it grows.
+/// QMainWindow alone shrinks the centre only, and never restores sizes that it had to take from panels. Until
+/// the user resizes them, the right and lower panels grow with the window. In a window that is hardly wide
+/// enough, the left panel is a narrow strip.
 class DockSizes : public QObject {
   Q_OBJECT
 
  public:
-  /// Watches all panels that the window has now. `left`, `right`, `bottom`: what they have at first in a
-  /// window that is large enough [logical pixels].
+  /// Watches all panels of the window at this time. `left`, `right`, `bottom`: initial sizes in a window that
+  /// is large enough [logical pixels].
   DockSizes(QMainWindow& window, int left, int right, int bottom);
 
-  /// Another layout has been restored: its sizes are those that the user has made.
+  /// Another layout has been restored: its sizes are the user's.
   void follow_layout();
-  /// The layout of the beginning is back: the sizes too.
+  /// The initial layout has been restored, with its sizes.
   void follow_first_layout();
-  /// While paused, the sizes of the panels are somebody else's, and nothing is noted.
+  /// While paused, sizes of panels are set elsewhere and not recorded.
   void set_paused(bool paused) { paused_ = paused; }
 
  protected:
@@ -35,11 +35,11 @@ class DockSizes : public QObject {
   struct Side {
     Qt::DockWidgetArea area;
     Qt::Orientation orientation;
-    double usual_share;   ///< of the window's width or height, at most, unless the user wants more
-    double narrow_share;  ///< the same of a window that is hardly wide enough for all
-    int first;            ///< what it has at first [logical pixels]
-    double growth = 0;    ///< share of what the window is larger than usual, until the user sizes it
-    int wanted = first;   ///< as the user has it [logical pixels]
+    double usual_share;   ///< of the window's width or height, maximum unless the user chooses more
+    double narrow_share;  ///< as above, in a window that is hardly wide enough for all
+    int first;            ///< initial size [logical pixels]
+    double growth = 0;    ///< share of the window's additional size, until the user resizes it
+    int wanted = first;   ///< user's size [logical pixels]
     bool sized = false;   ///< by the user
     double largest_share = usual_share;
 
@@ -63,16 +63,16 @@ class DockSizes : public QObject {
   int tab_height(const QDockWidget& dock) const;
   void begin();
   void apply();
-  /// The panel of a side that is in front; null without one.
+  /// The front panel of a side; null without one.
   QDockWidget* shown_on(const Side& side) const;
 
   QMainWindow& window_;
   std::array<Side, 3> sides_;
   QTimer resized_;
   bool paused_ = false;
-  bool begun_ = false;      ///< the window has been laid out
-  bool restored_ = false;   ///< as the user once had it
-  bool following_ = false;  ///< sizes are the window's doing, not the user's
+  bool begun_ = false;      ///< whether the window has been laid out
+  bool restored_ = false;   ///< whether a user's layout was restored
+  bool following_ = false;  ///< whether sizes change by the window, not the user
 };
 
 }  // namespace feedscope::ui

@@ -11,12 +11,12 @@ class MainWindow;
 class WindowSession;
 class Workbench;
 
-/// Programs, sessions, machine files, pictures, films and reports: opened, saved, and asked for.
+/// Opens, saves and asks for programs, sessions, machine files, pictures, films and reports.
 class FileMenu : public QMenu {
   Q_OBJECT
 
  public:
-  /// All outlive this. `window` opens the files, and is what pictures show.
+  /// All outlive this. `window` opens the files, and is the subject of pictures.
   FileMenu(Workbench& workbench, WindowSession& session, MainWindow& window);
 
   QAction* open_program() const { return open_; }
@@ -24,23 +24,23 @@ class FileMenu : public QMenu {
   QAction* report() const { return report_; }
 
  public slots:
-  /// Where the program is that is open.
+  /// Starts in the folder of the open program.
   void ask_for_program();
-  /// Among those supplied with Feedscope.
+  /// Starts among the programs supplied with Feedscope.
   void ask_for_sample();
-  /// Of the program that is open, as it is shown now.
+  /// Asks for a report of the open program in its current view.
   void ask_for_report();
   void ask_for_picture();
   void ask_and_share();
-  /// The program that is open with its runs and annotations, as one page for a browser.
+  /// Writes the open program with its runs and annotations as one page for a browser.
   void share(const QString& file);
-  /// What the window shows.
+  /// Prints the contents of the window.
   void ask_and_print();
   void ask_for_film();
   void ask_for_machine();
 
  signals:
-  /// For the status bar.
+  /// Message for the status bar.
   void done(const QString& message);
   void failed(const QString& message);
 
@@ -49,10 +49,10 @@ class FileMenu : public QMenu {
   void add_sessions();
   void add_machines();
   void add_paper();
-  /// `menu`: below this one; null: here.
+  /// `menu`: a submenu of this one; null: this menu.
   QAction* add(const QString& text, const QKeySequence& key, const QString& tip, QMenu* menu = nullptr);
   void list_recent_files(QMenu* menu);
-  /// `folder`: where the search begins.
+  /// `folder`: initial folder.
   void ask_for_program_in(const QString& folder);
   void ask_how_to_read();
   void save_machine();

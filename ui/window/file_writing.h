@@ -8,7 +8,7 @@
 
 namespace feedscope::ui {
 
-/// Writes the file of a dialog by a command of the command line, and says in the dialog how it goes.
+/// Writes the file of a dialog by a command of the command line, and shows its progress in the dialog.
 class FileWriting : public QObject {
   Q_OBJECT
 
@@ -17,17 +17,17 @@ class FileWriting : public QObject {
   FileWriting(const QString& executable, const QStringList& command, StateLine& state,
               QObject* parent = nullptr);
 
-  /// `option` of the command takes the name of `file`.
+  /// `option` of the command gets the name of `file`.
   void start(const QStringList& arguments, const QString& option, const QString& file);
-  /// What was begun is removed. No signal follows.
+  /// Removes the partial file. No signal follows.
   void cancel() { process_.cancel(); }
   bool busy() const { return process_.busy(); }
 
  signals:
   void progressed(double fraction);
-  /// Written, or failed, which the dialog then says.
+  /// Written, or failed with a message in the dialog.
   void ended();
-  /// For the status bar.
+  /// Message for the status bar.
   void saved(const QString& message);
 
  private:

@@ -42,12 +42,12 @@ const QString film_session = QStringLiteral("film.feedscope");
 const QString video = QStringLiteral("ogv");
 const QString series = QStringLiteral("png");
 
-/// Even in width and height.
+/// The size rounded down to even width and height.
 QString even_size_text(const QSize& size) {
   return QStringLiteral("%1x%2").arg(size.width() / 2 * 2).arg(size.height() / 2 * 2);
 }
 
-/// In the digits that the field has.
+/// Rounds down to the digits of the field.
 double shown_down(double value, int decimals) {
   const double unit = std::pow(10, decimals);
   return std::floor(value * unit + 1e-6) / unit;
@@ -148,7 +148,7 @@ QWidget* FilmDialog::make_form() {
   speed_->setToolTip(tr("Seconds of the run in a second of the film; 1 is real time"));
   fps_->setRange(1, most_frames_a_second);
   for (QAbstractSpinBox* box : std::initializer_list<QAbstractSpinBox*>{from_, to_, speed_, fps_, trail_}) {
-    box->setKeyboardTracking(true);  // what is typed shows how long the film will be
+    box->setKeyboardTracking(true);  // input shows the length of the film at once
   }
   size_->setEditable(true);
   size_->setInsertPolicy(QComboBox::NoInsert);
@@ -214,7 +214,7 @@ void FilmDialog::show_stretch(const Interval& stretch) {
   follow_stretch();
 }
 
-/// Speed and trail follow until the user chooses them.
+/// Updates speed and trail until the user chooses them.
 void FilmDialog::follow_stretch() {
   if (!own_speed_) {
     const QSignalBlocker blocker(speed_);

@@ -21,18 +21,17 @@ class LanguageBox;
 class NumberBox;
 class WholeNumberBox;
 
-/// Asks which stretch of the run is to be filmed and how, says while that is typed how long the film will be,
-/// and makes it by `feedscope render --film` in a process of its own. What was chosen is remembered, but for
-/// the stretch.
+/// Asks for the range of the run and the options of a film, shows its length during input, and makes it by
+/// `feedscope render --film` in a separate process. Choices except the range are stored.
 class FilmDialog : public QDialog {
   Q_OBJECT
 
  public:
   struct Subject {
-    Session session;      ///< as it is shown now
+    Session session;      ///< in its current state
     double duration = 0;  ///< of its current run [s]
-    Interval shown{};     ///< what the charts show of it [s]
-    QSize scene;          ///< of the 3D view, offered as a size [px]
+    Interval shown{};     ///< range of the charts [s]
+    QSize scene;          ///< of the 3D view, an offered size [px]
   };
 
   /// `executable`: as of CommandProcess.
@@ -40,22 +39,22 @@ class FilmDialog : public QDialog {
   ~FilmDialog() override;
 
   FilmWish wish() const;
-  /// Shows these choices.
+  /// Sets these choices.
   void choose(const FilmWish& wish);
   bool busy() const { return making_.busy(); }
-  /// How long the film will be, or why there is none.
+  /// Length of the film, or the reason why there is none.
   QString length_text() const;
-  /// What went wrong last, or what has been written.
+  /// The last error, or the written file.
   QString state() const;
-  /// Beside the program: the next name that is free.
+  /// The next free name in the program's folder.
   QString proposed_file() const;
-  /// A video by a file's name, a series of pictures by a pattern, as --film. done or state() follows.
+  /// A video by a file's name, a series of pictures by a pattern, as --film. done() or state() follows.
   void save(const QString& file);
-  /// What was begun is removed.
+  /// Removes the partial files.
   void cancel();
 
  signals:
-  /// For the status bar.
+  /// Message for the status bar.
   void saved(const QString& message);
 
  private:
@@ -85,8 +84,8 @@ class FilmDialog : public QDialog {
   QProgressBar* progress_;
   QPushButton* save_;
   QPushButton* cancel_;
-  bool own_speed_ = false;  ///< the user chose it; otherwise it follows the stretch
-  bool own_trail_ = false;  ///< the same; otherwise it follows the speed
+  bool own_speed_ = false;  ///< chosen by the user; otherwise it follows the range
+  bool own_trail_ = false;  ///< chosen by the user; otherwise it follows the speed
   FileWriting making_;
 };
 

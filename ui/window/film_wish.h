@@ -7,17 +7,17 @@
 
 namespace feedscope::ui {
 
-/// What a film is to be like; keys and sizes in the words of `feedscope render`.
+/// Options of a film; keys and sizes in the words of `feedscope render`.
 struct FilmWish {
   FilmTimes times;
   double trail = 0;     ///< [s] of the run; 0: none
   bool charts = false;  ///< below the view
   QString size = QStringLiteral("1280x720");
-  QString theme;     ///< light, dark; empty: as in the window
+  QString theme;     ///< light, dark; empty: the window's
   QString language;  ///< empty: English
 };
 
-/// Arguments of `feedscope render` that film a session file so: all but --film.
+/// Arguments of `feedscope render` for such a film of a session file, without --film.
 QStringList film_arguments(const FilmWish& wish, const QString& session);
 
 }  // namespace feedscope::ui

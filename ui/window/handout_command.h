@@ -14,9 +14,9 @@ class QAction;
 
 namespace feedscope::ui {
 
-/// Hand-outs of the open lesson as files to print, with pictures, made by `feedscope lessons` in a process of
-/// its own: the window goes on, and the pages are those of the command line, in the language of the lesson.
-/// What was written and tried in the window is on those that are not for the teacher.
+/// Hand-outs of the open lesson as files for printing, with pictures, made by `feedscope lessons` in a
+/// separate process: the window remains usable, and the pages are those of the command line, in the language
+/// of the lesson. Copies that are not for the teacher contain the answers and tries of the window.
 class HandoutCommand : public QObject {
   Q_OBJECT
 
@@ -24,12 +24,13 @@ class HandoutCommand : public QObject {
   /// `desk` outlives this. `executable`: the program with the command `lessons`.
   HandoutCommand(const LessonDesk& desk, QString executable, QWidget& window);
 
-  /// For learners, for the teacher, for everybody; each asks for the file. Enabled while a lesson is open.
+  /// Actions for learners, for the teacher, for everybody; each asks for the file. Enabled while a lesson is
+  /// open.
   QList<QAction*> actions() const { return actions_; }
-  /// PDF or HTML by the ending of `file`. done() or failed() follows. One at a time: another one ends the one
-  /// under way.
+  /// PDF or HTML by the ending of `file`. done() or failed() follows. One at a time: a new one cancels the
+  /// running one.
   void write(HandoutReader reader, const QString& file);
-  /// Arguments of `feedscope lessons` for a hand-out of the open lesson, without where it goes.
+  /// Arguments of `feedscope lessons` for a hand-out of the open lesson, without the output file.
   static QStringList arguments(const Lesson& lesson, HandoutReader reader);
 
  signals:
@@ -44,7 +45,7 @@ class HandoutCommand : public QObject {
   QWidget& window_;
   QList<QAction*> actions_;
   CommandProcess process_;
-  std::unique_ptr<QTemporaryFile> work_;  ///< of the learner, for the process under way
+  std::unique_ptr<QTemporaryFile> work_;  ///< of the learner, for the running process
   QString file_;
 };
 

@@ -11,7 +11,7 @@ namespace feedscope::ui {
 class HandbookWindow;
 class Panel;
 
-/// Handbook, lessons, and every command by its name and key.
+/// Handbook, lessons, and all commands by name and key.
 class HelpMenu : public QMenu {
   Q_OBJECT
 
@@ -19,7 +19,7 @@ class HelpMenu : public QMenu {
   /// Both outlive this.
   HelpMenu(Panel& lessons, QMainWindow& window);
 
-  /// Every command of the menus, in their order.
+  /// All commands of the menus, in order.
   QList<ListedAction> commands() const;
   void show_first_steps();
 

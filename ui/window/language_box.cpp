@@ -20,7 +20,7 @@ void LanguageBox::choose(const QString& code) {
 }
 
 QString own_name_of_language(const QString& code) {
-  // Of no country: "English" rather than "American English".
+  // Without a country: "English" rather than "American English".
   const QString name = QLocale(QLocale(code).language(), QLocale::World).nativeLanguageName();
   return name.left(1).toUpper() + name.mid(1);
 }

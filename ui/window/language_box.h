@@ -4,7 +4,7 @@
 
 namespace feedscope::ui {
 
-/// Asks for the language of a page or picture, each by its own name; at first that of the window.
+/// Asks for the language of a page or picture, each by its own name; initially that of the window.
 class LanguageBox : public QComboBox {
   Q_OBJECT
 
@@ -13,11 +13,11 @@ class LanguageBox : public QComboBox {
 
   /// The code, "fr".
   QString language() const { return currentData().toString(); }
-  /// One that is not offered changes nothing.
+  /// Ignores a language that is not offered.
   void choose(const QString& code);
 };
 
-/// What a language is called in itself, with a capital: "Français".
+/// A language's name for itself, with a capital: "Français".
 QString own_name_of_language(const QString& code);
 
 }  // namespace feedscope::ui

@@ -7,12 +7,13 @@
 
 namespace feedscope::ui {
 
-/// The lessons of each of the two courses in their order, then the commands of the lesson that is open.
+/// The lessons of each of the two courses in order, then the commands of the open lesson.
 class LessonMenu : public QMenu {
   Q_OBJECT
 
  public:
-  /// `desk` outlives this. `commands`: of the open lesson; `handouts`: of it on paper; `unlock`: of all.
+  /// `desk` outlives this. `commands`: of the open lesson; `handouts`: its hand-outs; `unlock`: for all
+  /// lessons.
   LessonMenu(LessonDesk& desk, const QList<QAction*>& commands, const QList<QAction*>& handouts,
              QAction* unlock, QWidget* parent);
 

@@ -20,7 +20,7 @@ bool is_machine_file(const std::filesystem::path& file) {
   return to_qstring(file).endsWith(QStringLiteral(".toml"), Qt::CaseInsensitive);
 }
 
-/// As format() writes it, in the user's language.
+/// As format(), in the user's language.
 QString note_text(const Diagnostic& note, const QString& file) {
   QString place = note.file.empty() ? file : QString::fromStdString(note.file);
   if (note.line > 0) {

@@ -12,22 +12,22 @@ namespace feedscope::ui {
 
 class Workbench;
 
-/// Opens machine files, and offers the machine that the configuration of a control describes.
+/// Opens machine files, and imports a machine from the configuration of a control.
 class MachineOpening : public QObject {
   Q_OBJECT
 
  public:
-  /// Both outlive this; questions are asked over `window`.
+  /// Both outlive this; questions appear over `window`.
   MachineOpening(Workbench& workbench, QWidget& window);
 
-  /// Whether a file is for open(): a machine file by the end of its name, a configuration by its content.
+  /// Whether open() accepts a file: a machine file by its ending, a configuration by its contents.
   static bool is_machine(const std::filesystem::path& file);
-  /// The current run goes to the machine of the file. For a configuration this is asked first, with how much
-  /// of the machine is known; what was not understood is told when it is done.
+  /// Moves the current run to the machine of the file. For a configuration, first asks and states how much of
+  /// the machine is known; values that were not understood are reported afterwards.
   void open(const std::filesystem::path& file);
 
  signals:
-  /// What a configuration does not say, or says wrong.
+  /// A missing or wrong value in a configuration.
   void noted(Severity severity, const QString& message);
   void failed(const QString& message);
 

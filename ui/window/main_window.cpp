@@ -183,13 +183,13 @@ void MainWindow::make_docks() {
   resizeDocks({&dock_of(*charts_)}, {charts_height}, Qt::Vertical);
 }
 
-/// As a tab of the first one in its area.
+/// Adds the panel as a tab of the first one in its area.
 void MainWindow::add_dock(Panel& panel) {
   const Panel::Place& place = panel.place();
   auto* dock = new QDockWidget(place.title, this);
   dock->setObjectName(place.id);
   const bool scrolls =
-      place.area == Qt::BottomDockWidgetArea && &panel != charts_;  // those scroll themselves
+      place.area == Qt::BottomDockWidgetArea && &panel != charts_;  // these scroll themselves
   dock->setWidget(scrolls ? static_cast<QWidget*>(new PanelScroll(panel, dock)) : &panel);
   addDockWidget(place.area, dock);
   const auto first = std::ranges::find(panels_, place.area, [](Panel* p) { return p->place().area; });
@@ -208,7 +208,7 @@ void MainWindow::add_dock(Panel& panel) {
   connect(&panel, &Panel::failed, this, &MainWindow::show_failure);
 }
 
-/// In the window a tab names the panel, or it needs no name.
+/// Inside the window, a tab names the panel, or it needs no name.
 void MainWindow::show_title_bar(QDockWidget& dock, bool shown) {
   delete dock.titleBarWidget();
   dock.setTitleBarWidget(shown ? nullptr : new QWidget(&dock));
@@ -266,7 +266,7 @@ void MainWindow::make_menus() {
   QMenu* go = menuBar()->addMenu(tr("&Go"));
   auto* trail = new CameraTrail(workbench_, scene(), this);
   go->addAction(trail->back());
-  // Once the cursor is there.
+  // After the cursor has moved.
   connect(&program_->view(), &ProgramView::line_chosen, trail, &CameraTrail::follow_cursor,
           Qt::QueuedConnection);
   connect(charts_, &ChartsPanel::time_chosen, trail, &CameraTrail::follow_cursor, Qt::QueuedConnection);
@@ -328,7 +328,7 @@ void MainWindow::make_status() {
   });
 }
 
-/// What one panel asks of another.
+/// Connects requests between panels.
 void MainWindow::connect_panels() {
   ProgramView& program = program_->view();
   connect(&program, &ProgramView::caret_moved, this,
@@ -411,8 +411,8 @@ void MainWindow::restore_layout(const QByteArray& layout) {
   }
 }
 
-/// Of a window that is shown only: where QMainWindow restores a hidden maximised one it keeps a copy, to try
-/// again when the window has its size, and that copy is not told of what is restored in between.
+/// Restores into a visible window only. For a hidden maximised one, QMainWindow keeps a copy of the layout
+/// and restores it again once the window has its size, over layouts restored since.
 void MainWindow::apply_layout() {
   if (wanted_layout_.isEmpty() || presentation_->on()) {
     return;
@@ -459,7 +459,7 @@ void MainWindow::take_over(const Handover& before) {
 
 void MainWindow::show_program() {
   if (workbench_.program() == nullptr) {
-    statusBar()->clearMessage();  // it was about the program before
+    statusBar()->clearMessage();  // it concerned the previous program
   }
   show_title();
 }
@@ -527,7 +527,7 @@ std::optional<std::array<double, 2>> MainWindow::chosen_times() const {
 }
 
 void MainWindow::show_failure(const QString& message) {
-  start_page_->hide();  // the message stands below it
+  start_page_->hide();  // the message is below it
   diagnostics_->add_message(Severity::error, message);
   emit diagnostics_->attention_wanted();
   statusBar()->showMessage(message);
@@ -555,7 +555,7 @@ void MainWindow::childEvent(QChildEvent* event) {
 
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
   if (auto* tabs = qobject_cast<QTabBar*>(watched); tabs != nullptr && event->type() == QEvent::Move) {
-    // Qt keeps the tabs of an area with one panel outside of the window, where nobody sees the focus.
+    // Qt keeps the tabs of an area with one panel outside of the window, where the focus would be invisible.
     tabs->setFocusPolicy(tabs->x() < 0 ? Qt::NoFocus : Qt::TabFocus);
   }
   return QMainWindow::eventFilter(watched, event);

@@ -43,8 +43,8 @@ class TraceView;
 class VersionsView;
 class WhyView;
 
-/// The 3D view with the panels around it and their commands in menus. Panels follow the workbench by
-/// themselves: this docks them, and passes on what one asks of another.
+/// The 3D view with the panels around it and their commands in menus. Panels follow the workbench themselves:
+/// this docks them, and passes requests from one to another.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
@@ -56,34 +56,33 @@ class MainWindow : public QMainWindow {
   WindowSession& session() { return *session_; }
   SideBySide& scenes() { return *scenes_; }
   SceneView& scene() { return scenes_->first(); }
-  /// The one part of the window that is a Part: a panel, the bar that plays ...
+  /// The only part of the window of type Part: a panel, the playback bar ...
   template <class Part>
   Part& part() const {
     return *findChild<Part*>();
   }
-  /// Whether a panel is still working at what it shows, the run itself apart.
+  /// Whether a panel is still computing its contents, apart from the run itself.
   bool busy() const;
-  /// Opens a lesson in its panel, and what it begins with in all others.
+  /// Opens a lesson in its panel, and its initial contents in all others.
   void open_lesson(const std::filesystem::path& file);
-  /// A program, a session or a machine file by the end of its name, the configuration of a control and a
-  /// trace by their content; asks before what is not saved goes.
+  /// Opens a program, a session or a machine file by its ending, a control's configuration and a trace by
+  /// their contents; asks before discarding unsaved work.
   void open(const std::filesystem::path& file);
-  /// A machine file, or the configuration of a control.
+  /// Opens a machine file, or the configuration of a control.
   void open_machine(const std::filesystem::path& file);
   Presentation& presentation() const { return *presentation_; }
-  /// Where the panels stand, to be kept: with_checksum() of Presentation::usual_layout().
+  /// Layout of the panels, for saving: with_checksum() of Presentation::usual_layout().
   QByteArray layout_to_keep() const;
-  /// As QMainWindow::restoreState() of what was kept, ending a presentation, with sizes that hold when the
-  /// window becomes smaller and larger again; once the window is shown, if it is not. The default layout in
-  /// place of one that cannot be read or lacks a panel.
+  /// QMainWindow::restoreState() of a saved layout, which ends a presentation, with sizes that survive when
+  /// the window is made smaller and larger again; if the window is not shown yet, when it is. Uses the
+  /// default layout instead of one that is invalid or lacks a panel.
   void restore_layout(const QByteArray& layout);
-  /// What the window shows, to be shown again by another window on the same workbench, in another language or
-  /// other units.
+  /// State of the window, for another window on the same workbench, in another language or other units.
   struct Handover {
     QByteArray geometry;
     WindowSession::Kept session;
     PanelStates panels;
-    std::filesystem::path lesson;  ///< open; empty: none
+    std::filesystem::path lesson;  ///< the open one; empty: none
     std::size_t question = 0;
     std::optional<CircularShown> circular;
   };
@@ -91,9 +90,9 @@ class MainWindow : public QMainWindow {
   void take_over(const Handover& before);
 
  signals:
-  /// Of what is under way.
+  /// Requests to cancel the running work.
   void cancel_wanted();
-  /// The language or the units have been chosen: the window is to be made again.
+  /// The user has chosen a language or units: the window must be rebuilt.
   void remake_wanted();
 
  protected:
@@ -102,7 +101,7 @@ class MainWindow : public QMainWindow {
   void closeEvent(QCloseEvent* event) override;
   bool event(QEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
-  /// Tabs of panels keep their whole names: Qt would cut them to "Why h…".
+  /// Keeps the whole names on the tabs of panels: Qt would shorten them to "Why h…".
   void childEvent(QChildEvent* event) override;
 
  private:
@@ -122,7 +121,7 @@ class MainWindow : public QMainWindow {
   void show_title();
   void show_lesson(const LessonWindow& look);
   void show_failure(const QString& message);
-  /// From cursor A to cursor B of the charts, or all that they show [s].
+  /// From cursor A to cursor B of the charts, or their whole range [s].
   std::optional<std::array<double, 2>> chosen_times() const;
 
   Workbench& workbench_;
@@ -157,7 +156,7 @@ class MainWindow : public QMainWindow {
   Presentation* presentation_ = nullptr;
   QByteArray first_layout_;
   QByteArray wanted_layout_;  ///< to be restored once the window has its size; empty: none
-  QTimer settling_;           ///< runs while a window that has just been shown gets its size
+  QTimer settling_;           ///< runs while a new window gets its size
 };
 
 }  // namespace feedscope::ui

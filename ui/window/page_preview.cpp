@@ -22,7 +22,7 @@ PagePreview::PagePreview(QWidget* parent) : QScrollArea(parent) {
   setWidget(pages);
   setWidgetResizable(true);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // else pages and bar would chase each other
+  setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // else the widths of pages and bar would alternate
   setBackgroundRole(QPalette::Dark);
   pages->setBackgroundRole(QPalette::Dark);
   setAccessibleName(tr("Preview of the report"));

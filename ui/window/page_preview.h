@@ -9,14 +9,14 @@ class QVBoxLayout;
 
 namespace feedscope::ui {
 
-/// Pages below one another, as wide as there is room.
+/// Pages one below the other, as wide as the room permits.
 class PagePreview : public QScrollArea {
   Q_OBJECT
 
  public:
   explicit PagePreview(QWidget* parent = nullptr);
 
-  /// Stays at the same place of the text where it can.
+  /// Keeps the place in the text if possible.
   void set_pages(const QList<QImage>& pages);
   qsizetype count() const { return pages_.size(); }
 

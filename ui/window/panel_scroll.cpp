@@ -14,10 +14,10 @@ PanelScroll::PanelScroll(ui::Panel& panel, QWidget* parent) : QScrollArea(parent
 }
 
 QSize PanelScroll::minimumSizeHint() const {
-  // [px at the usual size of type]
+  // [px at the usual font size]
   constexpr QSize enough(260, 170);
   constexpr QSize for_others(520, 270);
-  constexpr double share = 0.8;  // of the height that the others leave
+  constexpr double share = 0.8;  // of the height left by the others
   const QSize window = this->window()->size();
   const int width = std::max(type_pixels(enough.width()), window.width() - type_pixels(for_others.width()));
   const int height = std::max(type_pixels(enough.height()),

@@ -6,12 +6,11 @@
 
 namespace feedscope::ui {
 
-/// A panel in its dock: as large as the dock, or as small as it can be and then to be scrolled. It asks for
-/// what the other parts of the window can spare, so that no panel makes the window larger than a small
-/// screen.
+/// A panel in its dock: as large as the dock, or as small as possible and scrolled. Requests the room that
+/// the other parts of the window can spare, so that no panel makes the window larger than a small screen.
 class PanelScroll : public QScrollArea {
  public:
-  /// Takes `panel`.
+  /// Takes ownership of `panel`.
   explicit PanelScroll(ui::Panel& panel, QWidget* parent = nullptr);
 
   QSize minimumSizeHint() const override;
@@ -24,7 +23,7 @@ class PanelScroll : public QScrollArea {
  private:
   void fit();
 
-  ui::Panel& panel_;  ///< QFrame has a Panel of its own
+  ui::Panel& panel_;  ///< QFrame has a member named Panel
 };
 
 }  // namespace feedscope::ui

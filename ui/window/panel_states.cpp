@@ -48,7 +48,7 @@ void keep_panel_states(MainWindow& window) {
   PanelStates states = panel_states(window);
   states.scene = for_any_path(states.scene);
   if (needs_reference(states.scene.colouring)) {
-    states.scene.colouring = Colouring::feed;  // the next program begins with one run
+    states.scene.colouring = Colouring::feed;  // the next program has one run at first
   }
   states.charts = for_any_run(states.charts);
   QSettings().setValue(settings_key, QJsonDocument(to_json(states)).toJson(QJsonDocument::Compact));

@@ -11,7 +11,7 @@ namespace feedscope::ui {
 
 class MainWindow;
 
-/// What the user has set in the window's panels, apart from their layout.
+/// The user's settings of the window's panels, apart from their layout.
 struct PanelStates {
   SceneState scene;
   ChartsState charts;
@@ -25,12 +25,12 @@ PanelStates panel_states(MainWindow& window);
 void set_panel_states(MainWindow& window, const PanelStates& states);
 
 QJsonObject to_json(const PanelStates& states);
-/// What is missing or wrong stays as it is in `states`.
+/// Missing or wrong values leave `states` unchanged.
 void read_json(const QJsonObject& json, PanelStates& states);
 
-/// Keeps for the next start what belongs to no program.
+/// Stores settings that do not belong to a program for the next start.
 void keep_panel_states(MainWindow& window);
-/// Gives back what was kept; nothing kept, or nothing readable: all stays as it is.
+/// Restores the stored settings; without valid ones nothing changes.
 void restore_panel_states(MainWindow& window);
 
 }  // namespace feedscope::ui

@@ -14,7 +14,7 @@ namespace feedscope::ui {
 
 namespace {
 
-/// `picture` with a line of text below it, all of `scale` pixels to a unit.
+/// `picture` with a line of text below it, both with `scale` pixels per unit.
 QImage captioned(const QImage& picture, const QString& caption, double scale) {
   const QFont font = QApplication::font();
   const QFontMetrics metrics(font);

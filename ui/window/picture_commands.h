@@ -9,7 +9,7 @@ namespace feedscope::ui {
 
 class MainWindow;
 
-/// Copies what the window shows to the clipboard: 3D view with its annotations, charts, or all of it.
+/// Copies the window's contents to the clipboard: 3D view with its annotations, charts, or everything.
 class PictureCommands : public QObject {
   Q_OBJECT
 
@@ -19,7 +19,7 @@ class PictureCommands : public QObject {
   explicit PictureCommands(MainWindow& window);
 
   QList<QAction*> actions() const { return actions_; }
-  /// As on the screen, without the cube of views; view and charts with a line below them that says program,
+  /// As on the screen, without the cube of views; view and charts have a line below them with program,
   /// machine, run and cycle time.
   QImage picture(Part part) const;
 

@@ -163,7 +163,7 @@ QWidget* PictureDialog::make_form() {
   return form;
 }
 
-/// Those that suit the view, with that of the window first.
+/// Lists sizes suitable for the view, that of the window first.
 void PictureDialog::list_sizes() {
   const QString view = view_->currentData().toString();
   const QSize shown = view == QStringLiteral("charts")   ? subject_.charts

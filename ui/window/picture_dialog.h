@@ -21,18 +21,18 @@ class NumberBox;
 class PagePreview;
 class WholeNumberBox;
 
-/// Asks what a picture of the session is to be like, shows it as it is asked, and saves it as PNG, SVG or
-/// PDF, all of that by `feedscope render` in a process of its own. What was chosen is remembered.
+/// Asks for the options of a picture of the session, shows a preview, and saves it as PNG, SVG or PDF, using
+/// `feedscope render` in a separate process. The choices are stored.
 class PictureDialog : public QDialog {
   Q_OBJECT
 
  public:
   struct Subject {
-    Session session;  ///< as it is shown now
-    QSize scene;      ///< of the parts of the window, offered as sizes [px]
+    Session session;  ///< in its current state
+    QSize scene;      ///< sizes of the parts of the window, offered as sizes [px]
     QSize charts;
     QSize window;
-    double text_scale = 1;  ///< of text and lines in the 3D view, proposed
+    double text_scale = 1;  ///< of text and lines in the 3D view, initial value
   };
 
   /// `executable`: as of CommandProcess.
@@ -40,19 +40,19 @@ class PictureDialog : public QDialog {
   ~PictureDialog() override;
 
   PictureWish wish() const;
-  /// Shows these choices.
+  /// Sets these choices.
   void choose(const PictureWish& wish);
   PagePreview& preview() { return *preview_; }
   bool busy() const { return changed_.isActive() || previewing_.busy() || saving_.busy(); }
-  /// What went wrong last, or what the preview shows.
+  /// The last error, or a description of the preview.
   QString state() const;
-  /// Beside the program, with its name and that of the view; the next free one.
+  /// The next free name in the program's folder, from the names of program and view.
   QString proposed_file() const;
   /// In the chosen format, whatever the ending.
   void save(const QString& file);
 
  signals:
-  /// For the status bar.
+  /// Message for the status bar.
   void saved(const QString& message);
 
  private:

@@ -51,7 +51,7 @@ void check_size(PictureSize size, const QSize& least) {
           .toStdString());
 }
 
-/// Where everything stands that can be seen.
+/// Places of all visible widgets.
 std::vector<QRect> places(const QWidget& window) {
   std::vector<QRect> places;
   for (const QWidget* widget : window.findChildren<QWidget*>()) {
@@ -60,11 +60,11 @@ std::vector<QRect> places(const QWidget& window) {
   return places;
 }
 
-/// Until nothing moves any more: a table's rows take their height, then the table its own, then its scroll
-/// bar goes, then its columns widen.
+/// Waits until the layout is stable: a table's rows take their height, then the table its own, then its
+/// scroll bar disappears, then its columns widen.
 void settle(const QWidget& window) {
   constexpr int enough_rounds = 3;  // without a change
-  constexpr int max_rounds = 100;   // what comes and goes for ever shall not hang
+  constexpr int max_rounds = 100;   // ends an endless alternation
   std::vector<QRect> before;
   int same = 0;
   for (int round = 0; round < max_rounds && same < enough_rounds; ++round) {
@@ -75,17 +75,17 @@ void settle(const QWidget& window) {
   }
 }
 
-/// `ratio`: pixels to a unit, where they are fewer than the widget is drawn with.
+/// `ratio`: pixels per unit, if lower than the widget's.
 Picture grab(QWidget& widget, PictureSize size, double ratio = 1) {
   check_size(size, widget.minimumSizeHint().expandedTo(widget.minimumSize()));
-  QApplication::processEvents();  // Qt Charts lays its axes out with the next turn of the event loop
+  QApplication::processEvents();  // Qt Charts lays its axes out in the next turn of the event loop
   const QImage image = widget.grab().toImage();
   return picture_of(ratio < 1 ? image.scaled((QSizeF(widget.size()) * ratio).toSize(), Qt::IgnoreAspectRatio,
                                              Qt::SmoothTransformation)
                               : image);
 }
 
-/// What the cycle times leave out, with the machines where that is not the same on all.
+/// Items that the cycle times do not contain, with their machines if these differ.
 template <class Runs>
 QString not_counted_details(const Runs& runs) {
   std::vector<std::pair<QString, QStringList>> all;
@@ -156,7 +156,7 @@ QString comparison_details(const LoadedProgram& program, const Runs& runs,
 }  // namespace
 
 Picture draw_window(const Run& run, PictureSize size, const WindowLook& look) {
-  // Qt draws parts of a window only where it has less than a pixel to a unit.
+  // Below one pixel per unit, Qt draws only parts of a window.
   const OffscreenApplication application(look.theme, std::max(1.0, look.pixel_ratio));
   if (look.language != languages().front()) {
     speak(look.language);
@@ -183,7 +183,7 @@ Picture draw_window(const Run& run, PictureSize size, const WindowLook& look) {
 
 namespace {
 
-/// English, in which programs begin, keeps its decimal point without group separators.
+/// Keeps English unchanged: it has a decimal point without group separators.
 void speak_other(const QString& language) {
   if (language != languages().front()) {
     speak(language);

@@ -19,9 +19,9 @@ namespace feedscope::ui {
 
 namespace {
 
-constexpr QSize reference(1280, 800);      // a projector's window, in which type has
+constexpr QSize reference(1280, 800);      // a projector's window, with a font of
 constexpr double reference_scale = 1.5;    // times the usual size
-constexpr double lesson_column = 22 * 12;  // [px at the usual size of type]: 30 to 40 letters in a line
+constexpr double lesson_column = 22 * 12;  // [px at the usual font size]: 30 to 40 letters in a line
 constexpr double most_for_lesson = 0.36;   // of the width
 constexpr double charts_share = 0.45;      // of the height
 
@@ -116,7 +116,7 @@ void Presentation::enter() {
       bar->hide();
     }
   }
-  window_.menuBar()->setMaximumHeight(0);  // hidden, its commands would lose their keys
+  window_.menuBar()->setMaximumHeight(0);  // if hidden, its commands would lose their keys
   window_.statusBar()->hide();
   parts_.scene.show_bar(false);
   for (QDockWidget* dock : window_.findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly)) {
@@ -126,7 +126,7 @@ void Presentation::enter() {
   parts_.charts.setFloating(false);
   window_.addDockWidget(Qt::RightDockWidgetArea, &parts_.lesson);
   window_.addDockWidget(Qt::BottomDockWidgetArea, &parts_.charts);
-  // Large type of a large window must not keep it from becoming small, where type is small again.
+  // Lets a large window with large type shrink to a small one, where type is small again.
   constexpr QSize smallest(320, 240);
   window_.setMinimumSize(smallest);
   follow_size();
@@ -146,12 +146,12 @@ void Presentation::leave() {
   parts_.scene.show_bar(true);
   window_.setMinimumSize(0, 0);
   window_.restoreState(usual_layout_);
-  // Large type may have asked for more room for a moment: the window stays as large as it was.
+  // Large type may have requested more room for a moment: the window keeps its size.
   window_.resize(size);
   QTimer::singleShot(0, this, [this, size] { settle(size); });
 }
 
-/// When usual type has given its room back.
+/// Called when the usual font size has been restored.
 void Presentation::settle(const QSize& size) {
   if (on_) {
     return;
@@ -174,7 +174,7 @@ void Presentation::follow_size() {
   TypeSize::of_application().set_scale(scale);
   parts_.program.set_font_size(static_cast<int>(std::lround(usual_program_type_ * scale)));
   share_out();
-  QTimer::singleShot(0, this, &Presentation::share_out);  // when larger type has made its room
+  QTimer::singleShot(0, this, &Presentation::share_out);  // after the layout for larger type
 }
 
 void Presentation::share_out() {

@@ -15,14 +15,14 @@ class DockSizes;
 class ProgramView;
 class SceneView;
 
-/// The window before a class: large type, the 3D view and the charts first, the lesson as a narrow column
-/// that can be read from the last row, and nothing else. Leaving it brings back
-/// the layout as it was.
+/// The window in front of a class: large type, the 3D view and the charts first, the lesson as a narrow
+/// column that is readable from the last row, and nothing else. Leaving it restores
+/// the previous layout.
 class Presentation : public QObject {
   Q_OBJECT
 
  public:
-  /// What is shown, and what has sizes of its own.
+  /// Shown parts, and parts with their own font sizes.
   struct Parts {
     QDockWidget& lesson;
     QDockWidget& charts;
@@ -35,24 +35,24 @@ class Presentation : public QObject {
 
   bool on() const { return on_; }
   void set_on(bool on);
-  /// Presents; `usual_layout` is what leaving brings back, unless it is empty.
+  /// Starts the presentation; leaving it restores `usual_layout`, unless it is empty.
   void show_over(const QByteArray& usual_layout);
-  /// Layout of the window when it does not present, as QMainWindow::saveState().
+  /// Layout of the window outside the presentation, as QMainWindow::saveState().
   QByteArray usual_layout() const;
-  /// Type of the program text when the window does not present [px].
+  /// Font size of the program text outside the presentation [px].
   int usual_program_type() const;
-  /// Switches it, and the whole screen; the next and the previous step of the lesson, by the keys of a
-  /// presenter while it is on.
+  /// Switch the presentation, and full screen. While it is on, a presenter's keys go to the next and the
+  /// previous step of the lesson.
   QList<QAction*> actions() const { return {action_, full_screen_}; }
   QList<QAction*> step_actions() const { return {next_, previous_}; }
 
-  /// Size of type for a window, against the usual one: the same share of the window, whatever its size. The
-  /// projector makes all of them equally large.
+  /// Font size for a window, relative to the usual one: a constant share of the window, because the projector
+  /// makes all windows equally large.
   static double type_scale(const QSize& window);
 
  signals:
   void switched(bool on);
-  /// The next step of the lesson, or the previous one.
+  /// Requests the next step of the lesson, or the previous one.
   void step_wanted(bool forward);
 
  protected:
@@ -75,9 +75,9 @@ class Presentation : public QObject {
   QAction* previous_ = nullptr;
   bool on_ = false;
   QByteArray usual_layout_;
-  QSize usual_size_;  ///< of the window that it is of
+  QSize usual_size_;  ///< of its window
   int usual_program_type_ = 0;
-  std::vector<QWidget*> bars_;  ///< that were there before
+  std::vector<QWidget*> bars_;  ///< visible before
   QTimer resized_;
 };
 

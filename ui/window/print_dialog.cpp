@@ -31,7 +31,7 @@ constexpr QSize usual_print_size(900, 760);
 const QString printed_session = QStringLiteral("print.feedscope");
 const QString printed_pages = QStringLiteral("pages.feedpages");
 
-/// With language and units of the window.
+/// Adds language and units of the window.
 QStringList as_in_window(QStringList command, const QString& language) {
   if (!language.isEmpty()) {
     command.append(QStringLiteral("--language=%1").arg(language));
@@ -42,7 +42,7 @@ QStringList as_in_window(QStringList command, const QString& language) {
   return command;
 }
 
-/// `feedscope render` of the session on a sheet of paper.
+/// Arguments of `feedscope render` for the session on a sheet of paper.
 QStringList render_arguments(const char* view, const QString& language) {
   return as_in_window(
       {QStringLiteral("render"), printed_session, QStringLiteral("--view=%1").arg(QLatin1String(view)),
@@ -86,7 +86,7 @@ void PrintDialog::list_items() {
   }
   qsizetype proposed = 0;
   if (subject_.lesson != nullptr) {
-    proposed = items_.size();  // in a class, hand-outs are what is printed most
+    proposed = items_.size();  // in a class, hand-outs are printed most
     for (const auto& [reader, title] : {std::pair(HandoutReader::learners, tr("Hand-out for learners")),
                                         std::pair(HandoutReader::teacher, tr("Hand-out for the teacher")),
                                         std::pair(HandoutReader::everybody, tr("Hand-out for everybody"))}) {

@@ -18,38 +18,38 @@ namespace feedscope::ui {
 
 class StateLine;
 
-/// Asks what of the window is to be printed, shows its pages and prints them: 3D view, charts, sheet, report,
-/// hand-outs of the open lesson, tables of panels. Pages are vectors, as in PDF files. All but tables are
-/// laid out by the command line in a process of its own.
+/// Asks for the part of the window to print, shows its pages and prints them: 3D view, charts, sheet, report,
+/// hand-outs of the open lesson, tables of panels. Pages are vectors, as in PDF files. All except tables are
+/// laid out by the command line in a separate process.
 class PrintDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// `executable`: as of CommandProcess. What `subject` points to outlives this.
+  /// `executable`: as of CommandProcess. Everything that `subject` points to outlives this.
   PrintDialog(PrintSubject subject, const QString& executable, QWidget* parent = nullptr);
 
-  /// What can be printed.
+  /// The choice of the part to print.
   QComboBox& choice() { return *choice_; }
   QPrintPreviewWidget& preview() { return *preview_; }
-  /// How large the preview shows its pages: fit the page, fit its width, larger, smaller.
+  /// Zoom commands of the preview: fit the page, fit its width, larger, smaller.
   const QList<QAction*>& zoom_actions() const { return zooms_; }
-  /// What the preview shows; no pages while they are made.
+  /// Pages of the preview; none while they are made.
   const RecordedPages& pages() const { return pages_; }
   bool busy() const { return making_.busy(); }
-  /// What went wrong last, or how many pages there are.
+  /// The last error, or the number of pages.
   QString state() const;
   QPrinter& printer() { return printer_; }
-  /// Prints the pages with printer() as it is.
+  /// Prints the pages with the settings of printer().
   void print();
 
  signals:
-  /// For the status bar.
+  /// Message for the status bar.
   void printed(const QString& message);
 
  private:
   struct Item {
     QString title;
-    QStringList command;  ///< of the command line, without its output; empty: a table
+    QStringList command;  ///< for the command line, without its output; empty: a table
     PrintedTable table;
   };
 

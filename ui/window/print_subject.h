@@ -12,25 +12,25 @@ namespace feedscope::ui {
 
 class MainWindow;
 
-/// A table that a panel shows.
+/// A table of a panel.
 struct PrintedTable {
   QString title;  ///< of its panel
   const QAbstractItemView* view = nullptr;
   bool has_focus = false;
 };
 
-/// What the window has to print.
+/// Printable contents of the window.
 struct PrintSubject {
-  std::optional<Session> session;  ///< of the program that is open; none: there is none
-  const Lesson* lesson = nullptr;  ///< that is open; may be null
-  QList<PrintedTable> tables;      ///< that can be seen, with rows
+  std::optional<Session> session;  ///< of the open program; none without one
+  const Lesson* lesson = nullptr;  ///< the open one; may be null
+  QList<PrintedTable> tables;      ///< visible ones with rows
   QString language;                ///< of the window
 };
 
-/// Of `window` as it is now; what it points to belongs to the window.
+/// Contents of `window` in its current state; pointers are to objects of the window.
 PrintSubject print_subject(MainWindow& window);
 
-/// A table as HTML: title, headings and the rows that the view shows, as text.
+/// A table as HTML: title, headings and the rows as in the view, as text.
 QString table_page(const QString& title, const QAbstractItemModel& table);
 
 }  // namespace feedscope::ui

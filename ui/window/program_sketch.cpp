@@ -12,7 +12,7 @@ namespace feedscope::ui {
 
 namespace {
 
-/// Isometric: X to the lower right, Y to the upper right, Z up; pictures count downwards.
+/// Isometric: X to the lower right, Y to the upper right, Z up; ordinates of pictures point downwards.
 QPointF seen(const Vec3& place) {
   const double across = std::numbers::sqrt3 / 2;
   return {across * (place.x() + place.y()), (place.x() - place.y()) / 2 - place.z()};
@@ -53,7 +53,7 @@ QImage program_sketch(const SampledPath& path, const QSize& size, double pixels,
   };
   QPainter painter(&picture);
   painter.setRenderHint(QPainter::Antialiasing);
-  // Higher places are stronger, so that a surface of dense lines has a shape.
+  // Draws higher places more strongly, so that a surface of dense lines has a visible shape.
   double low = path.position(0).z();
   double high = low;
   for (std::size_t i = 0; i < path.size(); ++i) {

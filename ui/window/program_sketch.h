@@ -9,7 +9,7 @@
 namespace feedscope::ui {
 
 /// A programmed path as a small picture, seen from the front, the right and above: cuts as lines, rapids
-/// paler. `pixels` a unit of `size`. A path without an extent gives an empty picture.
+/// paler. `pixels` per unit of `size`. A path without an extent gives an empty picture.
 QImage program_sketch(const SampledPath& path, const QSize& size, double pixels, const QPalette& palette);
 
 }  // namespace feedscope::ui

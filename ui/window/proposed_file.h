@@ -5,14 +5,12 @@
 
 namespace feedscope::ui {
 
-/// Where files that belong to `program` are proposed: beside it, but in the folder of the user's documents
-/// where it is one of the samples that come with Feedscope, or its folder cannot be written to. Of an empty
-/// path: "".
+/// Initial folder for files on `program`: its folder, or the user's documents if it is a sample of Feedscope
+/// or its folder is not writable. "" for an empty path.
 QString folder_for_files_of(const std::filesystem::path& program);
 
-/// "FOLDER/NAME-WHAT.ENDING" in that folder, with a number behind it where such a file is there already, so
-/// that no file takes the place of another. `ending`: without its dot. Of an empty path
-/// "feedscope-WHAT.ENDING".
+/// "FOLDER/NAME-WHAT.ENDING" in that folder, followed by a number if such a file exists, so that no file is
+/// overwritten. `ending`: without its dot. For an empty path "feedscope-WHAT.ENDING".
 QString proposed_file(const std::filesystem::path& program, const QString& what, const QString& ending);
 
 }  // namespace feedscope::ui

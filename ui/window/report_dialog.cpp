@@ -47,7 +47,7 @@ QListWidgetItem* checkable(QListWidget* list, const QString& text, bool on) {
   return item;
 }
 
-/// A line for a file's name with a button that asks for it.
+/// A field for a file's name with a button that asks for it.
 template <typename Ask>
 QWidget* file_row(QLineEdit* line, const QString& tip, QWidget* parent, Ask ask) {
   auto* row = new QWidget(parent);
@@ -248,7 +248,7 @@ void ReportDialog::make_preview() {
     return;
   }
   save_->setEnabled(!saving_.busy());
-  asked.without.append(QStringLiteral("commands"));  // of the session of the preview
+  asked.without.append(QStringLiteral("commands"));  // they would be those of the preview's session
   const QDir folder(folder_.path());
   for (const QString& page : folder.entryList({QStringLiteral("page-*.png")})) {
     QFile::remove(folder.filePath(page));

@@ -21,16 +21,16 @@ namespace feedscope::ui {
 class LanguageBox;
 class PagePreview;
 
-/// Asks what a report is to hold, shows its pages as it is asked, and writes it as PDF or HTML, all of that
-/// in a process of its own. Author, logo, paper and template are remembered.
+/// Asks for the contents of a report, shows a preview of its pages, and writes it as PDF or HTML, all in a
+/// separate process. Author, logo, paper and template are stored.
 class ReportDialog : public QDialog {
   Q_OBJECT
 
  public:
   struct Subject {
-    Session session;        ///< as it is shown now
+    Session session;        ///< in its current state
     QStringList run_names;  ///< of its runs
-    /// What would help is simulated many times over; for programs that take long it is off at first.
+    /// Whether helpful changes, which need many simulations, are off initially, for programs that take long.
     bool takes_long = false;
   };
 
@@ -42,15 +42,15 @@ class ReportDialog : public QDialog {
   PagePreview& preview() { return *preview_; }
   QListWidget& parts() { return *parts_; }
   QListWidget& runs() { return *runs_; }
-  /// Whether save() keeps the session beside the report.
+  /// Whether save() also saves the session next to the report.
   void keep_session(bool keep);
   bool busy() const { return changed_.isActive() || previewing_.busy() || saving_.busy(); }
-  /// Writes the report, PDF or HTML by the file's ending. With its session beside it, the report also says
-  /// how to make it again.
+  /// Writes the report, PDF or HTML by the file's ending. If its session is also saved, the report contains
+  /// the command that reproduces it.
   void save(const QString& file);
 
  signals:
-  /// For the status bar.
+  /// Message for the status bar.
   void saved(const QString& message);
 
  private:

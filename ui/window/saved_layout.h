@@ -4,10 +4,11 @@
 
 namespace feedscope::ui {
 
-/// What QMainWindow::saveState() gives with a checksum in front, as it is kept: Qt may crash at a state of
-/// which a byte is another one.
+/// State of QMainWindow::saveState() with a checksum before it, for storage: Qt may crash on a state with a
+/// changed byte.
 QByteArray with_checksum(const QByteArray& state);
-/// The state in a layout that was kept, of an older version without a checksum too; empty: it is damaged.
+/// The state in a stored layout, including one of an older version without a checksum; empty if it is
+/// damaged.
 QByteArray checked_state(const QByteArray& layout);
 
 }  // namespace feedscope::ui

@@ -44,8 +44,8 @@ QLabel* heading(const QString& text, QWidget* parent) {
   return label;
 }
 
-/// A line that can be pressed, in a list. Drawn here, because a style sheet keeps the colours of the theme
-/// that it was set in.
+/// A line in a list that can be pressed. Drawn here, because a style sheet keeps the colours of the theme in
+/// which it was set.
 class LineButton : public QPushButton {
  public:
   LineButton(const QString& text, const QString& tip, QWidget* parent) : QPushButton(text, parent) {
@@ -80,7 +80,7 @@ class LineButton : public QPushButton {
   static constexpr int line_space = 4;
 };
 
-/// Where files are dropped: a dashed frame.
+/// The area for dropping files: a dashed frame.
 class DropFrame : public QWidget {
  public:
   using QWidget::QWidget;

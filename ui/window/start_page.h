@@ -20,7 +20,7 @@ class QVBoxLayout;
 
 namespace feedscope::ui {
 
-/// A program that is supplied with Feedscope, as the start page offers it.
+/// A program supplied with Feedscope, in the start page.
 struct SampleProgram {
   std::filesystem::path file;
   QString title;
@@ -28,9 +28,9 @@ struct SampleProgram {
 };
 std::vector<SampleProgram> start_samples();
 
-/// What to do first, over the window while no program is open: open or drop one, go on with a recent program
-/// or session, a sample with its picture, a lesson. Escape, or what another part of the window asks for,
-/// closes it until it is asked for again; Tab stays within it.
+/// First actions, over the window while no program is open: open or drop one, continue with a recent program
+/// or session, a sample with its picture, a lesson. Escape, or a request from another part of the window,
+/// closes it until it is requested again; Tab stays within it.
 class StartPage : public QWidget {
   Q_OBJECT
 
@@ -38,11 +38,11 @@ class StartPage : public QWidget {
   /// Both outlive this.
   StartPage(const Workbench& workbench, LessonDesk& desk, QWidget* parent = nullptr);
 
-  /// Covers this part of its parent.
+  /// Makes it cover this part of its parent.
   void cover(const QRect& place);
-  /// Shows it, also beside a program that is open.
+  /// Shows it, even if a program is open.
   void open();
-  /// Its buttons in the order of Tab.
+  /// Its buttons in tab order.
   std::vector<QAbstractButton*> buttons() const;
   bool busy() const { return sketching_.busy(); }
 

@@ -4,14 +4,14 @@
 
 namespace feedscope::ui {
 
-/// What a dialog does or has done, or what went wrong, as text that can be selected.
+/// Activity or result of a dialog, or an error, as text that can be selected.
 class StateLine : public QLabel {
   Q_OBJECT
 
  public:
   explicit StateLine(QWidget* parent = nullptr);
   void say(const QString& message);
-  /// In the colour of what is wrong.
+  /// Shows an error in its colour.
   void say_failure(const QString& message);
 };
 

@@ -67,7 +67,7 @@ void StatusPanel::changeEvent(QEvent* event) {
   }
 }
 
-/// The bar below the window is as high with a button as without.
+/// Keeps the status bar at one height with and without buttons.
 void StatusPanel::keep_height() {
   for (QWidget* part : {static_cast<QWidget*>(progress_), static_cast<QWidget*>(cancel_),
                         static_cast<QWidget*>(diagnostics_)}) {
@@ -92,7 +92,7 @@ void StatusPanel::show_activity(const QString& activity, double fraction) {
 
 void StatusPanel::show_comparison() {
   if (workbench_.busy()) {
-    return;  // that comes first
+    return;  // it has priority
   }
   if (!comparison_.busy() || !progress_->isVisibleTo(this)) {
     show_busy();
@@ -123,7 +123,7 @@ void StatusPanel::count_diagnostics() {
   const auto notes = std::ranges::count(diagnostic_rows(program->diagnostics), Severity::info,
                                         [&](const DiagnosticRow& row) {
                                           return program->diagnostics[row.index].severity;
-                                        });  // each once, however many places it stands for
+                                        });  // each once, for any number of places
   QStringList parts;
   if (errors > 0) {
     parts.append(errors == 1 ? tr("1 error") : tr("%1 errors").arg(errors));

@@ -11,7 +11,7 @@ class QToolButton;
 
 namespace feedscope::ui {
 
-/// The right side of the status bar: progress with cancel, diagnostics, what holds at the cursor.
+/// The right side of the status bar: progress with cancel, diagnostics, values at the cursor.
 class StatusPanel : public QWidget {
   Q_OBJECT
 
@@ -19,7 +19,7 @@ class StatusPanel : public QWidget {
   /// Both outlive this.
   StatusPanel(Workbench& workbench, RunComparison& comparison, QWidget* parent = nullptr);
 
-  /// Stops reading or simulating; if nothing of that is under way, the comparison of runs.
+  /// Stops reading or simulating; if neither is running, the comparison of runs.
   void cancel();
 
  signals:

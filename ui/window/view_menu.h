@@ -8,20 +8,20 @@ class QMainWindow;
 
 namespace feedscope::ui {
 
-/// How everything is shown: the 3D view, panels, colours, language and units.
+/// Commands on the display: the 3D view, panels, colours, language and units.
 class ViewMenu : public QMenu {
   Q_OBJECT
 
  public:
-  /// All outlive this; the window has its docks by then.
+  /// All outlive this; the window must have its docks.
   /// `presenting`: commands of the presentation.
   ViewMenu(SideBySide& scenes, const ViewRange& range, const QList<QAction*>& presenting,
            QMainWindow& window);
 
  signals:
-  /// Panels are to be where they were at first.
+  /// Requests the initial layout of the panels.
   void first_layout_wanted();
-  /// The language or the units have been chosen.
+  /// The user has chosen a language or units.
   void remake_wanted();
 
  private:

@@ -27,7 +27,7 @@ namespace feedscope::ui {
 
 namespace {
 
-/// Also of a name that the system does not take.
+/// Works for names that the system refuses, too.
 bool is_there(const std::filesystem::path& file) {
   std::error_code none;
   return std::filesystem::exists(file, none);
@@ -39,11 +39,11 @@ QString message_of(const InputError& error) {
 
 }  // namespace
 
-/// What a lesson has replaced.
+/// Contents that a lesson has replaced.
 struct WindowSession::Aside {
   Session session;
   Kept kept;
-  bool changed = false;  ///< and not saved
+  bool changed = false;  ///< and unsaved
 };
 
 WindowSession::WindowSession(MainWindow& window, Workbench& workbench)
@@ -116,7 +116,7 @@ void WindowSession::show_contents(const Session& session) {
   workbench_.runs().set_error_bound(session.error_bound);
   workbench_.annotations().replace(session.annotations);
   workbench_.traces().replace(session.traces);
-  window_.part<IdentificationView>().set_state(session.identification);  // it needs no run
+  window_.part<IdentificationView>().set_state(session.identification);  // needs no run
   pending_ = session;
 }
 
@@ -126,7 +126,7 @@ void WindowSession::set_aside() {
   }
   aside_ = std::make_shared<const Aside>(Aside{capture(), hand_over(), contents_changed()});
   pending_.reset();
-  file_.clear();  // so that the lesson is not saved over it
+  file_.clear();  // so that the lesson does not overwrite it
   on_disk_.clear();
   saved_.clear();
   start_.clear();
@@ -185,7 +185,7 @@ void WindowSession::take_over(const Kept& kept) {
   emit file_changed();
 }
 
-/// Ranges and camera belong to a path: there must be one before they can be set.
+/// Applies ranges and camera, which require a path.
 void WindowSession::apply_to_run() {
   if (!pending_ || workbench_.shown() == nullptr) {
     return;
@@ -200,7 +200,7 @@ void WindowSession::apply_to_run() {
 
 bool WindowSession::open(const std::filesystem::path& file) {
   try {
-    const QByteArray on_disk = hash_of(file);  // first: what is written from here on is another's
+    const QByteArray on_disk = hash_of(file);  // first: later writes are by others
     ReadSession read = read_session_file(file);
     if (find_program(file, read.session) && accept_changed_program(read.session)) {
       const LessonWork kept = lessons_to_keep(read.session);
@@ -223,7 +223,7 @@ void WindowSession::show_file(const std::filesystem::path& file, ReadSession rea
   const LessonAnswers saved_before = std::exchange(saved_answers_, {});
   now_in(file, on_disk);
   std::erase_if(saved_answers_,
-                [&](const auto& answer) {  // those of another file are saved there, or not at all
+                [&](const auto& answer) {  // answers of another file are saved there, or not at all
                   const auto before = saved_before.find(answer.first);
                   return kept.contains(answer.first) &&
                          (before == saved_before.end() || before->second != answer.second);
@@ -322,7 +322,7 @@ std::filesystem::path WindowSession::ask_for_name(const std::filesystem::path& o
   QFileDialog dialog(&window_, tr("Save session as"), folder_for_files_of(of),
                      tr("Feedscope sessions (*%1)").arg(session_suffix));
   dialog.setAcceptMode(QFileDialog::AcceptSave);
-  dialog.setDefaultSuffix(session_suffix);  // so that it asks before a file is overwritten
+  dialog.setDefaultSuffix(session_suffix);  // so that it asks before overwriting a file
   dialog.selectFile(to_qstring(proposed.filename()));
   return dialog.exec() == QDialog::Accepted ? to_path(dialog.selectedFiles().first())
                                             : std::filesystem::path();
@@ -348,8 +348,7 @@ std::filesystem::path WindowSession::file_after_conflict() {
   return box.clickedButton() == overwrite ? file_ : std::filesystem::path();
 }
 
-/// Runs, annotations, traces, import options, section times and what was identified, without which place is
-/// looked at.
+/// Runs, annotations, traces, import options, section times and identification, without the state of views.
 QByteArray WindowSession::essence() const {
   Session session;
   session.program = workbench_.file();
@@ -383,7 +382,7 @@ bool WindowSession::contents_changed() const {
   return essence() != saved_;
 }
 
-/// Answers and tries belong to whoever works on the lesson, not to what it has replaced.
+/// Answers and tries belong to the learner, not to the contents that the lesson has replaced.
 Session WindowSession::aside_with_work() const {
   Session session = aside_->session;
   session.lessons = desk().all_work();
@@ -477,7 +476,7 @@ void WindowSession::offer_left_behind() {
   if (answer != QMessageBox::Yes) {
     Autosave::discard(*left);
   } else if (open(left->file)) {
-    file_.clear();  // it is to be saved under a name of the user's
+    file_.clear();  // to be saved under a name of the user's
     on_disk_.clear();
     saved_.clear();
     saved_answers_.clear();

@@ -16,75 +16,75 @@ class LessonDesk;
 class MainWindow;
 class Workbench;
 
-/// What the window shows, as a session file: opened, saved, kept every minute in case the process ends
-/// without having been asked to.
+/// The window's contents as a session file: opened, saved, and backed up every minute in case the process
+/// ends unexpectedly.
 class WindowSession : public QObject {
   Q_OBJECT
 
  public:
-  /// Both outlive this. Nothing is kept before begin_keeping().
+  /// Both outlive this. There is no backup before begin_keeping().
   WindowSession(MainWindow& window, Workbench& workbench);
   ~WindowSession() override;
 
-  /// Everything as it is now.
+  /// The current state of everything.
   Session capture() const;
-  /// Shows a session; what belongs to a simulated run follows when the run is there.
+  /// Shows a session; parts that need a simulated run follow when it is ready.
   void show(const Session& session);
 
-  /// Reads and shows a session file. Asks for a program that is not where the session says, whether to go on
-  /// with one that has changed since, and whether to keep what has been done in lessons that the session does
-  /// not hold. What cannot be used goes to failed().
+  /// Reads and shows a session file. Asks for a program that is not in the session's place, whether to
+  /// continue with one that has changed since, and whether to keep work on lessons that the session does not
+  /// contain. Unusable parts go to failed().
   /// Returns whether the session is shown.
   bool open(const std::filesystem::path& file);
-  /// A program opened by itself: there is no session file any more.
+  /// A program was opened directly: there is no session file any more.
   void forget_file();
-  /// Asks for a name if there is none yet, or if `as_new`; asks too if the file has changed since this window
-  /// read or wrote it. False if nothing was written.
+  /// Asks for a name if there is none yet, or if `as_new`; also asks if the file has changed since this
+  /// window read or wrote it. Returns false if nothing was written.
   bool save(bool as_new = false);
-  /// True if runs, annotations, what was identified or answers to lessons differ from what was saved, or from
-  /// the program as it was opened.
+  /// Whether runs, annotations, identification or answers to lessons differ from the saved state, or from
+  /// that after opening the program.
   bool changed() const;
-  /// What the window holds now is how a lesson or a command line begins: nothing of the user's.
+  /// Treats the current contents as the initial ones of a lesson or command line, without work of the user.
   void begin_here() { start_ = essence(); }
-  /// Sets aside what the window shows, to be brought back when a lesson has replaced it. Without a program,
-  /// or where something is set aside already, nothing happens.
+  /// Stores the window's contents, to be restored after a lesson has replaced them. Does nothing without a
+  /// program, or if something is already stored.
   void set_aside();
-  /// Shows what was set aside, with its session file; the layout stays. Nothing, if there is none.
+  /// Restores the stored contents with their session file; the layout is unchanged. Does nothing without any.
   void bring_back();
-  /// Asks whether to save what has changed, of what was set aside too. False: the user does not want to go
-  /// on.
+  /// Asks whether to save changes, including those in the stored contents. Returns false if the user does not
+  /// want to continue.
   bool may_go();
   const std::filesystem::path& file() const { return file_; }
 
   struct Aside;
-  /// What another window on the same workbench needs to go on with.
+  /// State with which another window on the same workbench continues.
   struct Kept {
     Session view;  ///< cursor, panels and layout
     std::filesystem::path file;
     QByteArray saved;
     QByteArray start;
     QByteArray on_disk;
-    LessonAnswers answers;               ///< that are saved
-    std::shared_ptr<const Aside> aside;  ///< null: nothing
+    LessonAnswers answers;               ///< saved ones
+    std::shared_ptr<const Aside> aside;  ///< null: none
   };
   Kept hand_over() const { return {view(), file_, saved_, start_, on_disk_, saved_answers_, aside_}; }
   void take_over(const Kept& kept);
 
-  /// From now on, and again after each `pause`. A folder that cannot be written is reported once.
+  /// Makes a backup now, and again after each `pause`. An unwritable folder is reported once.
   void begin_keeping(std::chrono::milliseconds pause = std::chrono::minutes(1));
-  /// What a process that ended unexpectedly has left, if the user wants it back.
+  /// Offers the backup of a process that ended unexpectedly.
   void offer_left_behind();
 
  signals:
   void file_changed();
-  /// Whether something is set aside now.
+  /// Whether contents are now stored.
   void aside_changed(bool there);
-  /// For the user: what of the session could not be used, or what became of it.
+  /// For the user: unusable parts of the session, or the result of an action.
   void noticed(const QString& message);
   void failed(const QString& message);
 
  private:
-  /// How everything is shown, without what is shown.
+  /// Settings of all views, without their contents.
   Session view() const;
   void show_layout(const Session& session);
   void apply_to_run();
@@ -99,35 +99,35 @@ class WindowSession : public QObject {
   void forget_restored();
   bool find_program(const std::filesystem::path& file, Session& session);
   bool accept_changed_program(const Session& session);
-  /// What has been done in lessons of which the session holds nothing, if the user wants to keep it.
+  /// Work on lessons that the session does not contain, if the user wants to keep it.
   LessonWork lessons_to_keep(const Session& session) const;
   QByteArray essence() const;
   const QByteArray& program_hash() const;
-  /// `kept`: as lessons_to_keep().
+  /// `kept`: from lessons_to_keep().
   void show_file(const std::filesystem::path& file, ReadSession read, const LessonWork& kept,
                  const QByteArray& on_disk);
-  /// What is shown is what the file holds, whose hash is `on_disk`.
+  /// Records that the contents are those of the file, whose hash is `on_disk`.
   void now_in(const std::filesystem::path& file, const QByteArray& on_disk);
-  /// Proposes that of a program or session file. Empty if the user gives none.
+  /// Initially the name of a program or session file. Empty if the user cancels.
   std::filesystem::path ask_for_name(const std::filesystem::path& of);
-  /// The file to save to: this one, or what the user says if someone else has written to it. Empty: none.
+  /// The file to save to: this one, or the user's choice if someone else has written to it. Empty: none.
   std::filesystem::path file_after_conflict();
 
   MainWindow& window_;
   Workbench& workbench_;
   std::filesystem::path file_;
-  QByteArray on_disk_;              ///< hash of file_ when this window read or wrote it
-  std::optional<Session> pending_;  ///< shown, but for what needs its simulated run
-  QByteArray saved_;                ///< essence() then; empty: of the program as it was opened
+  QByteArray on_disk_;              ///< hash of file_ when this window last read or wrote it
+  std::optional<Session> pending_;  ///< shown, except for parts that need its simulated run
+  QByteArray saved_;                ///< essence() at that time; empty: that after opening the program
   LessonAnswers saved_answers_;
   std::shared_ptr<const Aside> aside_;
-  QByteArray start_;  ///< what begin_here() found, as saved_
+  QByteArray start_;  ///< state at begin_here(), like saved_
   mutable std::shared_ptr<const Program> hashed_;
   mutable QByteArray hash_;
   std::optional<Autosave> autosave_;
   QByteArray kept_;
   bool said_not_kept_ = false;
-  std::optional<Autosave::LeftBehind> restored_;  ///< shown, and not yet among what this process keeps
+  std::optional<Autosave::LeftBehind> restored_;  ///< shown, and not yet in this process's backup
   QTimer keep_timer_;
 };
 

@@ -8,7 +8,7 @@ namespace feedscope::ui {
 
 class AnnotationList::Change : public QUndoCommand {
  public:
-  /// `step`: with `subject`, the annotation, what may become one with the change before; 0 for nothing.
+  /// `subject`: id of the annotation whose successive changes within one step merge; 0 for none.
   Change(AnnotationList& list, std::vector<Annotation> after, const QString& text, int subject)
       : QUndoCommand(text),
         list_(list),

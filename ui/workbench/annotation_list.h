@@ -8,34 +8,34 @@
 
 namespace feedscope::ui {
 
-/// The annotations of a program, and which of them is selected. Every change can be undone.
+/// The annotations of a program and the selected one. Every change can be undone.
 class AnnotationList : public QObject {
   Q_OBJECT
 
  public:
-  /// `history` outlives this; the changes of runs may stand in it too.
+  /// `history` outlives this; it may also contain the changes of runs.
   explicit AnnotationList(QUndoStack& history, QObject* parent = nullptr);
 
   const std::vector<Annotation>& items() const { return items_; }
-  /// Null if it is gone.
+  /// Null if it no longer exists.
   const Annotation* find(int id) const;
-  /// Id of the selected one; 0 if none is.
+  /// Id of the selected one; 0 for none.
   int selected() const { return selected_; }
   void select(int id);
 
-  /// Gives it an id and selects it.
+  /// Assigns an id and selects the annotation.
   int add(Annotation annotation);
   void remove(int id);
-  /// Puts `changed` in the place of the one with its id. `text` names the change in the history, where
-  /// changes of one name to one annotation are one step until end_step().
+  /// Replaces the annotation with the id of `changed`. `text` names the change in the history, where equally
+  /// named changes of one annotation are one step until end_step().
   void change(const Annotation& changed, const QString& text);
-  /// The next change is a step of its own: the mouse has been released, the focus has gone.
+  /// The next change is a separate step: the mouse has been released, or the focus has moved.
   void end_step() { ++step_; }
-  /// Other annotations altogether, their ids given again; not part of the history.
+  /// Replaces all annotations and assigns new ids; not part of the history.
   void replace(std::vector<Annotation> items);
 
  signals:
-  /// Annotations have come, gone or changed.
+  /// Annotations were added, removed or changed.
   void changed();
   void selection_changed();
 

@@ -39,7 +39,7 @@ std::optional<Recommendation> recommended(const RunList& runs) {
 
 QString DecisionTexts::error(const Summary& summary) {
   QString amount = amount_text(deciding_error(summary), Dimension::error);
-  amount.replace(QLatin1Char(' '), QChar::Nbsp);  // the unit stays in the line of its number
+  amount.replace(QLatin1Char(' '), QChar::Nbsp);  // no line break between number and unit
   return summary.actual ? tr("actual contour error %1").arg(amount) : tr("contour error %1").arg(amount);
 }
 

@@ -11,14 +11,14 @@
 
 namespace feedscope::ui {
 
-/// The run to take of those that have a result, by its row and that of the slowest one that could be taken;
-/// none where no run keeps the bound of `runs`.
+/// The run to take of those with a result, by its row and that of the slowest possible one; none if no run
+/// keeps the bound of `runs`.
 std::optional<Recommendation> recommended(const RunList& runs);
 
-/// The decision between runs for people; sentences as those of `compare`.
+/// The decision between runs for people, in the sentences of `compare`.
 struct Decision {
-  QString headline;  ///< which run to take, what it gains and its contour error; "" where there is no choice
-  QString rule;      ///< why this one
+  QString headline;  ///< the run to take, its gain and contour error; "" without a choice
+  QString rule;      ///< reason for this run
 };
 
 class DecisionTexts {
@@ -26,7 +26,7 @@ class DecisionTexts {
 
  public:
   static Decision decision(const RunList& runs);
-  /// The same of several runs with these names; `bound`: on the contour error [mm].
+  /// The decision between several runs with these names; `bound`: on the contour error [mm].
   static Decision decision(std::span<const ComparedRun> runs, const QStringList& names,
                            std::optional<double> bound);
 

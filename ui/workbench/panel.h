@@ -9,13 +9,13 @@ namespace feedscope::ui {
 
 class Workbench;
 
-/// A panel of the window. It follows the workbench by itself and knows no other panel; the window docks it,
-/// puts its commands into menus, and brings it to the front when it asks for attention.
+/// A panel of the window. It follows the workbench itself and knows no other panel; the window docks it, adds
+/// its commands to menus, and brings it to the front when it requests attention.
 class Panel : public QWidget {
   Q_OBJECT
 
  public:
-  /// How it is docked at first.
+  /// Its initial dock.
   struct Place {
     QString id;     ///< name of its dock in layouts and sessions
     QString title;  ///< for people
@@ -26,18 +26,18 @@ class Panel : public QWidget {
   Panel(Place place, QWidget* parent) : QWidget(parent), place_(std::move(place)) {}
 
   const Place& place() const { return place_; }
-  /// Shows what the workbench holds, now and from now on. To be called once, if at all; `workbench` outlives
-  /// this. Panels that are made on a workbench follow it from the start.
+  /// Shows the contents of the workbench, now and after changes. To be called at most once; `workbench`
+  /// outlives this. Panels constructed with a workbench follow it from the start.
   virtual void follow(Workbench& workbench);
-  /// Every command of the panel, for menus, the list of keys and the command palette.
+  /// All commands of the panel, for menus, the list of keys and the command palette.
   virtual QList<QAction*> panel_actions() const { return {}; }
-  /// Whether it still works at what it shows.
+  /// Whether its contents are still being computed.
   virtual bool busy() const { return false; }
-  /// Whether it can be seen when it is shown: not while another panel lies on top of it.
+  /// Whether the panel is visible when shown: not while another one covers it.
   virtual void set_on_screen(bool /*on_screen*/) {}
 
  signals:
-  /// What was asked for is shown here, and the panel may be hidden.
+  /// A requested result appears here, and the panel may be hidden.
   void attention_wanted();
   /// `message` for the user.
   void failed(const QString& message);

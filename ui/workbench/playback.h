@@ -9,12 +9,12 @@
 
 namespace feedscope::ui {
 
-/// Moves the cursor through the cycle time by the clock.
+/// Moves the cursor through the cycle time in real time.
 class Playback : public QObject {
   Q_OBJECT
 
  public:
-  /// A stretch of the run [s].
+  /// A range of the run [s].
   struct Loop {
     double from, to;
   };
@@ -26,17 +26,17 @@ class Playback : public QObject {
   explicit Playback(Cursor& cursor, QObject* parent = nullptr);
 
   bool playing() const { return timer_.isActive(); }
-  double speed() const { return speed_; }  ///< 1: true time
+  double speed() const { return speed_; }  ///< 1: real time
   /// Clamped to [slowest, fastest].
   void set_speed(double speed);
-  /// Cycle time of the run that is played [s]; 0 stops.
+  /// Cycle time of the played run [s]; 0 stops.
   void set_duration(double duration);
-  /// Plays a stretch over and over; none: to the end of the run, once.
+  /// Repeats a range; none: plays to the end of the run, once.
   void set_loop(const std::optional<Loop>& loop);
-  /// At the end of the run it begins again at the start.
+  /// At the end of the run, starts again from its beginning.
   void play();
   void pause();
-  /// Moves the cursor on by `elapsed` of the clock [s]; stops at the end of the run, or goes round.
+  /// Advances the cursor by `elapsed` real time [s]; stops at the end of the run, or repeats.
   void advance(double elapsed);
 
  signals:

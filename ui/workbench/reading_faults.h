@@ -6,11 +6,11 @@
 
 namespace feedscope::ui {
 
-/// How many errors and warnings the reading of a program has, for every picture of it: "Program read with 2
-/// errors and 1 warning". Empty where there is none; notes do not count.
+/// Numbers of errors and warnings in reading a program, for all its pictures: "Program read with 2 errors and
+/// 1 warning". Empty without any; notes do not count.
 QString reading_faults_text(const Program& program);
 
-/// "Not in the cycle time: 2 tool changes, 1 spindle start"; empty where all time is counted.
+/// "Not in the cycle time: 2 tool changes, 1 spindle start"; empty if all time is counted.
 QString not_counted_text(const NotCounted& counts);
 
 }  // namespace feedscope::ui

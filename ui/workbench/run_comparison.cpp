@@ -66,7 +66,7 @@ Samples RunComparison::samples(std::size_t row) {
   if (found != pairs_.end()) {
     return (*found)->samples;
   }
-  constexpr std::size_t kept = 4;  // two views and what they showed before
+  constexpr std::size_t kept = 4;  // two views and their previous contents
   if (pairs_.size() == kept) {
     pairs_.erase(pairs_.begin());
   }
@@ -91,7 +91,7 @@ void RunComparison::start(Pair& pair) {
         }
       },
       [this, &pair](const JobOutcome<Samples>& outcome) {
-        pair.samples = outcome.result.value_or(nullptr);  // none: the path stays uncoloured
+        pair.samples = outcome.result.value_or(nullptr);  // none: the path remains uncoloured
         emit progressed();
         emit ready();
       });

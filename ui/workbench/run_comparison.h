@@ -10,14 +10,14 @@
 
 namespace feedscope::ui {
 
-/// Which of `count` runs run `row` is compared with: the one that was chosen; where that is the run itself or
-/// none was chosen, the one shown beside it; else the first other one. None if it is alone.
+/// Reference of run `row` among `count` runs: the chosen one; if that is the run itself or none was chosen,
+/// the one shown next to it; else the first other one. None if it is alone.
 std::optional<std::size_t> reference_row(std::size_t count, std::size_t row,
                                          std::optional<std::size_t> chosen,
                                          std::optional<std::size_t> beside);
 
-/// The runs compared with each other for the 3D view: which one with which, and the paths with their
-/// differences, made off the GUI thread when first asked for.
+/// Comparisons of runs for the 3D view: the reference of each run, and the paths with their differences,
+/// computed outside the GUI thread on first request.
 class RunComparison : public QObject {
   Q_OBJECT
 
@@ -25,32 +25,32 @@ class RunComparison : public QObject {
   /// `runs` outlives this.
   explicit RunComparison(const RunList& runs, QObject* parent = nullptr);
 
-  /// The run that all others are compared with, by its id; 0: none in particular.
+  /// Sets the reference for all other runs, by its id; 0: none.
   void choose(int id);
-  /// 0 too where the run is gone.
+  /// Also 0 if the run no longer exists.
   int chosen() const;
-  /// The run that stands beside the current one, by its id; 0: none.
+  /// The run shown next to the current one, by its id; 0: none.
   void set_beside(int id);
 
-  /// Row that `row` is compared with; the run beside the current one and the current one with each other,
+  /// Row of the reference of `row`. The current run and the one next to it are compared with each other,
   /// unless a third was chosen.
   std::optional<std::size_t> reference_of(std::size_t row) const;
-  /// The path of `row` compared; null until it is there, which ready() says, or if it cannot be made.
+  /// The compared path of `row`; null until ready() is emitted, or if it cannot be made.
   std::shared_ptr<const SampledPath> samples(std::size_t row);
   bool busy() const;
-  /// Of what is being made, in [0, 1].
+  /// Of the running computation, in [0, 1].
   double progress() const;
-  /// Gives up what is being made; asking for it starts it again.
+  /// Cancels the running computation; a request starts it again.
   void cancel();
 
  signals:
-  /// While busy, some times a second; and once when it is not any more.
+  /// Emitted some times a second while busy, and once afterwards.
   void progressed();
-  /// What was being made was given up.
+  /// The running computation was cancelled.
   void cancelled();
-  /// Another run is compared with.
+  /// The reference has changed.
   void reference_changed();
-  /// A path that was asked for is there.
+  /// A requested path is ready.
   void ready();
 
  private:

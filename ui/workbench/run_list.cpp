@@ -12,8 +12,8 @@ namespace feedscope::ui {
 
 namespace {
 
-// Each has a contrast of three to one at least against the light and the dark ground, and is that of no axis
-// and no other curve of the charts. The first ones are told apart with every kind of colour vision.
+// Each has a contrast of at least three to one to the light and the dark background, and differs from those
+// of axes and other curves in the charts. The first ones are distinct for every kind of colour vision.
 constexpr std::array<QRgb, 8> run_colours{0xff7538ff, 0xff945c38, 0xffff1aad, 0xff799e00,
                                           0xff5786ff, 0xffc46471, 0xff23718b, 0xff796906};
 
@@ -47,7 +47,7 @@ QStringList changed_texts(const SetupState& setup, std::string_view left_out) {
   return setting_texts(changed);
 }
 
-/// Model, tolerance in force and what is changed, each a part.
+/// Model, tolerance in force and changes, one part each.
 QStringList title_parts(const RunItem& item, std::span<const PathControl> feed_controls,
                         std::string_view left_out) {
   const SetupState& setup = item.setup;
@@ -312,7 +312,7 @@ void RunList::apply(const Snapshot& snapshot) {
   }
 }
 
-/// Which results are still those of their runs.
+/// Determines which results still belong to their runs' setups.
 void RunList::check_results(const Snapshot& before) {
   for (const RunItem& was : before.items) {
     const std::size_t now = row_of(was.id);

@@ -19,45 +19,44 @@ namespace feedscope::ui {
 
 /// One of several runs of the program.
 struct RunItem {
-  int id = 0;    ///< never used again for another run
-  QString name;  ///< given by the user; empty: run_title() says what it runs on
+  int id = 0;    ///< never reused for another run
+  QString name;  ///< given by the user; empty: run_title() derives one from the setup
   QColor colour;
-  bool visible = true;  ///< drawn beside the current run
+  bool visible = true;  ///< drawn with the current run
   SetupState setup;
 
   bool operator==(const RunItem&) const = default;
 };
 
-/// What there is of a run that is to be simulated.
 enum class RunStatus { waiting, simulated, cancelled, failed };
 
-/// Colours of runs that nobody has coloured, by their number: told apart with every kind of colour vision.
+/// Default colours of runs, by their number: distinct for every kind of colour vision.
 QColor run_colour(std::size_t number);
-/// "A" for the first row, "Z" for the 26th, then "A1": what a run is called where its name has no room.
+/// "A" for the first row, "Z" for the 26th, then "A1": short name of a run.
 QString run_letter(std::size_t row);
-/// Dashes of their lines, in line widths, told apart in grey print; empty: a whole line.
+/// Dash patterns of runs, in line widths, distinct in grey print; empty: solid.
 QList<qreal> run_dashes(std::size_t number);
 
-/// The name of a run, or else model, tolerance in force and what is changed: "essid, 0.05 mm, X Jerk 20
-/// m/s³"; of more than two changes their number. `feed_controls`: LoadedProgram::feed_controls. `left_out`: a
-/// setting that is not named, the tolerance in force too where it is the contour tolerance.
+/// The name of a run, or else model, tolerance in force and changes: "essid, 0.05 mm, X Jerk 20 m/s³"; of
+/// more than two changes their number. `feed_controls`: LoadedProgram::feed_controls. `left_out`: a setting
+/// that is omitted, including the tolerance in force if it is the contour tolerance.
 QString run_title(const RunItem& item, std::span<const PathControl> feed_controls,
                   std::string_view left_out = {});
 
-/// The titles of runs that are shown together: the machine before those without a name where the machines
-/// differ, "(2)" behind the second run of one title.
+/// The titles of runs that appear together: unnamed ones begin with the machine if the machines differ; "(2)"
+/// follows the second of equal titles.
 QStringList run_titles(std::span<const RunItem> items, std::span<const PathControl> feed_controls);
 
-/// What tells the runs apart: as run_titles(), without what all runs without a name have in common: "0.02 mm"
-/// of runs that differ in nothing else.
+/// Titles that distinguish the runs: as run_titles(), without the common parts of unnamed runs: "0.02 mm" for
+/// runs that differ in nothing else.
 QStringList short_run_titles(std::span<const RunItem> items, std::span<const PathControl> feed_controls);
 
-/// `names`, with "(2)" behind the second of one name, "(3)" behind the third.
+/// `names`, with "(2)" after the second of equal names, "(3)" after the third.
 QStringList numbered(QStringList names);
 
-/// The runs of one program and which of them is the current one: the one that is edited, played and shown in
-/// full. There is always at least one. What changes a run can be undone; results are not part of that and are
-/// dropped with their run. A result is that of the setup which its run has now, or there is none.
+/// The runs of one program and the current one, which is edited, played and shown in full. There is always at
+/// least one. Changes of runs can be undone; results are not part of that and are discarded with their run. A
+/// result always belongs to the current setup of its run, or there is none.
 class RunList : public QObject {
   Q_OBJECT
 
@@ -67,81 +66,81 @@ class RunList : public QObject {
   const std::vector<RunItem>& items() const { return items_; }
   std::size_t current() const { return current_; }
   const RunItem& current_item() const { return items_[current_]; }
-  /// Row of a run; size of the list if it is gone.
+  /// Row of a run; size of the list if it no longer exists.
   std::size_t row_of(int id) const;
   void select(std::size_t row);
 
-  /// A copy below, which becomes the current run.
+  /// Adds a copy below, which becomes the current run.
   void duplicate(std::size_t row);
-  /// As duplicate(), with another setup and a name of its own; empty: named by what differs.
+  /// As duplicate(), with another setup and a name; empty: named by its differences.
   void duplicate_as(std::size_t row, const SetupState& setup, const QString& name = {});
-  /// The last run stays.
+  /// The last run remains.
   void remove(std::size_t row);
   void move(std::size_t row, std::size_t to);
   void rename(std::size_t row, const QString& name);
   void set_colour(std::size_t row, const QColor& colour);
   void set_visible(std::size_t row, bool visible);
-  /// `text` names the change in the history. Nothing happens if nothing changes.
+  /// `text` names the change in the history. Does nothing if nothing changes.
   void set_setup(std::size_t row, const SetupState& setup, const QString& text);
-  /// The same of every run, in their order, in one step.
+  /// Sets the setups of all runs, in order, in one step.
   void set_setups(const std::vector<SetupState>& setups, const QString& text);
-  /// How the tools of the program are engaged, in every run.
+  /// Engagement of the program's tools in all runs.
   const LoadSetup& load() const { return load_; }
   void set_load(const LoadSetup& load, const QString& text);
-  /// The same without a step of the history: what was set does not fit the program.
+  /// Sets the load without a step in the history: the previous one does not fit the program.
   void use_load(const LoadSetup& load) { apply({items_, current_, load}); }
-  /// What a run is simulated with: its setup with all edits, and load().
+  /// The setup for simulating a run: with all edits, and load().
   Setup setup(const RunItem& item) const;
-  /// Another set of runs altogether; the history goes.
+  /// Replaces all runs; clears the history.
   void replace(std::vector<RunItem> items, std::size_t current, const LoadSetup& load = {});
   QUndoStack& history() { return history_; }
-  /// Largest contour error of a run that may be chosen [mm]; none: any.
+  /// Largest contour error of a run that may be chosen [mm]; none: unlimited.
   const std::optional<double>& error_bound() const { return error_bound_; }
   void set_error_bound(const std::optional<double>& bound);
 
-  /// Those of the program, which may set tolerances of its own: LoadedProgram::feed_controls.
+  /// Path control of the program, which may set its own tolerances: LoadedProgram::feed_controls.
   void set_feed_controls(std::vector<PathControl> controls);
   /// As run_titles().
   QString title(const RunItem& item) const;
-  /// As short_run_titles(), with the run's letter before it, as pictures and tables name it: "B 0.02 mm";
-  /// alone with one run.
+  /// As short_run_titles(), preceded by the run's letter, as in pictures and tables: "B 0.02 mm"; the title
+  /// only for a single run.
   QString lettered_title(std::size_t row) const;
   const std::vector<PathControl>& feed_controls() const { return feed_controls_; }
-  /// None where the model follows none.
+  /// None if the model follows none.
   std::optional<ToleranceInForce> tolerance(const RunItem& item) const;
 
-  /// What the setup that a run has now gives; null while that has not been simulated.
+  /// Result of the run's current setup; null until that is simulated.
   std::shared_ptr<const ShownRun> result(std::size_t row) const;
-  /// What pictures draw of it: result(), or before its summary is known what has been set_drawn().
+  /// Drawable part of the run: result(), or set_drawn() before its summary is known.
   std::shared_ptr<const ShownRun> drawn(std::size_t row) const;
-  /// The last result of a run of this program, with whatever setup; null without any.
+  /// The last result of a run of this program, with any setup; null without one.
   std::shared_ptr<const ShownRun> last_result(std::size_t row) const;
   RunStatus status(std::size_t row) const;
-  /// Why a run has failed; empty for every other one.
+  /// Reason why a run failed; empty for others.
   QString failure(std::size_t row) const;
-  /// For a run that is gone: nothing.
+  /// Does nothing for a run that no longer exists.
   void set_result(int id, std::shared_ptr<const ShownRun> result);
-  /// Of the run under way, until it has a result or is given up: what its pictures need, without the rest.
+  /// Sets the drawable part of the run being simulated, until it has a result or is given up.
   void set_drawn(int id, std::shared_ptr<const ShownRun> drawn);
-  /// The setup that a run has now is not simulated: cancelled, or failed with a message for the user.
+  /// The run's current setup is not simulated: cancelled, or failed with a message for the user.
   void give_up(int id, const QString& failure = {});
-  /// A run that was given up waits again.
+  /// Puts a run that was given up in the queue again.
   void resume(std::size_t row);
-  /// Another program: no result holds, and nothing is given up.
+  /// For another program: all results are invalid, and no run is given up.
   void clear_results();
 
  signals:
-  /// Runs have come, gone or moved.
+  /// Runs were added, removed or moved.
   void list_changed();
-  /// Title, colour, visibility or setup of a run.
+  /// Title, colour, visibility or setup of a run has changed.
   void item_changed(std::size_t row);
   void setup_changed(std::size_t row, const feedscope::ui::SetupState& before);
-  /// Another way in which the tools are engaged.
+  /// The engagement of the tools has changed.
   void load_changed();
   void current_changed();
   void error_bound_changed();
   void result_changed(std::size_t row);
-  /// Given up, or waiting again.
+  /// A run was given up, or waits again.
   void status_changed(std::size_t row);
 
  private:
@@ -163,7 +162,7 @@ class RunList : public QObject {
   int next_id_ = 1;
   struct Result {
     std::shared_ptr<const ShownRun> shown;
-    bool holds;  ///< of the setup that the run has now
+    bool holds;  ///< whether it is of the run's current setup
   };
   std::map<int, Result> results_;  ///< the last of each run
   struct Drawn {
@@ -171,7 +170,7 @@ class RunList : public QObject {
     std::shared_ptr<const ShownRun> shown;  ///< null: nothing is drawn before its result
   };
   Drawn drawn_;
-  std::map<int, QString> given_up_;    ///< why, by the id of the run; empty: cancelled
+  std::map<int, QString> given_up_;    ///< reason by the id of the run; empty: cancelled
   std::optional<double> error_bound_;  ///< [mm]
   std::vector<PathControl> feed_controls_;
   QStringList titles_;  ///< of the items

@@ -9,7 +9,7 @@
 
 namespace feedscope::ui {
 
-/// The setup of the current run as the machine editor shows and changes it. Every change can be undone.
+/// The setup of the current run in the machine editor. Every change can be undone.
 class SetupEdit : public QObject {
   Q_OBJECT
 
@@ -18,39 +18,39 @@ class SetupEdit : public QObject {
   explicit SetupEdit(RunList& runs, QObject* parent = nullptr);
 
   const SetupState& state() const { return runs_.current_item().setup; }
-  /// The machine's file with the model; nothing edited.
+  /// The machine's file with the model, without edits.
   const Setup& file() const { return state().file(); }
-  /// With all edits.
+  /// The setup with all edits.
   Setup setup() const { return state().setup(); }
   /// Of the control [s]; none if its machine file has none.
   std::optional<double> interpolation_period() const;
 
-  /// Whether a change is one of all runs. It is of the current one alone nevertheless where the runs are
-  /// compared in what is changed, where the current run is still the same as another one, as a copy is that
-  /// is to be changed, and in a run whose model or machine does not take the value.
+  /// Whether a change applies to all runs. It nevertheless applies to the current run only if the runs differ
+  /// in the changed value, if the current run equals another one (such as a copy to be changed), and not to
+  /// runs whose model or machine does not take the value.
   void set_for_all(bool all) { for_all_ = all; }
   bool for_all() const { return for_all_; }
-  /// Another machine: edits go, but for those in which the runs differ.
+  /// Sets another machine; discards edits except those in which the runs differ.
   void set_file(const Setup& file);
-  /// Another model on the same machine: edits that it reads stay.
+  /// Sets another model on the same machine; keeps the edits that it reads.
   void set_model(const ControlModel& model);
-  /// Contour tolerance [mm]. Throws as set().
+  /// Sets the contour tolerance [mm]. Throws as set().
   void set_tolerance(double tolerance);
-  /// Throws InputError naming key, value and bound; nothing changes then.
+  /// Throws InputError with key, value and bound; nothing changes then.
   void set(const std::string& key, const SettingValue& value);
-  /// Back to what the file says, in one step.
+  /// Restores the file's values, in one step.
   void reset();
 
   QUndoStack& history() { return runs_.history(); }
 
  signals:
   void values_changed();
-  /// Another run, machine or model: other keys.
+  /// The run, machine or model has changed, and the keys with it.
   void keys_changed();
 
  private:
   void follow(std::size_t row, const SetupState& before);
-  /// Whether `part` of a setup is the same in all runs that have it, and the current run is no copy.
+  /// Whether `part` of a setup is equal in all runs that have it, and the current run is not a copy.
   bool is_common(const std::function<bool(const SetupState&)>& same_part) const;
   bool same_in_all(const std::string& key) const;
   void put(const SetupState& state, const QString& text);

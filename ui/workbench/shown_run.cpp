@@ -13,28 +13,28 @@ namespace {
 
 constexpr std::size_t slow_places_kept = 10'000;
 
-// Of the time that a run takes, as measured with several models.
+// Fractions of a run's computing time, as measured with several models.
 constexpr double share_of_motion = 0.45;
-constexpr double share_of_load = 0.3;  // where the motion is known
+constexpr double share_of_load = 0.3;  // if the motion is known
 struct Shares {
-  double samples = 0.35, summary = 0.2, envelope = 0.25, lines = 0.1, places = 0.1;  // of what follows
+  double samples = 0.35, summary = 0.2, envelope = 0.25, lines = 0.1, places = 0.1;  // of the remaining time
 };
 
-/// How the parts of a ShownRun are made.
+/// Parameters of making a ShownRun.
 struct Making {
   Progress& progress;
   double share = 1;                  ///< of `progress`
-  const Toolpath* input = nullptr;   ///< was simulated, and the summary is to come; null: that of the run
-  const ShownRun* before = nullptr;  ///< what was asked of its samples is made of the new ones at once
+  const Toolpath* input = nullptr;   ///< simulated path, with the summary to come; null: the run's
+  const ShownRun* before = nullptr;  ///< deviations requested of its samples are computed again
   ShownParts parts = {};
   DrawableRun drawable = {};
 };
 
-/// What is shown of `run`, each part beside the others.
+/// Parts of a ShownRun for `run`, computed in parallel.
 std::shared_ptr<const ShownRun> shown_of(Run run, const Making& how) {
   const bool with_deviations = how.before != nullptr && how.before->samples &&
                                how.before->samples->deviations && how.before->samples->deviations->asked();
-  auto drawn = std::make_shared<ShownRun>();  // never changed once it is handed on
+  auto drawn = std::make_shared<ShownRun>();  // not changed after it is passed on
   drawn->run = run;
   const std::shared_ptr<const Trajectory> trajectory = run.trajectory;
   ShownRun rest;
@@ -50,7 +50,7 @@ std::shared_ptr<const ShownRun> shown_of(Run run, const Making& how) {
       how.drawable(drawn);
     }
   };
-  // Two cores begin with the first and the third.
+  // Two cores start with the first and the third.
   in_parallel({[&] {
                  const Toolpath* toolpath = drawn->run.input.toolpath.get();
                  if (how.parts.path) {
@@ -63,7 +63,7 @@ std::shared_ptr<const ShownRun> shown_of(Run run, const Making& how) {
                  if (how.parts.path && how.input != nullptr && how.input != toolpath) {
                    drawn->programmed = std::make_shared<const SampledPath>(sample_programmed(*toolpath));
                  } else if (how.parts.path && how.before != nullptr && how.input == nullptr) {
-                   drawn->programmed = how.before->programmed;  // another load alone: the same motion
+                   drawn->programmed = how.before->programmed;  // other load only: same motion
                  }
                  samples.report(1);
                  one_is_there();

@@ -11,19 +11,18 @@
 
 namespace feedscope::ui {
 
-/// A run with what its pictures need, made off the GUI thread.
+/// A run with the data of its pictures, made outside the GUI thread.
 struct ShownRun {
   Run run;
   std::shared_ptr<const Envelope> envelope;    ///< for the charts
   std::shared_ptr<const SampledPath> samples;  ///< for the 3D view
-  /// Of the programmed path with the moves that this machine fills in, see on_machine(); null: it fills in
-  /// none.
+  /// Of the programmed path with the moves that this machine adds, see on_machine(); null: it adds none.
   std::shared_ptr<const SampledPath> programmed = nullptr;
   std::shared_ptr<const LineTimes> line_times;  ///< for the program's text
   std::shared_ptr<const SlowPlaces> slow_places;
 };
 
-/// What of a ShownRun a picture needs beside the run.
+/// Parts of a ShownRun that a picture needs in addition to the run.
 struct ShownParts {
   bool path = true;    ///< samples, programmed
   bool charts = true;  ///< envelope
@@ -34,7 +33,7 @@ struct ShownParts {
 /// Throws Cancelled if `progress` is cancelled.
 std::shared_ptr<const ShownRun> make_shown(Run run, Progress* progress = nullptr);
 
-/// A program with what its picture needs before the first run is there.
+/// A program with the data of its picture before the first run is ready.
 struct ShownProgram {
   LoadedProgram input;
   std::shared_ptr<const SampledPath> samples;  ///< of the programmed path

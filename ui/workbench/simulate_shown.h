@@ -9,10 +9,10 @@ namespace feedscope::ui {
 
 using DrawableRun = std::function<void(const std::shared_ptr<const ShownRun>&)>;
 
-/// Simulates a run and makes what its pictures need, on all cores: the summary beside the pictures. Throws
-/// what simulate_run() throws. `before`: another run of the same program; where only the cutting load
-/// differs, its motion is used again. `parts`: the others stay null, or empty. `drawable`: called once, on
-/// any thread, when what pictures draw is there: the run without its summary and lines, which follow.
+/// Simulates a run and makes the data of its pictures, on all cores, the summary in parallel. Throws as
+/// simulate_run(). `before`: another run of the same program, whose motion is reused if only the cutting load
+/// differs. `parts`: the others remain null, or empty. `drawable`: called once, on any thread, with the
+/// drawable part: the run without its summary and lines, which follow.
 std::shared_ptr<const ShownRun> simulate_shown(const LoadedProgram& input, Setup setup,
                                                Progress* progress = nullptr, const ShownRun* before = nullptr,
                                                const ShownParts& parts = {},

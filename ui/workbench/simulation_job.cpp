@@ -12,7 +12,7 @@ namespace feedscope::ui {
 
 namespace {
 
-/// What the program before, or a computation, has left, which its allocator would keep.
+/// Returns memory of the previous program, or of a computation, which the allocator would keep.
 void give_back_memory() {
 #ifdef __GLIBC__
   malloc_trim(0);
@@ -39,7 +39,7 @@ void SimulationJob::start(JobRequest request) {
              });
 }
 
-/// On another thread: `this` is only for what is told in its own.
+/// On another thread: only calls passed to tell() use `this`.
 SimulationJob::Result SimulationJob::work(const JobRequest& request, JobControl& control,
                                           std::atomic<JobStage>& stage) {
   LoadedProgram input;

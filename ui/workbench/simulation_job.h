@@ -11,18 +11,18 @@
 
 namespace feedscope::ui {
 
-/// What to simulate: a file to read, or a program read before.
+/// Simulation request: a file to read, or a program already read.
 struct JobRequest {
   std::variant<std::filesystem::path, LoadedProgram> input;
   Setup setup;
   ReadOptions reading = {};  ///< of a file
   std::shared_ptr<const ShownRun> before =
-      {};  ///< of the same program; its motion is used again where it is the same
+      {};  ///< of the same program; its motion is reused if it is equal to the new one
 };
 
 enum class JobStage { reading, simulating };
 
-/// Reads and simulates on another thread. One request at a time; a newer one cancels the one under way, whose
+/// Reads and simulates on another thread. One request at a time; a new one cancels the running one, whose
 /// result is never delivered. All signals in the thread of this object.
 class SimulationJob : public QObject {
   Q_OBJECT
@@ -36,11 +36,11 @@ class SimulationJob : public QObject {
 
  signals:
   void busy_changed(bool busy);
-  /// `fraction` of the stage is done, 0 to 1; a few times a second while busy.
+  /// `fraction` of the stage is done, 0 to 1; emitted a few times a second while busy.
   void progressed(feedscope::ui::JobStage stage, double fraction);
   /// A file has been read; its simulation follows.
   void program_read(const feedscope::ui::ShownProgram& program);
-  /// What pictures draw of the run under way; the rest of it follows.
+  /// The drawable part of the run being simulated; the rest follows.
   void drawable(const std::shared_ptr<const feedscope::ui::ShownRun>& drawn);
   void finished(std::shared_ptr<const feedscope::ui::ShownRun> run);
   /// `message` for the user: unreadable file, missing limit, out of memory.
@@ -51,7 +51,7 @@ class SimulationJob : public QObject {
 
   Result work(const JobRequest& request, JobControl& control, std::atomic<JobStage>& stage);
 
-  std::shared_ptr<std::atomic<JobStage>> stage_;  ///< of the request under way
+  std::shared_ptr<std::atomic<JobStage>> stage_;  ///< of the running request
   Job<Result> job_;
 };
 

@@ -8,9 +8,9 @@ namespace feedscope::ui {
 
 namespace {
 
-constexpr double longest_unasked = 5;  // simulation of one run after which changes wait to be asked for [s]
+constexpr double longest_unasked = 5;  // of one run; beyond it, changes wait for a request [s]
 constexpr int pause_ms =
-    2500;  // of a run's changes after those of another: values often change again at once
+    2500;  // pause before trying a run's changes after those of another: values often change again at once
 constexpr std::size_t most_known = 16;
 
 }  // namespace
@@ -33,7 +33,7 @@ void TimeFindings::set_run(std::shared_ptr<const ShownRun> shown, const SetupSta
   if (shown == shown_) {
     return;
   }
-  const bool follows = setup_.has_value();  // in between there was none: the edit had no result yet
+  const bool follows = setup_.has_value();  // without a run in between: the edit had no result yet
   cancel();
   shown_ = std::move(shown);
   if (shown_ != nullptr) {

@@ -11,49 +11,49 @@
 
 namespace feedscope::ui {
 
-/// Where the time of the current run goes and what would help, for all panels that show it.
+/// Breakdown of the current run's time and helpful changes, for all panels that show them.
 ///
-/// Works while one of them can be seen. Changes of programs that take long to simulate are tried when asked
-/// for; those of a run that follows another one after a pause in which nothing else is simulated, and once.
+/// Computes while one of them is visible. If simulation takes long, changes are tried on request only. For a
+/// run that follows another one, they are tried once, after a pause without other simulations.
 class TimeFindings : public QObject {
   Q_OBJECT
 
  public:
   explicit TimeFindings(QObject* parent = nullptr);
 
-  /// The run, and the setup that it was made with; null: none.
+  /// The run and its setup; null: none.
   void set_run(std::shared_ptr<const ShownRun> shown, const SetupState& setup);
-  /// Whether `viewer` can be seen.
+  /// Whether `viewer` is visible.
   void set_watched(const QObject* viewer, bool seen);
-  /// Leaves the processors to another simulation, or takes up what that has interrupted.
+  /// Leaves the processors to another simulation, or resumes interrupted work.
   void give_way(bool to_others);
-  /// Simulates what would help, however long it takes.
+  /// Simulates changes, however long it takes.
   void try_changes();
   void cancel();
   bool busy() const { return job_.busy() || pause_.isActive(); }
 
   const std::shared_ptr<const ShownRun>& shown() const { return shown_; }
-  /// Whether there is a run that takes time and that the control does not refuse.
+  /// Whether there is a run with a cycle time that the control does not refuse.
   bool has_time() const;
   /// Null while nothing is known.
   const std::shared_ptr<const TimeReport>& report() const { return report_; }
-  /// What would help is known.
+  /// Whether the changes have been tried.
   bool tried() const { return tried_; }
-  /// What would help is being simulated.
+  /// Whether changes are being simulated.
   bool trying() const { return job_.busy() && report_ != nullptr; }
   bool working() const { return job_.busy(); }
   /// The setup of the run with a change. Throws InputError.
   SetupState changed_by(const Remedy& remedy) const;
 
  signals:
-  /// Another run, or more is known of it.
+  /// The run has changed, or more is known about it.
   void changed();
-  /// Work has begun or ended; `failure` says why in vain, for the user.
+  /// Work has started or ended; `failure`: reason why it failed, for the user.
   void state_changed(const QString& failure);
   void progressed(double fraction);
 
  private:
-  /// What is known of a run that was shown before.
+  /// Findings on a run shown before.
   struct Known {
     std::weak_ptr<const Trajectory> run;
     std::shared_ptr<const TimeReport> report;
@@ -61,7 +61,7 @@ class TimeFindings : public QObject {
 
   void catch_up();
   void look();
-  /// Tries changes now if that is wanted, nothing else is under way and there is something to gain.
+  /// Tries changes now if requested, nothing else is running and there is something to gain.
   void try_wanted();
   void take(const std::shared_ptr<const TimeReport>& report);
   void remember();
@@ -73,11 +73,11 @@ class TimeFindings : public QObject {
   std::shared_ptr<const TimeReport> report_;
   std::vector<Known> known_;  ///< the newest last
   std::set<const QObject*> viewers_;
-  QTimer pause_;            ///< before changes are tried unasked
-  bool tried_ = false;      ///< what would help is known
-  bool wanted_ = false;     ///< what would help is to be tried
-  bool asked_ = false;      ///< by the user
-  bool gives_way_ = false;  ///< something else is simulated
+  QTimer pause_;            ///< before changes are tried without a request
+  bool tried_ = false;      ///< whether the changes have been tried
+  bool wanted_ = false;     ///< whether to try the changes
+  bool asked_ = false;      ///< whether the user requested it
+  bool gives_way_ = false;  ///< whether something else is being simulated
   bool stale_ = false;
 };
 

@@ -9,26 +9,26 @@
 
 namespace feedscope::ui {
 
-/// Works out on another thread where the time of a run goes, and tries what would help. What is begun drops
-/// what is under way. All signals in the thread of this object.
+/// Breaks down the time of a run, and tries changes, on another thread. New work cancels the running one. All
+/// signals in the thread of this object.
 class TimeJob : public QObject {
   Q_OBJECT
 
  public:
   explicit TimeJob(QObject* parent = nullptr);
 
-  /// Where the time goes.
+  /// Computes the breakdown of the time.
   void look(std::shared_ptr<const ShownRun> shown);
-  /// Simulates what would help `shown`, whose `report` look() has made.
+  /// Simulates changes of `shown`, whose `report` is from look().
   void try_changes(std::shared_ptr<const ShownRun> shown, std::shared_ptr<const TimeReport> report);
   void cancel() { job_.cancel(); }
   bool busy() const { return job_.busy(); }
 
  signals:
-  /// Without what would help, or with it.
+  /// Emitted without tried changes, or with them.
   void done(const std::shared_ptr<const feedscope::TimeReport>& report);
   void progressed(double fraction);
-  /// Nothing more comes: done, cancelled, or `message` says why not.
+  /// Nothing more follows: done, cancelled, or failed with `message`.
   void ended(const QString& message);
 
  private:

@@ -12,7 +12,7 @@ QString tolerance_range(const std::optional<ToleranceInForce>& tolerance);
 /// "0.02 mm".
 QString tolerance_text(const ToleranceInForce& tolerance);
 
-/// Who sets it, as a sentence.
+/// Origin of the tolerance, as a sentence.
 QString tolerance_origin(const ToleranceInForce& tolerance);
 
 }  // namespace feedscope::ui

@@ -7,14 +7,14 @@
 
 namespace feedscope::ui {
 
-/// What a control recorded of the program: one more run, that was not simulated.
+/// A recorded trace of the program: a run that was not simulated.
 struct TraceItem {
-  int id = 0;  ///< never used again for another trace; 0: none yet
+  int id = 0;  ///< never reused for another trace; 0: none yet
   std::filesystem::path file;
-  std::string columns;  ///< specification as parse_trace_columns() reads it; empty: found from the file
+  std::string columns;  ///< specification for parse_trace_columns(); empty: detected from the file
   QString name;
   QColor colour;
-  bool visible = true;  ///< drawn beside the current run
+  bool visible = true;  ///< drawn with the current run
 
   bool operator==(const TraceItem&) const = default;
 };

@@ -17,10 +17,10 @@ namespace feedscope::ui {
 
 namespace {
 
-/// Colours of runs that these come to last.
+/// Colours that runs use last.
 constexpr std::array<std::size_t, 4> colour_numbers{5, 7, 6, 4};
 
-/// Whatever the machine.
+/// Whether the rate does not depend on the machine.
 bool has_rate_of_its_own(const Trace& trace) {
   return trace.clock == TraceClock::times || trace.clock == TraceClock::option;
 }
@@ -146,7 +146,7 @@ void TraceList::set_run(std::shared_ptr<const ShownRun> run) {
   }
   const auto worked_on = states_.find(under_way_);
   if (worked_on != states_.end() && worked_on->second.trace != nullptr) {
-    job_.cancel();  // it compares with the run before
+    job_.cancel();  // it compares with the previous run
   }
   for (std::size_t row = 0; row < items_.size(); ++row) {
     emit changed(row);
@@ -214,7 +214,7 @@ QColor TraceList::free_colour() const {
                                               [&](std::size_t number) { return used(run_colour(number)); }));
 }
 
-/// A trace is read without a run too, so that what is wrong with its file is known.
+/// Reads traces even without a run, so that errors in their files are reported.
 void TraceList::work_on() {
   if (job_.busy()) {
     return;
@@ -240,7 +240,7 @@ void TraceList::work_on() {
             try {
               result.shown = lay_beside(result.trace, run, &control.progress);
             } catch (const InputError& error) {
-              result.failure = failure_text(error);  // but it has been read
+              result.failure = failure_text(error);  // although it has been read
             }
           }
           return result;
@@ -249,7 +249,7 @@ void TraceList::work_on() {
           JobOutcome<Result> became = outcome;
           const std::size_t at = row_of(id);
           if (at < items_.size() && items_[at].columns != columns) {
-            became = {};  // read in another way meanwhile
+            became = {};  // read with other columns meanwhile
           } else if (run != run_ && became.result) {
             became.result->shown = nullptr;
             became.result->failure.clear();
@@ -276,7 +276,7 @@ void TraceList::take(int id, const JobOutcome<Result>& outcome) {
     if (first) {
       emit compared_first(row);
     }
-    if (!state.failure.isEmpty() && state.failure != told) {  // each run is compared with it anew
+    if (!state.failure.isEmpty() && state.failure != told) {  // each run is compared with it again
       emit failed(items_[row].name + QStringLiteral(": ") + state.failure);
     }
   }

@@ -8,11 +8,11 @@
 
 namespace feedscope::ui {
 
-/// What is wrong with a trace, and what of it on its program, the gravest first.
+/// Errors of a trace, in itself and on its program, the most severe first.
 std::vector<Diagnostic> messages_on(const Trace& trace, const TraceOnProgram& found);
-/// What a reader of traces says, with `instead` where it names the option --columns of the command line.
+/// A message of the trace readers, with `instead` in place of the command line's option --columns.
 QString without_columns_option(QString text, const QString& instead);
-/// What is wrong and what to do, as sentences in the user's language.
+/// Error and advice, as sentences in the user's language.
 QString message_text(const Diagnostic& message);
 
 }  // namespace feedscope::ui

@@ -124,8 +124,8 @@ void Workbench::open(const std::filesystem::path& file, std::vector<RunItem> run
   open(file);
 }
 
-/// The runs were set up for the program before: one stays, on the machine that was in use, and follows the
-/// tolerances of the program that comes.
+/// Keeps one run of those set up for the previous program, on its current machine; it follows the tolerances
+/// of the new program.
 void Workbench::begin_runs_again() {
   SetupState setup = runs_.current_item().setup;
   for (const char* key : {contour_tolerance_key, program_tolerance_key}) {
@@ -134,7 +134,7 @@ void Workbench::begin_runs_again() {
   runs_.replace({{0, {}, run_colour(0), true, std::move(setup)}}, 0);
 }
 
-/// None where there is no such file.
+/// None if there is no such file.
 std::optional<Workbench::FileState> Workbench::file_state() const {
   std::error_code none;
   const FileState state{std::filesystem::last_write_time(file_, none),
@@ -270,7 +270,7 @@ std::vector<MachineChoice> Workbench::machine_choices() const {
     try {
       choice.name = QString::fromStdString(machines_.load(id).name);
     } catch (const InputError&) {
-      // choosing it says what is wrong with the file
+      // choosing it reports errors in the file
     }
     choices.push_back(choice);
   }
@@ -280,7 +280,7 @@ std::vector<MachineChoice> Workbench::machine_choices() const {
       choices.push_back({QString::fromStdString(machine.id), QString::fromStdString(machine.name), file,
                          QFileInfo(file).owner()});
     } catch (const InputError&) {
-      continue;  // it has changed since; opening it says what is wrong
+      continue;  // it has changed since; opening it reports errors
     }
   }
   return choices;
@@ -321,7 +321,7 @@ void Workbench::take_program(const ShownProgram& program) {
   emit program_changed();
 }
 
-/// That of the program's dialect, unless someone has chosen a machine or set something up.
+/// Chooses the machine of the program's dialect, unless the user has chosen a machine or edited a setup.
 void Workbench::use_default_machine() {
   const std::string id = default_machine_of(program_.input.program->dialect);
   const RunItem& only = runs_.current_item();
@@ -395,7 +395,7 @@ void Workbench::show_drawn() {
   emit drawn_changed();
 }
 
-/// Until the run that comes next is simulated.
+/// Stores the cursor's place until the next run is simulated.
 void Workbench::keep_place() {
   if (program_.input.program != nullptr && cursor_.valid() && cursor_.state().time > 0) {
     place_ = Place{cursor_.state().path_length, playback_.playing()};
@@ -411,7 +411,7 @@ void Workbench::return_to_place() {
   }
 }
 
-/// Editors replace a file as often as they write it again; a path that was gone must be watched again.
+/// Editors often replace a file instead of rewriting it; a path that was deleted must be watched again.
 void Workbench::watch() {
   const QString file = to_qstring(file_);
   if (!watcher_.files().isEmpty() && !watcher_.files().contains(file)) {

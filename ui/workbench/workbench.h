@@ -21,110 +21,110 @@
 
 namespace feedscope::ui {
 
-/// A machine as people choose it.
+/// A machine in a list of choices.
 struct MachineChoice {
   QString id;
   QString name;
-  QString file = {};   ///< of one's own; empty for a shipped machine
-  QString owner = {};  ///< of that file; empty where the system does not say
+  QString file = {};   ///< of a user's machine; empty for a shipped one
+  QString owner = {};  ///< of that file; empty if the system does not report it
 
-  /// What Workbench::choose_machine() takes.
+  /// Argument for Workbench::choose_machine().
   const QString& key() const { return file.isEmpty() ? id : file; }
 };
 
-/// What the window works on: one program, its runs, and the place that all views point at. Whatever is not up
-/// to date is simulated again, the current run first.
+/// The work of the window: one program, its runs, and the common place of all views. Outdated runs are
+/// simulated again, the current one first.
 class Workbench : public QObject {
   Q_OBJECT
 
  public:
   Workbench(MachineLibrary machines, Setup setup, QObject* parent = nullptr);
 
-  /// Shows a run that is done, with its program and setup, as the only one.
+  /// Shows a finished run, with its program and setup, as the only one.
   void show(const Run& run);
-  /// Reads a program and simulates every run of it. Another one than before is read as usual and begins with
-  /// one run: machine, model and values of the current one, without a name and a tolerance set for the
-  /// program before. Until someone has chosen a machine it runs on that of its dialect: default_machine_of().
+  /// Reads a program and simulates all its runs. A new program is read with default options and has one run:
+  /// machine, model and values of the current one, without a name and a tolerance set for the previous
+  /// program. Until the user chooses a machine, it runs on that of its dialect: default_machine_of().
   void open(const std::filesystem::path& file);
-  /// The same with other runs, at least one; their history goes.
+  /// Opens a program with other runs, at least one; clears their history.
   void open(const std::filesystem::path& file, std::vector<RunItem> runs, std::size_t current,
             const ReadOptions& reading = {}, const LoadSetup& load = {});
-  /// Shows no program; one run stays, as for another program.
+  /// Closes the program; one run remains, as for another program.
   void close();
-  /// Reads the program again; the cursor stays at its line.
+  /// Reads the program again; the cursor keeps its line.
   void reload();
   void set_reload_on_change(bool on);
-  /// How the program is read; another way reads it again.
+  /// The reading options of the program; setting others reads it again.
   const ReadOptions& reading() const { return reading_; }
   void set_reading(const ReadOptions& options);
-  /// The runs that are not simulated yet are given up.
+  /// Gives up the runs that are not simulated yet.
   void cancel();
-  /// A run that was given up, once more.
+  /// Simulates a run again that was given up.
   void simulate_again(std::size_t row);
-  /// Id or file; its own model is chosen with it. An unusable file is reported by failed().
+  /// Id or file; also chooses its own model. An unusable file is reported by failed().
   void choose_machine(const QString& id_or_file);
-  /// A machine that stands in no file; its own model is chosen with it.
+  /// Uses a machine without a file, with its own model.
   void use_machine(Machine machine);
-  /// The machine of the current run is wanted: no program that is opened chooses another one by its dialect.
+  /// Keeps the current run's machine: programs opened later do not change it by their dialect.
   void hold_machine() { machine_chosen_ = true; }
   void choose_model(const QString& id);
   /// Writes the machine of the current run with all edits to a machine file, whose name becomes its id, and
-  /// goes on with that file. `name`: for people; "" for name_to_save(). What cannot be written is reported by
-  /// failed(), and nothing is left behind.
+  /// continues with that file. `name`: for people; "" for name_to_save(). A write error is reported by
+  /// failed(), and no partial file is left.
   void save_machine(const std::filesystem::path& file, const QString& name = {});
-  /// What the machine of the current run is called in a file of its own: with edits not like the one before.
+  /// Name of the current run's machine in its own file: if it has edits, different from the previous one.
   QString name_to_save(const std::filesystem::path& file) const;
-  /// Contour tolerance of the current run [mm], instead of the program's own too. False if its model reads
-  /// none, or the value is out of bounds.
+  /// Sets the contour tolerance of the current run [mm], which also replaces the program's. Returns false if
+  /// its model reads none, or the value is out of bounds.
   bool set_tolerance(double tolerance);
 
-  /// Whether the machine is that of the program's language, which nobody has chosen.
+  /// Whether the machine follows the program's language, because the user has not chosen one.
   bool machine_by_language() const { return program() != nullptr && !machine_chosen_; }
-  /// The shipped machines, where one whose file is faulty goes by its id; then one's own, as far as they can
-  /// be read.
+  /// The shipped machines, by id if their file is faulty; then the readable ones of the user.
   std::vector<MachineChoice> machine_choices() const;
   RunList& runs() { return runs_; }
-  /// What a control recorded of the program; another program has none.
+  /// Recorded traces of the program; another program has none.
   TraceList& traces() { return traces_; }
   SetupEdit& setup() { return setup_; }
   Cursor& cursor() { return cursor_; }
   Playback& playback() { return playback_; }
-  /// The stretch of the current run that the charts show.
+  /// Range of the current run in the charts.
   ViewRange& view_range() { return view_range_; }
-  /// Where the time of the current run goes and what would help.
+  /// Breakdown of the current run's time, and helpful changes.
   TimeFindings& time_findings() { return time_findings_; }
-  /// Points at a place that lasts from one time to another [s], and shows it with as much before and behind.
+  /// Moves the cursor to a place that lasts from one time to another [s], and shows it with as much time
+  /// before and after.
   void show_place(double time, double from, double to);
-  /// Their changes stand in the history of the runs.
+  /// Their changes are in the history of the runs.
   AnnotationList& annotations() { return annotations_; }
   const std::filesystem::path& file() const { return file_; }
   /// Null until a program has been read.
   std::shared_ptr<const Program> program() const { return program_.input.program; }
   const ShownProgram& shown_program() const { return program_; }
-  /// Of the current run, simulated with the setup that it has now; null until that is done.
+  /// Result of the current run with its current setup; null until that is simulated.
   std::shared_ptr<const ShownRun> shown() const { return runs_.result(runs_.current()); }
-  /// What pictures draw: shown(), or before its summary is known what charts and 3D need of it.
+  /// Drawable part of the current run: shown(), or the data for charts and 3D before its summary is known.
   std::shared_ptr<const ShownRun> drawn() const { return runs_.drawn(runs_.current()); }
   bool busy() const { return job_.busy(); }
 
  signals:
-  /// Another program, or none; its runs follow.
+  /// The program has changed, or was closed; its runs follow.
   void program_changed();
-  /// Another current run, another result of it, or none any more.
+  /// The current run or its result has changed, or no longer exists.
   void run_changed();
-  /// Another drawn(), or none any more; before run_changed().
+  /// drawn() has changed or no longer exists; before run_changed().
   void drawn_changed();
   void busy_changed(bool busy);
-  /// show_place() [s].
+  /// Emitted by show_place() [s].
   void place_shown(double from, double to);
-  /// What is being done, for the user, and how much of it [0, 1].
+  /// Current activity, for the user, and the fraction done [0, 1].
   void progressed(const QString& activity, double fraction);
   void failed(const QString& message);
-  /// Something worth a line in the status bar.
+  /// A message for the status bar.
   void noticed(const QString& message);
 
  private:
-  /// What tells that a file has been written.
+  /// State of a file, to detect writes.
   struct FileState {
     std::filesystem::file_time_type written;
     std::uintmax_t size = 0;
@@ -162,17 +162,17 @@ class Workbench : public QObject {
   TimeFindings time_findings_;
   SimulationJob job_;
   QFileSystemWatcher watcher_;
-  QTimer changed_;                       ///< a file that is being written changes more than once
-  std::optional<FileState> read_state_;  ///< when the file was last read: a change before that is known
+  QTimer changed_;                       ///< a file being written changes more than once
+  std::optional<FileState> read_state_;  ///< at the last reading of the file: earlier changes are known
   bool reload_on_change_ = true;
   std::filesystem::path file_;
   ReadOptions reading_;
   bool machine_chosen_ = false;  ///< else the program's dialect chooses it
   ShownProgram program_;
-  int working_on_ = 0;         ///< id of the run under way
-  Setup working_setup_;        ///< as it was when that began
+  int working_on_ = 0;         ///< id of the run being simulated
+  Setup working_setup_;        ///< its setup at the start
   std::uint32_t stay_at_ = 0;  ///< line of the cursor before the program was read again
-  /// Where the cursor was in the last run that was shown; none: at the start, or of another program.
+  /// Place of the cursor in the last shown run; none: at the start, or of another program.
   struct Place {
     double path_length;  ///< [mm]
     bool playing;

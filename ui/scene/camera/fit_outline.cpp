@@ -13,14 +13,14 @@ double cross(const Vec2& a, const Vec2& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// One size of the outline after the other.
+/// Tries sizes of the outline.
 class OutlineFitter {
  public:
   OutlineFitter(const std::vector<Vec2>& hull, const ScreenRectangle& room,
                 const std::vector<ScreenRectangle>& covered)
       : hull_(hull), box_(box_around(hull)), room_(room), covered_(covered) {}
 
-  /// The largest size that the room alone allows, at most `largest`.
+  /// The largest size in the room without covered parts, at most `largest`.
   double largest_in_room(double largest) const {
     for (int axis = 0; axis < 2; ++axis) {
       const double size = box_.size()[axis];
@@ -29,7 +29,7 @@ class OutlineFitter {
     return largest;
   }
 
-  /// The place nearest to the middle where the outline is free; none: there is no such place.
+  /// The nearest place to the centre where the outline is free; none if there is no such place.
   std::optional<Vec2> free_place(double factor) const {
     const Vec2 first = room_.low - factor * box_.low;
     const Vec2 last = room_.high - factor * box_.high;
@@ -50,7 +50,7 @@ class OutlineFitter {
   }
 
  private:
-  static constexpr int steps = 16;  // of places in each direction; even, so that the middle is one
+  static constexpr int steps = 16;  // places in each direction; even, so that one is the centre
 
   bool is_free(double factor, const Vec2& place) const {
     return std::ranges::none_of(covered_, [&](const ScreenRectangle& rectangle) {
@@ -58,7 +58,7 @@ class OutlineFitter {
     });
   }
 
-  /// Two convex shapes are apart where an edge of one of them is between them.
+  /// Two convex shapes are apart if an edge of one of them separates them.
   bool meets(const ScreenRectangle& rectangle) const {
     if (!rectangle.meets(box_)) {
       return false;
@@ -95,8 +95,8 @@ ScreenRectangle box_around(const std::vector<Vec2>& points) {
 
 namespace {
 
-/// Without points inside the octagon of those that are farthest in eight directions: none is on the hull, and
-/// few others need to be sorted.
+/// Removes points inside the octagon of the farthest points in eight directions: they are not on the hull,
+/// and few others need sorting.
 void keep_outer(std::vector<Vec2>& points) {
   const std::array<Vec2, 8> directions{Vec2(1, 0),  Vec2(1, 1),   Vec2(0, 1),  Vec2(-1, 1),
                                        Vec2(-1, 0), Vec2(-1, -1), Vec2(0, -1), Vec2(1, -1)};
@@ -146,7 +146,7 @@ std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
       }
       hull.push_back(*point);
     }
-    hull.pop_back();  // the other chain begins there
+    hull.pop_back();  // it is the start of the other chain
   };
   add_chain(points.begin(), points.end());
   add_chain(points.rbegin(), points.rend());
@@ -164,7 +164,7 @@ FittedOutline fit_outline(const std::vector<Vec2>& hull, const ScreenRectangle& 
     return {high, *place};
   }
   double low = 0;
-  FittedOutline best{high, room.centre() - high * box_around(hull).centre()};  // where all of it is covered
+  FittedOutline best{high, room.centre() - high * box_around(hull).centre()};  // if all of it is covered
   while (high - low > 1e-3 * high) {
     const double factor = (low + high) / 2;
     if (const auto place = fitter.free_place(factor)) {

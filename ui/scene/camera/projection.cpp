@@ -17,7 +17,7 @@ SceneFrame frame_around(const Bounds& content) {
   }
   double extent = (box.max - box.min).maxCoeff();
   frame.centre = (box.min + box.max) / 2;
-  // Less than the last digits of a double cannot be told from a point.
+  // An extent in the last digits of a double cannot be distinguished from a point.
   if (extent <= 1e-12 * (1 + frame.centre.cwiseAbs().maxCoeff())) {
     extent = default_extent;
     box.min -= Vec3(extent / 2, extent / 2, 0);

@@ -8,10 +8,10 @@ class vtkCamera;
 
 namespace feedscope::ui {
 
-/// Display coordinates: device pixels from the window's lower left corner, as VTK counts them.
+/// Display coordinates: device pixels from the window's lower left corner, as in VTK.
 using Vec2 = Eigen::Vector2d;
 
-/// A rectangle of the window [pixels], upwards; empty where it has no height.
+/// A rectangle of the window [pixels], upwards; empty if it has no height.
 struct ScreenRectangle {
   Vec2 low = Vec2::Zero();
   Vec2 high = Vec2::Zero();
@@ -19,7 +19,7 @@ struct ScreenRectangle {
   bool empty() const { return high.y() <= low.y(); }
   Vec2 size() const { return high - low; }
   Vec2 centre() const { return (low + high) / 2; }
-  /// With `more` on every side.
+  /// Enlarged by `more` on every side.
   ScreenRectangle grown(double more) const {
     return {low - Vec2::Constant(more), high + Vec2::Constant(more)};
   }
@@ -31,8 +31,8 @@ struct ScreenRectangle {
   }
 };
 
-/// What the programme calls space, made small: VTK's matrices and depth buffer are single precision, so the
-/// scene is drawn about its centre with its largest extent as 1, whether it is a micrometre or a kilometre.
+/// Scaled coordinates of the program's space: VTK's matrices and depth buffer are single precision, so the
+/// scene is drawn about its centre with a largest extent of 1, be it a micrometre or a kilometre.
 struct SceneFrame {
   Vec3 centre = Vec3::Zero();  ///< [mm]
   double unit = 1;             ///< [mm]
@@ -42,33 +42,33 @@ struct SceneFrame {
   double to_mm(int axis, double coordinate) const { return centre[axis] + coordinate * unit; }
 };
 
-/// Frame around `content` [mm] with a little air; a flat extent stays flat, a single point or nothing gets a
-/// plane of 100 mm.
+/// Frame around `content` [mm] with a small margin; a flat extent remains flat, a single point or nothing
+/// gets a plane of 100 mm.
 SceneFrame frame_around(const Bounds& content);
 
-/// One frame's projection: where the camera puts scene coordinates.
+/// Projection of one frame, from scene coordinates to the window.
 struct Projection {
-  Vec3 focal;  ///< drawn in the middle of the window
+  Vec3 focal;  ///< drawn at the centre of the window
   Vec3 right;  ///< unit vectors of the screen, in the scene
   Vec3 up;
   Vec3 towards;             ///< from the focal point to the eye
-  double scale = 1;         ///< pixels a scene unit, at the focal point
+  double scale = 1;         ///< pixels per scene unit, at the focal point
   double eye_distance = 0;  ///< from the focal point; 0: parallel projection
-  Vec2 middle;              ///< of the window
+  Vec2 middle;              ///< centre of the window
 
   Projection(vtkCamera& camera, int width, int height);
 
   bool perspective() const { return eye_distance > 0; }
-  /// How much larger than at the focal point things look at `p`; what is behind the eye or very near it looks
-  /// as in front of it.
+  /// Size of things at `p` relative to the focal point; behind the eye or very near, the value just in front
+  /// of it.
   double magnification(const Vec3& p) const;
   Vec2 to_display(const Vec3& p) const {
     return middle + scale * magnification(p) * Vec2((p - focal).dot(right), (p - focal).dot(up));
   }
-  /// From `p` to the eye, unit vector.
+  /// Unit vector from `p` to the eye.
   Vec3 towards_eye(const Vec3& p) const;
-  /// Places something `height` scene units nearer to the eye without moving it on the screen: what is at p
-  /// then belongs at shift + shrink * p.
+  /// Moves something `height` scene units towards the eye without moving it on the screen: a point p moves to
+  /// shift + shrink * p.
   struct Lift {
     Vec3 shift;
     double shrink = 1;

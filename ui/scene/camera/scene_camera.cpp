@@ -14,9 +14,9 @@ namespace {
 constexpr double parallel_eye_distance =
     40;  // scene units; a parallel projection shows the same from anywhere
 constexpr double scene_radius = 1.5;
-constexpr double view_angle = units::pi / 6;  // of a perspective view, from bottom to top
+constexpr double view_angle = units::pi / 6;  // of a perspective view, vertical
 constexpr double quarter = units::pi / 2;
-// Half of the view's height: less has no single precision left, more shows a dot.
+// Half of the view's height: smaller exceeds single precision, larger shows a dot.
 constexpr double min_half_height = 1e-6;
 constexpr double largest_half_height = 100;
 
@@ -44,7 +44,7 @@ Angles angles_of(StandardView view) {
   return {-quarter / 2, std::atan(std::sqrt(0.5))};
 }
 
-/// Sine and cosine, exact where the angle is a quarter turn: standard views look straight along an axis.
+/// Sine and cosine, exact at quarter turns: standard views look exactly along an axis.
 Vec2 sine_cosine(double angle) {
   const double quarters = angle / quarter;
   const double whole = std::round(quarters);
@@ -104,8 +104,8 @@ void SceneCamera::look(StandardView view) {
 void SceneCamera::fit(int width, int height, const ScreenRectangle& room,
                       const std::vector<ScreenRectangle>& covered,
                       const std::function<std::vector<Vec2>(const Projection&)>& outline) {
-  // Labels do not grow with the path, and in perspective what is near grows more, the more the nearer the eye
-  // comes: half of the way at a time settles. At the end nothing grows, so that nothing is cut.
+  // Labels do not grow with the path, and in perspective near parts grow faster the nearer the eye comes.
+  // Moving half of the way each time converges. In the last rounds nothing grows, so that nothing is cut off.
   const int growing_rounds = perspective_ ? 16 : 6;
   const int rounds = growing_rounds + 12;
   constexpr double settled = 1e-3;
@@ -116,13 +116,13 @@ void SceneCamera::fit(int width, int height, const ScreenRectangle& room,
     const std::vector<Vec2> hull = convex_hull(outline(before));
     const ScreenRectangle box = hull.empty() ? room : box_around(hull);
     const double extent = hull.size() < 2 ? 0 : box.size().maxCoeff() / before.scale;  // [scene units]
-    // What is seen end on has no size: the scene's unit then takes the room.
+    // A line seen end on has no size: the scene's unit then fills the room.
     const double usual = room.size().minCoeff() / before.scale;
     const bool grows = round < growing_rounds;
     const double largest = !grows ? 1 : extent < min_half_height ? usual : HUGE_VAL;
     const FittedOutline fitted = fit_outline(hull, room, covered, largest);
     constexpr double largest_step = 1.5;
-    constexpr double spare = 0.99;  // what shrinks comes to its end sooner
+    constexpr double spare = 0.99;  // shrinking then ends sooner
     const double step = !grows && fitted.factor < 1 ? spare * fitted.factor
                         : perspective_              ? std::sqrt(fitted.factor)
                                                     : fitted.factor;
@@ -130,7 +130,7 @@ void SceneCamera::fit(int width, int height, const ScreenRectangle& room,
     half_height_ = std::clamp(half_height_ / factor, min_half_height, largest_half_height);
     apply();
     const Projection view = projection(width, height);
-    const Vec2 wanted = fitted.place + fitted.factor * box.centre();  // of its middle
+    const Vec2 wanted = fitted.place + fitted.factor * box.centre();  // of its centre
     const Vec2 shift = wanted - view.middle - factor * (box.centre() - view.middle);
     focal_ -= (shift.x() * view.right + shift.y() * view.up) / view.scale;
     apply();
@@ -222,7 +222,7 @@ void SceneCamera::set_state(const CameraState& state, const SceneFrame& frame) {
 }
 
 void SceneCamera::set_clipping(double front, double behind) {
-  // Depths have 24 bits: from one end to the other they must not be coarser than the distances of layers.
+  // Depths have 24 bits: their resolution must not be coarser than the distances of layers.
   constexpr double deepest = 1000;  // times the height of the view
   if (!perspective_) {
     front = std::min(front, deepest * 2 * half_height_);
@@ -233,7 +233,7 @@ void SceneCamera::set_clipping(double front, double behind) {
   const double to_centre = focal_.dot(view.towards) + eye;
   const double far = to_centre + scene_radius + behind;
   const double near = to_centre - scene_radius - front;
-  constexpr double nearest = 0.02;  // of the eye's distance; what is nearer is in the way
+  constexpr double nearest = 0.02;  // of the eye's distance; nearer parts would block the view
   camera_.SetClippingRange(perspective_ ? std::max(near, nearest * eye) : near,
                            perspective_ ? std::max(far, 2 * nearest * eye) : far);
 }

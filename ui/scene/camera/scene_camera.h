@@ -10,7 +10,7 @@ class vtkCamera;
 
 namespace feedscope::ui {
 
-/// Where the camera looks from.
+/// Direction of the view.
 enum class StandardView : std::uint8_t {
   iso,     ///< from right, front and above
   top,     ///< along -Z: X to the right, Y up
@@ -21,32 +21,32 @@ enum class StandardView : std::uint8_t {
   left,    ///< along +X: Y to the left, Z up
 };
 
-/// The camera in the program's coordinates, as a session keeps it.
+/// The camera in the program's coordinates, as stored in a session.
 struct CameraState {
-  Vec3 focal = Vec3::Zero();  ///< in the middle of the view [mm]
+  Vec3 focal = Vec3::Zero();  ///< at the centre of the view [mm]
   double azimuth = 0;         ///< of the eye about Z, from +X [rad]
   double elevation = 0;       ///< of the eye above the XY plane, from -pi/2 to pi/2 [rad]
-  double height = 100;        ///< of what the view shows at the focal point [mm]
+  double height = 100;        ///< height of the view at the focal point [mm]
   bool perspective = false;
-  bool fitted = false;  ///< follows the path and the window's size; focal and height do not count then
+  bool fitted = false;  ///< follows the path and the window's size; focal and height are then ignored
 
   bool operator==(const CameraState&) const = default;
 };
 
-/// Camera on a turntable, as CAM systems have it: Z never leans to a side. Standard views, fitting, and
-/// whether the user has moved it since.
+/// Camera on a turntable, as in CAM systems: Z never leans to a side. Standard views, fitting, and whether
+/// the user has moved it since.
 class SceneCamera {
  public:
   explicit SceneCamera(vtkCamera& camera);
 
-  /// Turns to a standard view and forgets what the user did.
+  /// Turns to a standard view and discards the user's changes.
   void look(StandardView view);
-  /// As large as it can be in `room` beside what is `covered` (fit_outline()). `outline`: of what is shown,
-  /// under a projection [pixels]; a part of it, such as labels, may keep its size.
+  /// Makes the outline as large as possible in `room` outside of `covered` (fit_outline()). `outline`: of the
+  /// contents in a projection [pixels]; parts of it, such as labels, may keep their size.
   void fit(int width, int height, const ScreenRectangle& room, const std::vector<ScreenRectangle>& covered,
            const std::function<std::vector<Vec2>(const Projection&)>& outline);
-  /// Scales and moves so that `box` [scene units] fills `room` beside what is `covered`; one without extent
-  /// is moved only.
+  /// Scales and moves so that `box` [scene units] fills `room` outside of `covered`; a box without extent is
+  /// only moved.
   void fit_part(int width, int height, const Bounds& box, const ScreenRectangle& room,
                 const std::vector<ScreenRectangle>& covered);
   /// True until the user turns, moves or zooms after a fit.
@@ -54,11 +54,11 @@ class SceneCamera {
 
   /// Turns about `pivot` [scene units]; angles of the eye [rad].
   void orbit(double azimuth, double elevation, const Vec3& pivot);
-  /// Moves what is shown by `shift` pixels.
+  /// Moves the contents by `shift` pixels.
   void pan(const Vec2& shift, int width, int height);
-  /// What is in `box` [pixels] fills `room`.
+  /// Zooms so that the contents of `box` [pixels] fill `room`.
   void zoom_to_box(const ScreenRectangle& box, const ScreenRectangle& room, int width, int height);
-  /// Enlarges by `factor`, with what is at `about` [pixels] staying there.
+  /// Enlarges by `factor`; the point at `about` [pixels] stays there.
   void zoom(double factor, const Vec2& about, int width, int height);
   void set_perspective(bool perspective);
   bool perspective() const { return perspective_; }
@@ -66,8 +66,8 @@ class SceneCamera {
   CameraState state(const SceneFrame& frame) const;
   void set_state(const CameraState& state, const SceneFrame& frame);
 
-  /// Encloses the scene about its origin, lifted by up to `front` towards the eye, and `behind` beyond it
-  /// [scene units].
+  /// Sets clipping planes around the scene, from `front` in front of its origin to `behind` beyond it [scene
+  /// units].
   void set_clipping(double front, double behind = 0);
 
   Projection projection(int width, int height) const { return {camera_, width, height}; }

@@ -4,9 +4,9 @@
 
 namespace feedscope::ui {
 
-// A point q from the focal point is drawn at scale / d * (right * q, up * q) from the middle of the window,
-// with d = 1 - towards * q / eye distance, which is 1 in a parallel projection. Within w pixels of the middle
-// are thus points with w d - scale (right * q) >= 0, which is linear in q, as long as d is positive.
+// A point q from the focal point is drawn at scale / d * (right * q, up * q) from the centre of the window,
+// with d = 1 - towards * q / eye distance, which is 1 in a parallel projection. Points within w pixels of the
+// centre thus satisfy w d - scale (right * q) >= 0, which is linear in q, as long as d is positive.
 ViewWindow::ViewWindow(const Projection& projection, double margin) : focal_(projection.focal) {
   constexpr double nearest = 0.02;  // of the eye's distance, as Projection::magnification
   const Vec3 fall =

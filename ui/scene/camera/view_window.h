@@ -8,15 +8,15 @@
 
 namespace feedscope::ui {
 
-/// The part of space that a projection shows in its window and a margin around it, in front of the eye: what
-/// is drawn is cut to it, since close up nearly everything is far outside.
+/// The part of space that a projection shows in its window and a margin around it, in front of the eye.
+/// Drawing is clipped to it, because close up nearly everything is far outside.
 class ViewWindow {
  public:
-  /// `margin`: of the window's width and height, on each side.
+  /// `margin`: fraction of the window's width and height, on each side.
   ViewWindow(const Projection& projection, double margin);
 
-  /// What is in it of a convex polygon, or of the line between two points, by its corners [scene units];
-  /// those that are in it stay as they are. Empty: nothing.
+  /// The inner part of a convex polygon, or of the line between two points, by its corners [scene units];
+  /// inner corners are unchanged. Empty if all is outside.
   std::vector<Vec3> clip(std::span<const Vec3> corners) const;
 
  private:

@@ -19,23 +19,23 @@ namespace {
 constexpr double axis_text_pixels = 13;
 constexpr double tick_length = 5;
 constexpr double label_gap = 9;       // from the edge
-constexpr double label_spacing = 14;  // between labels beside each other
-constexpr double line_spacing = 8;    // between labels above each other
+constexpr double label_spacing = 14;  // between labels side by side
+constexpr double line_spacing = 8;    // between labels one above the other
 constexpr double grid_spacing = 45;   // at least, between grid lines
-constexpr double upright = 0.9;       // least vertical part of the direction of an edge that stands
-constexpr int enough_labels = 4;      // on a short edge, if they keep apart
-constexpr double shortest_axis = 24;  // an edge that looks shorter has no labels
+constexpr double upright = 0.9;       // smallest vertical part of the direction of an upright edge
+constexpr int enough_labels = 4;      // on a short edge, if there is room between them
+constexpr double shortest_axis = 24;  // an edge that appears shorter has no labels
 constexpr double end_on = 1e-6;
-constexpr double shown_around = 1;  // of the window, on each side: labels reach into it, and fits look there
+constexpr double shown_around = 1;  // of the window, on each side: labels and fits extend into it
 
 double side(const Bounds& box, int axis, bool high) {
   return high ? box.max[axis] : box.min[axis];
 }
 
-/// One edge of the box as it is seen.
+/// One projected edge of the box.
 struct Edge {
   Vec3 low, high;  ///< its ends
-  Vec2 from, to;   ///< where they are seen
+  Vec2 from, to;   ///< on the screen
   Vec2 outward;    ///< unit, away from the box
 
   double length() const { return (to - from).norm(); }
@@ -75,7 +75,7 @@ class Layouter {
   }
 
  private:
-  /// How much a face of the box is turned towards the eye.
+  /// How far a face of the box is turned towards the eye.
   double facing(int axis, bool high) const {
     Vec3 middle = Vec3::Zero();
     middle[axis] = side(frame_.box, axis, high);
@@ -90,7 +90,7 @@ class Layouter {
     return p;
   }
 
-  /// From where to where a polygon or a line is in view, along an axis [mm].
+  /// Visible range of a polygon or a line along an axis [mm].
   struct Range {
     double low, high;
   };
@@ -111,7 +111,7 @@ class Layouter {
     }
   }
 
-  /// The outer edge along `axis` that is lowest on the screen, or leftmost if it stands upright.
+  /// The outer edge along `axis` that is lowest on the screen, or leftmost if it is upright.
   std::optional<Edge> labelled_edge(int axis) const {
     const int other = (axis + 1) % 3;
     const int third = (axis + 2) % 3;
@@ -123,7 +123,7 @@ class Layouter {
         const double facing_b = facing(other, b);
         const double facing_c = facing(third, c);
         if (facing_b * facing_c > end_on) {
-          continue;  // both faces seen, or both hidden: an inner edge
+          continue;  // both faces visible, or both hidden: an inner edge
         }
         Edge edge;
         const double at_b = side(frame_.box, other, b);
@@ -155,7 +155,7 @@ class Layouter {
     return best;
   }
 
-  /// Pixels from end to end; of an edge that is partly in view, at the scale of that part.
+  /// Length on the screen [pixels]; for a partly visible edge, at the scale of that part.
   double seen_length(const Edge& edge) const {
     const std::vector<Vec3> seen = window_.clip(std::array{edge.low, edge.high});
     const double part = seen.empty() ? 0 : (seen[seen.size() / 2] - seen.front()).norm();
@@ -167,7 +167,7 @@ class Layouter {
     return (projection_.to_display(seen[seen.size() / 2]) - from).norm() / part * whole;
   }
 
-  /// The steps that suit the edge, and the values where it is in view.
+  /// Suitable ticks of an edge, with the values in its visible range.
   Ticks ticks_along(int axis, const Edge& edge) const {
     const double from = labelled(axis, frame_.box.min[axis]);
     const double to = labelled(axis, frame_.box.max[axis]);
@@ -192,7 +192,7 @@ class Layouter {
     }
   }
 
-  /// The number at a coordinate of the scene, in the unit of the labels, and the other way.
+  /// The label's number at a coordinate of the scene; tick_position() is the inverse.
   double labelled(int axis, double at) const { return frame_.to_mm(axis, at) * unit_.factor; }
   double tick_position(int axis, double value) const {
     return (value / unit_.factor - frame_.centre[axis]) / frame_.unit;
@@ -218,7 +218,7 @@ class Layouter {
     }
   }
 
-  /// Lines over a face, at the steps of `across`, as far as the face is in view.
+  /// Lines on the visible part of a face, at the steps of `across`.
   template <class LineAt>
   void add_grid(int across, LineAt line_at) {
     const double low = frame_.box.min[across];
@@ -254,7 +254,7 @@ class Layouter {
     constexpr double slant = 0.35;
     style.horizontal = edge.outward.x() > slant ? -1 : edge.outward.x() < -slant ? 1 : 0;
     style.vertical = edge.outward.y() > slant ? -1 : edge.outward.y() < -slant ? 1 : 0;
-    double depth = 0;  // of the labels, away from the edge
+    double depth = 0;  // extent of the labels, away from the edge
     for (std::size_t i = 0; i < ticks_[axis].values.size(); ++i) {
       Vec3 at = edge.low;
       at[axis] = tick_position(axis, ticks_[axis].values[i]);

@@ -9,8 +9,8 @@
 
 namespace feedscope::ui {
 
-/// The frame around the path as one projection shows it: grids on the faces behind the path, ticks and labels
-/// in mm along three outer edges. Labels keep their distance; an axis seen end on has none.
+/// The frame around the path in one projection: grids on the faces behind the path, ticks and labels in mm
+/// along three outer edges. Labels keep their distance; an axis seen end on has none.
 struct AxesLayout {
   struct Stroke {
     Vec2 from, to;
@@ -25,13 +25,13 @@ struct AxesLayout {
   std::vector<Stroke> grid;
   std::vector<Stroke> frame;  ///< edges of those faces, ticks
   std::vector<Label> labels;
-  std::vector<Vec2> outline;  ///< corners of all there is [pixels]
+  std::vector<Vec2> outline;  ///< corners of all parts [pixels]
 };
 
-/// `scale`: size of text and lines, 1 for 96 dots an inch.
+/// `scale`: size of text and lines, 1 for 96 dots per inch.
 AxesLayout lay_out_axes(const SceneFrame& frame, const Projection& projection, double scale);
 
-/// Labels that the edge of the `window` would cut are omitted.
+/// Omits labels that the edge of the `window` would cut off.
 void draw(const AxesLayout& layout, double scale, const ScreenRectangle& window, const SceneColours& colours,
           const SceneTexts& texts, Canvas& canvas);
 

@@ -47,7 +47,7 @@ AxesCube::AxesCube(const Projection& projection, const Vec2& centre, double half
   }
 }
 
-/// The edge along `axis` on the outline that is lowest on the screen, or leftmost if it stands.
+/// The edge along `axis` on the outline that is lowest on the screen, or leftmost if it is upright.
 std::optional<AxesCube::Edge> AxesCube::outer_edge(int axis) const {
   std::optional<Edge> best;
   double best_rank = 0;
@@ -56,7 +56,7 @@ std::optional<AxesCube::Edge> AxesCube::outer_edge(int axis) const {
       const int other = (axis + 1) % 3;
       const int third = (axis + 2) % 3;
       if (b * towards_[other] * c * towards_[third] > 0) {
-        continue;  // both faces seen, or both hidden
+        continue;  // both faces visible, or both hidden
       }
       Vec3 end = Vec3::Zero();
       end[other] = b;

@@ -10,14 +10,14 @@
 
 namespace feedscope::ui {
 
-/// A cube that turns with the scene: its faces name the standard views.
+/// A cube that turns with the scene, with standard views on its faces.
 class AxesCube {
  public:
-  /// `half`: of an edge [pixels].
+  /// `half`: half the length of an edge [pixels].
   AxesCube(const Projection& projection, const Vec2& centre, double half);
 
   void draw(Canvas& canvas, double scale, const SceneColours& colours) const;
-  /// The view of the face under a place.
+  /// The view of the face at a place.
   std::optional<StandardView> view_at(const Vec2& place) const;
 
  private:
@@ -28,7 +28,7 @@ class AxesCube {
   };
 
   struct Edge {
-    Vec2 low, high;  ///< where the axis begins and ends
+    Vec2 low, high;  ///< ends of the axis
   };
 
   std::optional<Edge> outer_edge(int axis) const;
@@ -38,7 +38,7 @@ class AxesCube {
   Vec3 right_, up_, towards_;
   Vec2 centre_;
   double half_;
-  std::vector<Face> faces_;  ///< those that are seen
+  std::vector<Face> faces_;  ///< visible ones
 };
 
 }  // namespace feedscope::ui

@@ -26,14 +26,14 @@
 namespace feedscope::ui {
 namespace {
 
-constexpr int dots_per_inch = 72;  // a point is a pixel
+constexpr int dots_per_inch = 72;  // one point is one pixel
 
 struct TypeFace {
   std::string regular;
   std::string bold;
 };
 
-/// The files of DejaVu Sans; empty where it is not installed: then texts are in VTK's own Arial.
+/// The files of DejaVu Sans; empty if it is not installed: texts are then in VTK's own Arial.
 const TypeFace& type_face() {
   static const TypeFace face = [] {
     const std::filesystem::path folder = FEEDSCOPE_FONTS;
@@ -163,7 +163,7 @@ void Canvas::text(const std::string& text, const Vec2& place, const TextStyle& s
 }
 
 Vec2 Canvas::text_size(const std::string& text, const TextStyle& style) {
-  // Each frame asks for the same few hundred, and measuring a text is slow.
+  // Each frame needs the same few hundred, and measuring a text is slow.
   using Key = std::tuple<std::string, int, bool>;
   constexpr std::size_t max_kept = 4096;
   thread_local std::map<Key, Vec2> known;

@@ -23,12 +23,12 @@ struct TextStyle {
   double size = 13;  ///< [pixels]
   Rgb colour{};
   bool bold = false;
-  int horizontal = 0;  ///< -1: the text begins at its place, 0: centred on it, 1: ends there
-  int vertical = 0;    ///< -1: the text stands on its place, 0: centred on it, 1: hangs from it
+  int horizontal = 0;  ///< -1: the text begins at its place, 0: is centred on it, 1: ends there
+  int vertical = 0;    ///< -1: the text is above its place, 0: centred on it, 1: below it
   double angle = 0;    ///< anticlockwise [rad]
 };
 
-/// Flat drawing in display coordinates, made again for each frame between begin() and end().
+/// Flat drawing in display coordinates, rebuilt for each frame between begin() and end().
 class Canvas {
  public:
   explicit Canvas(vtkRenderer& renderer);
@@ -44,7 +44,7 @@ class Canvas {
   void disc(const Vec2& centre, double radius, const Rgb& colour);
   void text(const std::string& text, const Vec2& place, const TextStyle& style);
 
-  /// Width and height of a text drawn level [pixels].
+  /// Width and height of a horizontal text [pixels].
   static Vec2 text_size(const std::string& text, const TextStyle& style);
 
  private:
@@ -54,7 +54,7 @@ class Canvas {
   vtkNew<vtkUnsignedCharArray> colours_;
   vtkNew<vtkPolyData> shapes_;
   vtkNew<vtkActor2D> actor_;
-  std::vector<vtkSmartPointer<vtkTextActor>> texts_;  ///< kept from frame to frame: making one is slow
+  std::vector<vtkSmartPointer<vtkTextActor>> texts_;  ///< reused in the next frame: creating one is slow
   std::size_t texts_used_ = 0;
 };
 

@@ -29,7 +29,7 @@ constexpr double bar_height = 8;
 constexpr double before_unit = 4;
 constexpr double longest_scale_bar = 120;
 constexpr double cube_side = 44;
-constexpr double cube_letters = 12;    // around it
+constexpr double cube_letters = 12;    // around the cube
 constexpr double behind_texts = 0.85;  // opacity
 
 TextStyle caption_style(double scale, const SceneColours& colours) {
@@ -40,7 +40,7 @@ double text_width(const std::string& text, double scale) {
   return Canvas::text_size(text, {.size = caption_text * scale}).x();
 }
 
-/// As much of a text as `width` allows, by words.
+/// A text shortened to `width` at a word boundary.
 std::string shortened(std::string text, double width, double scale) {
   if (text_width(text, scale) <= width) {
     return text;
@@ -150,7 +150,7 @@ std::vector<CaptionEntry> cause_entries(const Captions& captions) {
   return list;
 }
 
-/// Entries in rows no wider than `width` [pixels].
+/// Entries in rows of at most `width` [pixels].
 struct CaptionRows {
   struct Cell {
     CaptionEntry entry;
@@ -161,7 +161,7 @@ struct CaptionRows {
   int rows = 0;
   double width = 0;
 
-  /// The first `most_rows` of them.
+  /// The first `most_rows` rows.
   static CaptionRows of(std::vector<CaptionEntry> entries, double width, int most_rows, double scale) {
     CaptionRows rows;
     double x = 0;
@@ -219,11 +219,11 @@ CaptionRows cause_rows(double width, double height, double scale, const Captions
 /// The scale of colours with its texts.
 struct ColourBar {
   std::string title;
-  std::vector<std::string> changes;  ///< below it
+  std::vector<std::string> changes;  ///< lines below it
   std::array<std::string, 3> ticks;
   std::string unit;
   bool has_words = false;  ///< "gained" and "lost" at its ends
-  double after = 0;        ///< the bar, of its unit [pixels]
+  double after = 0;        ///< width of the unit after the bar [pixels]
   double length = 0;       ///< [pixels]
 
   ColourBar(double width, double scale, const Captions& captions)
@@ -239,7 +239,7 @@ struct ColourBar {
     const std::array values{of.low, (of.low + of.high) / 2, of.high};
     const std::array signs{of.beyond && of.diverging ? "≤ " : "", "", of.beyond ? "≥ " : ""};
     for (std::size_t i = 0; i < ticks.size(); ++i) {
-      constexpr double many_digits = 1e4;  // from here on 4 figures would need a power of ten
+      constexpr double many_digits = 1e4;  // from here on 4 digits would need a power of ten
       const bool large = std::abs(values[i]) >= many_digits;
       ticks[i] = signs[i] + captions.texts->localised(large ? fmt::format("{:.0f}", values[i])
                                                             : fmt::format("{:.4g}", values[i]));
@@ -292,11 +292,11 @@ struct ColourBar {
                                               : title + ": " + signed_time(captions.key.lost, captions);
   }
 
-  static constexpr double narrow_bar = 150;  // three numbers do not keep apart
+  static constexpr double narrow_bar = 150;  // three numbers would not fit
 
   void draw_bar(Canvas& canvas, const Vec2& low, double top, const Captions& captions) const {
     constexpr int bands = colour_map_size / 2;
-    for (int i = 0; i < bands; ++i) {  // each under the next: viewers of PDF show the ground between edges
+    for (int i = 0; i < bands; ++i) {  // each overlaps the next: PDF viewers show gaps between edges
       canvas.rectangle({low.x() + length * i / bands, low.y()},
                        {low.x() + length * std::min(i + 2, bands) / bands, top},
                        scale_colour(captions.key.scale, (i + 0.5) / bands, captions.colours->kind));
@@ -314,7 +314,7 @@ ScreenRectangle colours_place(double width, double height, double scale, const C
   return {low, low + size};
 }
 
-/// In the middle, else to the right of the colours or above them; none in a small picture.
+/// In the centre, else to the right of the colours or above them; none in a small picture.
 ScreenRectangle scale_bar_place(const ScreenLayout& layout) {
   const double k = layout.scale;
   const Vec2 size((longest_scale_bar + 2 * caption_padding) * k, (caption_row + 8) * k);
@@ -391,7 +391,7 @@ ScreenLayout screen_layout(int width, int height, double scale, const Captions& 
   layout.scale_bar = captions.legend ? scale_bar_place(layout) : ScreenRectangle{};
   const Vec2 corner(width - margin, height - margin);
   const double side = (cube_side + cube_letters) * scale;
-  constexpr double least = 3;  // cubes in the window
+  constexpr double least = 3;  // smallest window, in cubes
   if (captions.cube && std::min(width, height) > least * side) {
     layout.cube = {corner - Vec2::Constant(side), corner};
   }

@@ -10,7 +10,7 @@
 
 namespace feedscope::ui {
 
-/// What the legend may name: what is in the picture.
+/// Contents of the picture that the legend may explain.
 struct LegendEntries {
   struct Overlay {
     std::string name;
@@ -21,11 +21,11 @@ struct LegendEntries {
   bool executed = false;
   bool blend = false;
   bool curve = false;      ///< smooth curves
-  bool tool_axis = false;  ///< of a tool that rotary axes turn
+  bool tool_axis = false;  ///< of a tool turned by rotary axes
   std::vector<Overlay> overlays;
 };
 
-/// What is written over the picture of a path.
+/// Texts over the picture of a path.
 struct Captions {
   LegendEntries entries;
   ColourKey key;
@@ -33,25 +33,25 @@ struct Captions {
   double exaggeration = 1;  ///< of deviations
   const SceneColours* colours = nullptr;
   const SceneTexts* texts = nullptr;
-  bool on_machine = false;   ///< the path is drawn in the coordinates of the machine
-  bool transparent = false;  ///< nothing is put behind the texts
-  bool legend = true;        ///< false: another view beside this one explains both
+  bool on_machine = false;   ///< whether the path is drawn in the coordinates of the machine
+  bool transparent = false;  ///< without a background of the texts
+  bool legend = true;        ///< false: another view explains both
   bool cube = false;
 };
 
-/// Where what is written over the picture has its place; empty where there is nothing.
+/// Places of the texts over the picture; empty for missing ones.
 struct ScreenLayout {
   double width, height;       ///< [pixels]
   double scale;               ///< of text and lines
-  ScreenRectangle legend;     ///< of lines, at the top on the left
-  ScreenRectangle colours;    ///< what they mean, at the bottom on the left
+  ScreenRectangle legend;     ///< of lines, at the top left
+  ScreenRectangle colours;    ///< meaning of the colours, at the bottom left
   ScreenRectangle scale_bar;  ///< at the bottom
-  ScreenRectangle cube;       ///< at the top on the right
+  ScreenRectangle cube;       ///< at the top right
 
   ScreenRectangle window() const { return {Vec2::Zero(), {width, height}}; }
-  /// The window but for a narrow margin.
+  /// The window without a narrow margin.
   ScreenRectangle room() const;
-  /// Those that are not empty.
+  /// The rectangles that are not empty.
   std::vector<ScreenRectangle> covered() const;
   /// A square in a lower corner, above what is there.
   ScreenRectangle inset(double side, bool left) const;
@@ -59,14 +59,14 @@ struct ScreenLayout {
 
 ScreenLayout screen_layout(int width, int height, double scale, const Captions& captions);
 
-/// What the colours mean, with the other run that they compare with: "Time lost or gained against B".
+/// Title of the colours, with the other run that they compare with: "Time lost or gained against B".
 std::string colour_title(const ColourKey& key, const SceneTexts& texts);
 
-/// Of how many causes the names have room at the bottom of a window; the longest are named first.
+/// Number of causes whose names fit at the bottom of a window; the longest are named first.
 std::size_t named_causes(int width, int height, double scale, const Captions& captions);
 
-/// Draws legend, colours and a bar of round length (in a perspective view true in the middle of the view
-/// only, and omitted). `millimetre`: pixels a mm.
+/// Draws legend, colours and a bar of round length (omitted in a perspective view, where it would be true at
+/// the centre only). `millimetre`: pixels per mm.
 void draw_captions(Canvas& canvas, const ScreenLayout& layout, const Captions& captions,
                    const Projection& projection, double millimetre);
 

@@ -14,7 +14,7 @@ namespace {
 constexpr double zero_radius = 9;  // wider than the mark of the start, which is often in the same place
 constexpr double mark_text_pixels = 12;
 
-/// A disc of which two quarters are filled, as drawings have it.
+/// A disc with two filled quarters, as in technical drawings.
 void draw_zero_mark(Canvas& canvas, const Vec2& place, double scale, const SceneColours& colours) {
   canvas.disc(place, (zero_radius + 1) * scale, colours.text);
   canvas.disc(place, zero_radius * scale, colours.background);
@@ -35,7 +35,7 @@ void draw_start_mark(Canvas& canvas, const Vec2& place, const MarkStyle& style) 
   canvas.disc(place, 2.6 * style.scale, style.colours.background);
 }
 
-/// Of all points in the place of the one, which are marked as named.
+/// Names of all points in the same place as `one`; marks them as named.
 std::string names_at(const std::vector<ZeroPoint>& points, std::size_t one, std::vector<bool>& is_named,
                      const SceneTexts& texts) {
   constexpr double same_place = 1e-6;  // mm
@@ -53,7 +53,7 @@ std::string names_at(const std::vector<ZeroPoint>& points, std::size_t one, std:
 void draw_zero_points(Canvas& canvas, const std::vector<ZeroPoint>& points, const PlaceInWindow& place_of,
                       const MarkStyle& style) {
   if (points.size() < 2) {
-    return;  // one offset is that of the whole picture
+    return;  // a single offset applies to the whole picture
   }
   std::vector<bool> is_named(points.size(), false);
   for (std::size_t i = 0; i < points.size(); ++i) {

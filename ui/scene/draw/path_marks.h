@@ -8,18 +8,18 @@
 
 namespace feedscope::ui {
 
-/// Gives the place in the window [pixels] of a point [mm].
+/// Returns the place in the window [pixels] of a point [mm].
 using PlaceInWindow = std::function<Vec2(const Vec3&)>;
 
 struct MarkStyle {
   double scale;
   const SceneColours& colours;
   const SceneTexts& texts;
-  double pixels_per_mm = 1;  ///< where the view has its middle
+  double pixels_per_mm = 1;  ///< at the centre of the view
 };
 
-/// Where the tool points along the path, where the path starts, and the zero points of a program that uses
-/// several work offsets, with their names; those in one place together. Paths that there are not are null.
+/// Draws tool axes along the path, the start of the path, and the zero points of a program with several work
+/// offsets, with their names; those in one place together. Missing paths are null.
 void draw_path_marks(Canvas& canvas, const SampledPath* programmed, const SampledPath* executed,
                      const PlaceInWindow& place_of, const MarkStyle& style);
 

@@ -10,13 +10,13 @@
 
 namespace feedscope::ui {
 
-/// A line with ends between two places of the window and a box of text beside it, kept within `room`; one
-/// ring where there is no second place yet.
+/// Draws a line with ends between two places of the window and a text box next to it, kept within `room`; a
+/// ring if there is no second place yet.
 void draw_dimension(Canvas& canvas, const Vec2& from, const std::optional<Vec2>& to,
                     const std::vector<std::string>& lines, const ScreenRectangle& room, double scale,
                     const SceneColours& colours);
 
-/// About the place of the path that the mouse points at.
+/// Draws a ring around the place of the path under the mouse.
 void draw_ring(Canvas& canvas, const Vec2& place, double scale, const SceneColours& colours);
 
 void draw_rubber_band(Canvas& canvas, const Vec2& corner, const Vec2& opposite, double scale,

@@ -9,7 +9,7 @@
 
 namespace feedscope::ui {
 
-/// What the mouse points at in a scene.
+/// Marks of the mouse in a scene.
 struct ScenePointers {
   std::optional<Vec3> hover;  ///< [mm]
   std::optional<SceneDimension> dimension;

@@ -26,7 +26,7 @@ constexpr double cutter_length = 4;     // of its diameter
 constexpr double min_diameter = 1e-3;
 constexpr double largest_diameter = 1000;
 
-/// Half of the section, from the tip to the top: radius and height.
+/// Half section from the tip to the top: radius and height.
 using Section = std::vector<Vec2>;
 
 Section section_of(const ToolShape& shape, double length) {
@@ -51,7 +51,7 @@ Section section_of(const ToolShape& shape, double length) {
   return section;
 }
 
-/// The surface of revolution about Z, quads anticlockwise seen from outside.
+/// The surface of revolution about Z, with quads anticlockwise from outside.
 vtkSmartPointer<vtkPolyData> turned(const Section& section) {
   constexpr int around = 48;
   const vtkNew<vtkPoints> points;
@@ -85,7 +85,7 @@ Tool::Tool(vtkRenderer& renderer) {
   vtkProperty& look = *actor_->GetProperty();
   look.SetAmbient(0.35);
   look.SetDiffuse(0.75);
-  look.SetOpacity(0.65);  // seen from above it must not hide the path
+  look.SetOpacity(0.65);  // from above it must not hide the path
   look.BackfaceCullingOn();
   actor_->SetVisibility(0);
   renderer.AddActor(actor_);

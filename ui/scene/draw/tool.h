@@ -15,14 +15,14 @@ class vtkRenderer;
 namespace feedscope::ui {
 
 enum class ToolKind : std::uint8_t {
-  none,    ///< nothing is drawn
-  marker,  ///< a cone of one size on the screen
+  none,    ///< no tool
+  marker,  ///< a cone of constant size on the screen
   flat,    ///< end mill
   ball,
   bull,  ///< end mill with rounded corners
 };
 
-/// What is drawn with its tip on the path, along the tool's direction. Sizes count for milling cutters only.
+/// Shape drawn with its tip on the path, along the tool's direction. Sizes are used for milling cutters only.
 struct ToolShape {
   ToolKind kind = ToolKind::marker;
   double diameter = 10;      ///< > 0 [mm]
@@ -30,20 +30,20 @@ struct ToolShape {
   bool operator==(const ToolShape&) const = default;
 };
 
-/// The tool, lit, in a renderer of its own above the path: it hides nothing wholly.
+/// The tool, lit, in a separate renderer above the path, which it never hides fully.
 class Tool {
  public:
   explicit Tool(vtkRenderer& renderer);
   ~Tool();
 
-  /// Sizes out of bounds are brought into them.
+  /// Clamps sizes to their bounds.
   void set_shape(const ToolShape& shape);
   const ToolShape& shape() const { return shape_; }
   void set_colour(const Rgb& colour);
   /// Before each frame. None hides the tool. `direction`: unit, from the tip to the spindle.
   void place(const std::optional<Vec3>& tip, const Vec3& direction, const Projection& view,
              const SceneFrame& frame, double scale);
-  /// How far it may reach from its tip [scene units].
+  /// Largest extent from its tip [scene units].
   double reach(const Projection& view, const SceneFrame& frame, double scale) const;
 
  private:

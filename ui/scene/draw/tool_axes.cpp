@@ -32,7 +32,7 @@ void draw_tool_axes(Canvas& canvas, const SampledPath& path, const PlaceInWindow
       continue;
     }
     if ((from - last).norm() < 0.7 * square * style.scale) {
-      continue;  // beside it across the border of a square
+      continue;  // next to it across the border of a square
     }
     last = from;
     const double length = stroke * style.scale / style.pixels_per_mm;

@@ -25,7 +25,7 @@ struct Egl {
     find(destroy_context, "eglDestroyContext");
     find(make_current, "eglMakeCurrent");
     find(current_context, "eglGetCurrentContext");
-    // Absent where EGL is too old for them.
+    // Null if EGL is too old for them.
     query_devices = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(proc_address("eglQueryDevicesEXT"));
     query_device_string =
         reinterpret_cast<PFNEGLQUERYDEVICESTRINGEXTPROC>(proc_address("eglQueryDeviceStringEXT"));
@@ -62,7 +62,7 @@ bool names(const char* extensions, std::string_view extension) {
   return extensions != nullptr && std::string_view(extensions).find(extension) != std::string_view::npos;
 }
 
-/// Mesa's renderer without a GPU; none where EGL does not list devices.
+/// Mesa's renderer without a GPU; none if EGL does not list devices.
 EGLDeviceEXT software_device() {
   std::array<EGLDeviceEXT, 32> devices{};
   EGLint count = 0;
@@ -79,7 +79,7 @@ EGLDeviceEXT software_device() {
   return EGL_NO_DEVICE_EXT;
 }
 
-/// Initialized once; it is never terminated, because others of the process may use it.
+/// Initialized once and never terminated, because other code in the process may use it.
 EGLDisplay open_display() {
   if (egl().platform_display == nullptr) {
     throw InputError("EGL: version 1.5 or EGL_EXT_platform_base is needed");

@@ -31,7 +31,7 @@ OffscreenRenderWindow::~OffscreenRenderWindow() {
 }
 
 void OffscreenRenderWindow::MakeCurrent() {
-  constexpr int unset_size = 300;  // as VTK's own windows
+  constexpr int unset_size = 300;  // as in VTK's own windows
   context_->make_current(this->Size[0] > 0 ? this->Size[0] : unset_size,
                          this->Size[1] > 0 ? this->Size[1] : unset_size);
 }

@@ -8,20 +8,20 @@
 
 namespace feedscope::ui {
 
-/// VTK window that needs no display, in a process whose VTK was built for GLX. VTK 9.4 has
-/// vtkOSOpenGLRenderWindow in every build, which takes this class's place. New() throws std::runtime_error as
+/// VTK window without a display, in a process whose VTK was built for GLX. VTK 9.4 contains
+/// vtkOSOpenGLRenderWindow in every build, which can replace this class. New() throws std::runtime_error as
 /// make_offscreen_context().
 class OffscreenRenderWindow : public GlRenderWindow {
  public:
   static OffscreenRenderWindow* New();
-  /// Before anything else, once.
+  /// Call once, before anything else.
   void use(std::unique_ptr<OffscreenContext> context) { context_ = std::move(context); }
 
   void MakeCurrent() override;
   void ReleaseCurrent() override;
   bool IsCurrent() override;
   int SupportsOpenGL() override { return 1; }
-  /// Of the frame buffers that are drawn into; EGL has no other that VTK could ask.
+  /// Of the frame buffers in use; VTK could not query another one with EGL.
   int GetColorBufferSizes(int* rgba) override;
 
  protected:

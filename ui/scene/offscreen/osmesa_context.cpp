@@ -8,7 +8,8 @@
 #include "core/base/error.h"
 #include "ui/scene/offscreen/shared_library.h"
 
-// The part of libglvnd's dispatcher (libGLdispatch.so.0, ABI version 1) used here; no package has its header.
+// The part of libglvnd's dispatcher (libGLdispatch.so.0, ABI version 1) used here; no package contains its
+// header.
 extern "C" {
 struct GlDispatchThreadState {
   int tag;
@@ -28,7 +29,7 @@ GlDispatchThreadState* __glDispatchGetCurrentThreadState(void);
 namespace feedscope::ui {
 namespace {
 
-// Of GL/osmesa.h, which Mesa 25.1 and later do not have.
+// From GL/osmesa.h, which Mesa 25.1 and later lack.
 constexpr int osmesa_rgba = 0x1908;
 constexpr int osmesa_format = 0x22;
 constexpr int osmesa_depth_bits = 0x30;
@@ -63,7 +64,7 @@ const Osmesa& osmesa() {
   return loaded;
 }
 
-/// OSMesa as a vendor of the dispatcher; one a process, because vendors cannot be taken back.
+/// OSMesa as a vendor of the dispatcher; one in a process, because vendors cannot be removed.
 class Vendor {
  public:
   static Vendor& instance() {
@@ -151,7 +152,7 @@ class OsmesaContext : public OffscreenContext {
 
  private:
   Handle handle_ = nullptr;
-  std::vector<unsigned char> pixels_;  // OSMesa draws its default frame buffer here, RGBA
+  std::vector<unsigned char> pixels_;  // OSMesa's default frame buffer, RGBA
 };
 
 }  // namespace

@@ -15,7 +15,7 @@
 namespace feedscope::ui {
 namespace {
 
-/// Why the latest dlopen() failed; in English whatever the locale is, because its words are compared.
+/// Reason of the latest dlopen() failure; in English in every locale, because its words are compared.
 std::string latest_reason() {
   const locale_t english = newlocale(LC_ALL_MASK, "C", nullptr);
   const locale_t before = uselocale(english);
@@ -30,7 +30,7 @@ bool is_missing(const std::string& reason, std::string_view name) {
   return reason.starts_with(name) && reason.ends_with("No such file or directory");
 }
 
-/// glibc adds no "Cannot allocate memory" where a library finds no place.
+/// glibc does not add "Cannot allocate memory" if a library does not fit into the address space.
 bool is_lack_of_memory(std::string_view reason) {
   constexpr std::array endings{"failed to map segment from shared object", "cannot map zero-fill pages",
                                "Cannot allocate memory", "out of memory"};
@@ -39,7 +39,7 @@ bool is_lack_of_memory(std::string_view reason) {
 
 }  // namespace
 
-// Linux and macOS; on Windows LoadLibrary and GetProcAddress take these places (untested).
+// Linux and macOS; Windows would need LoadLibrary and GetProcAddress (untested).
 SharedLibrary::SharedLibrary(std::initializer_list<const char*> names) {
   std::string message;
   for (const char* name : names) {

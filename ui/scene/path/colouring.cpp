@@ -13,15 +13,15 @@
 namespace feedscope::ui {
 namespace {
 
-/// What makes a value so rare that a scale may leave it out.
+/// Conditions under which a value is rare enough for the scale to omit it.
 enum class Weight { points, time, length };
 struct Rare {
   Weight weight = Weight::points;
   double share = 0.005;
-  double far = 1.6;  ///< times what is usual, from which on a scale leaves the rest out
+  double far = 1.6;  ///< ratio to usual values from which on a scale omits the rest
 };
 
-/// How a colouring that has a scale is written.
+/// Unit and kind of the scale of a colouring.
 struct Scaled {
   ShownUnit unit;
   bool diverging = false;
@@ -35,7 +35,7 @@ Scaled scaled(Colouring colouring) {
                                            : Scaled{shown(Dimension::error), false};
 }
 
-/// Value at every point in the units of the samples, for colourings that have a scale.
+/// Calls `use` with the value at each point in units of the samples, for colourings with a scale.
 template <class Use>
 void for_each_value(const SampledPath& path, Colouring colouring, Use use) {
   const auto& values = path.values_of(colouring);
@@ -44,13 +44,13 @@ void for_each_value(const SampledPath& path, Colouring colouring, Use use) {
   }
 }
 
-/// Largest absolute values on what is not rapid.
+/// Largest absolute values outside of rapids.
 struct Peaks {
   double all = 0;
-  double usual = 0;  ///< of the usual share
+  double usual = 0;  ///< without the rare share
 };
 
-/// How much the span before a point counts.
+/// Weight of the span before a point.
 double weight_of(const SampledPath& path, std::size_t i, Weight weight) {
   if (weight == Weight::points || i == 0) {
     return weight == Weight::points ? 1 : 0;
@@ -62,7 +62,7 @@ double weight_of(const SampledPath& path, std::size_t i, Weight weight) {
                                 : static_cast<double>((path.positions[i] - path.positions[i - 1]).norm());
 }
 
-/// What the path itself takes for its length without rapids [s/mm]; 0 for nothing.
+/// The path's own time over its length without rapids [s/mm]; 0 if it has none.
 double mean_pace(const SampledPath& path) {
   double time = 0;
   double length = 0;
@@ -76,9 +76,9 @@ double mean_pace(const SampledPath& path) {
   return length > 0 ? time / length : 0;
 }
 
-/// Values below `nothing` are ignored, unless all are.
+/// Ignores values below `nothing`, unless all are.
 Peaks peaks_of(const SampledPath& path, Colouring colouring, const Rare& rare, double nothing) {
-  // The bits of a positive value rise with it: 32768 of them are a histogram.
+  // The bits of positive values are in their order: 32768 of them form a histogram.
   std::vector<double> histogram(1U << 15U);
   Peaks peaks;
   for_each_value(path, colouring, [&](std::size_t i, double value) {
@@ -103,7 +103,7 @@ Peaks peaks_of(const SampledPath& path, Colouring colouring, const Rare& rare, d
   return peaks;
 }
 
-/// The next half step of a scale that holds `peak`, so that it ends at a value one can name.
+/// The next half step of a scale that contains `peak`, so that it ends at a round value.
 double round_end(double peak) {
   const double half = round_ticks(0, peak, 10).step / 2;
   return half > 0 ? std::ceil(peak / half - 1e-2) * half : 0;
@@ -132,12 +132,12 @@ ColourScale scale_of(const SampledPath& path, Colouring colouring) {
     return scale;  // no other run to compare with
   }
   const Rare rare = rare_of(colouring);
-  // Not a share of the largest loss: at a stop, where hardly any path is, a loss has no bound.
-  constexpr double nothing_lost = 1e-3;  // of what the path takes anyway
+  // Not a share of the largest loss: at a stop, where the path is very short, a loss is unbounded.
+  constexpr double nothing_lost = 1e-3;  // of the path's own time
   const double nothing = colouring == Colouring::time_lost ? nothing_lost * mean_pace(path) : 0;
   Peaks peaks = peaks_of(path, colouring, rare, nothing);
   if (colouring == Colouring::feed) {
-    peaks.all = path.peak_feed;  // as it is, not as it is stored
+    peaks.all = path.peak_feed;  // exact, not as stored
   }
   scale.beyond = peaks.usual > 0 && peaks.all > rare.far * peaks.usual;
   scale.high = round_end((scale.beyond ? peaks.usual : peaks.all) * scale.factor);
@@ -174,7 +174,7 @@ Rgba to_bytes(const Rgb& colour) {
   return {byte(colour[0]), byte(colour[1]), byte(colour[2]), 255};
 }
 
-/// The few largest, and none that is a small part of the largest.
+/// The few largest changes, without those that are a small part of the largest.
 std::vector<CauseChange> changes_of(const SampledPath& path) {
   constexpr std::size_t most = 3;
   constexpr double least_share = 0.05;

@@ -6,8 +6,8 @@
 namespace feedscope::ui {
 namespace {
 
-constexpr std::size_t few_points = 100'000;  // a level of fewer is drawn as a whole
-constexpr double line_margin = 20;           // [pixels] half a line reaches into the view
+constexpr std::size_t few_points = 100'000;  // a level with fewer is drawn as a whole
+constexpr double line_margin = 20;           // [pixels] by which half a line extends into the view
 constexpr double window_margin = 0.5;        // of the window, on each side: small moves need no other part
 
 }  // namespace
@@ -50,7 +50,7 @@ void DrawnPath::set_colours(std::vector<Rgba> colours) {
   }
 }
 
-/// Those that `view` may show, with `margin` [pixels] around it.
+/// The boxes that `view` may show, with `margin` [pixels] around it.
 std::vector<bool> DrawnPath::boxes_in(const SceneFrame& frame, const Projection& view, double margin) const {
   const std::vector<SpanBox>& boxes = this->boxes();
   std::vector<bool> wanted(boxes.size());
@@ -60,7 +60,7 @@ std::vector<bool> DrawnPath::boxes_in(const SceneFrame& frame, const Projection&
     const Vec3 high = frame.to_scene(samples_->origin + boxes[i].high.cast<double>());
     const Vec3 from_focal = (low + high) / 2 - view.focal;
     const Vec3 half = (high - low) / 2;
-    // Nothing in the box is smaller than what is farthest from the eye.
+    // Everything in the box is at least as large as its farthest point from the eye.
     const double smallest = view.magnification(
         view.focal + view.towards * (from_focal.dot(view.towards) - half.dot(view.towards.cwiseAbs())));
     const Vec2 nearest(std::abs(from_focal.dot(view.right)) - half.dot(view.right.cwiseAbs()),
@@ -76,7 +76,7 @@ bool DrawnPath::show(std::size_t level, const SceneFrame& frame, const Projectio
   if (part && (whole || part->fits(boxes_in(frame, view, line_margin)))) {
     return false;
   }
-  if (!whole) {  // one part of many points is enough
+  if (!whole) {  // one part with many points is enough
     for (std::size_t i = 0; i < parts_.size(); ++i) {
       if (samples_->levels[i].size() > few_points) {
         parts_[i].reset();

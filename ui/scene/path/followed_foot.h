@@ -6,20 +6,20 @@
 
 namespace feedscope::ui {
 
-/// The programmed point beside what axes run or a control recorded, followed along the path from where they
-/// begin: where the path comes near itself the nearest point would jump from one pass to the other, which
-/// deviations drawn larger show.
+/// The programmed point next to the actual or recorded position, followed along the path from its start.
+/// Where the path comes close to itself, the nearest point would jump from one pass to the other, which is
+/// visible in enlarged deviations.
 class FollowedFoot {
  public:
   explicit FollowedFoot(const Toolpath& toolpath) : toolpath_(toolpath), deviation_(toolpath) {}
 
-  /// The motion starts again on `segment`.
+  /// The motion restarts on `segment`.
   void begin(std::size_t segment) { last_ = {segment, 0, Vec3::Zero(), 0}; }
-  /// `segment`: where the set position is, `behind`: how far the axes are from that [mm].
+  /// `segment`: of the set position, `behind`: distance of the axes from it [mm].
   PathDeviation::Result at(const Vec3& position, std::size_t segment, double behind) {
     const double moved = (position - position_).norm();
     position_ = position;
-    // A corner is cut by as much as the axes are off the path.
+    // A corner is cut by as much as the axes deviate from the path.
     const double reach = corner_reach * std::sqrt(last_.squared) + 2 * moved + rounding;
     PathDeviation::Foot best = deviation_.foot_on(last_.segment, position);
     double ahead = toolpath_.segments[last_.segment].length - last_.s;
@@ -39,7 +39,7 @@ class FollowedFoot {
  private:
   static constexpr double corner_reach = 4;
   static constexpr double rounding = 1e-6;  // [mm]
-  static constexpr double lost = 0.1;       // [mm] more than controls leave the path by within a corner
+  static constexpr double lost = 0.1;       // [mm], more than controls deviate from the path within a corner
 
   const Toolpath& toolpath_;
   PathDeviation deviation_;

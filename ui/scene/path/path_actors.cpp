@@ -85,14 +85,14 @@ vtkSmartPointer<vtkPolyData> rapid_dashes(const SampledPath& path, double dash) 
     cells->InsertNextCell(2, ends);
   };
   bool drawing = true;
-  double left = step;  // of the present dash or gap [mm]
+  double left = step;  // of the current dash or gap [mm]
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
     if (path.kinds[i] != SpanKind::rapid) {
       drawing = true;
       left = step;
       continue;
     }
-    // In double precision: a rapid may come from far away to a small part.
+    // In double precision: a rapid may be far longer than a small part.
     const Eigen::Vector3d from = path.positions[i].cast<double>();
     const Eigen::Vector3d span = path.positions[i + 1].cast<double>() - from;
     const double span_length = span.norm();

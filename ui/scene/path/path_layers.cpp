@@ -20,9 +20,9 @@
 namespace feedscope::ui {
 namespace {
 
-// Widths and heights in pixels at scale 1. Lines in one place must not fight: each layer is a little nearer
+// Widths and heights in pixels at scale 1. Lines in one place must not fight: each layer is slightly nearer
 // to the eye, which does not move it on the screen. A disc bulges towards the eye by half its width, so
-// the cut lies above the edge of the blends, and the blends above the cut.
+// the cut is above the edge of the blends, and the blends are above the cut.
 constexpr double thin_width = 1.4;
 constexpr double rapid_width = 1.2;
 constexpr double overlay_width = 1.8;
@@ -33,7 +33,7 @@ constexpr double blend_edge_width = 7;
 constexpr double curve_edge_width = 6;
 constexpr double range_width = 12;
 
-constexpr double max_covered = 0.5;   // of the path by edges of blends
+constexpr double max_covered = 0.5;   // of the path, by edges of blends
 constexpr double dashes_across = 90;  // along the largest extent
 
 bool is_cut(SpanKind kind) {
@@ -116,7 +116,7 @@ void PathLayers::show_rapids(const std::shared_ptr<const SampledPath>& path, con
   rapid_spread_.setZero();
   entries_.rapid = false;
   if (path) {
-    // The frame is around what is cut: rapids may reach far beyond it.
+    // The frame is around the cut path: rapids may extend far beyond it.
     const double extent = path->bounds.empty() ? 0 : (path->bounds.max - path->bounds.min).maxCoeff();
     const auto dashes = rapid_dashes(*path, std::max(frame.unit, extent) / dashes_across);
     measure_rapids(*path, frame);
@@ -128,7 +128,7 @@ void PathLayers::show_rapids(const std::shared_ptr<const SampledPath>& path, con
   }
 }
 
-/// As far as they are in the frame's box: the rest is hardly ever in the picture.
+/// Considers rapids within the frame's box: the rest is hardly ever visible.
 void PathLayers::measure_rapids(const SampledPath& path, const SceneFrame& frame) {
   const auto in_box = [&](std::size_t i) -> Vec3 {
     return frame.to_scene(path.position(i)).cwiseMax(frame.box.min).cwiseMin(frame.box.max);
@@ -145,8 +145,7 @@ void PathLayers::measure_rapids(const SampledPath& path, const SceneFrame& frame
   }
 }
 
-/// The length that is seen is at most what it would be if all rapids were as steep as they are on average;
-/// every second dash is drawn.
+/// The visible length is at most that of rapids which all have the average slope; every second dash is drawn.
 bool PathLayers::shows_rapids(const Projection& view, double scale) const {
   constexpr double most_covered = 0.05;  // of the picture
   if (!look_.rapids || !entries_.rapid) {
@@ -156,7 +155,7 @@ bool PathLayers::shows_rapids(const Projection& view, double scale) const {
   const double seen = std::sqrt(rapid_length_ * std::max(0.0, rapid_length_ - along));
   const double drawn = seen * view.scale * rapid_width * scale / 2;
   const Vec2 window = 2 * view.middle;
-  // Close up only a part of them is in the picture.
+  // Close up only a part of them is visible.
   const double part = std::min(1.0, window.minCoeff() / view.scale);
   return look_.all_rapids || drawn * part * part <= most_covered * window.x() * window.y();
 }
@@ -255,7 +254,7 @@ void PathLayers::colour_executed() {
     key_ = look_.scale_with ? colour_key(path, *look_.scale_with, look_.colouring)
                             : colour_key(path, look_.colouring);
     key_.reference = needs_reference(look_.colouring) ? look_.reference : std::string();
-    // While the other run is still compared with, the colours must not say "won".
+    // While the comparison is being computed, the colours must not mean "gained".
     const bool missing = needs_reference(look_.colouring) && !key_.has_scale();
     executed_->set_colours(
         point_colours(path, key_, look_.colours->kind, missing ? look_.colours->programmed : look_.run));
@@ -263,7 +262,7 @@ void PathLayers::colour_executed() {
   redraw({Role::difference});
 }
 
-/// By a quarter of what the colours reach.
+/// Differs by a quarter of the colour scale.
 bool PathLayers::differs(std::size_t point) const {
   constexpr double visible = 0.25;
   const double at = key_.scale.position(executed_->samples().value(key_.colouring, point));
@@ -312,7 +311,7 @@ void PathLayers::set_stretch(const std::optional<TimeStretch>& stretch, const st
   }
 }
 
-/// Gives what is drawn of the executed path other lines; the points of its parts stay where they are.
+/// Replaces the lines of the executed path; the points of its parts are unchanged.
 void PathLayers::redraw(const std::vector<Role>& roles) {
   const CurrentContext context(renderer_);
   for (Layer& layer : layers_) {
@@ -325,10 +324,10 @@ void PathLayers::redraw(const std::vector<Role>& roles) {
   }
 }
 
-/// What lies outside of the box around the stretch is cut off, where the rest is hidden.
+/// Clips to the box around the part if the rest is hidden.
 void PathLayers::place_clipping(const SceneFrame& frame, const Projection& view) {
   if (only_) {
-    constexpr double margin = 8;  // [px]: lines are wide and lifted towards the eye
+    constexpr double margin = 8;  // [px]: lines are wide and raised towards the eye
     clipping_ = planes_around(frame.to_scene(only_->min), frame.to_scene(only_->max), margin / view.scale);
   }
   for (const Layer& layer : layers_) {
@@ -368,7 +367,7 @@ Rgb PathLayers::colour_of(const Layer& layer) const {
   return colours.text;
 }
 
-/// What is in the highlighted range, with one point on either side.
+/// The highlighted range, with one more point on either side.
 vtkSmartPointer<vtkCellArray> PathLayers::highlighted(const PathPart& part) const {
   if (!range_) {
     return polylines(part, 0, 0, is_cut);
@@ -425,8 +424,8 @@ vtkSmartPointer<vtkActor> PathLayers::make_actor(const Layer& layer, const PathP
   return actor;
 }
 
-/// Share of the path on the screen that the ends of the blends' edges cover: however short a blend is, its
-/// edge is as long as it is wide. `millimetre`: pixels a mm.
+/// Share of the path on the screen covered by the ends of the blends' edges: however short a blend is, its
+/// edge is at least as long as wide. `millimetre`: pixels per mm.
 double PathLayers::covered_by_edges(double millimetre, double scale) const {
   const double ends = static_cast<double>(blend_count_) * blend_edge_width * scale;
   return ends / std::max((cut_length_ + blend_length_) * millimetre, 1e-9);
@@ -454,12 +453,12 @@ PathLayers::Style PathLayers::style_of(Role role, double thinner) const {
     case Role::blend:
       return {(entries_.blend ? blend_width : cut_width) * thinner, 10};
     case Role::overlay:
-      return {overlay_width * thinner, 6};  // below the run itself: they show where the paths differ
+      return {overlay_width * thinner, 6};  // under the run itself: they show differences of the paths
   }
   return {thin_width, 0};
 }
 
-/// Of the paths that are drawn; actors of parts that are no more go.
+/// Updates the parts of all drawn paths; removes actors of parts that no longer exist.
 void PathLayers::update_parts(const SceneFrame& frame, const Projection& view, bool moving) {
   const CurrentContext context(renderer_);
   const auto update = [&](DrawnPath& path) {
@@ -490,21 +489,21 @@ void PathLayers::update_parts(const SceneFrame& frame, const Projection& view, b
 }
 
 void PathLayers::place(const SceneFrame& frame, const Projection& view, double scale, bool moving) {
-  constexpr double sparse = 0.15;  // of the picture covered, so that edges mark something
+  constexpr double sparse = 0.15;  // of the picture covered, so that edges are distinct
   constexpr double comfortable = 0.35;
   const auto covered = [&](double curve_width, double blend_width) {
     return crowding(frame, view,
                     scale * ((cut_length_ - curve_length_) * cut_width + curve_length_ * curve_width +
                              blend_length_ * blend_width));
   };
-  // Deviations drawn larger show blends by themselves.
+  // Enlarged deviations show blends anyway.
   const bool edges = covered(curve_edge_width, blend_edge_width) < sparse && look_.exaggeration == 1 &&
                      covered_by_edges(view.scale / frame.unit, scale) < max_covered;
   const double thinner = std::min(1.0, comfortable / std::max(covered(cut_width, cut_width), 1e-9));
   entries_.blend = blend_length_ > 0 && edges;
   entries_.curve = curve_length_ > 0 && edges;
   rapids_seen_ = shows_rapids(view, scale);
-  // Between passes that nearly touch it would only make the colours grey.
+  // Between passes that nearly touch it would only grey the colours.
   constexpr double dense = 0.5;
   const bool programmed = thinner > dense;
 

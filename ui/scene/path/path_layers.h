@@ -23,63 +23,63 @@ class vtkRenderer;
 
 namespace feedscope::ui {
 
-/// Another run of the program, as a thin line.
+/// Another run of the program, drawn as a thin line.
 struct OverlayRun {
   std::shared_ptr<const SampledPath> samples;
   Rgb colour{};
   std::string name;
 };
 
-/// How the run's paths are drawn.
+/// Appearance of the run's paths.
 struct PathLook {
   Colouring colouring = Colouring::feed;
   Rgb run{0.0, 0.447, 0.698};  ///< colour of Colouring::run
   double exaggeration = 1;     ///< factor of the deviation from the programmed path
-  bool rapids = true;          ///< are drawn where they cover little of the picture
-  bool all_rapids = false;     ///< where they cover much of it, too
+  bool rapids = true;          ///< whether to draw them where they cover little of the picture
+  bool all_rapids = false;     ///< also where they cover much of it
   const SceneColours* colours = &scene_colours(Background::light);
-  std::string reference;  ///< name of the run that the executed path is compared with
+  std::string reference;  ///< name of the run compared with the executed path
   std::shared_ptr<const SampledPath>
-      scale_with;  ///< a path coloured by the same scale, elsewhere; may be null
+      scale_with;  ///< a path elsewhere with the same colour scale; may be null
 };
 
-/// The lines of a run: rapids dashed and pale under all others, and none where they would cover the picture,
-/// programmed path thin, executed path coloured, blends wide with an edge, other runs thin unless the colours
-/// compare with one, a range of time underlaid. Of the executed path a stretch may be drawn in full, the rest
-/// pale or not at all.
+/// The lines of a run: rapids dashed and pale under all others, and omitted where they would cover the
+/// picture; programmed path thin; executed path coloured; blends wide with an edge; other runs thin unless
+/// the colours compare with one; a highlighted range of time under the path. A part of the executed path may
+/// be drawn in full, the rest pale or not at all.
 ///
-/// Where lines would cover the picture, they are drawn thinner; where the edges of blends would cover the
-/// path, the edges are omitted. Zooming in brings both back. Paths of many points are drawn without what is
-/// smaller than a pixel, and coarser while the view moves.
+/// Where lines would cover the picture, they are thinner; where the edges of blends would cover the path,
+/// they are omitted. Zooming in restores both. Paths of many points are drawn without parts smaller than a
+/// pixel, and more coarsely while the view moves.
 class PathLayers {
  public:
-  /// `below`: of a layer of the window below that of `renderer`, with the same camera: there a range and what
-  /// is pale cover no path, however near they come to the eye.
+  /// `below`: of a layer under that of `renderer`, with the same camera: there highlighted ranges and pale
+  /// parts never cover the path, however near they are to the eye.
   PathLayers(vtkRenderer& renderer, vtkRenderer& below)
       : renderer_(renderer), below_(below), trail_(renderer) {}
 
-  /// Replaces what is shown; each path may be null. A path that is shown already stays as it is drawn.
+  /// Replaces the shown paths; each may be null. A path already shown is not drawn again.
   void show(std::shared_ptr<const SampledPath> programmed, std::shared_ptr<const SampledPath> executed,
             std::vector<OverlayRun> overlays, const SceneFrame& frame);
   void set_look(const PathLook& look);
-  /// Underlays the executed path between two times [s].
+  /// Highlights the executed path between two times [s].
   void set_highlight(std::optional<TimeStretch> range);
-  /// What of the executed path is drawn in full; none: all of it. `only`: the box [mm] outside of which
-  /// nothing else is drawn, and of the executed path nothing but the stretch; none: the rest is pale.
+  /// The part of the executed path drawn in full; none: all. `only`: box [mm] to which everything is clipped;
+  /// of the executed path only the part is then drawn; none: the rest is pale.
   void set_stretch(const std::optional<TimeStretch>& stretch, const std::optional<Bounds>& only);
-  /// Behind the tool, in the colour of what is highlighted.
+  /// The trail of the tool, in the colour of highlights.
   PathTrail& trail() { return trail_; }
   /// Before each frame. `scale`: size of text and lines.
   void place(const SceneFrame& frame, const Projection& view, double scale, bool moving);
 
   /// Whether rapids are drawn in a view.
   bool shows_rapids(const Projection& view, double scale) const;
-  /// What place() has made visible.
+  /// Legend entries for the lines that the last place() made visible.
   LegendEntries entries() const;
-  /// What the colours mean.
+  /// Meaning of the colours.
   const ColourKey& key() const { return key_; }
   const PathLook& look() const { return look_; }
-  /// The executed path as drawn; null if there is none.
+  /// The drawn executed path; null if there is none.
   const DrawnPath* executed() const { return executed_.get(); }
 
  private:
@@ -92,18 +92,18 @@ class PathLayers {
     blend_edge,
     overlay,
     cut,
-    difference,  ///< where the run differs from the one that it is compared with
+    difference,  ///< where the run differs from its reference
     blend,
     stretch_end
   };
 
-  /// What is drawn of one path in one manner.
+  /// Drawing of one path in one style.
   struct Layer {
     Role role = Role::cut;
     const DrawnPath* path = nullptr;
     bool discs = false;  ///< points, not lines
-    Rgb colour{};        ///< of roles that have one
-    /// By level of detail, made when first needed.
+    Rgb colour{};        ///< for roles with a fixed colour
+    /// By level of detail, created on demand.
     std::vector<vtkSmartPointer<vtkActor>> actors;
   };
   struct Style {
@@ -150,20 +150,20 @@ class PathLayers {
   std::optional<TimeStretch> range_;
   std::optional<TimeStretch> stretch_;
   std::optional<Bounds> only_;                    ///< [mm]
-  vtkSmartPointer<vtkPlaneCollection> clipping_;  ///< around only_; null: nothing is clipped
+  vtkSmartPointer<vtkPlaneCollection> clipping_;  ///< around only_; null: no clipping
   LegendEntries entries_;
   ColourKey key_;
   std::shared_ptr<const SampledPath> rapids_of_;
-  double dashes_for_ = 0;          ///< unit of the frame that the dashes of rapids were made for [mm]
+  double dashes_for_ = 0;          ///< frame unit for which the dashes of rapids were made [mm]
   Vec3 rapids_at_ = Vec3::Zero();  ///< origin of their dashes [mm]
-  double rapid_length_ = 0;        ///< near what is cut [scene units]
-  /// Of the directions of rapids with their lengths: the sum of v v^T / |v| [scene units].
+  double rapid_length_ = 0;        ///< near the cut path [scene units]
+  /// Directions of rapids weighted by length: the sum of v v^T / |v| [scene units].
   Eigen::Matrix3d rapid_spread_ = Eigen::Matrix3d::Zero();
   double cut_length_ = 0;    ///< [mm]
   double blend_length_ = 0;  ///< [mm]
   double curve_length_ = 0;  ///< of cut_length_ [mm]
   std::size_t blend_count_ = 0;
-  bool rapids_seen_ = false;  ///< in the view that place() was given
+  bool rapids_seen_ = false;  ///< in the last place()
 };
 
 }  // namespace feedscope::ui

@@ -49,7 +49,7 @@ PathPart::PathPart(const SampledPath& path, const PathLevel& level,
 PathPart::~PathPart() = default;
 
 bool PathPart::fits(const std::vector<bool>& boxes) const {
-  constexpr std::size_t much = 16;         // times what is asked for
+  constexpr std::size_t much = 16;         // times the requested number
   constexpr std::size_t few_boxes = 2000;  // drawn quickly
   std::size_t asked = 0;
   std::size_t here = 0;

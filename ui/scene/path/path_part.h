@@ -16,8 +16,8 @@ class vtkUnsignedCharArray;
 
 namespace feedscope::ui {
 
-/// What VTK draws of a path: the points of one level of detail whose spans pass through some of its boxes,
-/// with positions and colours that all lines of the part share. What is outside has no buffer of the GPU.
+/// The points of one level of detail whose spans pass through some of the path's boxes, as VTK draws them,
+/// with positions and colours shared by all lines of the part. Points outside take no GPU memory.
 class PathPart {
  public:
   /// `positions` as drawn, offsets from the origin of `path`; `wanted`: by box, empty: all of them. `path`
@@ -26,27 +26,27 @@ class PathPart {
            std::vector<bool> wanted);
   ~PathPart();
 
-  /// Whether all spans in `boxes` are in this part, and not many more.
+  /// Whether all spans in `boxes` are in this part, without many more.
   bool fits(const std::vector<bool>& boxes) const;
 
   std::size_t size() const { return points_of_path_.size(); }
-  /// Indices in the path, rising.
+  /// Indices in the path, ascending.
   const std::vector<std::uint32_t>& points_of_path() const { return points_of_path_; }
   /// Index in the path of point `k`.
   std::size_t operator[](std::size_t k) const { return points_of_path_[k]; }
-  /// What the span from point `k` to the next one is.
+  /// Kind of the span from point `k` to the next one.
   SpanKind kind(std::size_t k) const { return path_.kinds[points_of_path_[k]]; }
   /// Whether there is a span from point `k` to the next one; the last point has none.
   bool joined(std::size_t k) const { return joined_[k]; }
   const SampledPath& path() const { return path_; }
-  /// Of point `k` as drawn, offset from the path's origin [mm].
+  /// Drawn position of point `k`, offset from the path's origin [mm].
   Eigen::Vector3d position(std::size_t k) const;
   bool coloured() const;
   Rgba colour(std::size_t k) const;
 
-  /// Of all points of the path.
+  /// Sets the colours of all points of the path.
   void set_colours(const std::vector<Rgba>& colours);
-  /// Lines or points between the points of this part; they follow its colours.
+  /// Lines or points between the points of this part, in its colours.
   vtkSmartPointer<vtkPolyData> poly_data(vtkCellArray& cells, bool points) const;
 
  private:

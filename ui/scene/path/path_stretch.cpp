@@ -21,7 +21,7 @@ double time_of(const PathPart& part, std::size_t k) {
   return part.path().times[part[k]];
 }
 
-/// Where the path is at a time between point `k` and the next one, as drawn.
+/// Drawn place of a time between point `k` and the next one.
 Eigen::Vector3d place_at(const PathPart& part, std::size_t k, double time) {
   const double span = time_of(part, k + 1) - time_of(part, k);
   const double share = span > 0 ? std::clamp((time - time_of(part, k)) / span, 0.0, 1.0) : 1.0;
@@ -67,7 +67,7 @@ vtkSmartPointer<vtkPolyData> ends_of(const PathPart& part, const TimeStretch& ti
   const vtkNew<vtkUnsignedCharArray> colours;
   colours->SetNumberOfComponents(4);
   const PartWindow inside = window_within(part, times);
-  /// The piece of the span from point `k`.
+  /// Adds a piece of the span from point `k`.
   const auto add = [&](std::size_t k, double from, double to) {
     if (k + 1 >= part.size() || !part.joined(k) || !wanted(part.kind(k)) || from >= to) {
       return;

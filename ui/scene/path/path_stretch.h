@@ -15,23 +15,23 @@ class vtkPolyData;
 
 namespace feedscope::ui {
 
-/// Which stretch of the executed path is drawn in full; the rest is pale or hidden.
+/// Range of the executed path that is drawn in full; the rest is pale or hidden.
 enum class PathStretch {
   whole,
-  charts,     ///< what the charts show
-  to_cursor,  ///< what has been run up to the cursor
+  charts,     ///< the range of the charts
+  to_cursor,  ///< up to the cursor
 };
 
-/// First and last time of a stretch [s].
+/// First and last time of a range [s].
 using TimeStretch = std::array<double, 2>;
 
-/// What a user wants to see of the executed path.
+/// The user's choice of the visible executed path.
 struct StretchChoice {
   PathStretch stretch = PathStretch::whole;
-  bool rest_hidden = false;  ///< and what else lies outside of the box around the stretch; otherwise pale
+  bool rest_hidden = false;  ///< including everything outside of the box around the range; otherwise pale
 
-  /// The times of the stretch; none: all of the path. `charts`: what the charts show, none: all; `cursor`:
-  /// its time [s].
+  /// The times of the range; none: the whole path. `charts`: range of the charts, none: all; `cursor`: its
+  /// time [s].
   std::optional<TimeStretch> times(const std::optional<TimeStretch>& charts,
                                    const std::optional<double>& cursor) const;
   bool operator==(const StretchChoice&) const = default;
@@ -43,19 +43,19 @@ struct PartWindow {
   std::size_t end = 0;
 };
 
-/// The points within `times`; all of them without. Needs an executed path.
+/// The points within `times`; without it all of them. Requires an executed path.
 PartWindow window_within(const PathPart& part, const std::optional<TimeStretch>& times);
 
 /// Spans that `wanted` accepts and that are not between points within `times`.
 vtkSmartPointer<vtkCellArray> polylines_outside(const PathPart& part, const TimeStretch& times,
                                                 const std::function<bool(SpanKind)>& wanted);
 
-/// From where the path is at the ends of `times` to the next points within, of spans that `wanted` accepts:
-/// what window_within() leaves out of a long span. Coloured as the point before.
+/// Pieces from the path's places at the ends of `times` to the next points within, for spans that `wanted`
+/// accepts: the part of a long span that window_within() omits. Coloured as the previous point.
 vtkSmartPointer<vtkPolyData> ends_of(const PathPart& part, const TimeStretch& times,
                                      const std::function<bool(SpanKind)>& wanted);
 
-/// What cuts off all that is more than `margin` outside of a box.
+/// Planes that clip everything more than `margin` outside of a box.
 vtkSmartPointer<vtkPlaneCollection> planes_around(const Vec3& low, const Vec3& high, double margin);
 
 }  // namespace feedscope::ui

@@ -24,9 +24,9 @@ namespace {
 constexpr double width = 5;    // [pixels at scale 1]
 constexpr double height = 12;  // [pixels at scale 1]: above all of the path
 constexpr std::size_t most_points = 20'000;
-constexpr double faintest = 0.08;  // opacity at the beginning
+constexpr double faintest = 0.08;  // opacity at the start
 
-/// Lines with colours of their own, point by point.
+/// Lines with a colour for each point.
 class FadingLines {
  public:
   FadingLines(const Rgb& colour, double from, double to) : from_(from), to_(to) {
@@ -35,7 +35,7 @@ class FadingLines {
     colours_->SetNumberOfComponents(4);
   }
 
-  /// `joined`: to the point before.
+  /// `joined`: to the previous point.
   void add(const Eigen::Vector3d& place, double time, bool joined) {
     const vtkIdType id = points_->InsertNextPoint(place.data());
     const double share = std::clamp((time - from_) / (to_ - from_), 0.0, 1.0);
@@ -93,7 +93,7 @@ void PathTrail::place(const DrawnPath* path, const Rgb& colour, const SceneFrame
   const auto place_at = [&](std::size_t k) -> Eigen::Vector3d {
     return path->positions()[level[k]].cast<double>();
   };
-  const auto count_of = [&](const auto& passed) {  // points at times that have passed
+  const auto count_of = [&](const auto& passed) {  // number of points at past times
     const auto point_passed = [&](std::uint32_t point) { return passed(samples.times[point]); };
     return static_cast<std::size_t>(
         level.points.empty()

@@ -13,16 +13,15 @@ class vtkRenderer;
 
 namespace feedscope::ui {
 
-/// Where the tool has been a moment before: a line over the executed path, rapids included, that fades
-/// towards its beginning.
+/// The tool's recent way: a line over the executed path, including rapids, that fades towards its start.
 class PathTrail {
  public:
   explicit PathTrail(vtkRenderer& renderer);
   ~PathTrail();
 
-  /// How far back it reaches [s]; 0: there is none.
+  /// Its duration [s]; 0: no trail.
   void set_length(double seconds) { length_ = seconds; }
-  /// It ends at `time` [s], where the tip of the tool is drawn [mm]; none: there is none.
+  /// Its end: `time` [s] and the drawn tip of the tool [mm]; none: no trail.
   void end_at(const std::optional<double>& time, const std::optional<Vec3>& tip);
   /// Before each frame. `path`: the executed one, null for none.
   void place(const DrawnPath* path, const Rgb& colour, const SceneFrame& frame, const Projection& view,

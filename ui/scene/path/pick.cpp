@@ -7,11 +7,11 @@
 namespace feedscope::ui {
 namespace {
 
-/// Where a span passes a place of the screen.
+/// The nearest point of a span to a place on the screen.
 struct Passage {
   double distance = std::numeric_limits<double>::infinity();  ///< on the screen [pixels]
   double depth = -std::numeric_limits<double>::infinity();    ///< towards the eye [pixels]
-  double u = 0;                                               ///< share of the span
+  double u = 0;                                               ///< fraction of the span
 };
 
 Passage passage(const Vec2& place, const Vec3& from, const Vec3& to) {
@@ -22,7 +22,7 @@ Passage passage(const Vec2& place, const Vec3& from, const Vec3& to) {
   return {(nearest.head<2>() - place).norm(), nearest.z(), u};
 }
 
-/// A path seen on the screen.
+/// A path projected onto the screen.
 class SeenPath {
  public:
   SeenPath(const PickablePath& path, const ScreenMap& project) : path_(path), project_(project) {}
@@ -60,7 +60,7 @@ class SeenPath {
   const ScreenMap& project_;
 };
 
-/// The span that passes nearest, of several in one place the one in front.
+/// The nearest span; of several in one place the one in front.
 std::optional<std::size_t> nearest_span(const SeenPath& seen, std::size_t boxes, const Vec2& place,
                                         double radius) {
   double least = radius;
@@ -93,7 +93,7 @@ std::optional<std::size_t> nearest_span(const SeenPath& seen, std::size_t boxes,
       }
     });
   }
-  // Within that pass, to where it comes nearest.
+  // The minimum of the distance within that pass.
   const auto distance_of = [&](std::size_t span) { return seen.passage_of(span, place).distance; };
   while (best + 1 < seen.spans() && distance_of(best + 1) < distance_of(best)) {
     ++best;
@@ -109,7 +109,7 @@ double nearest_on(const Trajectory& trajectory, const ScreenMap& project, const 
   const auto distance_at = [&](double time) {
     return (project(trajectory.state(time).position).head<2>() - place).squaredNorm();
   };
-  constexpr int rounds = 60;  // a third off each: 1e-10 of the span is left
+  constexpr int rounds = 60;  // each removes a third: 1e-10 of the span remains
   for (int i = 0; i < rounds; ++i) {
     const double a = low + (high - low) / 3;
     const double b = high - (high - low) / 3;
@@ -122,11 +122,11 @@ double nearest_on(const Trajectory& trajectory, const ScreenMap& project, const 
   return (low + high) / 2;
 }
 
-/// Between which samples a time lies.
+/// The two samples around a time.
 struct PathInstant {
   std::size_t before = 0;
   std::size_t after = 0;
-  double u = 0;  ///< share of the way
+  double u = 0;  ///< fraction between them
 };
 
 PathInstant instant(const std::vector<double>& times, double time) {
@@ -144,7 +144,7 @@ PathInstant instant(const std::vector<double>& times, double time) {
 ScreenMap::ScreenMap(const Projection& projection, const SceneFrame& frame) : middle_(projection.middle) {
   linear_ << projection.right.transpose(), projection.up.transpose(), projection.towards.transpose();
   linear_ *= projection.scale / frame.unit;
-  // The focal point is drawn in the middle, at depth 0.
+  // The focal point is drawn at the centre, at depth 0.
   offset_ = -linear_ * (frame.centre + frame.unit * projection.focal);
   offset_.head<2>() += middle_;
   eye_ = projection.eye_distance * projection.scale;
@@ -221,7 +221,7 @@ std::optional<std::array<double, 2>> times_within(const PickablePath& path, cons
       if (seen.is_gap(span)) {
         return;
       }
-      // The part of the span inside, by its share from one end to the other (Liang and Barsky).
+      // The fraction of the span inside, from one end to the other (Liang and Barsky).
       const Vec2 from = seen.point(span).head<2>();
       const Vec2 along = seen.end(span).head<2>() - from;
       double enter = 0;

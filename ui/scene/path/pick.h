@@ -12,10 +12,10 @@ namespace feedscope::ui {
 class ScreenMap {
  public:
   ScreenMap(const Projection& projection, const SceneFrame& frame);
-  /// Display coordinates; third: towards the eye, in pixels of the focal point.
+  /// Display coordinates; third: towards the eye, in pixels at the focal point.
   Vec3 operator()(const Vec3& point) const;
 
-  /// The rectangle that a box [mm] covers at most.
+  /// A rectangle that contains the projection of a box [mm].
   struct Rectangle {
     Vec2 low, high;
     double distance(const Vec2& place) const { return (place - place.cwiseMax(low).cwiseMin(high)).norm(); }
@@ -35,17 +35,17 @@ class ScreenMap {
   double eye_ = 0;  ///< distance from the focal point [pixels]; 0: parallel
 };
 
-/// A path as it is drawn, with what finds its spans.
+/// A path as drawn, with the boxes for searching its spans.
 struct PickablePath {
   const SampledPath* samples = nullptr;
   const std::vector<Eigen::Vector3f>* positions = nullptr;  ///< of the samples, as drawn
   const std::vector<SpanBox>* boxes = nullptr;              ///< boxes_of(*positions)
-  std::optional<std::array<double, 2>> only = {};  ///< the times at which it can be picked [s]; none: all
+  std::optional<std::array<double, 2>> only = {};  ///< times at which it can be picked [s]; none: all
 };
 
-/// Time at which the path passes nearest to `place`, if within `radius` [pixels]; of several passes less than
-/// a pixel farther, the one in front. Looks at the boxes, then at spans in those that are near.
-/// `trajectory`: where given, the search ends on the exact path instead of the span.
+/// Time at which the path is nearest to `place`, if within `radius` [pixels]; of several passes less than a
+/// pixel farther, the one in front. Searches the boxes, then the spans in near ones.
+/// `trajectory`: if given, the search ends on the exact path instead of the span.
 std::optional<double> nearest_time(const PickablePath& path, const Trajectory* trajectory,
                                    const ScreenMap& project, const Vec2& place, double radius);
 
@@ -53,9 +53,9 @@ std::optional<double> nearest_time(const PickablePath& path, const Trajectory* t
 std::optional<std::array<double, 2>> times_within(const PickablePath& path, const ScreenMap& project,
                                                   const Vec2& low, const Vec2& high);
 
-/// What samples hold, at a time; in proportion between two of them.
+/// Value of the samples at a time, linear between two of them.
 double value_at(const PickablePath& path, Colouring quantity, double time);
-/// SampledPath::lost at a time; none where nothing is compared.
+/// SampledPath::lost at a time; none without a comparison.
 std::optional<double> lost_at(const PickablePath& path, double time);
 Vec3 deviation_at(const PickablePath& path, double time);
 

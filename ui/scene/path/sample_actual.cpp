@@ -23,9 +23,9 @@ class ActualSampling {
 
   bool done() const { return walk_.done(); }
   double time() const { return walk_.span().time; }
-  /// Of all points up to now.
+  /// Shifts of all points so far.
   std::vector<StoredVector> take_shifts() { return std::move(shifts_); }
-  /// Goes through one span. Its end is a point only where nothing or a gap is behind it.
+  /// Samples one span. Adds its end only if nothing or a gap follows.
   void add_span() {
     const SetSpan& span = walk_.span();
     const SpanLooks looks(span, rigid_);
@@ -65,7 +65,7 @@ class ActualSampling {
   Sampler sampler_;
   Sampler end_sampler_;
   FollowedFoot foot_;
-  std::uint32_t element_ = 0;  ///< that was under way last
+  std::uint32_t element_ = 0;  ///< the last element
   StateWalk set_;
   bool rigid_;
   ActualWalk walk_;

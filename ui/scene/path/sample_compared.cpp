@@ -13,7 +13,7 @@ bool are_close(std::span<const double> reference_times) {
   return reference_times.size() > close_enough;
 }
 
-/// `path` with what it does unlike the reference at its points.
+/// `path` with its differences from the reference at its points.
 SampledPath with_differences(SampledPath path, const Trajectory& trajectory, const Trajectory& reference,
                              Progress& progress) {
   const RunDifference difference = compare_places(trajectory, reference, path.times, &progress);

@@ -19,16 +19,16 @@ namespace {
 
 constexpr double turn_of_corner_span = units::pi / 90;  // of a corner: its curvature has peaks [rad]
 constexpr double most_spans_of_corner = 24;
-// Of the size of the path; a picture of it is some thousand pixels wide.
-constexpr double seen_of_chord = 1e-6;  // how far a span may be from a blend
-constexpr double seen_of_jump = 5e-5;   // how short a part may be for its colours to begin and end at once
+// As fractions of the path's size; a picture of it is some thousand pixels wide.
+constexpr double seen_of_chord = 1e-6;  // largest distance between a span and a blend
+constexpr double seen_of_jump = 5e-5;   // shortest part whose colours start and end at once
 constexpr double spans_of_curve = 8;    // a span of a smooth curve turns little
 constexpr double feed_steps = 24;
 constexpr double spans_a_filter_time = 8;
-constexpr double share_of_actual = 0.4;  // of the time that it takes with drives
+constexpr double share_of_actual = 0.4;  // of the computing time with drives
 constexpr double share_on_machine = 0.3;
 
-/// `has`: whether the path has values of this position.
+/// `has`: whether the path has values at this index.
 template <typename Has>
 void reserve(SampledPath& path, std::size_t points, Has has) {
   path.positions.reserve(points);
@@ -57,15 +57,15 @@ double extent_of(const Bounds& bounds) {
 
 constexpr std::size_t pieces_a_chunk = 1024;
 
-/// Consecutive parts that are sampled by one thread; the same ones however many threads there are.
+/// Consecutive parts sampled by one thread; independent of the number of threads.
 struct Chunk {
-  std::size_t piece = 0;   ///< the first
-  std::size_t end = 0;     ///< behind the last
+  std::size_t piece = 0;   ///< first
+  std::size_t end = 0;     ///< after the last
   std::size_t wanted = 0;  ///< points, if none is omitted
   std::optional<Part> before;
 };
 
-/// Draws the samples of one trajectory, or of a chunk of it.
+/// Samples one trajectory, or a chunk of it.
 class ExecutedSampling {
  public:
   ExecutedSampling(const Trajectory& trajectory, std::span<const double> also_at, const RunSources& sources)
@@ -111,7 +111,7 @@ class ExecutedSampling {
     return chunks;
   }
 
-  /// Once.
+  /// Call once.
   SampledPath run(const Chunk& chunk, double spacing) {
     SampledPath path;
     path.origin = origin_;
@@ -129,7 +129,7 @@ class ExecutedSampling {
       also_at_ = also_at_.subspan(static_cast<std::size_t>(passed));
     }
     for (; !walk.done() && walk.part().piece < chunk.end; walk.next()) {
-      // Of what is shorter than the spacing no end would be kept.
+      // The end of a part shorter than the spacing would not be kept.
       if (last && has_gap(last->element, walk.part().element)) {
         add_before_gap(path, *last);
       } else if (last && advance_of(*last) >= std::max(spacing, seen_of_jump * extent_) &&
@@ -160,7 +160,7 @@ class ExecutedSampling {
     double from, to;  ///< from the start of a part [s]
   };
 
-  /// The points that were asked for between two others of one part, `span` mm from each other.
+  /// Adds the requested points between two others of one part, `span` mm apart.
   void add_asked(SampledPath& path, Sampler& sampler, const PartMotion& motion, const Part& part,
                  const Between& taus, double span) {
     const double least = 1e-3 * (taus.to - taus.from);
@@ -173,12 +173,12 @@ class ExecutedSampling {
     }
   }
 
-  /// At the latest where the part ends, q has gone this far, [mm] or blend parameter.
+  /// Course of q up to the end of the part [mm], or blend parameter.
   static double course_of(const Part& part) {
     return advance({0, std::abs(part.v), std::abs(part.a), std::abs(part.j)}, part.duration).q;
   }
 
-  /// The same as a length [mm].
+  /// The course as a length [mm].
   double advance_of(const Part& part) const {
     if (part.law == Law::filtered) {
       return trajectory_.filtered_length(part);
@@ -186,8 +186,8 @@ class ExecutedSampling {
     return course_of(part) * (part.law == Law::parameter ? trajectory_.path().length(part.element) : 1.0);
   }
 
-  /// Colours must not flow over a whole span where a value changes at once: the cause, the jerk, and with
-  /// some models the feed.
+  /// Whether a value jumps (the cause, the jerk, and with some models the feed), so that colours must not
+  /// blend over a whole span.
   bool jumps(const Part& before, const Part& next) const {
     if (before.cause.kind != next.cause.kind || before.law != next.law) {
       return true;
@@ -198,7 +198,7 @@ class ExecutedSampling {
                 top_speed_ / (10 * feed_steps));
   }
 
-  /// Filters round every corner; those slowed for the tolerance are shown as blends.
+  /// Filters round every corner; corners slowed for the tolerance are shown as blends.
   SpanKind kind_of(const Part& part) const {
     if (trajectory_.is_rapid(part.element)) {
       return SpanKind::rapid;
@@ -239,17 +239,18 @@ class ExecutedSampling {
     return spans(wanted, advance_of(part), spacing);
   }
 
-  /// Of a whole blend, an even number: its middle, where it is farthest from the path, is the end of one.
+  /// Number of spans in a whole blend; even, so that a span ends at its middle, which is farthest from the
+  /// path.
   double spans_of_corner(std::uint32_t element) const {
     const BlendedPath& path = trajectory_.path();
     const double turn = path.turn(path.index(element));
-    // Of the chords of an arc, which is less bent than a blend in its middle: half of what may be seen.
+    // Uses the chords of an arc, which bends less than the middle of a blend: half of the visible error.
     const double by_chord = std::sqrt(path.length(element) * turn / (4 * seen_of_chord * extent_));
     const double half = std::ceil(std::min(by_chord, turn / turn_of_corner_span) / 2);
     return 2 * std::clamp(half, 1.0, most_spans_of_corner / 2);
   }
 
-  /// Programmed blocks that one line of a compacted path stands for.
+  /// Number of programmed blocks in one line of a compacted path.
   double blocks_of(std::uint32_t element) const {
     const BlendedPath& path = trajectory_.path();
     for (std::size_t next = element + 1; next < path.size(); ++next) {
@@ -260,7 +261,7 @@ class ExecutedSampling {
     return 1;
   }
 
-  /// Between two elements that follow each other in time the path goes on elsewhere.
+  /// Whether the path continues elsewhere between two successive elements.
   bool has_gap(std::uint32_t before, std::uint32_t next) const {
     const Toolpath& programmed = programmed_of(trajectory_);
     for (std::uint32_t element = before + 1; element < next; ++element) {
@@ -271,7 +272,7 @@ class ExecutedSampling {
     return false;
   }
 
-  /// Where the path ends before a gap; kept however short the parts are.
+  /// Adds the end of the path before a gap, however short the parts are.
   void add_before_gap(SampledPath& path, const Part& last) {
     Sampler all(path, 0);
     add(path, all, PartMotion(trajectory_, last), last, last.duration, 0);
@@ -279,7 +280,7 @@ class ExecutedSampling {
     gap_ = true;
   }
 
-  /// The end of `last`, in the place where `walk` is. Filtered motion is smooth there, and dear to set up.
+  /// Adds the end of `last`, at the place of `walk`. Filtered motion is smooth there, and costly to set up.
   void add_end(SampledPath& path, Sampler& sampler, const Part& last, PartWalk& walk) {
     if (last.law == Law::filtered && walk.part().law == Law::filtered) {
       Part end = walk.part();
@@ -325,16 +326,16 @@ class ExecutedSampling {
   const Trajectory& trajectory_;
   Vec3 origin_;                      ///< [mm]
   double extent_ = 0;                ///< of the programmed path [mm]
-  std::span<const double> also_at_;  ///< those that are still to come [s]
+  std::span<const double> also_at_;  ///< remaining ones [s]
   const RunSources& sources_;
   std::optional<InstantSampler> instants_;
   std::array<double, cause_kind_count> cause_times_{};  ///< [s]
   double top_speed_ = 0;                                ///< [mm/s]
   double top_jerk_ = 0;                                 ///< along the path [mm/s3]
-  bool gap_ = false;                                    ///< the next point is behind a gap
+  bool gap_ = false;                                    ///< whether the next point is after a gap
 };
 
-/// Appends what `part` holds and gives its memory back.
+/// Appends the contents of `part` and frees its memory.
 template <typename Values>
 void move_behind(Values& values, Values& part) {
   values.insert(values.end(), part.begin(), part.end());
@@ -364,7 +365,7 @@ SampledPath joined(std::vector<SampledPath> parts) {
   return path;
 }
 
-/// On what the control takes over as it is programmed.
+/// Whether the control executes the element as programmed.
 bool follows_exactly(const Trajectory& trajectory, std::uint32_t element) {
   const ElementKind kind = trajectory.path().kind(element);
   return !compacted(trajectory) &&

@@ -11,7 +11,7 @@
 namespace feedscope::ui {
 namespace {
 
-constexpr std::size_t most_machine_points = 200'000;  // they are seldom looked at
+constexpr std::size_t most_machine_points = 200'000;  // it is seldom shown
 constexpr std::size_t points_a_task = 1024;
 constexpr double turn_of_span = 3 * units::pi / 180;
 
@@ -23,14 +23,14 @@ double largest_turn(const SegmentTurn& turn) {
   return largest;
 }
 
-/// At which rotary axes have turned far enough to bend the way of the others [s].
+/// Times at which rotary axes have turned far enough to bend the path of the others [s].
 std::vector<double> times_of_turns(const Trajectory& trajectory) {
   constexpr double most = 120;  // of a part
   const Toolpath& programmed = *trajectory.path().programmed();
   std::vector<double> times;
   for (PartWalk walk(trajectory); !walk.done(); walk.next()) {
     const Part& part = walk.part();
-    double turned = is_pause(part.cause.kind) ? units::pi : 0;  // the axes may hold the tip in a turn
+    double turned = is_pause(part.cause.kind) ? units::pi : 0;  // the axes may keep the tip fixed in a turn
     if (const SegmentTurn* turn = programmed.segment_turn(trajectory.path().segment(part.element))) {
       turned = std::max(turned, largest_turn(*turn));
     }
@@ -61,7 +61,7 @@ SampledPath sample_on_machine(const RunSources& sources, Progress* progress) {
     for (std::size_t i = task * points_a_task; i < end; ++i) {
       places[i] = course.slides(trajectory.state(path.times[i]));
     }
-    watched.report(0.5);  // which throws if it is cancelled
+    watched.report(0.5);  // throws if it is cancelled
   });
   path.bounds = {};
   Bounds cut;

@@ -11,7 +11,7 @@ namespace feedscope::ui {
 namespace {
 
 constexpr std::size_t samples_a_report = 65536;
-constexpr double always = std::numeric_limits<double>::infinity();  // a point, whatever is near it
+constexpr double always = std::numeric_limits<double>::infinity();  // adds the point at any distance
 
 /// The programmed place at `s` [mm] from the start of a segment.
 Vec3 programmed_place(const Toolpath& toolpath, std::size_t segment, double s) {
@@ -38,7 +38,7 @@ SampledPath sample_recorded(const TraceOnProgram& trace, const ProgrammedCourse&
   Sampler sampler(path, spacing_for(matched.end - matched.first, max_points, course.length()));
   FollowedFoot foot(toolpath);
   Vec3 last = Vec3::Zero();
-  bool begins = true;  // also behind what does not fit
+  bool begins = true;  // also after a part that does not match
   for (std::size_t i = matched.first; i < matched.end; ++i) {
     if (progress != nullptr && (i - matched.first) % samples_a_report == 0) {
       progress->report(static_cast<double>(i - matched.first) /
@@ -54,14 +54,14 @@ SampledPath sample_recorded(const TraceOnProgram& trace, const ProgrammedCourse&
     }
     const std::uint32_t segment = course.segment_at(s);
     Vec3 place = programmed_place(toolpath, segment, s - course.start_of(segment));
-    for (int axis = 0; axis < 3; ++axis) {  // of axes that are not in the trace the programmed ones
+    for (int axis = 0; axis < 3; ++axis) {  // the programmed position for axes missing in the trace
       place[axis] = course.seen()[static_cast<std::size_t>(axis)] ? trace.record.place[i][axis] : place[axis];
     }
     if (begins) {
       foot.begin(segment);
     }
     const auto distance = static_cast<double>(matched.distance[i]);
-    // The match may lag behind a corner: the segment behind it is looked at as well.
+    // The match may lag after a corner: the next segment is considered as well.
     const std::size_t ahead = std::min<std::size_t>(segment + 1, toolpath.segments.size() - 1);
     const PathDeviation::Result deviation = foot.at(place, ahead, distance);
     const double moved = begins ? always : (place - last).norm();

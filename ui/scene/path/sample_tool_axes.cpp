@@ -9,9 +9,9 @@ namespace feedscope::ui {
 std::vector<ToolAxis> sample_tool_axes(const RotaryCourse& course, const Vec3& origin) {
   const Trajectory& trajectory = course.trajectory();
   const double step =
-      trajectory.path_length() / (most_tool_axes / 2.0);  // parts have one more than they need
+      trajectory.path_length() / (most_tool_axes / 2.0);  // each part has one more than it needs
   std::vector<ToolAxis> axes;
-  double next = 0;  // path length of the next one [mm]
+  double next = 0;  // path length of the next axis [mm]
   for (PartWalk walk(trajectory); !walk.done() && axes.size() < most_tool_axes; walk.next()) {
     const Part& part = walk.part();
     if (is_pause(part.cause.kind) || trajectory.is_rapid(part.element) || !(part.duration > 0)) {

@@ -7,7 +7,7 @@
 
 namespace feedscope::ui {
 
-/// Tool axes along the feed motions of a run, evenly by path length, most_tool_axes at most; offsets from
+/// Tool axes along the feed motions of a run, evenly by path length, at most most_tool_axes; offsets from
 /// `origin` [mm].
 std::vector<ToolAxis> sample_tool_axes(const RotaryCourse& course, const Vec3& origin);
 

@@ -8,32 +8,32 @@
 
 namespace feedscope::ui {
 
-/// The paths that a scene shows; each may be null.
+/// The paths of a scene; each may be null.
 struct ScenePaths {
   std::shared_ptr<const SampledPath> programmed;
   std::shared_ptr<const SampledPath> executed_samples;
   std::shared_ptr<const Trajectory> trajectory;
   std::vector<OverlayRun> overlays;
-  bool actual_shown = true;    ///< what the axes run, where the executed path has it
-  bool machine_asked = false;  ///< where X, Y and Z of the machine stand, where the executed path has that
+  bool actual_shown = true;    ///< actual path, if the executed path has one
+  bool machine_asked = false;  ///< at the machine's X, Y and Z, if the executed path has them
 
   /// Whether everything is drawn in the coordinates of the machine.
   bool on_machine() const {
     return machine_asked && trajectory != nullptr && executed_samples != nullptr &&
            executed_samples->on_machine != nullptr;
   }
-  /// The programmed path has no place on the machine.
+  /// The programmed path does not exist in coordinates of the machine.
   std::shared_ptr<const SampledPath> shown_programmed() const { return on_machine() ? nullptr : programmed; }
   std::shared_ptr<const SampledPath> shown_executed() const {
     return on_machine() ? executed_samples->on_machine : executed_samples;
   }
-  /// The tip, or X, Y and Z of the machine, at an instant of the executed path [s].
+  /// The tip, or X, Y and Z of the machine, at a time of the executed path [s].
   Vec3 place_at(double time) const {
     const State state = trajectory->state(time);
     return on_machine() ? executed_samples->rotary->slides(state) : state.position;
   }
 
-  /// At an instant of the executed path [s]; up where no rotary axis turns, or nowhere on the path.
+  /// Direction at a time of the executed path [s]; upwards if no rotary axis turns, or without a time.
   Vec3 tool_direction(const std::optional<double>& time) const {
     const bool turns =
         time && trajectory != nullptr && executed_samples != nullptr && executed_samples->rotary != nullptr;
@@ -45,7 +45,7 @@ struct ScenePaths {
     return on_machine() ? course.tool_on_machine(state) : course.tool_direction(state);
   }
 
-  /// Other runs, and what the axes run; on the machine the runs that have a place there.
+  /// Other runs, and the actual path; in coordinates of the machine, the runs that have them.
   std::vector<OverlayRun> shown_overlays(const SceneColours& colours, const SceneTexts& texts) const {
     std::vector<OverlayRun> shown = overlays;
     if (on_machine()) {

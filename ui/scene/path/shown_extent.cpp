@@ -5,7 +5,7 @@ namespace feedscope::ui {
 namespace {
 
 Bounds near_cutting(const Bounds& cutting, const Bounds& all) {
-  constexpr double close = 0.2;  // of the largest extent of what is cut
+  constexpr double close = 0.2;  // of the largest extent of the cut path
   const double reach = cutting.empty() ? 0 : close * (cutting.max - cutting.min).maxCoeff();
   if (!(reach > 0)) {
     return all;
@@ -59,7 +59,7 @@ std::vector<Vec3> outline_points(std::initializer_list<std::shared_ptr<const Sam
       continue;
     }
     const PathLevel level = path->levels.empty() ? PathLevel{0, path->size(), {}} : path->levels.back();
-    bool before = false;  // the span that ends here is cut
+    bool before = false;  // whether the span that ends here is cut
     for (std::size_t k = 0; k < level.size(); ++k) {
       const SpanKind kind = path->kinds[level[k]];
       const bool cut = k + 1 < level.size() && kind != SpanKind::rapid && kind != SpanKind::gap;

@@ -9,24 +9,24 @@
 
 namespace feedscope::ui {
 
-/// What a picture of some paths is fitted to.
+/// Extent of paths for fitting a picture.
 struct ShownExtent {
   Bounds all;     ///< of everything [mm]
-  Bounds fitted;  ///< what is cut, and as much of the rest as is close to it [mm]
+  Bounds fitted;  ///< cut path, and the parts of the rest that are close to it [mm]
 
-  /// How far the rest reaches beyond `fitted`; 0 where nothing is shown [mm].
+  /// Largest extent of the rest outside of `fitted`; 0 without paths [mm].
   double beyond() const;
 };
 
-/// Around what is not rapid [mm]; empty: nothing is cut.
+/// Box around all except rapids [mm]; empty if nothing is cut.
 Bounds cut_bounds(const SampledPath& path);
 
-/// Of the paths that are there; null ones and empty ones are skipped. Rapids high above a part would leave
-/// little of the picture to it, so that `fitted` ends a fifth of its size away from what is cut.
+/// Extent of the given paths; null and empty ones are skipped. Rapids high above a part would leave it little
+/// of the picture, so that `fitted` ends a fifth of its size away from the cut path.
 ShownExtent shown_extent(std::initializer_list<std::shared_ptr<const SampledPath>> paths);
 
-/// The points of what the paths cut, and with `rapids` those of rapids moved into `near` [mm], as coarse as
-/// the paths are drawn when they are coarsest; all points where nothing is cut.
+/// The points of cut paths, and with `rapids` those of rapids moved into `near` [mm], from the coarsest level
+/// of detail; all points if nothing is cut.
 std::vector<Vec3> outline_points(std::initializer_list<std::shared_ptr<const SampledPath>> paths,
                                  const Bounds& near, bool rapids);
 

@@ -9,7 +9,8 @@ namespace feedscope::ui {
 /// pixels].
 double crowding(const SceneFrame& frame, const Projection& view, double drawn);
 
-/// The level of `path` that shows all that a pixel can; coarser while the view moves. The path has levels.
+/// The level of `path` with all details of a pixel or more; coarser while the view moves. The path has
+/// levels.
 std::size_t level_of(const SampledPath& path, const SceneFrame& frame, const Projection& view, bool moving);
 
 }  // namespace feedscope::ui
