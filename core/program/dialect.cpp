@@ -10,7 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
-#include "core/program/iso/printer_words.h"
+#include "core/program/iso/language/printer_words.h"
 #include "core/program/text/scanner.h"
 
 namespace feedscope {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/program/heidenhain/iso_reader.h"
+#include "core/program/heidenhain/language/iso_reader.h"
 #include "core/program/heidenhain/reader.h"
 #include "core/program/iso/reader.h"
 #include "core/program/program.h"

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <string_view>
 
-#include "core/program/heidenhain/contour_writer.h"
+#include "core/program/heidenhain/geometry/contour_writer.h"
+#include "core/program/heidenhain/language/q_parameters.h"
+#include "core/program/heidenhain/language/statement_lines.h"
 #include "core/program/heidenhain/modal_state.h"
-#include "core/program/heidenhain/q_parameters.h"
-#include "core/program/heidenhain/statement_lines.h"
 #include "core/program/machining.h"
 
 namespace feedscope::heidenhain {

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "core/base/units.h"
-#include "core/program/heidenhain/contour_writer.h"
-#include "core/program/heidenhain/motion_words.h"
+#include "core/program/heidenhain/geometry/contour_writer.h"
+#include "core/program/heidenhain/language/motion_words.h"
 
 namespace feedscope::heidenhain {
 

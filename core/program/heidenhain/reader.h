@@ -5,11 +5,11 @@
 #include <string>
 #include <string_view>
 
-#include "core/program/heidenhain/cycle_statements.h"
-#include "core/program/heidenhain/fn_statements.h"
-#include "core/program/heidenhain/path_statements.h"
-#include "core/program/heidenhain/program_statements.h"
-#include "core/program/heidenhain/statement_reader.h"
+#include "core/program/heidenhain/language/cycle_statements.h"
+#include "core/program/heidenhain/language/fn_statements.h"
+#include "core/program/heidenhain/language/path_statements.h"
+#include "core/program/heidenhain/language/program_statements.h"
+#include "core/program/heidenhain/language/statement_reader.h"
 
 namespace feedscope::heidenhain {
 

@@ -2,9 +2,9 @@
 
 #include <string_view>
 
-#include "core/program/iso/expression.h"
+#include "core/program/iso/language/expression.h"
+#include "core/program/iso/language/words.h"
 #include "core/program/iso/modal_state.h"
-#include "core/program/iso/words.h"
 #include "core/program/machining.h"
 
 namespace feedscope::iso {

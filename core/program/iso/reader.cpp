@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/program/iso/faults.h"
-#include "core/program/iso/printer_words.h"
+#include "core/program/iso/language/faults.h"
+#include "core/program/iso/language/printer_words.h"
 #include "core/program/text/message.h"
 
 namespace feedscope::iso {

@@ -5,9 +5,9 @@
 #include <string_view>
 
 #include "core/program/machining.h"
-#include "core/program/sinumerik/macros.h"
+#include "core/program/sinumerik/language/macros.h"
+#include "core/program/sinumerik/language/words.h"
 #include "core/program/sinumerik/modal_state.h"
-#include "core/program/sinumerik/words.h"
 
 namespace feedscope::sinumerik {
 

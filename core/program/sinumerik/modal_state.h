@@ -2,8 +2,8 @@
 
 #include "core/base/units.h"
 #include "core/program/path/plane.h"
-#include "core/program/sinumerik/functions.h"
-#include "core/program/sinumerik/words.h"
+#include "core/program/sinumerik/language/functions.h"
+#include "core/program/sinumerik/language/words.h"
 
 namespace feedscope::sinumerik {
 

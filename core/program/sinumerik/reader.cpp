@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/program/sinumerik/names.h"
+#include "core/program/sinumerik/language/names.h"
 #include "core/program/text/message.h"
 #include "core/program/text/read_fault.h"
 

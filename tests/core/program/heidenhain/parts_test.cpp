@@ -3,10 +3,10 @@
 #include <numbers>
 #include <string>
 
-#include "core/program/heidenhain/cycle_parameters.h"
-#include "core/program/heidenhain/feeds.h"
-#include "core/program/heidenhain/labels.h"
-#include "core/program/heidenhain/targets.h"
+#include "core/program/heidenhain/cycles/cycle_parameters.h"
+#include "core/program/heidenhain/geometry/feeds.h"
+#include "core/program/heidenhain/geometry/targets.h"
+#include "core/program/heidenhain/language/labels.h"
 #include "tests/core/program/heidenhain/part_bench.h"
 
 namespace feedscope::heidenhain {

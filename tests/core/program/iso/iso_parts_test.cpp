@@ -4,10 +4,10 @@
 #include <string>
 #include <utility>
 
-#include "core/program/iso/coordinates.h"
-#include "core/program/iso/kept_modes.h"
-#include "core/program/iso/targets.h"
-#include "core/program/iso/variables.h"
+#include "core/program/iso/geometry/coordinates.h"
+#include "core/program/iso/geometry/kept_modes.h"
+#include "core/program/iso/geometry/targets.h"
+#include "core/program/iso/language/variables.h"
 #include "core/program/text/subprogram_files.h"
 
 namespace feedscope::iso {

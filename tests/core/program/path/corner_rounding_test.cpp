@@ -5,7 +5,7 @@
 #include <random>
 
 #include "core/base/units.h"
-#include "core/program/heidenhain/approach.h"
+#include "core/program/heidenhain/geometry/approach.h"
 #include "core/program/path/plane_points.h"
 
 namespace feedscope {

@@ -1,4 +1,4 @@
-#include "core/program/sinumerik/coordinate_value.h"
+#include "core/program/sinumerik/geometry/coordinate_value.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/program/sinumerik/coordinates.h"
+#include "core/program/sinumerik/geometry/coordinates.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/program/sinumerik/last_motion.h"
+#include "core/program/sinumerik/geometry/last_motion.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/program/sinumerik/context.h"
-#include "core/program/sinumerik/values.h"
+#include "core/program/sinumerik/language/values.h"
 #include "core/program/text/subprogram_files.h"
 
 namespace feedscope::sinumerik {

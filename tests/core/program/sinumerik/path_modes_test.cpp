@@ -1,4 +1,4 @@
-#include "core/program/sinumerik/path_modes.h"
+#include "core/program/sinumerik/geometry/path_modes.h"
 
 #include <gtest/gtest.h>
 

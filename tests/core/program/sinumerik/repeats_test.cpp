@@ -1,4 +1,4 @@
-#include "core/program/sinumerik/repeats.h"
+#include "core/program/sinumerik/language/repeats.h"
 
 #include <gtest/gtest.h>
 

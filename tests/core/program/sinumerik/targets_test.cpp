@@ -1,4 +1,4 @@
-#include "core/program/sinumerik/targets.h"
+#include "core/program/sinumerik/geometry/targets.h"
 
 #include <gtest/gtest.h>
 
