@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/models/control_model.h"
 #include "core/program/dialect.h"
 

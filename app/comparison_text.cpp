@@ -10,10 +10,10 @@
 #include <numeric>
 
 #include "app/print.h"
-#include "core/analysis/not_counted.h"
-#include "core/analysis/slower_tolerance.h"
-#include "core/analysis/source_figures.h"
-#include "core/analysis/tolerance_effect.h"
+#include "core/analysis/notes/not_counted.h"
+#include "core/analysis/notes/slower_tolerance.h"
+#include "core/analysis/notes/tolerance_effect.h"
+#include "core/analysis/run/source_figures.h"
 #include "core/base/clock_text.h"
 #include "core/base/units.h"
 

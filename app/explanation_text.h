@@ -3,7 +3,7 @@
 #include <string>
 
 #include "app/run_options.h"
-#include "core/analysis/time_use/time_report.h"
+#include "core/analysis/time/time_report.h"
 
 namespace feedscope {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/print.h"
-#include "core/analysis/recommendation.h"
+#include "core/analysis/study/recommendation.h"
 #include "core/base/short_text.h"
 
 namespace feedscope {

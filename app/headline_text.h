@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "core/analysis/compare.h"
+#include "core/analysis/study/compare.h"
 
 namespace feedscope {
 

@@ -8,12 +8,12 @@
 #include <numeric>
 #include <sstream>
 
-#include "core/analysis/not_counted.h"
-#include "core/analysis/refused_lines.h"
-#include "core/analysis/run_notes.h"
-#include "core/analysis/tolerance_in_force.h"
-#include "core/analysis/undetermined_limits.h"
-#include "core/analysis/unreachable_feed.h"
+#include "core/analysis/notes/not_counted.h"
+#include "core/analysis/notes/refused_lines.h"
+#include "core/analysis/notes/run_notes.h"
+#include "core/analysis/notes/undetermined_limits.h"
+#include "core/analysis/notes/unreachable_feed.h"
+#include "core/analysis/run/tolerance_in_force.h"
 #include "core/base/clock_text.h"
 #include "core/base/units.h"
 #include "core/machine/contour_tolerance.h"

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/analysis/run.h"
-#include "core/analysis/source_figures.h"
+#include "core/analysis/run/run.h"
+#include "core/analysis/run/source_figures.h"
 
 namespace feedscope {
 

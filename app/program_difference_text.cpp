@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/print.h"
-#include "core/analysis/refused_lines.h"
+#include "core/analysis/notes/refused_lines.h"
 #include "core/base/clock_text.h"
 
 namespace feedscope {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/analysis/program_difference/program_difference.h"
+#include "core/analysis/difference/program_difference.h"
 
 namespace feedscope {
 

@@ -7,10 +7,10 @@
 #include <set>
 
 #include "app/number_option.h"
-#include "core/analysis/control_dialect.h"
-#include "core/analysis/ignored_path_control.h"
-#include "core/analysis/refused_lines.h"
-#include "core/analysis/run_notes.h"
+#include "core/analysis/notes/ignored_path_control.h"
+#include "core/analysis/notes/refused_lines.h"
+#include "core/analysis/notes/run_notes.h"
+#include "core/analysis/run/control_dialect.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
 

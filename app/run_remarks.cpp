@@ -2,7 +2,7 @@
 
 #include "app/exit_codes.h"
 #include "app/print.h"
-#include "core/analysis/refused_lines.h"
+#include "core/analysis/notes/refused_lines.h"
 
 namespace feedscope {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/run_options.h"
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 
 namespace feedscope {
 

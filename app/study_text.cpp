@@ -10,8 +10,8 @@
 #include <tuple>
 
 #include "app/print.h"
-#include "core/analysis/slower_tolerance.h"
-#include "core/analysis/source_figures.h"
+#include "core/analysis/notes/slower_tolerance.h"
+#include "core/analysis/run/source_figures.h"
 #include "core/base/clock_text.h"
 #include "core/base/units.h"
 

@@ -10,7 +10,7 @@
 #include "app/exit_codes.h"
 #include "app/output_file.h"
 #include "app/print.h"
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/base/error.h"
 #include "core/base/geometry.h"
 #include "core/machine/import/machine_import.h"

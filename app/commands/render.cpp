@@ -22,7 +22,7 @@
 #include "app/picture_size.h"
 #include "app/session_runs.h"
 #include "app/trace_files.h"
-#include "core/analysis/lens.h"
+#include "core/analysis/contour/lens.h"
 #include "core/base/error.h"
 #include "core/base/typed_number.h"
 #include "ui/decide/decide_view.h"

@@ -12,8 +12,8 @@
 #include <optional>
 #include <span>
 
-#include "core/analysis/actual_figures.h"
-#include "core/analysis/quantity.h"
+#include "core/analysis/contour/actual_figures.h"
+#include "core/analysis/run/quantity.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/units.h"

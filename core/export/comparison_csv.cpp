@@ -7,7 +7,7 @@
 #include <iterator>
 #include <vector>
 
-#include "core/analysis/source_figures.h"
+#include "core/analysis/run/source_figures.h"
 #include "core/base/units.h"
 #include "core/export/csv_field.h"
 #include "core/export/export.h"

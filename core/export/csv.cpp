@@ -5,7 +5,7 @@
 #include <optional>
 #include <ostream>
 
-#include "core/analysis/run_sources.h"
+#include "core/analysis/run/run_sources.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/export/export.h"

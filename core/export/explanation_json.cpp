@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <iterator>
 
-#include "core/analysis/compare.h"
 #include "core/analysis/contour/contour_errors.h"
-#include "core/analysis/time_use/time_report.h"
+#include "core/analysis/study/compare.h"
+#include "core/analysis/time/time_report.h"
 #include "core/base/units.h"
 #include "core/export/export.h"
 #include "core/export/json_parts.h"

@@ -1,4 +1,4 @@
-#include "core/analysis/compare.h"
+#include "core/analysis/study/compare.h"
 #include "core/base/units.h"
 #include "core/export/json_parts.h"
 

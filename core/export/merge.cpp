@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "core/analysis/fastest_runs.h"
+#include "core/analysis/study/fastest_runs.h"
 #include "core/base/error.h"
 #include "core/export/csv_field.h"
 

@@ -2,8 +2,8 @@
 #include <numeric>
 #include <vector>
 
-#include "core/analysis/program_difference/program_difference.h"
-#include "core/analysis/refused_lines.h"
+#include "core/analysis/difference/program_difference.h"
+#include "core/analysis/notes/refused_lines.h"
 #include "core/export/export.h"
 #include "core/export/json_parts.h"
 

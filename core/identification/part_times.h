@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/analysis/line_times.h"
+#include "core/analysis/time/line_times.h"
 #include "core/identification/identification_program.h"
 
 namespace feedscope {

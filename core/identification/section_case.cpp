@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/analysis/line_times.h"
+#include "core/analysis/time/line_times.h"
 #include "core/base/error.h"
 #include "core/base/translatable.h"
 

@@ -7,7 +7,7 @@
 
 #include "core/analysis/agreement/feed_share.h"
 #include "core/analysis/agreement/trace_likeness.h"
-#include "core/analysis/run_stages.h"
+#include "core/analysis/run/run_stages.h"
 #include "core/base/error.h"
 
 namespace feedscope {

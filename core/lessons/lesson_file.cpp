@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/analysis/quantity.h"
+#include "core/analysis/run/quantity.h"
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
 #include "core/lessons/lesson.h"

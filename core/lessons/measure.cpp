@@ -9,8 +9,8 @@
 #include <limits>
 
 #include "core/analysis/contour/contour_errors.h"
-#include "core/analysis/line_times.h"
-#include "core/analysis/peak_search.h"
+#include "core/analysis/run/peak_search.h"
+#include "core/analysis/time/line_times.h"
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
 #include "core/base/roots.h"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/quantity.h"
-#include "core/analysis/run.h"
+#include "core/analysis/run/quantity.h"
+#include "core/analysis/run/run.h"
 
 namespace feedscope {
 

@@ -14,7 +14,7 @@ set(widget_headers ${gui_headers} <QAction> <QApplication> <QComboBox> <QFileDia
 set(test_headers ${standard_headers} <fmt/format.h> <gmock/gmock.h> <gtest/gtest.h>)
 if(FEEDSCOPE_UNITY)
   list(APPEND widget_headers <ui/workbench/workbench.h>)
-  list(APPEND test_headers <core/analysis/run.h>)
+  list(APPEND test_headers <core/analysis/run/run.h>)
 endif()
 
 # A target that only compiles headers, for those that feedscope_use_precompiled() names; OPTIONS: of the compiler, the

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/drives/drive_response.h"
 #include "tests/benchmark/heap_meter.h"
 #include "tests/benchmark/programs.h"

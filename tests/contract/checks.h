@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/summary.h"
+#include "core/analysis/run/summary.h"
 #include "core/models/control_model.h"
 #include "tests/contract/motion.h"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <fstream>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/program/program.h"
 #include "core/toolpath/machine_toolpath.h"
 

@@ -9,7 +9,7 @@
 #include <map>
 #include <utility>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "tests/contract/hand_cases.h"
 #include "tests/contract/rotary_case.h"
 #include "tests/support/folders.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "tests/contract/random_program.h"
 
 namespace feedscope::contract {

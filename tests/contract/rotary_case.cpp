@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/base/units.h"
 #include "tests/contract/random.h"
 

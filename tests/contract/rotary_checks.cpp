@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "core/analysis/rotary_course.h"
-#include "core/analysis/rotary_figures.h"
+#include "core/analysis/rotary/rotary_course.h"
+#include "core/analysis/rotary/rotary_figures.h"
 #include "core/toolpath/joint_shape.h"
 #include "tests/contract/checks.h"
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/base/error.h"
 #include "core/machine/import/machine_import.h"
 #include "tests/fuzz/must.h"

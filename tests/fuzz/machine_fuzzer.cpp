@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/base/error.h"
 #include "core/models/control_model.h"
 #include "tests/fuzz/must.h"

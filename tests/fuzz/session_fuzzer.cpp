@@ -2,7 +2,7 @@
 #include <QJsonDocument>
 #include <cstdint>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "tests/fuzz/must.h"
 #include "ui/session/identification_json.h"
 #include "ui/session/session_file.h"

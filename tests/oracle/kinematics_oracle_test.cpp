@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/base/units.h"
 #include "core/machine/import/machine_import.h"
 #include "tests/oracle/run_linuxcnc.h"

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "ui/workbench/trace_list.h"
 
 namespace feedscope::test {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/analysis/run_sources.h"
+#include "core/analysis/run/run_sources.h"
 #include "ui/scene/path_scene.h"
 #include "ui/workbench/annotation.h"
 

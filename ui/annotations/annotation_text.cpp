@@ -5,7 +5,7 @@
 #include <QRegularExpression>
 #include <cmath>
 
-#include "core/analysis/quantity.h"
+#include "core/analysis/run/quantity.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
 

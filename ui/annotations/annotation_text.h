@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/analysis/quantity.h"
+#include "core/analysis/run/quantity.h"
 #include "ui/workbench/annotation.h"
 
 namespace feedscope::ui {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/analysis/cause_times.h"
+#include "core/analysis/time/cause_times.h"
 
 namespace feedscope::ui {
 

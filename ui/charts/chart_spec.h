@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/analysis/envelope/envelope.h"
-#include "core/analysis/quantity.h"
+#include "core/analysis/run/quantity.h"
 #include "ui/theme/theme.h"
 
 namespace feedscope::ui {

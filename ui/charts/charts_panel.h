@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/analysis/run_sources.h"
+#include "core/analysis/run/run_sources.h"
 #include "core/machine/machine.h"
 #include "ui/charts/cause_strip.h"
 #include "ui/charts/chart_columns.h"

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/analysis/rapid_times.h"
+#include "core/analysis/time/rapid_times.h"
 #include "core/trajectory/trajectory.h"
 #include "ui/charts/curve_columns.h"
 

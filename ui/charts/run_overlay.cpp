@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/analysis/programmed_place.h"
+#include "core/analysis/contour/programmed_place.h"
 
 namespace feedscope::ui {
 

@@ -11,8 +11,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "core/analysis/refused_lines.h"
-#include "core/analysis/ruled_instant.h"
+#include "core/analysis/notes/refused_lines.h"
+#include "core/analysis/time/ruled_instant.h"
 #include "core/base/error.h"
 #include "core/machine/contour_tolerance.h"
 #include "ui/decide/decision_chart.h"

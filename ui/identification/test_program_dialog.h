@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/identification/identification_program.h"
 
 class QComboBox;

@@ -3,8 +3,8 @@
 #include <QCoreApplication>
 #include <QLocale>
 
+#include "core/analysis/notes/tolerance_effect.h"
 #include "core/analysis/study/sweep.h"
-#include "core/analysis/tolerance_effect.h"
 #include "core/base/short_text.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"

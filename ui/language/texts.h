@@ -3,7 +3,7 @@
 #include <QString>
 #include <string>
 
-#include "core/analysis/slower_tolerance.h"
+#include "core/analysis/notes/slower_tolerance.h"
 
 namespace feedscope::ui {
 

@@ -3,8 +3,8 @@
 #include <QLocale>
 #include <cmath>
 
-#include "core/analysis/refused_lines.h"
-#include "core/analysis/run_notes.h"
+#include "core/analysis/notes/refused_lines.h"
+#include "core/analysis/notes/run_notes.h"
 #include "core/base/units.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"

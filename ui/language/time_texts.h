@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 #include <QString>
 
-#include "core/analysis/time_use/time_report.h"
+#include "core/analysis/time/time_report.h"
 
 namespace feedscope::ui {
 

@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "core/analysis/unreachable_feed.h"
+#include "core/analysis/notes/unreachable_feed.h"
 
 namespace feedscope::ui {
 

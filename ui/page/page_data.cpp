@@ -7,9 +7,9 @@
 #include <cmath>
 #include <functional>
 
-#include "core/analysis/path_deviation.h"
-#include "core/analysis/recommendation.h"
-#include "core/analysis/ruled_instant.h"
+#include "core/analysis/contour/path_deviation.h"
+#include "core/analysis/study/recommendation.h"
+#include "core/analysis/time/ruled_instant.h"
 #include "core/export/export.h"
 #include "ui/annotations/annotation_text.h"
 #include "ui/language/language.h"

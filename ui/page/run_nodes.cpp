@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "core/analysis/path_deviation.h"
+#include "core/analysis/contour/path_deviation.h"
 #include "core/base/units.h"
 #include "core/trajectory/part_walk.h"
 

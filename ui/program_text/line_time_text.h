@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "core/analysis/line_times.h"
+#include "core/analysis/time/line_times.h"
 
 namespace feedscope::ui {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "core/analysis/line_times.h"
+#include "core/analysis/time/line_times.h"
 #include "ui/program_text/caret.h"
 #include "ui/program_text/diagnostic_marks.h"
 #include "ui/program_text/line_painter.h"

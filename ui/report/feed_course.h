@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 
 namespace feedscope::ui {
 

@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "core/analysis/explanation/explanation.h"
-#include "core/analysis/refused_lines.h"
-#include "core/analysis/ruled_instant.h"
+#include "core/analysis/notes/refused_lines.h"
+#include "core/analysis/time/ruled_instant.h"
 #include "core/base/error.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/time_texts.h"

@@ -8,9 +8,9 @@
 #include <memory>
 #include <set>
 
-#include "core/analysis/recommendation.h"
-#include "core/analysis/refused_lines.h"
-#include "core/analysis/time_use/time_report.h"
+#include "core/analysis/notes/refused_lines.h"
+#include "core/analysis/study/recommendation.h"
+#include "core/analysis/time/time_report.h"
 #include "ui/decide/decision_chart.h"
 #include "ui/language/composed_text.h"
 #include "ui/language/core_texts.h"

@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "core/analysis/recommendation.h"
+#include "core/analysis/study/recommendation.h"
 #include "core/machine/contour_tolerance.h"
 #include "core/machine/machine.h"
 #include "ui/workbench/run_list.h"

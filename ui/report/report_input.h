@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "core/analysis/circularity/program_circles.h"
-#include "core/analysis/compare.h"
 #include "core/analysis/contour/contour_report.h"
-#include "core/analysis/time_use/time_report.h"
+#include "core/analysis/study/compare.h"
+#include "core/analysis/time/time_report.h"
 #include "ui/charts/charts_state.h"
 #include "ui/identification/identification_state.h"
 #include "ui/scene/scene_state.h"

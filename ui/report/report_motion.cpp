@@ -8,7 +8,7 @@
 #include <cmath>
 #include <memory>
 
-#include "core/analysis/programmed_place.h"
+#include "core/analysis/contour/programmed_place.h"
 #include "core/base/ticks.h"
 #include "core/base/units.h"
 #include "ui/language/shown_numbers.h"

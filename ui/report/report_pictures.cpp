@@ -9,7 +9,7 @@
 #include <map>
 #include <memory>
 
-#include "core/analysis/ruled_instant.h"
+#include "core/analysis/time/ruled_instant.h"
 #include "core/base/units.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/report/charts_page.h"

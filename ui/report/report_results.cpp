@@ -2,10 +2,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/analysis/not_counted.h"
-#include "core/analysis/refused_lines.h"
-#include "core/analysis/run_notes.h"
-#include "core/analysis/undetermined_limits.h"
+#include "core/analysis/notes/not_counted.h"
+#include "core/analysis/notes/refused_lines.h"
+#include "core/analysis/notes/run_notes.h"
+#include "core/analysis/notes/undetermined_limits.h"
 #include "core/base/units.h"
 #include "ui/charts/cause_strip.h"
 #include "ui/language/composed_text.h"

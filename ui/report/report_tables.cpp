@@ -3,8 +3,8 @@
 #include <QCryptographicHash>
 #include <cmath>
 
-#include "core/analysis/not_counted.h"
-#include "core/analysis/program_facts.h"
+#include "core/analysis/notes/not_counted.h"
+#include "core/analysis/run/program_facts.h"
 #include "core/base/units.h"
 #include "ui/language/composed_text.h"
 #include "ui/language/core_texts.h"

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/analysis/program_facts.h"
+#include "core/analysis/run/program_facts.h"
 #include "ui/report/report_input.h"
 
 namespace feedscope::ui {

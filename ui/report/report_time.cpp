@@ -4,8 +4,8 @@
 #include <numeric>
 #include <vector>
 
-#include "core/analysis/refused_lines.h"
-#include "core/analysis/time_use/time_report.h"
+#include "core/analysis/notes/refused_lines.h"
+#include "core/analysis/time/time_report.h"
 #include "core/base/units.h"
 #include "ui/language/operation_title.h"
 #include "ui/language/remedy_text.h"

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "core/analysis/program_facts.h"
+#include "core/analysis/run/program_facts.h"
 #include "ui/language/composed_text.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"

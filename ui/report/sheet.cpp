@@ -8,11 +8,11 @@
 #include <QTextDocument>
 #include <algorithm>
 
-#include "core/analysis/control_dialect.h"
-#include "core/analysis/not_counted.h"
-#include "core/analysis/program_facts.h"
-#include "core/analysis/recommendation.h"
-#include "core/analysis/refused_lines.h"
+#include "core/analysis/notes/not_counted.h"
+#include "core/analysis/notes/refused_lines.h"
+#include "core/analysis/run/control_dialect.h"
+#include "core/analysis/run/program_facts.h"
+#include "core/analysis/study/recommendation.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "ui/charts/cause_strip.h"

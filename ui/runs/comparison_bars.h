@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/compare.h"
+#include "core/analysis/study/compare.h"
 
 namespace feedscope::ui {
 

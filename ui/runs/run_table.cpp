@@ -4,8 +4,8 @@
 #include <QLocale>
 #include <algorithm>
 
-#include "core/analysis/fastest_runs.h"
-#include "core/analysis/refused_lines.h"
+#include "core/analysis/notes/refused_lines.h"
+#include "core/analysis/study/fastest_runs.h"
 #include "core/base/units.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"

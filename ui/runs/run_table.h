@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/analysis/source_figures.h"
+#include "core/analysis/run/source_figures.h"
 #include "ui/workbench/run_list.h"
 #include "ui/workbench/trace_list.h"
 

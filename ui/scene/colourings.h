@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/quantity.h"
+#include "core/analysis/run/quantity.h"
 
 namespace feedscope::ui {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "ui/scene/path_scene.h"
 
 namespace feedscope::ui {

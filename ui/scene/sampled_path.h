@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/analysis/path_deviation.h"
-#include "core/analysis/run_sources.h"
+#include "core/analysis/contour/path_deviation.h"
+#include "core/analysis/run/run_sources.h"
 #include "core/base/progress.h"
 #include "core/toolpath/toolpath.h"
 #include "core/trajectory/trajectory.h"

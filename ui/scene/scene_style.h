@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "core/analysis/quantity.h"
+#include "core/analysis/run/quantity.h"
 #include "core/limits/cause.h"
 #include "ui/scene/colour_map.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/actual_path.h"
+#include "core/analysis/contour/actual_path.h"
 #include "core/analysis/load/load_sample.h"
 #include "core/trajectory/trajectory.h"
 #include "ui/scene/path/colouring.h"

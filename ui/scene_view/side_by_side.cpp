@@ -11,7 +11,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/analysis/programmed_place.h"
+#include "core/analysis/contour/programmed_place.h"
 #include "ui/annotations/annotation_overlay.h"
 #include "ui/scene_view/lens_overlay.h"
 #include "ui/scene_view/split_overlay.h"

@@ -3,12 +3,12 @@
 #include <QCoreApplication>
 #include <QLocale>
 
-#include "core/analysis/control_dialect.h"
-#include "core/analysis/ignored_path_control.h"
-#include "core/analysis/refused_lines.h"
-#include "core/analysis/run_notes.h"
-#include "core/analysis/unadvised_tolerance.h"
-#include "core/analysis/undetermined_limits.h"
+#include "core/analysis/notes/ignored_path_control.h"
+#include "core/analysis/notes/refused_lines.h"
+#include "core/analysis/notes/run_notes.h"
+#include "core/analysis/notes/unadvised_tolerance.h"
+#include "core/analysis/notes/undetermined_limits.h"
+#include "core/analysis/run/control_dialect.h"
 #include "ui/language/composed_text.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"

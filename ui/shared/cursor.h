@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "core/analysis/line_times.h"
+#include "core/analysis/time/line_times.h"
 #include "core/trajectory/trajectory.h"
 
 namespace feedscope::ui {

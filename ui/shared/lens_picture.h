@@ -8,7 +8,7 @@
 #include <QString>
 #include <vector>
 
-#include "core/analysis/lens.h"
+#include "core/analysis/contour/lens.h"
 
 class QPainter;
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/analysis/slow_places.h"
+#include "core/analysis/time/slow_places.h"
 
 namespace feedscope::ui {
 

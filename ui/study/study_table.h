@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/analysis/source_figures.h"
+#include "core/analysis/run/source_figures.h"
 #include "core/analysis/study/study.h"
 
 namespace feedscope::ui {

@@ -18,7 +18,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/analysis/slower_tolerance.h"
+#include "core/analysis/notes/slower_tolerance.h"
 #include "core/base/error.h"
 #include "core/export/export.h"
 #include "core/machine/contour_tolerance.h"

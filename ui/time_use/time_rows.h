@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/analysis/time_use/time_report.h"
+#include "core/analysis/time/time_report.h"
 
 namespace feedscope::ui {
 

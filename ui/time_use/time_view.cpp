@@ -11,8 +11,8 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
-#include "core/analysis/refused_lines.h"
-#include "core/analysis/ruled_instant.h"
+#include "core/analysis/notes/refused_lines.h"
+#include "core/analysis/time/ruled_instant.h"
 #include "core/base/error.h"
 #include "ui/fields/focus_outline.h"
 #include "ui/language/failure_text.h"

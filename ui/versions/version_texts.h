@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 #include <QString>
 
-#include "core/analysis/program_difference/program_difference.h"
+#include "core/analysis/difference/program_difference.h"
 
 namespace feedscope::ui {
 

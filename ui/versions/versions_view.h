@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "core/analysis/program_difference/program_difference.h"
+#include "core/analysis/difference/program_difference.h"
 #include "ui/shared/job.h"
 #include "ui/workbench/panel.h"
 #include "ui/workbench/shown_run.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/analysis/quantity.h"
+#include "core/analysis/run/quantity.h"
 #include "core/base/units.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"

@@ -4,7 +4,7 @@
 #include <QPushButton>
 #include <algorithm>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/base/error.h"
 #include "ui/language/composed_text.h"
 #include "ui/language/core_texts.h"

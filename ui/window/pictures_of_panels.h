@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/analysis/circularity/circular_test.h"
-#include "core/analysis/compare.h"
+#include "core/analysis/study/compare.h"
 #include "core/analysis/study/study.h"
 #include "ui/language/language.h"
 #include "ui/scene/picture.h"

@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/base/data_folder.h"
 #include "ui/shared/paths.h"
 #include "ui/theme/type_size.h"

@@ -6,7 +6,7 @@
 #include <QString>
 #include <cstdint>
 
-#include "core/analysis/programmed_place.h"
+#include "core/analysis/contour/programmed_place.h"
 
 namespace feedscope::ui {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-#include "core/analysis/recommendation.h"
+#include "core/analysis/study/recommendation.h"
 #include "ui/workbench/run_list.h"
 
 namespace feedscope::ui {

@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 
 namespace feedscope::ui {
 

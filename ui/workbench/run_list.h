@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "core/analysis/tolerance_in_force.h"
+#include "core/analysis/run/tolerance_in_force.h"
 #include "ui/workbench/setup_state.h"
 #include "ui/workbench/shown_run.h"
 

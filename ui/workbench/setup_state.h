@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 
 namespace feedscope::ui {
 

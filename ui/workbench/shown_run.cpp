@@ -3,7 +3,7 @@
 #include <atomic>
 #include <utility>
 
-#include "core/analysis/run_stages.h"
+#include "core/analysis/run/run_stages.h"
 #include "core/base/parallel.h"
 #include "ui/workbench/simulate_shown.h"
 

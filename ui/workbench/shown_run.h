@@ -3,9 +3,9 @@
 #include <memory>
 
 #include "core/analysis/envelope/envelope.h"
-#include "core/analysis/line_times.h"
-#include "core/analysis/run.h"
-#include "core/analysis/slow_places.h"
+#include "core/analysis/run/run.h"
+#include "core/analysis/time/line_times.h"
+#include "core/analysis/time/slow_places.h"
 #include "core/base/progress.h"
 #include "ui/scene/sampled_path.h"
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/analysis/refused_lines.h"
+#include "core/analysis/notes/refused_lines.h"
 
 namespace feedscope::ui {
 

@@ -3,7 +3,7 @@
 #include <QObject>
 #include <memory>
 
-#include "core/analysis/time_use/time_report.h"
+#include "core/analysis/time/time_report.h"
 #include "ui/shared/job.h"
 #include "ui/workbench/shown_run.h"
 

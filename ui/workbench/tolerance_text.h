@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "core/analysis/tolerance_in_force.h"
+#include "core/analysis/run/tolerance_in_force.h"
 
 namespace feedscope::ui {
 

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <utility>
 
-#include "core/analysis/control_dialect.h"
+#include "core/analysis/run/control_dialect.h"
 #include "core/base/error.h"
 #include "core/machine/contour_tolerance.h"
 #include "ui/language/failure_text.h"

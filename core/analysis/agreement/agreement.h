@@ -7,7 +7,7 @@
 #include "core/analysis/agreement/corner_agreement.h"
 #include "core/analysis/agreement/time_law.h"
 #include "core/analysis/agreement/trace_on_program.h"
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/analysis/study/operations.h"
 
 namespace feedscope {

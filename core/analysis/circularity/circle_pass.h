@@ -5,7 +5,7 @@
 
 #include "core/analysis/circularity/circle_plane.h"
 #include "core/analysis/circularity/circularity.h"
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/base/roots.h"
 
 namespace feedscope {

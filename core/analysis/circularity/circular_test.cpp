@@ -1,7 +1,7 @@
 #include "core/analysis/circularity/circular_test.h"
 
 #include "core/analysis/circularity/test_program.h"
-#include "core/analysis/run_stages.h"
+#include "core/analysis/run/run_stages.h"
 #include "core/trajectory/trajectory.h"
 
 namespace feedscope {

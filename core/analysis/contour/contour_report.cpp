@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/analysis/contour/contour_search.h"
-#include "core/analysis/tolerance_in_force.h"
+#include "core/analysis/run/tolerance_in_force.h"
 #include "core/blend/junction.h"
 #include "core/blend/path_rules.h"
 #include "core/machine/contour_tolerance.h"

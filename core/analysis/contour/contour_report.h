@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/analysis/contour/contour_errors.h"
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 
 namespace feedscope {
 

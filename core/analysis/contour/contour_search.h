@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/analysis/contour/contour_course.h"
-#include "core/analysis/path_deviation.h"
+#include "core/analysis/contour/path_deviation.h"
 
 namespace feedscope {
 

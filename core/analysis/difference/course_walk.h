@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/analysis/path_deviation.h"
+#include "core/analysis/contour/path_deviation.h"
 #include "core/trajectory/part_walk.h"
 
 namespace feedscope {

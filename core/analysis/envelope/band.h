@@ -3,7 +3,7 @@
 #include <array>
 #include <limits>
 
-#include "core/analysis/quantity.h"
+#include "core/analysis/run/quantity.h"
 
 namespace feedscope {
 

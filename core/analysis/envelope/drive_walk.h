@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "core/analysis/actual_path.h"
+#include "core/analysis/contour/actual_path.h"
 #include "core/analysis/envelope/band.h"
 #include "core/drives/span_looks.h"
 #include "core/trajectory/state_walk.h"

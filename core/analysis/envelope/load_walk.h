@@ -5,7 +5,7 @@
 
 #include "core/analysis/envelope/band.h"
 #include "core/analysis/envelope/part_looks.h"
-#include "core/analysis/run_sources.h"
+#include "core/analysis/run/run_sources.h"
 
 namespace feedscope {
 

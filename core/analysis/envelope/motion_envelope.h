@@ -2,10 +2,10 @@
 
 #include <memory>
 
-#include "core/analysis/cause_times.h"
 #include "core/analysis/envelope/band.h"
 #include "core/analysis/envelope/pyramid.h"
-#include "core/analysis/rapid_times.h"
+#include "core/analysis/time/cause_times.h"
+#include "core/analysis/time/rapid_times.h"
 #include "core/base/progress.h"
 #include "core/trajectory/part_walk.h"
 

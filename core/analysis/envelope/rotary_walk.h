@@ -7,7 +7,7 @@
 
 #include "core/analysis/envelope/band.h"
 #include "core/analysis/envelope/part_looks.h"
-#include "core/analysis/rotary_course.h"
+#include "core/analysis/rotary/rotary_course.h"
 
 namespace feedscope {
 

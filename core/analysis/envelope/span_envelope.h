@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/analysis/envelope/pyramid.h"
-#include "core/analysis/rapid_times.h"
+#include "core/analysis/time/rapid_times.h"
 #include "core/base/progress.h"
 
 namespace feedscope {

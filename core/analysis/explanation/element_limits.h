@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/limits/formula.h"
 #include "core/models/essid/blend_law.h"
 #include "core/models/klipper/klipper_limits.h"

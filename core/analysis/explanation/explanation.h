@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "core/analysis/explanation/stop_reason.h"
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/limits/formula.h"
 
 namespace feedscope {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/analysis/setup_options.h"
-#include "core/analysis/tolerance_in_force.h"
+#include "core/analysis/run/setup_options.h"
+#include "core/analysis/run/tolerance_in_force.h"
 #include "core/machine/contour_tolerance.h"
 #include "core/toolpath/turn_limiter.h"
 

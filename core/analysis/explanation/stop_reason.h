@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 
 namespace feedscope {
 

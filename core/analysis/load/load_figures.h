@@ -9,7 +9,7 @@
 
 #include "core/analysis/load/load_sample.h"
 #include "core/analysis/load/run_load.h"
-#include "core/analysis/quantity.h"
+#include "core/analysis/run/quantity.h"
 
 namespace feedscope {
 

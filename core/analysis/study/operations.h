@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 
 namespace feedscope {
 

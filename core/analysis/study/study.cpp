@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/analysis/fastest_runs.h"
+#include "core/analysis/study/fastest_runs.h"
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
 

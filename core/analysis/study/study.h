@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/compare.h"
+#include "core/analysis/study/compare.h"
 #include "core/analysis/study/operations.h"
 #include "core/analysis/study/sweep.h"
 

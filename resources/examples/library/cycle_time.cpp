@@ -5,7 +5,7 @@
 #include <iomanip>
 #include <iostream>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/analysis/study/operations.h"
 
 int main(int argc, char** argv) {

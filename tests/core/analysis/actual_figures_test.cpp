@@ -1,11 +1,11 @@
-#include "core/analysis/actual_figures.h"
+#include "core/analysis/contour/actual_figures.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/trajectory/state_walk.h"
 #include "tests/support/paths.h"
 #include "tests/support/random_cases.h"

@@ -1,10 +1,10 @@
-#include "core/analysis/beyond_machines.h"
+#include "core/analysis/run/beyond_machines.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/base/error.h"
 
 namespace feedscope {

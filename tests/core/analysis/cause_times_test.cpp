@@ -1,11 +1,11 @@
-#include "core/analysis/cause_times.h"
+#include "core/analysis/time/cause_times.h"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 #include <random>
 
-#include "core/analysis/summary.h"
+#include "core/analysis/run/summary.h"
 #include "tests/support/parts.h"
 #include "tests/ui/run_fixture.h"
 

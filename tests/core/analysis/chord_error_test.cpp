@@ -1,4 +1,4 @@
-#include "core/analysis/chord_error.h"
+#include "core/analysis/contour/chord_error.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -9,9 +9,9 @@
 #include <numbers>
 #include <random>
 
-#include "core/analysis/run.h"
-#include "core/analysis/run_notes.h"
-#include "core/analysis/unadvised_tolerance.h"
+#include "core/analysis/notes/run_notes.h"
+#include "core/analysis/notes/unadvised_tolerance.h"
+#include "core/analysis/run/run.h"
 #include "tests/support/folders.h"
 #include "tests/support/paths.h"
 

@@ -1,4 +1,4 @@
-#include "core/analysis/compare.h"
+#include "core/analysis/study/compare.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

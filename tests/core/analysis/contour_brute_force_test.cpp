@@ -5,7 +5,7 @@
 #include <random>
 
 #include "core/analysis/contour/contour_errors.h"
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/base/units.h"
 #include "core/trajectory/part_walk.h"
 #include "tests/support/brute_force.h"

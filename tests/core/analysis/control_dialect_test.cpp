@@ -1,11 +1,11 @@
-#include "core/analysis/control_dialect.h"
+#include "core/analysis/run/control_dialect.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "core/analysis/run_notes.h"
+#include "core/analysis/notes/run_notes.h"
 
 namespace feedscope {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/analysis/corner_distance.h"
+#include "core/analysis/contour/corner_distance.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/trajectory/state_walk.h"
 #include "tests/support/paths.h"
 #include "tests/support/random_cases.h"

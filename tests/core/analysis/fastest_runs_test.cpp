@@ -1,4 +1,4 @@
-#include "core/analysis/fastest_runs.h"
+#include "core/analysis/study/fastest_runs.h"
 
 #include <gmock/gmock.h>
 

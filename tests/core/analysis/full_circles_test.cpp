@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/base/units.h"
 
 namespace feedscope {

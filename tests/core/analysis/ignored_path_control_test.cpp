@@ -1,4 +1,4 @@
-#include "core/analysis/ignored_path_control.h"
+#include "core/analysis/notes/ignored_path_control.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "core/analysis/lens.h"
+#include "core/analysis/contour/lens.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-#include "core/analysis/path_deviation.h"
+#include "core/analysis/contour/path_deviation.h"
 #include "tests/support/random_cases.h"
 
 namespace feedscope {

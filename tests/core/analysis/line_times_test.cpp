@@ -1,4 +1,4 @@
-#include "core/analysis/line_times.h"
+#include "core/analysis/time/line_times.h"
 
 #include <gtest/gtest.h>
 

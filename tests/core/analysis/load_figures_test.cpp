@@ -6,7 +6,7 @@
 #include <random>
 
 #include "core/analysis/load/load_sampler.h"
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/base/error.h"
 #include "tests/support/folders.h"
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 
 namespace feedscope {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/analysis/path_deviation.h"
+#include "core/analysis/contour/path_deviation.h"
 
 #include <gtest/gtest.h>
 

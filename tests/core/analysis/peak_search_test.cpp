@@ -1,4 +1,4 @@
-#include "core/analysis/peak_search.h"
+#include "core/analysis/run/peak_search.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <numbers>
 #include <random>
 
-#include "core/analysis/run.h"
-#include "core/analysis/summary.h"
+#include "core/analysis/run/run.h"
+#include "core/analysis/run/summary.h"
 #include "core/trajectory/state_walk.h"
 #include "tests/core/analysis/hand_made_run.h"
 #include "tests/support/paths.h"

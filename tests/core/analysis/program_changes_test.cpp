@@ -1,4 +1,4 @@
-#include "core/analysis/time_use/program_changes.h"
+#include "core/analysis/time/program_changes.h"
 
 #include <gtest/gtest.h>
 

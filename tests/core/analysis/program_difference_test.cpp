@@ -1,10 +1,10 @@
-#include "core/analysis/program_difference/program_difference.h"
+#include "core/analysis/difference/program_difference.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "core/analysis/program_difference/toolpath_match.h"
+#include "core/analysis/difference/toolpath_match.h"
 
 namespace feedscope {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/analysis/program_facts.h"
+#include "core/analysis/run/program_facts.h"
 
 #include <gtest/gtest.h>
 

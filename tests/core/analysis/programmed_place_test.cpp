@@ -1,8 +1,8 @@
-#include "core/analysis/programmed_place.h"
+#include "core/analysis/contour/programmed_place.h"
 
 #include <gtest/gtest.h>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 
 namespace feedscope {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/analysis/quantity.h"
+#include "core/analysis/run/quantity.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

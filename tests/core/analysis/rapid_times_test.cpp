@@ -1,4 +1,4 @@
-#include "core/analysis/rapid_times.h"
+#include "core/analysis/time/rapid_times.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/analysis/recommendation.h"
+#include "core/analysis/study/recommendation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/analysis/rotary_course.h"
+#include "core/analysis/rotary/rotary_course.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,8 +12,8 @@
 #include "core/analysis/envelope/envelope.h"
 #include "core/analysis/explanation/explanation.h"
 #include "core/analysis/explanation/remedies.h"
-#include "core/analysis/run.h"
-#include "core/analysis/run_notes.h"
+#include "core/analysis/notes/run_notes.h"
+#include "core/analysis/run/run.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "tests/core/analysis/turned_runs.h"

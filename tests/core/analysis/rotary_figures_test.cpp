@@ -1,4 +1,4 @@
-#include "core/analysis/rotary_figures.h"
+#include "core/analysis/rotary/rotary_figures.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "core/analysis/turn_law.h"
+#include "core/analysis/rotary/turn_law.h"
 #include "tests/core/analysis/turned_runs.h"
 
 namespace feedscope {

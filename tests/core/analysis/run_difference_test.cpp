@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "tests/core/analysis/hand_made_run.h"
 #include "tests/support/paths.h"
 #include "tests/support/random_cases.h"

@@ -1,8 +1,8 @@
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 
 #include <gmock/gmock.h>
 
-#include "core/analysis/run_notes.h"
+#include "core/analysis/notes/run_notes.h"
 #include "core/base/error.h"
 
 namespace feedscope {

@@ -1,4 +1,4 @@
-#include "core/analysis/slow_places.h"
+#include "core/analysis/time/slow_places.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <random>
 
 #include "core/analysis/explanation/explanation.h"
-#include "core/analysis/ruled_instant.h"
+#include "core/analysis/time/ruled_instant.h"
 #include "core/models/control_model.h"
 #include "tests/core/analysis/hand_made_run.h"
 #include "tests/support/folders.h"

@@ -1,4 +1,4 @@
-#include "core/analysis/slower_tolerance.h"
+#include "core/analysis/notes/slower_tolerance.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "core/analysis/summary.h"
+#include "core/analysis/run/summary.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "core/analysis/time_use/time_use.h"
+#include "core/analysis/time/time_use.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 #include <numeric>
 
-#include "core/analysis/time_use/slow_groups.h"
+#include "core/analysis/time/slow_groups.h"
 #include "core/base/units.h"
 
 namespace feedscope {

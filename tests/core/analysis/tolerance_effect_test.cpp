@@ -1,4 +1,4 @@
-#include "core/analysis/tolerance_effect.h"
+#include "core/analysis/notes/tolerance_effect.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/analysis/tolerance_in_force.h"
+#include "core/analysis/run/tolerance_in_force.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <random>
 
-#include "core/analysis/compare.h"
 #include "core/analysis/contour/contour_report.h"
+#include "core/analysis/study/compare.h"
 #include "core/analysis/study/sweep.h"
 #include "core/blend/path_rules.h"
 #include "core/lessons/lesson.h"

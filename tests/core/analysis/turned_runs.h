@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/rotary_course.h"
-#include "core/analysis/run.h"
+#include "core/analysis/rotary/rotary_course.h"
+#include "core/analysis/run/run.h"
 #include "core/base/units.h"
 #include "tests/support/folders.h"
 

@@ -1,4 +1,4 @@
-#include "core/analysis/undetermined_limits.h"
+#include "core/analysis/notes/undetermined_limits.h"
 
 #include <gmock/gmock.h>
 

@@ -1,11 +1,11 @@
-#include "core/analysis/unreachable_feed.h"
+#include "core/analysis/notes/unreachable_feed.h"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 
-#include "core/analysis/run.h"
-#include "core/analysis/run_notes.h"
+#include "core/analysis/notes/run_notes.h"
+#include "core/analysis/run/run.h"
 #include "core/base/units.h"
 
 namespace feedscope {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "core/analysis/run.h"
-#include "core/analysis/run_stages.h"
+#include "core/analysis/run/run.h"
+#include "core/analysis/run/run_stages.h"
 #include "core/compressor/compressor.h"
 
 namespace feedscope {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/analysis/run.h"
-#include "core/analysis/run_stages.h"
+#include "core/analysis/run/run.h"
+#include "core/analysis/run/run_stages.h"
 
 namespace feedscope {
 namespace {

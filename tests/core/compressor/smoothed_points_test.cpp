@@ -6,8 +6,8 @@
 #include <cmath>
 #include <random>
 
-#include "core/analysis/run.h"
-#include "core/analysis/run_stages.h"
+#include "core/analysis/run/run.h"
+#include "core/analysis/run/run_stages.h"
 
 namespace feedscope {
 namespace {

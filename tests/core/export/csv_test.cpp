@@ -5,7 +5,7 @@
 #include <locale>
 #include <sstream>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/base/error.h"
 #include "core/drives/drive_response.h"
 #include "core/export/export.h"

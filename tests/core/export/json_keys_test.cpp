@@ -8,7 +8,7 @@
 #include <set>
 
 #include "core/analysis/contour/contour_report.h"
-#include "core/analysis/time_use/time_report.h"
+#include "core/analysis/time/time_report.h"
 #include "core/export/circular.h"
 #include "core/export/export.h"
 #include "core/export/merge.h"

@@ -8,7 +8,7 @@
 #include <memory>
 #include <random>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/drives/drive_response.h"
 #include "core/identification/drive_record.h"
 #include "core/identification/identification_program.h"

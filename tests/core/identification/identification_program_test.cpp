@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
 

@@ -11,7 +11,7 @@
 #include <random>
 #include <set>
 
-#include "core/analysis/line_times.h"
+#include "core/analysis/time/line_times.h"
 #include "core/base/error.h"
 #include "core/identification/identification_program.h"
 #include "core/identification/section_case.h"

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/analysis/line_times.h"
+#include "core/analysis/time/line_times.h"
 #include "core/base/error.h"
 #include "core/drives/drive_response.h"
 #include "core/machine/machine.h"

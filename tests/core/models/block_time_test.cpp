@@ -5,7 +5,7 @@
 #include <random>
 #include <string>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "tests/support/motion_checks.h"

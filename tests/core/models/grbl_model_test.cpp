@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "tests/support/paths.h"
 
 namespace feedscope {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "tests/core/models/control_tables.h"
 
 namespace feedscope {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/analysis/explanation/explanation.h"
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/models/klipper/klipper_settings.h"
 #include "tests/support/paths.h"
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/base/units.h"
 #include "tests/core/models/control_tables.h"
 

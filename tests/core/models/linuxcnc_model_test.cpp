@@ -8,8 +8,8 @@
 #include <numbers>
 #include <sstream>
 
-#include "core/analysis/run.h"
-#include "core/analysis/run_notes.h"
+#include "core/analysis/notes/run_notes.h"
+#include "core/analysis/run/run.h"
 #include "core/export/export.h"
 #include "core/machine/import/machine_import.h"
 #include "tests/support/folders.h"

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/base/units.h"
 #include "core/models/linuxcnc/linuxcnc_run.h"
 #include "core/toolpath/machine_toolpath.h"

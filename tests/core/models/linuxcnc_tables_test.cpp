@@ -5,7 +5,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/models/linuxcnc/linuxcnc_run.h"
 #include "core/toolpath/machine_toolpath.h"
 #include "tests/core/models/control_tables.h"

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/models/linuxcnc/linuxcnc_run.h"
 #include "tests/core/models/control_tables.h"
 

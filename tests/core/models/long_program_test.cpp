@@ -4,8 +4,8 @@
 #include <atomic>
 #include <cmath>
 
-#include "core/analysis/run.h"
-#include "core/analysis/run_stages.h"
+#include "core/analysis/run/run.h"
+#include "core/analysis/run/run_stages.h"
 
 namespace feedscope {
 namespace {

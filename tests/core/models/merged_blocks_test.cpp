@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/line_times.h"
+#include "core/analysis/time/line_times.h"
 #include "core/base/error.h"
 #include "tests/support/motion_checks.h"
 #include "tests/support/paths.h"

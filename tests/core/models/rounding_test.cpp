@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <random>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/base/units.h"
 #include "tests/support/folders.h"
 #include "tests/support/paths.h"

@@ -5,7 +5,7 @@
 #include <map>
 #include <string_view>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/blend/junction.h"
 #include "tests/support/folders.h"
 

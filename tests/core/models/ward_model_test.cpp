@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "core/analysis/run.h"
-#include "core/analysis/summary.h"
+#include "core/analysis/run/run.h"
+#include "core/analysis/run/summary.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/models/ward/corner_pulse.h"

@@ -16,7 +16,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "core/analysis/line_times.h"
+#include "core/analysis/time/line_times.h"
 #include "core/drives/drive_response.h"
 #include "tests/support/folders.h"
 #include "tests/ui/patience.h"

@@ -8,7 +8,7 @@
 #include <QSignalSpy>
 #include <QTreeWidget>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "tests/ui/trace_fixture.h"
 #include "ui/fields/number_box.h"
 

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "core/analysis/agreement/trace_on_program.h"
-#include "core/analysis/control_dialect.h"
-#include "core/analysis/not_counted.h"
-#include "core/analysis/run.h"
-#include "core/analysis/unadvised_tolerance.h"
-#include "core/analysis/unreachable_feed.h"
+#include "core/analysis/notes/not_counted.h"
+#include "core/analysis/notes/unadvised_tolerance.h"
+#include "core/analysis/notes/unreachable_feed.h"
+#include "core/analysis/run/control_dialect.h"
+#include "core/analysis/run/run.h"
 #include "core/program/path_control.h"
 #include "core/program/program_unit.h"
 #include "core/trace/read_trace.h"

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/base/error.h"
 #include "core/load/load_file.h"
 #include "core/trace/read_trace.h"

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/analysis/ignored_path_control.h"
+#include "core/analysis/notes/ignored_path_control.h"
 #include "core/lessons/lesson_language.h"
 #include "core/limits/cause.h"
 #include "core/models/control_model.h"

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/base/error.h"
 #include "core/machine/import/machine_import.h"
 #include "core/models/grbl/grbl_reading.h"
@@ -84,7 +84,7 @@ TEST(ReaderSentences, HaveEveryMessageOfTheSourcesOfTheReaders) {
   std::vector<std::filesystem::path> sources{checkout / "core/toolpath/rotary_resolver.cpp",
                                              checkout / "core/toolpath/rotary_notes.cpp",
                                              checkout / "core/toolpath/rotary_positions.cpp",
-                                             checkout / "core/analysis/chord_error.cpp",
+                                             checkout / "core/analysis/contour/chord_error.cpp",
                                              checkout / "core/models/grbl/grbl_reading.cpp",
                                              checkout / "core/models/grbl/grbl_line.cpp",
                                              checkout / "core/models/grbl/grbl_arc_words.cpp",

@@ -7,7 +7,7 @@
 #include <QLocale>
 #include <QSignalSpy>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/base/units.h"
 #include "ui/fields/choice_delegate.h"
 #include "ui/units/unit_system.h"

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "core/base/data_folder.h"
 #include "ui/page/page.h"
 #include "ui/page/page_columns.h"

@@ -12,7 +12,7 @@
 #include <QToolTip>
 #include <QWheelEvent>
 
-#include "core/analysis/line_times.h"
+#include "core/analysis/time/line_times.h"
 #include "tests/ui/program_fixture.h"
 #include "tests/ui/run_fixture.h"
 #include "ui/theme/theme.h"

@@ -5,7 +5,7 @@
 #include <QPainter>
 #include <map>
 
-#include "core/analysis/recommendation.h"
+#include "core/analysis/study/recommendation.h"
 #include "core/base/data_folder.h"
 #include "tests/ui/report/pdf_reading.h"
 #include "tests/ui/report/recorded_text.h"

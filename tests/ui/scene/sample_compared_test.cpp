@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/analysis/difference/run_difference.h"
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 #include "ui/scene/path/colouring.h"
 #include "ui/scene/path/compare_sampled.h"
 

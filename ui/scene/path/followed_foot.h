@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/analysis/path_deviation.h"
+#include "core/analysis/contour/path_deviation.h"
 
 namespace feedscope::ui {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/analysis/path_deviation.h"
+#include "core/analysis/contour/path_deviation.h"
 #include "core/base/parallel.h"
 #include "core/base/units.h"
 #include "core/trajectory/part_walk.h"

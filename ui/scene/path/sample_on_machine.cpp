@@ -2,7 +2,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/analysis/rotary_course.h"
+#include "core/analysis/rotary/rotary_course.h"
 #include "core/base/parallel.h"
 #include "core/base/units.h"
 #include "core/trajectory/part_walk.h"

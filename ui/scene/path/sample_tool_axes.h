@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/analysis/rotary_course.h"
+#include "core/analysis/rotary/rotary_course.h"
 #include "ui/scene/sampled_path.h"
 
 namespace feedscope::ui {

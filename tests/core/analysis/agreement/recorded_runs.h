@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/analysis/agreement/trace_on_program.h"
-#include "core/analysis/run.h"
+#include "core/analysis/run/run.h"
 
 namespace feedscope::test {
 

@@ -1,0 +1,275 @@
+#include "core/analysis/run/run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
+#include "core/analysis/envelope/rotary_walk.h"
+#include "core/analysis/run/beyond_machines.h"
+#include "core/analysis/run/control_dialect.h"
+#include "core/analysis/run/run_stages.h"
+#include "core/base/data_folder.h"
+#include "core/base/error.h"
+#include "core/limits/axis_share.h"
+#include "core/machine/contour_tolerance.h"
+
+namespace feedscope {
+namespace {
+
+class StopWatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+const SettingSpec& tolerance_spec() {
+  const auto& specs = common_settings();
+  return *std::find_if(specs.begin(), specs.end(),
+                       [](const SettingSpec& spec) { return spec.key == contour_tolerance_key; });
+}
+
+std::vector<PathControl> controls_of_feed_motions(const Toolpath& toolpath) {
+  std::vector<PathControl> controls;
+  std::vector<bool> met(toolpath.path_controls.size());
+  for (const Segment& segment : toolpath.segments) {
+    const bool feeds = segment.kind != SegmentKind::dwell && !segment.rapid;
+    if (feeds && !met[segment.path_control]) {
+      met[segment.path_control] = true;
+      controls.push_back(toolpath.path_controls[segment.path_control]);
+    }
+  }
+  return controls;
+}
+
+std::string place_and_message(const Diagnostic& said, const Program& program) {
+  return fmt::format("{}, line {}: {}", said.file.empty() ? program.source->name() : said.file, said.line,
+                     said.message);
+}
+
+/// First error or omission in a program that does not end; "" if there is none.
+std::string likely_cause(const Program& program) {
+  const auto cause = std::ranges::find_if(program.diagnostics, [](const Diagnostic& said) {
+    return said.severity != Severity::info && said.code != "run-limit" && said.line > 0;
+  });
+  return cause == program.diagnostics.end()
+             ? ""
+             : fmt::format("; before that, {} ({})", place_and_message(*cause, program), cause->hint);
+}
+
+[[noreturn]] void throw_beyond_machines(const Program& program, const Diagnostic& fault) {
+  throw InputError(fmt::format("{}; {}", place_and_message(fault, program), fault.hint));
+}
+
+[[noreturn]] void throw_refused(const Program& program) {
+  const auto beyond = std::ranges::find(program.diagnostics, "beyond-machines", &Diagnostic::code);
+  if (beyond != program.diagnostics.end()) {
+    throw_beyond_machines(program, *beyond);
+  }
+  const auto limit = std::find_if(program.diagnostics.begin(), program.diagnostics.end(),
+                                  [](const Diagnostic& d) { return d.code == "run-limit"; });
+  const std::string why = limit == program.diagnostics.end()
+                              ? program.source->name()
+                              : place_and_message(*limit, program) + likely_cause(program);
+  throw InputError(
+      fmt::format("{}; the program is not simulated: check its loops, raise the limit (--repeat-limit), or "
+                  "simulate the part that was read (--simulate-cut-off)",
+                  why));
+}
+
+/// None without operations. Throws InputError as LoadModel does.
+std::optional<LoadModel> load_model(const LoadedProgram& input, const LoadSetup& load) {
+  return load.empty() ? std::nullopt
+                      : std::optional<LoadModel>(std::in_place, load, *input.program, *input.toolpath);
+}
+
+void set_load(Run& run, std::optional<LoadModel> load) {
+  run.sources.load = load ? std::make_shared<const RunLoad>(run.trajectory, *std::move(load)) : nullptr;
+}
+
+}  // namespace
+
+std::vector<SettingSpec> machine_file_settings() {
+  std::vector<SettingSpec> specs = all_model_settings();
+  SettingSpec model;
+  model.key = "model";
+  for (const ControlModel* known : all_models()) {
+    model.choices.push_back(known->info().id);
+  }
+  specs.push_back(std::move(model));
+  return specs;
+}
+
+MachineLibrary shipped_machines() {
+  return MachineLibrary(data_folder() / "machines", machine_file_settings());
+}
+
+LoadedProgram load_program(std::shared_ptr<const SourceText> source, Progress* progress,
+                           const ReadOptions& options) {
+  const StopWatch watch;
+  LoadedProgram loaded;
+  Program program = read_program(std::move(source), progress, options);
+  loaded.toolpath = std::make_shared<const Toolpath>(take_toolpath(program));
+  loaded.refused = program.cut_off && !options.simulate_cut_off;
+  if (const std::optional<Diagnostic> beyond = beyond_machines(*loaded.toolpath)) {
+    loaded.refused = true;
+    program.diagnostics.push_back(*beyond);
+  }
+  loaded.feed_controls = controls_of_feed_motions(*loaded.toolpath);
+  loaded.chord_error = chord_error_of(*loaded.toolpath);
+  loaded.largest_feed = largest_feed_of(*loaded.toolpath);
+  if (loaded.chord_error) {
+    program.diagnostics.insert(program.diagnostics.begin(),
+                               chord_error_message(*loaded.chord_error, loaded.feed_controls));
+  }
+  loaded.program = std::make_shared<const Program>(std::move(program));
+  loaded.read_time = watch.seconds();
+  return loaded;
+}
+
+LoadedProgram load_program(const std::filesystem::path& file, Progress* progress,
+                           const ReadOptions& options) {
+  const StopWatch watch;
+  LoadedProgram loaded =
+      load_program(std::make_shared<const SourceText>(SourceText::from_file(file)), progress, options);
+  loaded.read_time = watch.seconds();
+  return loaded;
+}
+
+ReadOptions reading_on(ReadOptions options, const Machine& machine) {
+  options.offsets.add_missing(machine.work_offsets);
+  for (const RotaryAxis& axis : machine.kinematics.rotary) {
+    options.rotary_axes += axis.name;
+  }
+  return options;
+}
+
+Setup make_setup(const SetupRequest& request) {
+  Setup setup;
+  setup.machine = shipped_machines().load(request.machine.empty() ? default_machine_of(request.dialect)
+                                                                  : request.machine);
+  setup.model = &find_model(request.model.empty() ? setup.machine.model : request.model);
+  setup.settings = complete_settings(*setup.model, setup.machine);
+  if (request.tolerance) {
+    set_tolerance(setup, *request.tolerance);
+  }
+  for (const std::string& assignment : request.assignments) {
+    apply_setting(assignment, *setup.model, setup.machine, setup.settings);
+  }
+  check_drives(setup.machine);
+  if (!setup.machine.kinematics.empty()) {
+    chain_of(setup.machine.kinematics);
+  }
+  return setup;
+}
+
+void set_tolerance(Setup& setup, double tolerance) {
+  check_setting(tolerance_spec(), tolerance, "tolerance");
+  if (setup.settings.has(contour_tolerance_key)) {
+    for (auto& [key, value] : settings_for_tolerance(tolerance)) {
+      setup.settings.set(key, value);
+    }
+  }
+}
+
+std::optional<double> contour_tolerance(const Setup& setup) {
+  return setup.settings.has(contour_tolerance_key)
+             ? std::optional(setup.settings.number(contour_tolerance_key))
+             : std::nullopt;
+}
+
+std::optional<double> feed_override(const Setup& setup) {
+  constexpr double as_programmed = 100;  // [%]
+  if (!setup.settings.has(feed_override_key)) {
+    return std::nullopt;
+  }
+  const double percent = setup.settings.number(feed_override_key);
+  return percent == as_programmed ? std::nullopt : std::optional(percent);
+}
+
+Run simulate_motion(const LoadedProgram& input, Setup setup, Progress* progress) {
+  if (input.refused) {
+    throw_refused(*input.program);
+  }
+  const StopWatch watch;
+  Run run;
+  run.input = input;
+  run.setup = std::move(setup);
+  ControlReading reading = run.setup.model->read(input.toolpath, run.setup.settings, progress);
+  const bool read_again = reading.path != input.toolpath;
+  if (const auto beyond = read_again ? beyond_machines(*reading.path) : std::nullopt) {
+    throw_beyond_machines(*input.program, *beyond);
+  }
+  LoadedProgram loaded = input;
+  if (!run.setup.load.empty()) {  // feeds change, and pauses shift the segments
+    loaded.toolpath = on_machine(reading.path, run.setup.machine, run.setup.settings, progress);
+  }
+  std::optional<LoadModel> load = load_model(loaded, run.setup.load);
+  run.trajectory = std::make_shared<const Trajectory>(
+      run.setup.model->simulate(reading.path, run.setup.machine, run.setup.settings, progress));
+  const Guarantees promised = run.setup.model->guarantees(run.setup.settings);
+  const std::shared_ptr<const Toolpath>& ran = run.trajectory->path().programmed();
+  const bool same_points = promised.lays_curves || !promised.smooths;
+  run.input.toolpath =
+      same_points && ran && ran->programmed
+          ? ran  // already computed: every turn costs its kinematics
+          : on_machine(std::move(reading.path), run.setup.machine, run.setup.settings, progress);
+  run.input.lines_not_run = std::move(reading.refused);
+  run.sources.limits_jerk = promised.limits_jerk;
+  if (has_drives(run.setup.machine)) {
+    run.sources.actual = std::make_shared<const ActualPath>(run.trajectory, run.setup.machine, progress);
+  }
+  run.sources.rotary = rotary_course_of(run.trajectory, run.setup.machine);
+  set_load(run, std::move(load));
+  run.simulate_time = watch.seconds();
+  return run;
+}
+
+Run with_load(Run run, LoadSetup load, Progress* progress) {
+  set_load(run, load_model(run.input, load));
+  run.setup.load = std::move(load);
+  run.summary.load.reset();
+  if (run.sources.load) {
+    run.summary.load = load_figures(*run.sources.load, progress);
+  }
+  return run;
+}
+
+void add_summary(Run& run, Progress* progress) {
+  const StopWatch watch;
+  run.summary = summarise(*run.trajectory, *run.input.toolpath,
+                          axis_limit_vector(run.setup.machine, &AxisLimits::velocity), progress);
+  if (!run.sources.limits_jerk) {
+    for (std::size_t i = 0; i < run.summary.axes.size(); ++i) {
+      run.summary.axes[i].jerk = std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+  if (run.sources.actual) {
+    run.summary.actual = actual_figures(*run.sources.actual, progress);
+  }
+  if (run.sources.load) {
+    run.summary.load = load_figures(*run.sources.load, progress);
+  }
+  if (run.sources.rotary) {
+    run.summary.rotary = rotary_figures(run.sources.rotary, run.sources.limits_jerk, progress);
+  }
+  run.simulate_time += watch.seconds();
+}
+
+Run simulate_run(const LoadedProgram& input, Setup setup, Progress* progress) {
+  constexpr double share_of_motion = 0.8;
+  Progress unwatched;
+  Progress& whole = progress != nullptr ? *progress : unwatched;
+  Progress motion(whole, share_of_motion);
+  Run run = simulate_motion(input, std::move(setup), &motion);
+  Progress figures(whole, 1 - share_of_motion);
+  add_summary(run, &figures);
+  return run;
+}
+
+}  // namespace feedscope
