@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "ui/report/frame_pattern.h"
+#include "ui/film/frame_pattern.h"
 
 namespace feedscope {
 

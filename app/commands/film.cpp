@@ -10,9 +10,9 @@
 #include "app/number_option.h"
 #include "app/output_file.h"
 #include "core/base/error.h"
-#include "ui/report/film_frames.h"
-#include "ui/report/ogg_film.h"
-#include "ui/report/picture_file.h"
+#include "ui/film/film_frames.h"
+#include "ui/film/ogg_film.h"
+#include "ui/paper/picture_file.h"
 #include "ui/scene/picture.h"
 
 namespace feedscope {

@@ -25,7 +25,7 @@
 #include "app/commands/language_option.h"
 #include "app/identification_report.h"
 #include "app/option_text.h"
-#include "ui/report/picture_file.h"
+#include "ui/paper/picture_file.h"
 #endif
 
 namespace feedscope {

@@ -11,7 +11,7 @@
 
 #include "tests/render/baseline.h"
 #include "ui/contour/contour_view.h"
-#include "ui/report/picture_file.h"
+#include "ui/paper/picture_file.h"
 #include "ui/theme/offscreen_application.h"
 
 namespace feedscope::test {

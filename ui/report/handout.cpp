@@ -11,7 +11,7 @@
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"
-#include "ui/report/html_table.h"
+#include "ui/paper/html_table.h"
 #include "ui/report/question_figure.h"
 
 namespace feedscope::ui {

@@ -14,7 +14,7 @@
 
 #include "core/base/error.h"
 #include "core/base/units.h"
-#include "ui/report/picture_file.h"
+#include "ui/paper/picture_file.h"
 #include "ui/theme/offscreen_application.h"
 #include "ui/theme/theme.h"
 

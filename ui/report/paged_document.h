@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "ui/report/page_flow.h"
-#include "ui/report/pdf_tags.h"
+#include "ui/paper/page_flow.h"
+#include "ui/paper/pdf_tags.h"
 #include "ui/report/report_pictures.h"
 
 namespace feedscope::ui {

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "ui/language/language.h"
+#include "ui/paper/pdf_file.h"
+#include "ui/paper/picture_file.h"
 #include "ui/report/paged_document.h"
-#include "ui/report/pdf_file.h"
-#include "ui/report/picture_file.h"
 #include "ui/report/report_numbers.h"
 #include "ui/theme/fonts.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/report/recorded_pages.h"
+#include "ui/paper/recorded_pages.h"
 #include "ui/report/report_pictures.h"
 
 namespace feedscope::ui {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "ui/report/picture_file.h"
+#include "ui/paper/picture_file.h"
 #include "ui/report/report_input.h"
 #include "ui/report/report_pictures.h"
 #include "ui/shared/lens_picture.h"

@@ -10,8 +10,8 @@
 #include "core/analysis/circularity/program_circles.h"
 #include "core/lessons/lesson_language.h"
 #include "ui/circular/polar_plot.h"
+#include "ui/paper/html_table.h"
 #include "ui/report/charts_page.h"
-#include "ui/report/html_table.h"
 #include "ui/report/scene_picture.h"
 
 namespace feedscope::ui {

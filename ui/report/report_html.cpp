@@ -1,6 +1,6 @@
 #include "ui/report/report_html.h"
 
-#include "ui/report/picture_file.h"
+#include "ui/paper/picture_file.h"
 
 namespace feedscope::ui {
 namespace {

@@ -10,7 +10,7 @@
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"
-#include "ui/report/html_table.h"
+#include "ui/paper/html_table.h"
 #include "ui/report/report_numbers.h"
 #include "ui/report/report_words.h"
 #include "ui/workbench/run_list.h"

@@ -31,8 +31,8 @@
 #include <optional>
 #include <vector>
 
-#include "ui/report/line_pieces.h"
-#include "ui/report/text_outline.h"
+#include "ui/paper/line_pieces.h"
+#include "ui/paper/text_outline.h"
 #include "ui/scene/camera/projection.h"
 
 namespace feedscope::ui {

@@ -3,7 +3,7 @@
 #include <QString>
 #include <QStringList>
 
-#include "ui/report/film_times.h"
+#include "ui/film/film_times.h"
 
 namespace feedscope::ui {
 

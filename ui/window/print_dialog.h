@@ -5,8 +5,8 @@
 #include <QPrinter>
 #include <QTemporaryDir>
 
+#include "ui/paper/recorded_pages.h"
 #include "ui/report/command_process.h"
-#include "ui/report/recorded_pages.h"
 #include "ui/window/print_subject.h"
 
 class QAction;

@@ -4,7 +4,7 @@
 
 #include "ui/language/language.h"
 #include "ui/lessons/lesson_view.h"
-#include "ui/report/html_table.h"
+#include "ui/paper/html_table.h"
 #include "ui/window/main_window.h"
 
 namespace feedscope::ui {

@@ -1,4 +1,4 @@
-#include "ui/report/feed_course.h"
+#include "ui/report/blocks/feed_course.h"
 
 #include <gtest/gtest.h>
 

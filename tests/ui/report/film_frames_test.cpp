@@ -1,4 +1,4 @@
-#include "ui/report/film_frames.h"
+#include "ui/film/film_frames.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "ui/report/film_times.h"
+#include "ui/film/film_times.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "ui/report/frame_pattern.h"
+#include "ui/film/frame_pattern.h"
 
 #include <gmock/gmock.h>
 

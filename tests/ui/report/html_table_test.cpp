@@ -1,4 +1,4 @@
-#include "ui/report/html_table.h"
+#include "ui/paper/html_table.h"
 #include "ui/language/core_texts.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "ui/report/line_pieces.h"
+#include "ui/paper/line_pieces.h"
 
 #include <gmock/gmock.h>
 

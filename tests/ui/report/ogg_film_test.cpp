@@ -1,4 +1,4 @@
-#include "ui/report/ogg_film.h"
+#include "ui/film/ogg_film.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "ui/report/page_breaks.h"
+#include "ui/paper/page_breaks.h"
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@
 #include <set>
 #include <vector>
 
-#include "ui/report/page_flow.h"
+#include "ui/paper/page_flow.h"
 
 namespace feedscope::test {
 

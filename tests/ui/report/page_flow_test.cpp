@@ -1,4 +1,4 @@
-#include "ui/report/page_flow.h"
+#include "ui/paper/page_flow.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ui/report/pdf_file.h"
+#include "ui/paper/pdf_file.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "ui/report/picture_file.h"
+#include "ui/paper/picture_file.h"
 
 #include <gmock/gmock.h>
 

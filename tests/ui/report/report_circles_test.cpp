@@ -1,4 +1,4 @@
-#include "ui/report/report_circles.h"
+#include "ui/report/blocks/report_circles.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "ui/report/report_decision.h"
+#include "ui/report/blocks/report_decision.h"
 
 #include <gmock/gmock.h>
 

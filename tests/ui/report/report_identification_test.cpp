@@ -1,4 +1,4 @@
-#include "ui/report/report_identification.h"
+#include "ui/report/blocks/report_identification.h"
 
 #include <gmock/gmock.h>
 

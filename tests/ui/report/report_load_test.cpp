@@ -1,4 +1,4 @@
-#include "ui/report/report_load.h"
+#include "ui/report/blocks/report_load.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "ui/report/report_time.h"
+#include "ui/report/blocks/report_time.h"
 
 #include <gmock/gmock.h>
 

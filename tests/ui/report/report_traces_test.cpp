@@ -1,4 +1,4 @@
-#include "ui/report/report_traces.h"
+#include "ui/report/blocks/report_traces.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "ui/report/text_outline.h"
+#include "ui/paper/text_outline.h"
 
 #include <gtest/gtest.h>
 #include <vtkNew.h>

@@ -1,0 +1,327 @@
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/analysis/notes/not_counted.h"
+#include "core/analysis/notes/refused_lines.h"
+#include "core/analysis/notes/run_notes.h"
+#include "core/analysis/notes/undetermined_limits.h"
+#include "core/base/units.h"
+#include "ui/charts/cause_strip.h"
+#include "ui/language/composed_text.h"
+#include "ui/language/shown_numbers.h"
+#include "ui/language/texts.h"
+#include "ui/paper/html_table.h"
+#include "ui/report/report_numbers.h"
+#include "ui/report/report_tables.h"
+#include "ui/report/report_words.h"
+#include "ui/scene/cause_colour.h"
+#include "ui/workbench/reading_faults.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+constexpr double min_named_share = 0.0005;  // of a cycle time; smaller shares would read 0.0 %
+
+double against_programmed(const Summary& summary) {
+  return summary.programmed_time > 0 ? summary.cycle_time / summary.programmed_time : 1;
+}
+
+QString difference_to_first(const ReportRun& run, const ReportRun& first) {
+  const double of_first = summary_of(first).cycle_time;
+  if (&run == &first || !(of_first > 0) || is_refused(first.shown->run)) {
+    return QStringLiteral("–");
+  }
+  return signed_percent(summary_of(run).cycle_time / of_first - 1);
+}
+
+QString main_causes(const Summary& summary) {
+  constexpr std::size_t most = 3;
+  QStringList parts;
+  for (const auto& [kind, time] : time_by_kind(summary)) {
+    if (parts.size() < static_cast<qsizetype>(most) && time > 0.02 * summary.cycle_time) {
+      parts.append(
+          QStringLiteral("%1 (%2 %)").arg(cause_kind_name(kind), percent(time / summary.cycle_time, 0)));
+    }
+  }
+  return parts.join(QStringLiteral(", "));
+}
+
+/// Sentence after that with the run's time; empty if the whole program is run.
+QString not_run_sentence(const ReportRun& run) {
+  const std::size_t lines = run.shown->run.input.lines_not_run.size();
+  return lines == 0
+             ? QString()
+             : ' ' + ReportWords::tr("Lines that the control refuses and that are not run: %1.").arg(lines);
+}
+
+QString one_run_sentence(const ReportRun& run) {
+  const Summary& summary = summary_of(run);
+  if (is_refused(run.shown->run)) {
+    return ReportWords::tr("The control refuses the program: <b>%1</b> on %2 runs none of its feed motions.")
+        .arg(html_text(run.name), html_text(run.shown->run.setup.machine.name));
+  }
+  if (!(summary.cycle_time > 0)) {
+    return ReportWords::tr("No motion in this program: there is no time to report.");
+  }
+  const QString sentence =
+      ReportWords::tr(
+          "<b>%1</b> on %2 takes <b>%3</b>, %4 times the programmed time of %5, at a mean feed of "
+          "%6; in feed motions the path stays within <b>%7</b> of the programmed one.")
+          .arg(html_text(run.name), html_text(run.shown->run.setup.machine.name),
+               clock_text(summary.cycle_time), significant(against_programmed(summary), 3),
+               clock_text(summary.programmed_time),
+               fixed(summary.mean_feed, Dimension::feed) + ' ' + unit_of(Dimension::feed),
+               error_number(summary.cutting_contour_error) + ' ' + unit_of(Dimension::error));
+  return sentence + not_run_sentence(run);
+}
+
+/// The runs that the machine can do and with the fewest refused lines: lines that are not run take
+/// no time.
+std::vector<ReportRun> comparable_runs(const std::vector<ReportRun>& runs) {
+  std::vector<ReportRun> comparable;
+  for (const ReportRun& run : runs) {
+    const std::size_t lines = run.shown->run.input.lines_not_run.size();
+    const std::size_t least =
+        comparable.empty() ? lines : comparable.front().shown->run.input.lines_not_run.size();
+    if (is_refused(run.shown->run) || is_out_of_reach(run.shown->run) || lines > least) {
+      continue;
+    }
+    if (lines < least) {
+      comparable.clear();
+    }
+    comparable.push_back(run);
+  }
+  return comparable;
+}
+
+/// For several runs, at least one of them not refused.
+QString fastest_sentence(const std::vector<ReportRun>& runs) {
+  const auto time = [](const ReportRun& run) { return summary_of(run).cycle_time; };
+  const auto error = [](const ReportRun& run) {
+    return error_number(summary_of(run).cutting_contour_error) + ' ' + unit_of(Dimension::error);
+  };
+  const ReportRun& fastest = *std::ranges::min_element(runs, {}, time);
+  const ReportRun& slowest = *std::ranges::max_element(runs, {}, time);
+  if (!(time(slowest) > time(fastest))) {
+    return ReportWords::tr("All runs take %1.").arg(clock_text(time(fastest))) + not_run_sentence(fastest);
+  }
+  return ReportWords::tr(
+             "<b>%1</b> is the fastest of %2 runs: <b>%3</b> at a contour error of %4, "
+             "<b>%5 % less time</b> than %6 (%7, %8).")
+             .arg(html_text(fastest.name))
+             .arg(runs.size())
+             .arg(clock_text(time(fastest)), error(fastest), percent(1 - time(fastest) / time(slowest), 1),
+                  html_text(slowest.name), clock_text(time(slowest)), error(slowest)) +
+         not_run_sentence(fastest);
+}
+
+QString swatch(CauseKind kind) {
+  const Rgb rgb = cause_colour(kind);
+  const QColor colour =
+      QColor::fromRgbF(static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2]));
+  return QStringLiteral("<span style=\"color:%1\">■</span>&nbsp;").arg(colour.name());
+}
+
+/// Causes that take time in any run, by their time in all runs together, the longest first.
+std::vector<std::size_t> listed_causes(const ReportInput& input) {
+  std::vector<double> shares(all_causes().size(), 0);
+  for (const ReportRun& run : input.runs) {
+    const Summary& summary = summary_of(run);
+    const bool has_time = summary.cycle_time > 0 && !is_refused(run.shown->run);
+    for (std::size_t i = 0; i < shares.size() && has_time; ++i) {
+      shares[i] = std::max(shares[i], summary.time_by_cause[i] / summary.cycle_time);
+    }
+  }
+  std::vector<std::size_t> order(shares.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::erase_if(order, [&](std::size_t i) { return !(shares[i] >= min_named_share); });
+  std::ranges::stable_sort(order, std::greater(), [&](std::size_t i) { return shares[i]; });
+  return order;
+}
+
+QString causes_table(const ReportInput& input, const std::vector<std::size_t>& causes, std::size_t first,
+                     std::size_t end) {
+  HtmlTable table("l" + [&] {
+    std::string sides;
+    for (std::size_t i = first; i < end; ++i) {
+      sides += "rr";
+    }
+    return sides;
+  }());
+  std::vector<std::pair<QString, int>> groups{{ReportWords::tr("Limited by"), 1}};
+  QStringList units{QString()};
+  for (std::size_t i = first; i < end; ++i) {
+    groups.emplace_back(run_label(input, i), 2);
+    units << QStringLiteral("s") << QStringLiteral("%");
+  }
+  table.add_group_head(groups);
+  table.add_head(units);
+  for (const std::size_t cause : causes) {
+    QStringList cells{swatch(all_causes()[cause].kind) + html_text(cause_name(all_causes()[cause]))};
+    for (std::size_t i = first; i < end; ++i) {
+      const Summary& summary = summary_of(input.runs[i]);
+      const double time = is_refused(input.runs[i].shown->run) ? 0 : summary.time_by_cause[cause];
+      cells << (time > 0 ? fixed(time, 3) : QStringLiteral("–"))
+            << (time > 0 ? percent(time / summary.cycle_time, 1) : QStringLiteral("–"));
+    }
+    table.add(cells);
+  }
+  return table.html();
+}
+
+}  // namespace
+
+QString not_counted_sentences(const ReportInput& input) {
+  std::vector<std::pair<std::string, QStringList>> sets;
+  for (std::size_t i = 0; i < input.runs.size(); ++i) {
+    const std::string events = describe(summary_of(input.runs[i]).not_counted);
+    auto known = std::ranges::find(sets, events, [](const auto& set) { return set.first; });
+    if (known == sets.end()) {
+      known = sets.insert(sets.end(), {events, {}});
+    }
+    known->second.append(run_letter(i));
+  }
+  QString html;
+  for (const auto& [events, runs] : sets) {
+    if (events.empty()) {
+      continue;
+    }
+    const QString shown = html_text(composed_text(events));
+    html += QStringLiteral("<p class=\"small\">%1</p>\n")
+                .arg(sets.size() == 1 ? ReportWords::tr("Not in the cycle time: %1.").arg(shown)
+                                      : ReportWords::tr("Not in the cycle time of %1: %2.")
+                                            .arg(runs.join(QStringLiteral(", ")), shown));
+  }
+  return html;
+}
+
+QString run_notes_text(const ReportInput& input) {
+  std::vector<std::pair<std::string, QStringList>> notes;
+  for (std::size_t i = 0; i < input.runs.size(); ++i) {
+    const ReportRun& run = input.runs[i];
+    std::vector<std::string> all = run_notes(run.shown->run.input, run.shown->run.setup);
+    for (const UndeterminedLimit& limit : undetermined_limits(run.shown->run)) {
+      all.push_back(describe(limit));
+    }
+    for (const std::string& note : all) {
+      auto same = std::ranges::find(notes, note, &std::pair<std::string, QStringList>::first);
+      if (same == notes.end()) {
+        same = notes.insert(notes.end(), {note, {}});
+      }
+      same->second.append(run_letter(i));
+    }
+  }
+  QString html;
+  for (const auto& [note, runs] : notes) {
+    const QString said = html_text(composed_text(note));
+    html += QStringLiteral("<p class=\"small\">%1</p>\n")
+                .arg(runs.size() == static_cast<qsizetype>(input.runs.size())
+                         ? said
+                         : ReportWords::tr("%1: %2").arg(runs.join(QStringLiteral(", ")), said));
+  }
+  return html;
+}
+
+namespace {
+
+/// Excess of the largest distance from the programmed path in rapids over that in feed motions [mm].
+double excess_in_rapids(const ReportRun& run) {
+  return is_refused(run.shown->run)
+             ? 0
+             : summary_of(run).max_contour_error - summary_of(run).cutting_contour_error;
+}
+
+}  // namespace
+
+std::vector<std::pair<CauseKind, double>> time_by_kind(const Summary& summary) {
+  std::vector<std::pair<CauseKind, double>> kinds;
+  for (std::size_t i = 0; i < summary.time_by_cause.size(); ++i) {
+    const CauseKind kind = all_causes()[i].kind;
+    if (kinds.empty() || kinds.back().first != kind) {
+      kinds.emplace_back(kind, 0);
+    }
+    kinds.back().second += summary.time_by_cause[i];
+  }
+  std::erase_if(kinds, [](const auto& entry) { return !(entry.second > 0); });
+  std::ranges::stable_sort(kinds, std::greater(), &std::pair<CauseKind, double>::second);
+  return kinds;
+}
+
+QString times_sentence(const ReportInput& input) {
+  const std::vector<ReportRun> comparable = comparable_runs(input.runs);
+  if (comparable.empty()) {
+    return one_run_sentence(input.run());
+  }
+  const QString sentence =
+      comparable.size() > 1 ? fastest_sentence(comparable) : one_run_sentence(comparable.front());
+  return comparable.size() == input.runs.size()
+             ? sentence
+             : sentence + ' ' +
+                   ReportWords::tr(
+                       "Runs of which the control refuses more lines or that the machine does not reach, and "
+                       "that are not compared: %1.")
+                       .arg(input.runs.size() - comparable.size());
+}
+
+QString summary_block(const ReportInput& input) {
+  QString html;
+  if (const QString faults = reading_faults_text(*input.program().program); !faults.isEmpty()) {
+    html += QStringLiteral("<p style=\"color:#c62818\">%1</p>\n")
+                .arg(ReportWords::tr("<b>%1.</b> The messages are listed under Program.").arg(faults));
+  }
+  html += paragraph(times_sentence(input));
+  const QString causes =
+      is_refused(input.run().shown->run) ? QString() : main_causes(summary_of(input.run()));
+  if (!causes.isEmpty()) {
+    html += paragraph(ReportWords::tr("Most of the time of %1 is limited by: %2.")
+                          .arg(html_text(input.run().name), html_text(causes)));
+  }
+  return html + not_counted_sentences(input) + run_notes_text(input);
+}
+
+QString comparison_block(const ReportInput& input) {
+  HtmlTable table("lrrrrrrr", {27, 12, 10, 10, 10, 10, 11, 10});
+  table.add_head(
+      {ReportWords::tr("Run"), ReportWords::tr("Cycle time [s]"), ReportWords::tr("× pro-<br/>grammed"),
+       ReportWords::tr("To first [%]"), with_unit_of(ReportWords::tr("Mean feed"), Dimension::feed),
+       with_unit_of(ReportWords::tr("Peak feed"), Dimension::feed),
+       with_unit_of(ReportWords::tr("Contour error"), Dimension::error), ReportWords::tr("Corner blends")});
+  for (std::size_t i = 0; i < input.runs.size(); ++i) {
+    const ReportRun& run = input.runs[i];
+    if (is_refused(run.shown->run)) {
+      table.add({run_label(input, i), QStringLiteral("<b>%1</b>").arg(ReportWords::tr("refused")),
+                 QStringLiteral("–"), QStringLiteral("–"), QStringLiteral("–"), QStringLiteral("–"),
+                 QStringLiteral("–"), QStringLiteral("–")});
+      continue;
+    }
+    const Summary& summary = summary_of(run);
+    table.add({run_label(input, i), QStringLiteral("<b>%1</b>").arg(fixed(summary.cycle_time, 3)),
+               summary.programmed_time > 0 ? fixed(against_programmed(summary), 3) : QStringLiteral("–"),
+               difference_to_first(run, input.runs.front()), fixed(summary.mean_feed, Dimension::feed),
+               fixed(summary.peak_feed, Dimension::feed), error_number(summary.cutting_contour_error),
+               QString::number(run.shown->run.trajectory->blend_count())});
+  }
+  QString html = table.html();
+  const ReportRun& in_rapids = *std::ranges::max_element(input.runs, {}, excess_in_rapids);
+  if (excess_in_rapids(in_rapids) > 0) {
+    html += paragraph(
+        ReportWords::tr("Contour errors are those of feed motions; in rapids %1 leaves the programmed "
+                        "path by up to %2.")
+            .arg(html_text(in_rapids.name),
+                 error_number(summary_of(in_rapids).max_contour_error) + ' ' + unit_of(Dimension::error)));
+  }
+  return html;
+}
+
+QString causes_block(const ReportInput& input) {
+  const std::vector<std::size_t> causes = listed_causes(input);
+  QString html;
+  for (std::size_t first = 0; first < input.runs.size() && !causes.empty(); first += runs_a_table) {
+    html += causes_table(input, causes, first, std::min(input.runs.size(), first + runs_a_table));
+  }
+  return html;
+}
+
+}  // namespace feedscope::ui
