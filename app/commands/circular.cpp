@@ -26,7 +26,7 @@
 #ifdef FEEDSCOPE_WITH_UI
 #include "app/commands/language_option.h"
 #include "app/picture_size.h"
-#include "ui/window/pictures_of_panels.h"
+#include "ui/window/panels/pictures_of_panels.h"
 #endif
 
 namespace feedscope {

@@ -30,7 +30,7 @@
 #include "ui/scene/colourings.h"
 #include "ui/theme/offscreen_application.h"
 #include "ui/window/main_window.h"
-#include "ui/window/pictures_of_panels.h"
+#include "ui/window/panels/pictures_of_panels.h"
 
 namespace feedscope {
 namespace {

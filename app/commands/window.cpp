@@ -17,8 +17,8 @@
 #include "ui/shared/paths.h"
 #include "ui/theme/theme.h"
 #include "ui/window/main_window.h"
-#include "ui/window/panel_states.h"
-#include "ui/window/presentation.h"
+#include "ui/window/menus/presentation.h"
+#include "ui/window/panels/panel_states.h"
 #include "ui/workbench/recent_files.h"
 
 namespace feedscope {

@@ -19,7 +19,7 @@
 #include "ui/scene/picture.h"
 #include "ui/scene_view/scene_texts.h"
 #include "ui/theme/offscreen_application.h"
-#include "ui/window/pictures_of_panels.h"
+#include "ui/window/panels/pictures_of_panels.h"
 
 namespace feedscope::test {
 namespace {

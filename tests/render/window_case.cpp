@@ -27,7 +27,7 @@
 #include "ui/trace/trace_view.h"
 #include "ui/why/why_view.h"
 #include "ui/window/main_window.h"
-#include "ui/window/pictures_of_panels.h"
+#include "ui/window/panels/pictures_of_panels.h"
 
 namespace feedscope::test {
 namespace {

@@ -9,7 +9,7 @@
 #include "ui/circular/circular_job.h"
 #include "ui/lessons/lesson_desk.h"
 #include "ui/scene_view/side_by_side.h"
-#include "ui/window/panel_states.h"
+#include "ui/window/panels/panel_states.h"
 #include "ui/window/window_session.h"
 #include "ui/workbench/panel.h"
 #include "ui/workbench/workbench.h"

@@ -18,10 +18,10 @@
 #include "ui/load/load_view.h"
 #include "ui/program_text/program_panel.h"
 #include "ui/shared/paths.h"
+#include "ui/window/dialogs/proposed_file.h"
 #include "ui/window/main_window.h"
-#include "ui/window/presentation.h"
-#include "ui/window/proposed_file.h"
-#include "ui/window/saved_layout.h"
+#include "ui/window/menus/presentation.h"
+#include "ui/window/panels/saved_layout.h"
 
 namespace feedscope::ui {
 

@@ -1,4 +1,4 @@
-#include "ui/window/command_palette.h"
+#include "ui/window/menus/command_palette.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ui/window/dock_sizes.h"
+#include "ui/window/panels/dock_sizes.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include "ui/charts/charts_panel.h"
 #include "ui/decide/decide_view.h"
 #include "ui/program_text/program_panel.h"
-#include "ui/window/help_menu.h"
 #include "ui/window/main_window.h"
+#include "ui/window/menus/help_menu.h"
 
 namespace feedscope::ui {
 namespace {

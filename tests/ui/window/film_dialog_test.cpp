@@ -1,4 +1,4 @@
-#include "ui/window/film_dialog.h"
+#include "ui/window/dialogs/film_dialog.h"
 
 #include <gmock/gmock.h>
 
@@ -21,7 +21,7 @@
 #include "ui/fields/whole_number_box.h"
 #include "ui/language/language.h"
 #include "ui/session/session_file.h"
-#include "ui/window/language_box.h"
+#include "ui/window/dialogs/language_box.h"
 
 namespace feedscope::ui {
 namespace {

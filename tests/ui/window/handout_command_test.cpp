@@ -1,4 +1,4 @@
-#include "ui/window/handout_command.h"
+#include "ui/window/menus/handout_command.h"
 
 #include <gmock/gmock.h>
 

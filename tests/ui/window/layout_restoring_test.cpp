@@ -5,7 +5,7 @@
 #include <random>
 
 #include "ui/window/main_window.h"
-#include "ui/window/start_page.h"
+#include "ui/window/panels/start_page.h"
 
 namespace feedscope::ui {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/window/machine_opening.h"
+#include "ui/window/menus/machine_opening.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

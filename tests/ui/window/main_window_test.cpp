@@ -33,8 +33,8 @@
 #include "ui/runs/runs_view.h"
 #include "ui/setup/setup_view.h"
 #include "ui/why/why_view.h"
-#include "ui/window/help_menu.h"
-#include "ui/window/panel_states.h"
+#include "ui/window/menus/help_menu.h"
+#include "ui/window/panels/panel_states.h"
 
 namespace feedscope::ui {
 namespace {

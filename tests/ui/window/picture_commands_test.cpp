@@ -1,4 +1,4 @@
-#include "ui/window/picture_commands.h"
+#include "ui/window/menus/picture_commands.h"
 
 #include <gmock/gmock.h>
 
@@ -14,8 +14,8 @@
 #include "core/base/error.h"
 #include "tests/ui/run_fixture.h"
 #include "ui/shared/paths.h"
+#include "ui/window/dialogs/proposed_file.h"
 #include "ui/window/main_window.h"
-#include "ui/window/proposed_file.h"
 
 namespace feedscope::ui {
 namespace {

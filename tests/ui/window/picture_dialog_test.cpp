@@ -1,4 +1,4 @@
-#include "ui/window/picture_dialog.h"
+#include "ui/window/dialogs/picture_dialog.h"
 
 #include <gmock/gmock.h>
 
@@ -18,8 +18,8 @@
 #include "ui/fields/whole_number_box.h"
 #include "ui/language/language.h"
 #include "ui/session/session_file.h"
-#include "ui/window/language_box.h"
-#include "ui/window/page_preview.h"
+#include "ui/window/dialogs/language_box.h"
+#include "ui/window/dialogs/page_preview.h"
 
 namespace feedscope::ui {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/window/pictures_of_panels.h"
+#include "ui/window/panels/pictures_of_panels.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ui/window/presentation.h"
+#include "ui/window/menus/presentation.h"
 
 #include <gtest/gtest.h>
 
@@ -24,9 +24,9 @@
 #include "ui/setup/setup_view.h"
 #include "ui/theme/theme.h"
 #include "ui/theme/type_size.h"
-#include "ui/window/help_menu.h"
 #include "ui/window/main_window.h"
-#include "ui/window/saved_layout.h"
+#include "ui/window/menus/help_menu.h"
+#include "ui/window/panels/saved_layout.h"
 
 namespace feedscope::ui {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/window/print_dialog.h"
+#include "ui/window/dialogs/print_dialog.h"
 
 #include <gmock/gmock.h>
 

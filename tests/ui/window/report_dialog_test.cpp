@@ -1,4 +1,4 @@
-#include "ui/window/report_dialog.h"
+#include "ui/window/dialogs/report_dialog.h"
 
 #include <gmock/gmock.h>
 
@@ -17,8 +17,8 @@
 #include "tests/ui/run_fixture.h"
 #include "ui/language/language.h"
 #include "ui/session/session_file.h"
-#include "ui/window/language_box.h"
-#include "ui/window/page_preview.h"
+#include "ui/window/dialogs/language_box.h"
+#include "ui/window/dialogs/page_preview.h"
 
 namespace feedscope::ui {
 namespace {

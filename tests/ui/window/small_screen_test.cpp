@@ -22,7 +22,7 @@
 #include "ui/scene_view/lens_overlay.h"
 #include "ui/scene_view/scene_view.h"
 #include "ui/window/main_window.h"
-#include "ui/window/status_panel.h"
+#include "ui/window/panels/status_panel.h"
 
 namespace feedscope::ui {
 namespace {

@@ -25,8 +25,8 @@
 #include "ui/language/shown_numbers.h"
 #include "ui/runs/runs_view.h"
 #include "ui/study/study_view.h"
-#include "ui/window/help_menu.h"
 #include "ui/window/main_window.h"
+#include "ui/window/menus/help_menu.h"
 
 namespace feedscope::ui {
 namespace {

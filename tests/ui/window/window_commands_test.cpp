@@ -7,8 +7,8 @@
 #include <map>
 
 #include "tests/ui/run_fixture.h"
-#include "ui/window/help_menu.h"
 #include "ui/window/main_window.h"
+#include "ui/window/menus/help_menu.h"
 
 namespace feedscope::ui {
 namespace {

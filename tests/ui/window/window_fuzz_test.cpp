@@ -25,8 +25,8 @@
 #include "ui/program_text/program_panel.h"
 #include "ui/runs/runs_view.h"
 #include "ui/shared/panel_action.h"
-#include "ui/window/help_menu.h"
 #include "ui/window/main_window.h"
+#include "ui/window/menus/help_menu.h"
 
 namespace feedscope::ui {
 namespace {

@@ -37,9 +37,9 @@
 #include "ui/study/study_view.h"
 #include "ui/theme/theme.h"
 #include "ui/why/why_view.h"
-#include "ui/window/help_menu.h"
 #include "ui/window/main_window.h"
-#include "ui/window/start_page.h"
+#include "ui/window/menus/help_menu.h"
+#include "ui/window/panels/start_page.h"
 
 namespace feedscope::ui {
 namespace {
