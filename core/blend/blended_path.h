@@ -1,5 +1,9 @@
 #pragma once
 
+// Room `blend`: the path that the control executes. A Toolpath becomes a BlendedPath: corner blends,
+// connecting arcs and curves in place of corners, exact stops, each within the contour tolerance in force
+// (path_rules.h). corner.h has the geometry of one corner.
+
 #include <cstdint>
 #include <memory>
 #include <optional>

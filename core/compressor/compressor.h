@@ -1,5 +1,9 @@
 #pragma once
 
+// Room `compressor`: dense short lines to smooth curves within the contour tolerance. smoothing_run.h finds
+// runs of blocks, cubic_spline_fit.h lays a curve through them, Compressor gives the curves to the room
+// `blend`.
+
 #include <algorithm>
 #include <vector>
 

@@ -1,5 +1,8 @@
 #pragma once
 
+// Room `drives`: what the axes do with the set values. The position loops of the drives answer a Trajectory
+// in closed form: actual position, following error, backlash and friction at reversals.
+
 #include <array>
 #include <memory>
 #include <vector>

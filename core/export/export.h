@@ -1,5 +1,8 @@
 #pragma once
 
+// Room `export`: CSV and JSON, the only files with stable columns and keys. README.md in this folder lists
+// every one.
+
 #include <iosfwd>
 #include <span>
 #include <string>

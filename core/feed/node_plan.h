@@ -1,5 +1,9 @@
 #pragma once
 
+// Room `feed`: speeds within the ceilings. NodePlanner plans a stretch between two standstills with
+// look-ahead, node by node; ramp.h is the jerk-limited change of speed between two nodes, profile_walk.h its
+// course.
+
 #include <cstdint>
 #include <span>
 #include <vector>

@@ -1,5 +1,7 @@
 #pragma once
 
+// Room `handbook`: the user's handbook. Pages of resources/handbook as HTML, and a search in them.
+
 #include <filesystem>
 #include <string>
 #include <string_view>

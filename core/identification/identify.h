@@ -1,5 +1,9 @@
 #pragma once
 
+// Room `identification`: limits and settings of a machine from recordings. Traces or section times become
+// cases to fit; parameter_search.h searches, parameter_judgement.h says which values are determined and how
+// well, drive_fit.h finds the drives.
+
 #include <optional>
 #include <string>
 #include <vector>

@@ -1,5 +1,9 @@
 #pragma once
 
+// Room `kinematics`: axes to tool and back. A KinematicChain of a machine file gives the tool's tip and
+// direction for the places of the axes, the places for a pose, and both with derivatives (series.h), which
+// limits along the path need.
+
 #include <cstdint>
 #include <limits>
 #include <optional>

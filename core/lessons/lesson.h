@@ -1,5 +1,9 @@
 #pragma once
 
+// Room `lessons`: lessons as data. lesson_file.cpp reads texts, runs, questions and claims; lesson_runs.h
+// simulates what they need and measure.h measures it, so that every number in a text comes from the run;
+// handout.h has the parts of a hand-out.
+
 #include <cstdint>
 #include <filesystem>
 #include <map>

@@ -1,5 +1,9 @@
 #pragma once
 
+// Room `limits`: how fast an element may be run. Ceilings of speed, acceleration and jerk along a line, arc
+// or blend from the limits of the axes; cause.h names what sets a ceiling, formula.h writes it out for
+// explanations.
+
 #include "core/blend/blended_path.h"
 #include "core/limits/axis_share.h"
 #include "core/limits/cause.h"

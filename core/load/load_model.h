@@ -1,5 +1,8 @@
 #pragma once
 
+// Room `load`: what the tool bears. A load file says how tools are engaged in which material; LoadModel finds
+// the operation of a motion, cutting_force.h gives chip thickness, force, torque and power at a feed.
+
 #include <cstdint>
 #include <vector>
 

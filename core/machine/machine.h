@@ -1,5 +1,10 @@
 #pragma once
 
+// Room `machine`: machine files. Text becomes a Machine: limits of linear and rotary axes, drives,
+// kinematics, work offsets, and the settings of its control, every number with its source. machine_file.h
+// reads and writes them, import/ makes them from the configurations of controls, settings.h specifies what
+// keys exist.
+
 #include <filesystem>
 #include <map>
 #include <string>

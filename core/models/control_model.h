@@ -1,5 +1,9 @@
 #pragma once
 
+// Room `models`: control models, a folder each. A ControlModel puts blend, limits, feed and trajectory
+// together as a paper or a control does, for all machines, and says what it guarantees; registry.cpp lists
+// the models.
+
 #include <functional>
 #include <memory>
 #include <string>

@@ -1,5 +1,10 @@
 #pragma once
 
+// Room `program`: NC text to a Program. reader.h finds the dialect; a folder a dialect reads it (language:
+// words, variables, flow; geometry: frames, compensation, motions; cycles) into blocks with modal state
+// resolved: absolute, metric, with arcs, pauses, path control and diagnostics. text/, tools/, path/ and
+// cycles/ are shared by the dialects.
+
 #include <cstdint>
 #include <filesystem>
 #include <memory>

@@ -1,5 +1,9 @@
 #pragma once
 
+// Room `toolpath`: a Program as geometry. Segments with length and curve; on a machine also the turns of
+// rotary axes, the limits that these set along the path (turn_limiter.h) and the moves to its positions
+// (machine_toolpath.h).
+
 #include <array>
 #include <cstdint>
 #include <limits>

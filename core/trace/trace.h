@@ -1,5 +1,9 @@
 #pragma once
 
+// Room `trace`: recordings of controls. Files of LinuxCNC, SINUMERIK, TwinCAT and tables become a Trace, with
+// gaps, jitter, clock and units found; guess_trace.h recognises the format, trace_columns.h says which column
+// is what.
+
 #include <array>
 #include <cstddef>
 #include <cstdint>

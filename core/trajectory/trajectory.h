@@ -1,5 +1,10 @@
 #pragma once
 
+// Room `trajectory`: the motion as a function of time. A Trajectory has pieces of constant jerk or filtered
+// pulses over a BlendedPath; State is everything at one instant, exact, by time or by path length.
+// TrajectoryBuilder makes it, the walks (part_walk.h, state_walk.h, length_walk.h) run through it in order at
+// constant cost.
+
 #include <cstdint>
 #include <memory>
 #include <vector>

@@ -1,5 +1,9 @@
 #pragma once
 
+// Room `analysis`, a folder a topic. Here `run`: a program is loaded once, set up, simulated, summarised. The
+// other topics read a Run: contour error, time, rotary axes, notes, differences, studies, explanations,
+// envelopes for charts, agreement with traces.
+
 #include <filesystem>
 #include <memory>
 #include <optional>
