@@ -12,7 +12,7 @@
 namespace feedscope {
 namespace {
 
-constexpr double full_turn = 2 * std::numbers::pi;
+constexpr double one_turn = 2 * std::numbers::pi;
 
 /// Path length from `start` to the point of a line nearest to `position` [mm].
 double nearest_on_line(const Vec3& start, const Segment& line, const Vec3& position) {
@@ -39,7 +39,7 @@ class HelixFoot {
 
   double angle() const {
     const double within = std::clamp(aim_, 0.0, sweep_);
-    const double nearest = turn_ + full_turn * std::round((within - turn_) / full_turn);
+    const double nearest = turn_ + one_turn * std::round((within - turn_) / one_turn);
     const double beside = valley(nearest);
     // If the aim is on the helix, no other valley is deeper.
     if (within == aim_ && beside >= 0 && beside <= sweep_) {
@@ -47,7 +47,7 @@ class HelixFoot {
     }
     double best = value(0) <= value(sweep_) ? 0 : sweep_;
     for (int k = -2; k <= 2; ++k) {
-      const double angle = valley(nearest + k * full_turn);
+      const double angle = valley(nearest + k * one_turn);
       if (angle > 0 && angle < sweep_ && value(angle) < value(best)) {
         best = angle;
       }
@@ -92,7 +92,7 @@ double nearest_on_arc(const Arc& arc, const Vec3& position) {
     return HelixFoot(arc, from_center).angle() * arc.length_per_radian();
   }
   const double turn = std::atan2(from_center.dot(arc.y), from_center.dot(arc.x));
-  const double angle = turn + full_turn * std::round((arc.sweep / 2 - turn) / full_turn);
+  const double angle = turn + one_turn * std::round((arc.sweep / 2 - turn) / one_turn);
   return std::clamp(angle, 0.0, arc.sweep) * arc.length_per_radian();
 }
 

@@ -13,7 +13,7 @@
 namespace feedscope {
 namespace {
 
-bool contains(const std::vector<std::string>& words, const std::string& word) {
+bool is_one_of(const std::vector<std::string>& words, const std::string& word) {
   return std::ranges::find(words, word) != words.end();
 }
 
@@ -47,14 +47,14 @@ std::vector<std::string> models_that_know(const StudyRequest& request) {
   std::vector<std::string> known;
   for (const std::string& model : asked) {
     for (const std::string& key : sweep_keys(find_model(model))) {
-      if (!contains(known, key)) {
+      if (!is_one_of(known, key)) {
         known.push_back(key);
       }
     }
   }
   for (const Sweep& sweep : request.sweeps) {
     std::erase_if(models, [&](const std::string& model) {
-      return !contains(sweep_keys(find_model(model)), sweep.key);
+      return !is_one_of(sweep_keys(find_model(model)), sweep.key);
     });
     if (models.empty()) {
       const std::string near = nearest_name(sweep.key, known);
@@ -75,7 +75,7 @@ std::vector<Setup> setups_that_know(const StudyRequest& request) {
   }
   const std::vector<std::string> models = models_that_know(of_models);
   std::vector<Setup> setups = request.setups;
-  std::erase_if(setups, [&](const Setup& setup) { return !contains(models, setup.model->info().id); });
+  std::erase_if(setups, [&](const Setup& setup) { return !is_one_of(models, setup.model->info().id); });
   return setups;
 }
 
