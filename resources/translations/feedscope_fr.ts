@@ -15362,14 +15362,6 @@ Ensemble&#xa0;: %4</translation>
         <translation>%1 remarques</translation>
     </message>
     <message>
-        <source>cause: %1 (%2)</source>
-        <translation>cause&#xa0;: %1 (%2)</translation>
-    </message>
-    <message>
-        <source>cause: %1</source>
-        <translation>cause&#xa0;: %1</translation>
-    </message>
-    <message>
         <source>%1 s</source>
         <translation>%1&#xa0;s</translation>
     </message>

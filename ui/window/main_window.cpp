@@ -7,7 +7,9 @@
 #include <QLabel>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QPainter>
 #include <QStatusBar>
+#include <QStyle>
 #include <QTabBar>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -65,6 +67,22 @@ constexpr QSize default_size(1280, 800);
 constexpr int program_width = 208;
 constexpr int inspector_width = 292;
 constexpr int charts_height = 189;
+
+/// A note that ends in "…" where the bar has no room for it; its tip has all of it.
+class StatusNote : public QLabel {
+ public:
+  using QLabel::QLabel;
+
+  QSize minimumSizeHint() const override { return {1, QLabel::minimumSizeHint().height()}; }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    const QRect room = contentsRect();
+    style()->drawItemText(&painter, room, Qt::AlignVCenter | Qt::AlignLeft, palette(), isEnabled(),
+                          fontMetrics().elidedText(text(), Qt::ElideRight, room.width()), foregroundRole());
+  }
+};
 
 }  // namespace
 
@@ -285,12 +303,13 @@ void MainWindow::make_menus() {
 void MainWindow::make_status() {
   auto* status = new StatusPanel(workbench_, scenes_->comparison(), this);
   statusBar()->addPermanentWidget(status);
-  auto* not_counted = new QLabel(this);
+  auto* not_counted = new StatusNote(this);
   not_counted->setContentsMargins(6, 0, 0, 0);
   statusBar()->addWidget(not_counted);
   connect(&workbench_, &Workbench::run_changed, this, [this, not_counted] {
     const auto shown = workbench_.shown();
     not_counted->setText(shown == nullptr ? QString() : not_counted_text(shown->run.summary.not_counted));
+    not_counted->setToolTip(not_counted->text());
   });
   connect(status, &StatusPanel::diagnostics_clicked, diagnostics_, &Panel::attention_wanted);
   connect(this, &MainWindow::cancel_wanted, status, &StatusPanel::cancel);

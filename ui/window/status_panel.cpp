@@ -9,8 +9,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/units.h"
-#include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/messages/diagnostic_rows.h"
 
@@ -142,13 +140,6 @@ void StatusPanel::count_diagnostics() {
                                                              : QStyle::SP_MessageBoxInformation));
 }
 
-QString StatusPanel::cause_text(const State& state) {
-  const QString cause = core_text(cause_title(state.cause));
-  return state.cause.kind == CauseKind::ramp_down
-             ? tr("cause: %1 (%2)").arg(cause, core_text(cause_title(state.slower_place)))
-             : tr("cause: %1").arg(cause);
-}
-
 void StatusPanel::show_cursor() {
   if (!workbench_.cursor().valid()) {
     cursor_->clear();
@@ -161,7 +152,6 @@ void StatusPanel::show_cursor() {
       amount_text(state.path_length, Dimension::length),
       tr("line %1").arg(state.line),
       amount_text(std::max(0.0, state.speed), Dimension::feed),
-      cause_text(state),
   };
   cursor_->setText(parts.join(QStringLiteral("   ")));
 }

@@ -35,7 +35,6 @@ class StatusPanel : public QWidget {
   void show_comparison();
   void show_cursor();
   void count_diagnostics();
-  static QString cause_text(const State& state);
 
   Workbench& workbench_;
   RunComparison& comparison_;
