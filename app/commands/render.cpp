@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <optional>
@@ -211,6 +212,14 @@ double lens_instant(const std::string& asked, const Run& run) {
   return *time;
 }
 
+/// Pixels to a unit of a screen with so many pixels: on one of 3840x2160 a window has the type and the
+/// composition of 1920x1080.
+double screen_ratio(const QSizeF& pixels) {
+  constexpr QSizeF usual(1920, 1080);
+  return std::max(1.0,
+                  std::floor(std::min(pixels.width() / usual.width(), pixels.height() / usual.height())));
+}
+
 std::string window_file(const ui::ReportInput& input, const RenderOptions& options,
                         const std::optional<ui::Session>& session, const ui::PictureRequest& request) {
   ui::WindowLook look{camera_of(options), request.theme};
@@ -228,8 +237,9 @@ std::string window_file(const ui::ReportInput& input, const RenderOptions& optio
       window.part<ui::DecideView>().compare_with(others);
     }
   };
-  look.pixel_ratio = request.pixel_ratio;
-  const QSize size = request.size.toSize();
+  const double ratio = request.paper ? 1 : screen_ratio(request.size);
+  look.pixel_ratio = ratio * request.pixel_ratio;
+  const QSize size = (request.size / ratio).toSize();
   const ui::Picture picture = ui::draw_window(input.run().shown->run, {size.width(), size.height()}, look);
   if (request.format == ui::PictureFormat::png && !request.paper) {
     return ui::to_png(picture);

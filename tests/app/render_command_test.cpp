@@ -157,6 +157,14 @@ TEST_F(RenderCommand, ScaleMakesTextLargerNotThePicture) {
   }
 }
 
+TEST_F(RenderCommand, AWindowOfFourTimesThePixelsHasTypeOfTwiceTheSize) {
+  ASSERT_EQ(run("corner.nc --view window --size 3840x2160 --out plain.png").code, 0);
+  ASSERT_EQ(run("corner.nc --view window --size 3840x2160 --scale 2 --out twice.png").code, 0);
+  const auto plain = read_png((folder_ / "plain.png").string());
+  EXPECT_EQ(plain.size.width, 3840);
+  EXPECT_EQ(plain.rgb, read_png((folder_ / "twice.png").string()).rgb);
+}
+
 TEST_F(RenderCommand, SeveralRunsShareAPictureAndAWindow) {
   EXPECT_EQ(run("corner.nc --view sheet --size 1200x900 --tolerance 0.01 --tolerance 0.05 --out a.png").code,
             0);
