@@ -196,10 +196,14 @@ void PathScene::set_cube(bool shown) {
   impl_->changed();
 }
 
-void PathScene::set_covered(const std::optional<std::array<Pixel, 2>>& corners) {
-  if (std::exchange(impl_->widget, corners) != corners) {
+void PathScene::set_inset(std::optional<double> side) {
+  if (std::exchange(impl_->inset, side) != side) {
     impl_->changed();
   }
+}
+
+std::optional<std::array<Pixel, 2>> PathScene::inset() const {
+  return impl_->inset ? std::optional(impl_->pixels_of(impl_->inset_place())) : std::nullopt;
 }
 
 void PathScene::set_background(Background background) {
@@ -378,10 +382,8 @@ Vec3 PathScene::drawn_at(double time) const {
 
 std::vector<std::array<Pixel, 2>> PathScene::covered() const {
   std::vector<std::array<Pixel, 2>> corners;
-  const double height = impl_->stage.height();
   for (const ScreenRectangle& rectangle : impl_->covered()) {
-    corners.push_back({Pixel{rectangle.low.x(), height - rectangle.high.y()},
-                       Pixel{rectangle.high.x(), height - rectangle.low.y()}});
+    corners.push_back(impl_->pixels_of(rectangle));
   }
   return corners;
 }

@@ -95,8 +95,11 @@ class PathScene {
   void set_legend(bool shown);
   /// A cube whose faces are standard views, see cube_view().
   void set_cube(bool shown);
-  /// A part of the window that something else covers, by two corners: a fit leaves it free.
-  void set_covered(const std::optional<std::array<Pixel, 2>>& corners);
+  /// A square with this side [pixels] is left free for something else, in the lower corner on the right or
+  /// above the colours on the left, where a fitted path is larger.
+  void set_inset(std::optional<double> side);
+  /// Its upper left and its lower right corner.
+  std::optional<std::array<Pixel, 2>> inset() const;
   void set_background(Background background);
   /// Nothing is drawn behind: what is not covered has no opacity in the pixels of the window, and colours are
   /// multiplied by their opacity.

@@ -52,14 +52,19 @@ class PathScene::Impl : public ScenePaths {
   }
   ScreenLayout layout() const { return screen_layout(stage.width(), stage.height(), scale, captions()); }
   ScreenRectangle room() const { return layout().room(); }
-  /// What is over the picture, the view's own widgets too.
+  ScreenRectangle inset_place() const { return layout().inset(*inset, inset_left); }
+  /// What is over the picture, the inset too.
   std::vector<ScreenRectangle> covered() const {
     std::vector<ScreenRectangle> all = layout().covered();
-    if (widget) {
-      all.push_back({stage.display({(*widget)[0][0], (*widget)[1][1]}),
-                     stage.display({(*widget)[1][0], (*widget)[0][1]})});
+    if (inset) {
+      all.push_back(inset_place());
     }
     return all;
+  }
+  /// Upper left and lower right corner.
+  std::array<Pixel, 2> pixels_of(const ScreenRectangle& rectangle) const {
+    return {Pixel{rectangle.low.x(), stage.height() - rectangle.high.y()},
+            Pixel{rectangle.high.x(), stage.height() - rectangle.low.y()}};
   }
   PickablePath pickable() const {
     const DrawnPath* path = layers.executed();
@@ -105,13 +110,37 @@ class PathScene::Impl : public ScenePaths {
     changed();
   }
 
-  /// Rapids count where they are drawn: less of them is seen then, so that they still are.
   void fit_now() {
+    fit_path();
+    if (inset) {
+      choose_corner();
+    }
+    fitted_in = fitted_window();
+  }
+
+  /// The inset is on the left where that is worth a change.
+  void choose_corner() {
+    constexpr double worth = 1.02;
+    const auto height_at = [this](bool left) {
+      if (inset_left != left) {
+        inset_left = left;
+        fit_path();
+      }
+      return camera.state(frame).height;
+    };
+    const double on_right = height_at(false);
+    const bool is_free = !layout().inset(*inset, true).meets(layout().legend);
+    if (!is_free || worth * height_at(true) > on_right) {
+      height_at(false);
+    }
+  }
+
+  /// Rapids count where they are drawn: less of them is seen then, so that they still are.
+  void fit_path() {
     fit_to(outline_points({shown_programmed(), shown_executed()}, near, false));
     if (layers.shows_rapids(projection(), scale)) {
       fit_to(outline_points({shown_programmed(), shown_executed()}, near, true));
     }
-    fitted_in = fitted_window();
   }
 
   void fit_to(std::vector<Vec3> points) {
@@ -203,7 +232,8 @@ class PathScene::Impl : public ScenePaths {
   bool axes = false;
   bool legend = true;
   bool cube_shown = false;
-  std::optional<std::array<Pixel, 2>> widget;
+  std::optional<double> inset;  ///< side [pixels]
+  bool inset_left = false;
   bool transparent = false;
   bool moving = false;
   double scale = 1;

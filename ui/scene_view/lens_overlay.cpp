@@ -44,13 +44,11 @@ LensOverlay::LensOverlay(Workbench& workbench, SceneView& view)
   follow();
 }
 
-QSize LensOverlay::sizeHint() const {
+int LensOverlay::usual_side() const {
   const QSize room = view_.canvas().size();
   constexpr double usual_share = 0.38;  // of the view's height
-  const int usual = std::max(type_pixels(side), static_cast<int>(usual_share * room.height()));
-  const int largest = std::min(room.width(), room.height()) - 2 * margin;
-  const int wanted = large_ ? std::max(room.width(), room.height()) / 2 : usual;
-  return QSize(1, 1) * std::max(1, std::min(wanted, largest));
+  const int wanted = std::max(type_pixels(side), static_cast<int>(usual_share * room.height()));
+  return std::max(1, std::min({wanted, room.width() - 2 * margin, room.height() - 2 * margin}));
 }
 
 void LensOverlay::set_offered(bool offered) {
@@ -91,10 +89,13 @@ void LensOverlay::follow() {
       runs.push_back(&run->run);
     }
     lens_ = lens_at(runs, 0, cursor.state().time);
-    place();
   }
+  // A fit leaves the usual lens free; the large one is there for a look.
+  view_.scene().set_inset(shown ? std::optional(usual_side() * view_.canvas().devicePixelRatioF())
+                                : std::nullopt);
+  place();
+  raise();
   setVisible(shown);
-  leave_free(shown);
   update();
 }
 
@@ -106,24 +107,25 @@ bool LensOverlay::has_room() const {
   return view_.canvas().width() >= times_wide * usual && view_.canvas().height() >= times_high * usual;
 }
 
+/// In the corner that the scene keeps free; a large one grows from there.
 void LensOverlay::place() {
-  const QRect canvas = view_.canvas().geometry();
-  const QSize size = sizeHint();
-  setGeometry(QRect(canvas.bottomRight() - QPoint(size.width() + margin, size.height() + margin), size));
-  raise();
-}
-
-/// A fit leaves the usual lens free; the large one is there for a look.
-void LensOverlay::leave_free(bool shown) {
-  std::optional<std::array<Pixel, 2>> corners;
-  if (shown && !large_) {
-    const double ratio = view_.canvas().devicePixelRatioF();
-    const QPoint origin = view_.canvas().geometry().topLeft();
-    const QPoint from = geometry().topLeft() - origin;
-    const QPoint to = from + QPoint(width(), height());
-    corners = {Pixel{from.x() * ratio, from.y() * ratio}, Pixel{to.x() * ratio, to.y() * ratio}};
+  const auto corners = view_.scene().inset();
+  if (!corners) {
+    return;
   }
-  view_.scene().set_covered(corners);
+  const QRect canvas = view_.canvas().geometry();
+  const double ratio = view_.canvas().devicePixelRatioF();
+  const auto [upper, lower] = *corners;
+  QRect at((QPointF(upper[0], upper[1]) / ratio).toPoint() + canvas.topLeft(), QSize(1, 1) * usual_side());
+  if (large_) {
+    const bool left = at.center().x() < canvas.center().x();
+    const QPoint corner = left ? at.bottomLeft() : at.bottomRight();
+    const int wanted = std::max(canvas.width(), canvas.height()) / 2;
+    const int room = std::min(canvas.width() - 2 * margin, at.bottom() - canvas.top() - margin);
+    at.setSize(QSize(1, 1) * std::max(at.width(), std::min(wanted, room)));
+    left ? at.moveBottomLeft(corner) : at.moveBottomRight(corner);
+  }
+  setGeometry(at);
 }
 
 void LensOverlay::paintEvent(QPaintEvent*) {
@@ -149,6 +151,8 @@ void LensOverlay::mousePressEvent(QMouseEvent* event) {
 bool LensOverlay::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Resize || event->type() == QEvent::Move) {
     follow();
+  } else if (event->type() == QEvent::Paint && isVisible()) {  // a fit may have chosen the other corner
+    QMetaObject::invokeMethod(this, &LensOverlay::place, Qt::QueuedConnection);
   }
   return QWidget::eventFilter(watched, event);
 }

@@ -12,9 +12,9 @@
 
 namespace feedscope::ui {
 
-/// The lens at the cursor over the bottom right corner of a 3D view: the current run and those that are
-/// ticked, over each other. It shows itself while there are two or more in a view that is large enough; the
-/// key L says otherwise. A click enlarges it to half of the view and back.
+/// The lens at the cursor over a lower corner of a 3D view, the one that leaves more to the path: the current
+/// run and those that are ticked, over each other. It shows itself while there are two or more in a view that
+/// is large enough; the key L says otherwise. A click enlarges it to half of the view and back.
 class LensOverlay : public QWidget {
   Q_OBJECT
 
@@ -28,7 +28,6 @@ class LensOverlay : public QWidget {
   void set_offered(bool offered);
   /// What is shown; null while nothing is.
   const Lens* lens() const { return isVisible() && lens_ ? &*lens_ : nullptr; }
-  QSize sizeHint() const override;
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -40,8 +39,8 @@ class LensOverlay : public QWidget {
   /// The runs, the current one first.
   void list_runs();
   bool has_room() const;
+  int usual_side() const;
   void place();
-  void leave_free(bool shown);
 
   Workbench& workbench_;
   SceneView& view_;

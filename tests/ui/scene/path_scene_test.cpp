@@ -630,6 +630,32 @@ TEST_F(PathSceneTest, AFittedPathFillsWhatItsOverlaysLeave) {
   }
 }
 
+/// Seen from the right, front and top, what is long in X goes down to the right, what is long in Y up.
+TEST_F(PathSceneTest, AnInsetLiesWhereItLeavesMoreToThePath) {
+  constexpr double side = 180;
+  window_->SetSize(768, 469);
+  scene_.set_inset(side);
+  const auto place = [&](const char* program) {
+    show(simulate_text(program), StandardView::iso);
+    const auto [upper, lower] = *scene_.inset();
+    EXPECT_NEAR(lower[0] - upper[0], side, 1e-9);
+    EXPECT_NEAR(lower[1] - upper[1], side, 1e-9);
+    for (const auto& [from, to] : scene_.covered()) {
+      const bool itself = from == upper && to == lower;
+      EXPECT_TRUE(itself || from[0] >= lower[0] || to[0] <= upper[0] || from[1] >= lower[1] ||
+                  to[1] <= upper[1])
+          << program;
+    }
+    return upper;
+  };
+  EXPECT_LT(place("G21 G90 G94 F3000\nG1 X80\nY20\nX0\nY0\n")[0], 20);
+  EXPECT_GT(place("G21 G90 G94 F3000\nG1 Y80\nX20\nY0\nX0\n")[0], 768 - side - 20);
+  scene_.set_colouring(Colouring::cause);  // its names take the width of the picture
+  EXPECT_LT(place("G21 G90 G94 F3000\nG1 X80\nY20\nX0\nY0\n")[1], 469 - side - 20);
+  scene_.set_inset(std::nullopt);
+  EXPECT_FALSE(scene_.inset());
+}
+
 /// Drawn at four times the size, everything is where it was.
 TEST_F(PathSceneTest, ALargerPictureHasTheSameComposition) {
   const auto run = simulate_text(test::small_program);

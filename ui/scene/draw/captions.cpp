@@ -370,6 +370,18 @@ std::vector<ScreenRectangle> ScreenLayout::covered() const {
   return all;
 }
 
+ScreenRectangle ScreenLayout::inset(double side, bool left) const {
+  const double margin = caption_margin * scale;
+  Vec2 low(left ? margin : width - margin - side, margin);
+  const auto place = [&] { return ScreenRectangle{low, low + Vec2::Constant(side)}; };
+  for (const ScreenRectangle& below : {colours, scale_bar}) {
+    if (!below.empty() && place().meets(below)) {
+      low.y() = below.high.y() + caption_padding * scale;
+    }
+  }
+  return place();
+}
+
 ScreenLayout screen_layout(int width, int height, double scale, const Captions& captions) {
   ScreenLayout layout{double(width), double(height), scale, {}, {}, {}, {}};
   const double margin = caption_margin * scale;

@@ -53,6 +53,8 @@ struct ScreenLayout {
   ScreenRectangle room() const;
   /// Those that are not empty.
   std::vector<ScreenRectangle> covered() const;
+  /// A square in a lower corner, above what is there.
+  ScreenRectangle inset(double side, bool left) const;
 };
 
 ScreenLayout screen_layout(int width, int height, double scale, const Captions& captions);
