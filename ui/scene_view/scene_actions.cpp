@@ -337,6 +337,14 @@ void SceneActions::make_modes() {
   bar_->addActions({measure_, box_, charts, fit});
 }
 
+void SceneActions::keep_own_on_bar() {
+  for (QAction* action : bar_->actions()) {
+    if (action != measure_ && action != box_) {
+      bar_->removeAction(action);
+    }
+  }
+}
+
 void SceneActions::check(QActionGroup& group, const QVariant& value) {
   for (QAction* option : group.actions()) {
     if (option->data() == value) {

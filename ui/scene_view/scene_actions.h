@@ -29,6 +29,8 @@ class SceneActions : public QObject {
   QList<QAction*> all() const;
   /// Those that have keys.
   const QList<QAction*>& commands() const { return commands_; }
+  /// Leaves on the bar what acts on this view alone: another one, which this is linked to, has the rest.
+  void keep_own_on_bar();
   /// The context menu.
   void fill(QMenu& menu) const;
   /// The scene may have changed: checks, sizes and the bar's words say what it shows.

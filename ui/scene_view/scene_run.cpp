@@ -77,7 +77,7 @@ void SceneRun::follow() {
   compares_ = needs_reference(scene.colouring());
   const auto reference = compares_ && known ? comparison_.reference_of(row) : std::nullopt;
   if (reference) {
-    reference_name_ = runs_.title(runs_.items()[*reference]);
+    reference_name_ = runs_.lettered_title(*reference);
     if (const auto compared = comparison_.samples(row)) {
       samples_ = compared;
       reference_ = runs_.result(*reference);

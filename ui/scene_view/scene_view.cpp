@@ -116,15 +116,16 @@ void SceneView::set_bar_height(int height) {
   actions_->bar()->setFixedHeight(height);
 }
 
-void SceneView::take_keys_of(const SceneView& other) {
+void SceneView::take_commands_of(const SceneView& other) {
+  actions_->keep_own_on_bar();
   for (QAction* command : actions_->commands()) {
     command->setShortcut({});
   }
   addActions(other.actions_->commands());
 }
 
-void SceneView::add_to_bar(QWidget& widget) {
-  actions_->bar()->insertWidget(actions_->bar()->actions().value(0), &widget);
+QAction* SceneView::add_to_bar(QWidget& widget) {
+  return actions_->bar()->insertWidget(actions_->bar()->actions().value(0), &widget);
 }
 
 void SceneView::set_comparable(bool comparable) {

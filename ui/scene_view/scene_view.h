@@ -58,10 +58,11 @@ class SceneView : public QWidget {
   int bar_height() const;
   void set_bar_height(int height);
   /// Beside another view, which this one is linked to: two commands with one key would be ambiguous and none
-  /// of them called, so the keys are those of the other view, here too.
-  void take_keys_of(const SceneView& other);
-  /// Puts a widget before the commands of the bar.
-  void add_to_bar(QWidget& widget);
+  /// of them called, so the keys are those of the other view, here too. The bar keeps what acts on this view
+  /// alone.
+  void take_commands_of(const SceneView& other);
+  /// Puts a widget before the commands of the bar, which owns it with the action that is returned.
+  QAction* add_to_bar(QWidget& widget);
   /// Whether there is another run to compare with, and the menu that says which.
   void set_comparable(bool comparable);
   void add_comparison_menu(QMenu& menu);

@@ -3,6 +3,7 @@
 #include <QActionGroup>
 #include <QComboBox>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QMenu>
 #include <QSignalBlocker>
 #include <QSplitter>
@@ -177,8 +178,9 @@ void SideBySide::list_references() {
     connect(action, &QAction::triggered, this, [this, id] { comparison_.choose(id); });
   };
   add(tr("The run in the second view, or the first other run"), 0);
-  for (const RunItem& run : workbench_.runs().items()) {
-    add(workbench_.runs().title(run), run.id);
+  const RunList& runs = workbench_.runs();
+  for (std::size_t row = 0; row < runs.items().size(); ++row) {
+    add(runs.lettered_title(row), runs.items()[row].id);
   }
 }
 
@@ -232,7 +234,11 @@ void SideBySide::open() {
   second_ = new SceneView(backend_, this);
   second_->set_state(first_.state());  // before anything of it is handed on to the first one
   make_choice(second_);
+  second_->take_commands_of(first_);
   if (mode_ == ScenesMode::side_by_side) {
+    first_name_ = new QLabel;
+    first_name_->setContentsMargins(4, 0, 4, 0);
+    named_ = first_.add_to_bar(*first_name_);
     second_->add_to_bar(*choice_);
     splitter_->addWidget(second_);
     const int bar = std::max(first_.bar_height(), second_->bar_height());
@@ -245,7 +251,6 @@ void SideBySide::open() {
     connect(split_.get(), &SplitOverlay::share_changed, this, [this](double share) { share_ = share; });
   }
   second_->scene().set_legend(mode_ != ScenesMode::side_by_side);  // the first view explains both
-  second_->take_keys_of(first_);
   for (SceneView* view : {&first_, second_}) {
     view->canvas().installEventFilter(this);
   }
@@ -284,6 +289,8 @@ void SideBySide::close() {
   second_run_.reset();
   first_.canvas().removeEventFilter(this);
   choice_ = nullptr;
+  first_name_ = nullptr;
+  delete std::exchange(named_, nullptr);
   SceneView* view = std::exchange(second_, nullptr);
   if (split_ != nullptr) {
     split_.reset();  // the view with it
@@ -307,7 +314,7 @@ void SideBySide::list_runs() {
       const RunItem& run = runs.items()[row];
       QPixmap colour(12, 12);
       colour.fill(run.colour);
-      choice_->addItem(QIcon(colour), runs.title(run), run.id);
+      choice_->addItem(QIcon(colour), runs.lettered_title(row), run.id);
     }
   }
   if (choice_->count() == 0) {
@@ -364,6 +371,7 @@ void SideBySide::show_run() {
   comparison_.set_beside(id);
   linking_ = true;
   const RunList& runs = workbench_.runs();
+  QString title;
   PathScene& scene = second_->scene();
   scene.set_programmed(workbench_.shown_program().samples);
   const auto program = workbench_.program();
@@ -371,6 +379,7 @@ void SideBySide::show_run() {
   if (const std::size_t row = runs.row_of(id); row < runs.items().size()) {
     const QColor& colour = runs.items()[row].colour;
     scene.set_run_colour({colour.redF(), colour.greenF(), colour.blueF()});
+    title = runs.title(runs.items()[row]);
   }
   second_run_->show(id);
   const auto& shown = second_run_->shown();
@@ -378,7 +387,7 @@ void SideBySide::show_run() {
     scene.set_programmed(shown->programmed != nullptr ? shown->programmed
                                                       : workbench_.shown_program().samples);
   }
-  second_->annotations().set_run(shown != nullptr ? shown->run.trajectory : nullptr, choice_->currentText(),
+  second_->annotations().set_run(shown != nullptr ? shown->run.trajectory : nullptr, title,
                                  shown != nullptr ? shown->run.sources : RunSources());
   linking_ = false;
   share_colour_scale();
@@ -395,9 +404,15 @@ void SideBySide::share_colour_scale() {
 }
 
 void SideBySide::show_names() {
-  const bool halves =
-      split_ != nullptr && second_run_ != nullptr && first_run_.reference_name() == choice_->currentText() &&
-      second_run_->reference_name() == workbench_.runs().title(workbench_.runs().current_item());
+  const RunList& runs = workbench_.runs();
+  const QString current = runs.lettered_title(runs.current());
+  const QString mark = run_mark(current, runs.current_item().colour);
+  if (first_name_ != nullptr) {
+    first_name_->setText(mark);
+  }
+  const bool halves = split_ != nullptr && second_run_ != nullptr &&
+                      first_run_.reference_name() == choice_->currentText() &&
+                      second_run_->reference_name() == current;
   first_run_.set_halves(halves);
   if (second_run_ != nullptr) {
     second_run_->set_halves(halves);
@@ -405,16 +420,14 @@ void SideBySide::show_names() {
   if (split_ == nullptr) {
     return;
   }
-  const RunItem& current = workbench_.runs().current_item();
-  split_->set_left_name(workbench_.runs().title(current), current.colour);
+  split_->set_left_name(mark);
   // That the halves are compared with each other goes without saying.
   const auto against = [&](const SceneRun& run, const QString& beside) {
     const QString& name = run.reference_name();
     return name.isEmpty() || name == beside ? QString() : tr("compared with %1").arg(name);
   };
-  split_->set_notes(
-      against(first_run_, choice_->currentText()),
-      second_run_ != nullptr ? against(*second_run_, workbench_.runs().title(current)) : QString());
+  split_->set_notes(against(first_run_, choice_->currentText()),
+                    second_run_ != nullptr ? against(*second_run_, current) : QString());
 }
 
 void SideBySide::show_cursor() {

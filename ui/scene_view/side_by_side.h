@@ -10,6 +10,7 @@
 #include "ui/workbench/workbench.h"
 
 class QComboBox;
+class QLabel;
 class QMenu;
 class QSplitter;
 
@@ -91,6 +92,8 @@ class SideBySide : public QWidget {
   SceneView* second_ = nullptr;
   std::unique_ptr<SceneRun> second_run_;
   QComboBox* choice_ = nullptr;
+  QLabel* first_name_ = nullptr;  ///< on the bar of the first of two views
+  QAction* named_ = nullptr;
   std::unique_ptr<SplitOverlay> split_;
   int other_ = 0;  ///< id of the run that was chosen to stand beside; 0: the first other one
   bool linking_ = false;

@@ -30,6 +30,10 @@ QLabel* make_label(QWidget& parent) {
 
 }  // namespace
 
+QString run_mark(const QString& name, const QColor& colour) {
+  return QStringLiteral("<span style='color:%1'>&#9632;</span> %2").arg(colour.name(), name.toHtmlEscaped());
+}
+
 SplitHandle::SplitHandle(QWidget* parent) : QWidget(parent) {
   setCursor(Qt::SplitHCursor);
   setFocusPolicy(Qt::StrongFocus);
@@ -130,9 +134,8 @@ void SplitOverlay::step(int steps) {
   set_share(share_ + steps * share_a_step);
 }
 
-void SplitOverlay::set_left_name(const QString& name, const QColor& colour) {
-  left_name_->setText(
-      QStringLiteral("<span style='color:%1'>&#9632;</span> %2").arg(colour.name(), name.toHtmlEscaped()));
+void SplitOverlay::set_left_name(const QString& mark) {
+  left_name_->setText(mark);
   place();
 }
 

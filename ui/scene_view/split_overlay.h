@@ -8,6 +8,9 @@ class QLabel;
 
 namespace feedscope::ui {
 
+/// The name of a run after a square of its colour, as HTML.
+QString run_mark(const QString& name, const QColor& colour);
+
 /// The line between two halves of a view, with a grip to take it by. Dragged with the mouse; Left, Right,
 /// Home and End move it while it has the focus.
 class SplitHandle : public QWidget {
@@ -47,8 +50,8 @@ class SplitOverlay : public QObject {
   double share() const { return share_; }
   void step(int steps);
   SplitHandle& handle() { return *handle_; }
-  /// The name over the left half, on a square of its colour.
-  void set_left_name(const QString& name, const QColor& colour);
+  /// The name over the left half, as run_mark() makes it.
+  void set_left_name(const QString& mark);
   /// What else is said of the halves, below the names.
   void set_notes(const QString& left, const QString& right);
 

@@ -9,13 +9,16 @@
 #include <QMenu>
 #include <QMouseEvent>
 #include <QTest>
+#include <QToolBar>
 #include <QToolTip>
+#include <algorithm>
 #include <map>
 
 #include "tests/ui/run_fixture.h"
 #include "ui/charts/charts_panel.h"
 #include "ui/program_text/program_panel.h"
 #include "ui/scene_view/split_overlay.h"
+#include "ui/window/action_table.h"
 #include "ui/window/main_window.h"
 #include "ui/window/status_panel.h"
 
@@ -76,6 +79,35 @@ TEST_F(SideBySideTest, BothTurnAndColourAlike) {
   EXPECT_EQ(window.scene().state().exaggeration, 50);
 }
 
+/// What acts on both views is on the first bar alone, as there is room for one.
+TEST_F(SideBySideTest, BothRunsAreNamedAndTheSecondBarHasWhatIsItsOwn) {
+  const auto shown_on_bar = [](SceneView& view) {
+    QStringList texts;
+    for (const QAction* action : view.findChild<QToolBar*>(QStringLiteral("scene_bar"))->actions()) {
+      texts.append(plain_text(action->text()));
+    }
+    texts.removeAll(QString());
+    return texts;
+  };
+  const auto named = [this](const QString& run) {
+    QStringList texts;
+    for (const QLabel* label : window.scene().findChildren<QLabel*>()) {
+      texts.append(label->isVisible() ? label->text() : QString());
+    }
+    return std::ranges::any_of(texts, [&](const QString& text) { return text.endsWith(' ' + run); });
+  };
+  EXPECT_TRUE(named(model.runs().lettered_title(1)));
+  EXPECT_EQ(views.choice()->currentText(), model.runs().lettered_title(0));
+  EXPECT_EQ(shown_on_bar(*views.second()), QStringList({"Measure", "Box"}));
+  model.runs().select(0);
+  EXPECT_TRUE(named(model.runs().lettered_title(0)));
+  const QStringList all = shown_on_bar(window.scene());
+  EXPECT_TRUE(all.contains("Fit path")) << all.join(' ').toStdString();
+  views.set_mode(ScenesMode::one);
+  EXPECT_FALSE(named(model.runs().lettered_title(0)));
+  EXPECT_EQ(shown_on_bar(window.scene()), all);
+}
+
 TEST_F(SideBySideTest, OneSwitchHidesRapidsInAllViewsAndTheCharts) {
   window.scene().scene().set_rapids_shown(false);
   EXPECT_FALSE(views.second()->scene().rapids_shown());
@@ -132,7 +164,7 @@ TEST_F(SideBySideTest, TheMouseTellsBothRuns) {
   };
   ASSERT_TRUE(told(true)) << QToolTip::text().toStdString();
   const QString text = QToolTip::text();
-  EXPECT_TRUE(text.contains(model.runs().title(model.runs().items()[0]))) << text.toStdString();
+  EXPECT_TRUE(text.contains(model.runs().lettered_title(0))) << text.toStdString();
   for (const QString& part : {QStringLiteral("ms/mm"), QStringLiteral("since the start"),
                               QStringLiteral("by the other run after"), QStringLiteral("µm apart")}) {
     EXPECT_TRUE(text.contains(part)) << text.toStdString();
