@@ -220,6 +220,8 @@ void DecideView::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange) {
     follow_palette();
     refresh();
+  } else if (event->type() == QEvent::FontChange) {
+    refresh();
   }
 }
 
@@ -492,6 +494,8 @@ void DecideView::show_help() {
     gain->setWordWrap(false);
     gain->setText(TimeTexts::change(change.cycle_time - report.use.cycle_time));
     auto* button = new QPushButton(tr("Try"), this);
+    constexpr int around_text = 24;
+    button->setFixedWidth(fontMetrics().horizontalAdvance(button->text()) + type_pixels(around_text));
     button->setToolTip(tr("Make a run with this change"));
     button->setAccessibleName(tr("Try: %1").arg(text->text()));
     connect(button, &QPushButton::clicked, this, [this, remedy = change.remedy] { try_change(remedy); });
