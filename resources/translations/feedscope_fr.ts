@@ -13927,8 +13927,8 @@ Ensemble&#xa0;: %4</translation>
         <translation>Changement</translation>
     </message>
     <message>
-        <source>Cycle time</source>
-        <translation>Temps de cycle</translation>
+        <source>Time</source>
+        <translation>Temps</translation>
     </message>
     <message>
         <source>Total</source>
@@ -15177,8 +15177,8 @@ Ensemble&#xa0;: %4</translation>
         <translation>Ralentissement précédent</translation>
     </message>
     <message>
-        <source>%1 s of %2 s lost against the programmed feed, in %3 places</source>
-        <translation>%1&#xa0;s sur %2&#xa0;s perdues par rapport à l’avance programmée, en %3 endroits</translation>
+        <source>%1 of %2 lost against the programmed feed, in %3 places</source>
+        <translation>%1 sur %2 de perdu par rapport à l’avance programmée, en %3 endroits</translation>
     </message>
     <message>
         <source>Go to the next listed place that loses time</source>

@@ -20,7 +20,7 @@ QString ranges_text(const Bounds& bounds) {
   const QLocale locale;
   const int digits = unit_system() == UnitSystem::metric ? 7 : 5;
   const auto number = [&](double value) {
-    return locale.toString(in_shown_unit(value, Dimension::length), 'g', digits);
+    return locale.toString(in_shown_unit(value, Dimension::length), 'g', digits).replace('-', QChar(0x2212));
   };
   QStringList ranges;
   for (int axis = 0; axis < 3; ++axis) {

@@ -187,7 +187,7 @@ QString RunTable::text(std::size_t row, int column) const {
   const Setup& file = item.setup.file();
   switch (column) {
     case name:
-      return runs_.title(item);
+      return runs_.items().size() > 1 ? run_letter(row) + ' ' + runs_.title(item) : runs_.title(item);
     case machine:
       return QString::fromStdString(file.machine.name);
     case model:

@@ -36,8 +36,9 @@ QSize WrappedNames::sizeHint(const QStyleOptionViewItem& option, const QModelInd
   const int room = std::max(1, tree_.columnWidth(column_) - inset - 2 * margin);
   const QFontMetrics metrics(item.font);
   const int needed = metrics.boundingRect(0, 0, room, 0, Qt::TextWordWrap, item.text).height();
+  const int apart = needed > metrics.height() ? metrics.height() / 3 : 0;  // of the lines of other rows
   QSize size = QStyledItemDelegate::sizeHint(option, index);
-  size.setHeight(size.height() - metrics.height() +
+  size.setHeight(size.height() - metrics.height() + apart +
                  std::clamp(needed, metrics.height(), most_lines * metrics.height()));
   return size;
 }

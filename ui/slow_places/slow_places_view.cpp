@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "ui/fields/focus_outline.h"
+#include "ui/language/texts.h"
 #include "ui/shared/panel_action.h"
 #include "ui/shared/row_copy.h"
 #include "ui/workbench/workbench.h"
@@ -55,6 +56,7 @@ SlowPlacesView::SlowPlacesView(QWidget* parent)
 
   auto* bar = new QHBoxLayout;
   bar->setContentsMargins(4, 4, 4, 4);
+  bar->setSpacing(8);
   bar->addWidget(most_);
   bar->addWidget(sum_, 1);
   auto* layout = new QVBoxLayout(this);
@@ -104,11 +106,9 @@ void SlowPlacesView::say_sum() {
     sum_->clear();
     return;
   }
-  const QLocale locale;
-  sum_->setText(tr("%1 s of %2 s lost against the programmed feed, in %3 places")
-                    .arg(locale.toString(model_->listed_loss(), 'f', 3),
-                         locale.toString(places->loss, 'f', 3),
-                         locale.toString(static_cast<qulonglong>(places->count))));
+  sum_->setText(tr("%1 of %2 lost against the programmed feed, in %3 places")
+                    .arg(clock_text(model_->listed_loss()), clock_text(places->loss),
+                         QLocale().toString(static_cast<qulonglong>(places->count))));
   sum_->setToolTip(sum_->text());
 }
 

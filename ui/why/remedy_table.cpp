@@ -165,7 +165,7 @@ QVariant RemedyTable::headerData(int section, Qt::Orientation orientation, int r
     case change:
       return tr("Change");
     case cycle_time:
-      return tr("Cycle time");
+      return tr("Time");
     case gain:
       return tr("Total");
     default:
