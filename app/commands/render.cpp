@@ -271,6 +271,9 @@ std::string picture_file(ui::ReportInput& input, const RenderOptions& options,
 
 /// The parts of a run that the picture or the film needs.
 ui::ShownParts parts_of(const RenderOptions& options) {
+  if (options.place) {
+    return {};  // which run is recommended depends on its summary
+  }
   const View view = views.at(options.view);
   const bool sheet = view == View::sheet || options.film.asked();
   const bool lens = !options.lens.empty();

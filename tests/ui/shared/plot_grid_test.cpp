@@ -24,11 +24,11 @@ TEST(TimeTicks, HaveNoDecimalsThatAreAllNought) {
 }
 
 TEST(TimeTicks, AScaleHasOneUnit) {
-  const Ticks minutes = round_ticks(0, 160, 8);
+  const Ticks minutes = round_ticks(0, 160, 9);
   EXPECT_EQ(time_tick_text(minutes, 0), "0");
   EXPECT_EQ(time_tick_text(minutes, 1), "0:20") << "not 20 next to 1:00";
   EXPECT_EQ(time_scale_title("Time", minutes), "Time");
-  const Ticks seconds = round_ticks(0, 50, 5);
+  const Ticks seconds = round_ticks(0, 50, 6);
   EXPECT_EQ(time_tick_text(seconds, 1), "10");
   EXPECT_EQ(time_scale_title("Time", seconds), "Time [s]");
 }
