@@ -2,7 +2,9 @@
 
 #include <QObject>
 #include <QString>
+#include <map>
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "core/lessons/lesson_runs.h"
@@ -20,6 +22,12 @@ struct LessonEntry {
   QString learn;  ///< what one learns
   double minutes = 0;
   bool half_day = false;  ///< of the course of half a day; all are of that of two days
+};
+
+/// What covers or shows runs before a prediction is written down, by ids of lessons; not kept in a session.
+struct LessonCovers {
+  std::map<std::string, QString> drafts;  ///< predictions that are typed and not written down yet
+  std::set<std::string> revealed;         ///< their runs are shown without a prediction
 };
 
 /// The lesson that is worked on in the window: its texts with the numbers measured, the question one is at,
@@ -51,11 +59,17 @@ class LessonDesk : public QObject {
   QString prediction() const;
   /// Writes it down, once, and sets up the window.
   void predict(const QString& text);
-  /// The same without a prediction, until another lesson is opened.
+  /// What is typed of it, to be there again when the lesson is; not when it is written down.
+  QString draft() const;
+  void set_draft(const QString& text);
+  /// The same without a prediction.
   void reveal();
   /// Whether lessons show their run without a prediction: the choice of a teacher.
   bool unlocked() const { return unlocked_; }
   void unlock(bool on);
+  /// For another window on the same workbench.
+  const LessonCovers& covers() const { return covers_; }
+  void set_covers(LessonCovers covers) { covers_ = std::move(covers); }
   /// Program, runs and settings that the lesson begins with, instead of those in the window; view_wanted()
   /// follows with the first result. Not while it awaits_prediction().
   void set_up_window();
@@ -135,7 +149,7 @@ class LessonDesk : public QObject {
   bool view_pending_ = false;
   bool set_up_pending_ = false;
   bool unlocked_ = false;
-  bool revealed_ = false;  ///< the open lesson, without a prediction
+  LessonCovers covers_;
   Job<Catalogue> listing_;
   Job<std::shared_ptr<const OpenLesson>> opening_;
   LessonWork work_;

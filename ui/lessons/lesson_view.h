@@ -50,7 +50,7 @@ class LessonView : public Panel {
   /// Writes the prediction down and shows the run.
   QPushButton& predict_button() { return *predict_; }
   /// The next or the previous step of the lesson before a class: the run without a prediction, then each
-  /// question and its answer.
+  /// question and its answer; a text that goes on below is read to its end first.
   void step(bool forward);
   /// The answer of the lesson, while it is shown.
   QTextBrowser& expected() { return *expected_; }
