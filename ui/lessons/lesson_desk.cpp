@@ -7,7 +7,9 @@
 
 #include "core/base/error.h"
 #include "ui/language/failure_text.h"
+#include "ui/language/texts.h"
 #include "ui/lessons/lesson_tries.h"
+#include "ui/lessons/tries_table.h"
 
 namespace feedscope::ui {
 
@@ -148,7 +150,6 @@ void LessonDesk::take(const std::shared_ptr<const OpenLesson>& lesson) {
   }
   question_ = 0;
   view_pending_ = false;
-  revealed_ = false;
   emit opened();
   emit question_changed();
   emit cover_changed();
@@ -163,8 +164,8 @@ void LessonDesk::take(const std::shared_ptr<const OpenLesson>& lesson) {
 }
 
 bool LessonDesk::awaits_prediction() const {
-  return open_ != nullptr && !open_->lesson.predict.empty() && !unlocked_ && !revealed_ &&
-         prediction().isEmpty();
+  return open_ != nullptr && !open_->lesson.predict.empty() && !unlocked_ &&
+         !covers_.revealed.contains(open_->lesson.id) && prediction().isEmpty();
 }
 
 QString LessonDesk::prediction() const {
@@ -177,14 +178,26 @@ void LessonDesk::predict(const QString& text) {
     return;
   }
   work_[{open_->lesson.id, ui::prediction}].answer = text.trimmed();
+  covers_.drafts.erase(open_->lesson.id);
   emit work_changed();
   emit cover_changed();
   set_up_window();
 }
 
+QString LessonDesk::draft() const {
+  const auto found = open_ == nullptr ? covers_.drafts.end() : covers_.drafts.find(open_->lesson.id);
+  return found == covers_.drafts.end() ? QString() : found->second;
+}
+
+void LessonDesk::set_draft(const QString& text) {
+  if (awaits_prediction()) {
+    covers_.drafts[open_->lesson.id] = text;
+  }
+}
+
 void LessonDesk::reveal() {
   if (awaits_prediction()) {
-    revealed_ = true;
+    covers_.revealed.insert(open_->lesson.id);
     emit cover_changed();
     set_up_window();
   }
@@ -244,7 +257,8 @@ void LessonDesk::move_control(const std::string& value) {
     program_ = moved.program;
     RunList& runs = workbench_.runs();
     if (moved.program == workbench_.file()) {
-      runs.set_setup(runs.current(), state_of(moved), QString::fromStdString(changes.back()));
+      runs.set_setup(runs.current(), state_of(moved),
+                     setting_title(question.control.key) + QLatin1Char(' ') + control_value_text(value));
       workbench_.hold_machine();
     } else {
       std::vector<RunItem> all = runs.items();

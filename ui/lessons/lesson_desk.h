@@ -2,7 +2,9 @@
 
 #include <QObject>
 #include <QString>
+#include <map>
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "core/lessons/lesson_runs.h"
@@ -22,8 +24,14 @@ struct LessonEntry {
   bool half_day = false;  ///< in the course of half a day; all lessons are in that of two days
 };
 
-/// The open lesson: its texts with the measured numbers, the current question, and its measurement on the
-/// current run. Reading, simulating and measuring run on other threads.
+/// What covers or shows runs before a prediction is written down, by ids of lessons; not kept in a session.
+struct LessonCovers {
+  std::map<std::string, QString> drafts;  ///< predictions that are typed and not written down yet
+  std::set<std::string> revealed;         ///< their runs are shown without a prediction
+};
+
+/// The lesson that is worked on in the window: its texts with the numbers measured, the question one is at,
+/// and what the current run measures of it. Reading, simulating and measuring run on other threads.
 class LessonDesk : public QObject {
   Q_OBJECT
 
@@ -50,13 +58,19 @@ class LessonDesk : public QObject {
   QString prediction() const;
   /// Stores the prediction, once, and sets up the window.
   void predict(const QString& text);
-  /// Uncovers the run without a prediction, until another lesson is opened.
+  /// What is typed of it, to be there again when the lesson is; not when it is written down.
+  QString draft() const;
+  void set_draft(const QString& text);
+  /// The same without a prediction.
   void reveal();
   /// Whether lessons show their run without a prediction; set by a teacher.
   bool unlocked() const { return unlocked_; }
   void unlock(bool on);
-  /// Replaces the contents of the window by the lesson's program, runs and settings; view_wanted() follows
-  /// with the first result. Not while it awaits_prediction().
+  /// For another window on the same workbench.
+  const LessonCovers& covers() const { return covers_; }
+  void set_covers(LessonCovers covers) { covers_ = std::move(covers); }
+  /// Program, runs and settings that the lesson begins with, instead of those in the window; view_wanted()
+  /// follows with the first result. Not while it awaits_prediction().
   void set_up_window();
   /// Cancels view_wanted(), because the window will show something else.
   void leave_window() { view_pending_ = false; }
@@ -134,7 +148,7 @@ class LessonDesk : public QObject {
   bool view_pending_ = false;
   bool set_up_pending_ = false;
   bool unlocked_ = false;
-  bool revealed_ = false;  ///< whether the open lesson is shown without a prediction
+  LessonCovers covers_;
   Job<Catalogue> listing_;
   Job<std::shared_ptr<const OpenLesson>> opening_;
   LessonWork work_;

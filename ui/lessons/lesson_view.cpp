@@ -11,6 +11,7 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QStackedWidget>
@@ -138,8 +139,10 @@ LessonView::LessonView(LessonDesk& desk, QWidget* parent)
   });
   connect(own_answer_, &QPlainTextEdit::textChanged, this,
           [this] { desk_.set_answer(own_answer_->toPlainText()); });
-  connect(own_prediction_, &QPlainTextEdit::textChanged, this,
-          [this] { predict_->setEnabled(!own_prediction_->toPlainText().trimmed().isEmpty()); });
+  connect(own_prediction_, &QPlainTextEdit::textChanged, this, [this] {
+    desk_.set_draft(own_prediction_->toPlainText());
+    predict_->setEnabled(!own_prediction_->toPlainText().trimmed().isEmpty());
+  });
   connect(predict_, &QPushButton::clicked, this, [this] { desk_.predict(own_prediction_->toPlainText()); });
   connect(&desk_, &LessonDesk::cover_changed, this, &LessonView::show_cover);
   connect(&desk_, &LessonDesk::listed, this, &LessonView::show_list);
@@ -400,7 +403,9 @@ void LessonView::show_lesson() {
   const bool open = desk_.lesson() != nullptr;
   list_action_->setEnabled(open);
   pages_->setCurrentIndex(open ? 1 : 0);
-  own_prediction_->clear();
+  if (own_prediction_->toPlainText() != desk_.draft()) {
+    own_prediction_->setPlainText(desk_.draft());
+  }
   show_cover();
 }
 
@@ -441,7 +446,11 @@ void LessonView::step(bool forward) {
   if (lesson == nullptr) {
     return;
   }
-  if (desk_.awaits_prediction()) {
+  const bool covered = desk_.awaits_prediction();
+  QScrollBar& bar = *(covered ? text_->verticalScrollBar() : work_->verticalScrollBar());
+  if (forward && (covered || answer_action_->isChecked()) && bar.value() < bar.maximum()) {
+    bar.triggerAction(QAbstractSlider::SliderPageStepAdd);  // a class reads it to its end first
+  } else if (covered) {
     if (forward) {
       desk_.reveal();
     }
@@ -500,8 +509,13 @@ void LessonView::show_expected() {
   for (int turn = 0; turn < 2; ++turn) {
     QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
   }
-  const int bottom = expected_->geometry().bottom();
-  work_->ensureVisible(0, bottom, 0, std::min(expected_->height(), work_->viewport()->height() / 2));
+  const QRect shown = expected_->geometry();
+  const int room = work_->viewport()->height();
+  if (shown.height() > room) {
+    work_->verticalScrollBar()->setValue(shown.top());
+  } else {
+    work_->ensureVisible(0, shown.bottom(), 0, std::min(shown.height(), room / 2));
+  }
 }
 
 void LessonView::show_control() {

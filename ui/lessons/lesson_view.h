@@ -48,8 +48,8 @@ class LessonView : public Panel {
   QPlainTextEdit& own_prediction() { return *own_prediction_; }
   /// Stores the prediction and shows the run.
   QPushButton& predict_button() { return *predict_; }
-  /// Next or previous step of the lesson before a class: the run without a prediction, then each question and
-  /// its answer.
+  /// The next or the previous step of the lesson before a class: the run without a prediction, then each
+  /// question and its answer; a text that goes on below is read to its end first.
   void step(bool forward);
   /// The lesson's answer, while it is shown.
   QTextBrowser& expected() { return *expected_; }

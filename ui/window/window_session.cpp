@@ -167,6 +167,10 @@ void WindowSession::show_layout(const Session& session) {
   }
 }
 
+WindowSession::Kept WindowSession::hand_over() const {
+  return {view(), file_, saved_, start_, on_disk_, saved_answers_, desk().covers(), aside_};
+}
+
 void WindowSession::take_over(const Kept& kept) {
   file_ = kept.file;
   saved_ = kept.saved;
@@ -177,6 +181,7 @@ void WindowSession::take_over(const Kept& kept) {
   show_layout(kept.view);
   window_.part<LoadView>().set_setup(kept.view.load);
   desk().unlock(kept.view.lessons_unlocked);
+  desk().set_covers(kept.covers);
   desk().set_all_work(kept.view.lessons);
   saved_answers_ = kept.answers;
   window_.part<IdentificationView>().set_state(kept.view.identification);

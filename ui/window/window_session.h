@@ -7,12 +7,12 @@
 #include <memory>
 #include <optional>
 
+#include "ui/lessons/lesson_desk.h"
 #include "ui/session/autosave.h"
 #include "ui/session/session_file.h"
 
 namespace feedscope::ui {
 
-class LessonDesk;
 class MainWindow;
 class Workbench;
 
@@ -64,10 +64,11 @@ class WindowSession : public QObject {
     QByteArray saved;
     QByteArray start;
     QByteArray on_disk;
-    LessonAnswers answers;               ///< saved ones
-    std::shared_ptr<const Aside> aside;  ///< null: none
+    LessonAnswers answers;  ///< that are saved
+    LessonCovers covers;
+    std::shared_ptr<const Aside> aside;  ///< null: nothing
   };
-  Kept hand_over() const { return {view(), file_, saved_, start_, on_disk_, saved_answers_, aside_}; }
+  Kept hand_over() const;
   void take_over(const Kept& kept);
 
   /// Makes a backup now, and again after each `pause`. An unwritable folder is reported once.

@@ -47,7 +47,8 @@ TEST_F(LessonDeskTest, ListsTheShippedLessons) {
 
 TEST_F(LessonDeskTest, OpensALessonWithItsNumbersAndLeavesTheWindow) {
   open("8");
-  EXPECT_THAT(desk.filled(desk.lesson()->text).toStdString(), HasSubstr("four full circles of 2.5 mm"));
+  EXPECT_THAT(desk.filled(desk.lesson()->text).toStdString(),
+              HasSubstr("four full circles of radius 2.5 mm"));
   EXPECT_EQ(model.program(), nullptr);
   EXPECT_EQ(desk.value(), "");
 }
@@ -179,11 +180,40 @@ TEST_F(LessonDeskTest, ATeacherShowsTheRunOfOneLessonOrOfAllWithoutAPrediction) 
   desk.open(find_lesson("12"), true);
   ASSERT_TRUE(opened.wait(patience));
   EXPECT_TRUE(desk.awaits_prediction()) << "that was one lesson";
+  desk.open(find_lesson("6"), true);
+  ASSERT_TRUE(opened.wait(patience));
+  EXPECT_FALSE(desk.awaits_prediction()) << "it stays shown";
+  desk.open(find_lesson("12"), true);
+  ASSERT_TRUE(opened.wait(patience));
   desk.unlock(true);
   EXPECT_FALSE(desk.awaits_prediction());
   desk.set_up_window();
   wait_for("2.115 s");
   EXPECT_TRUE(desk.answers().empty());
+}
+
+TEST_F(LessonDeskTest, APredictionThatIsNotWrittenDownYetIsThereAgainWithItsLesson) {
+  desk.unlock(false);
+  const auto open_again = [&](LessonDesk& in, const char* number) {
+    QSignalSpy again(&in, &LessonDesk::opened);
+    in.open(find_lesson(number));
+    ASSERT_TRUE(again.wait(patience));
+  };
+  open_again(desk, "6");
+  desk.set_draft("3 m/m");
+  open_again(desk, "12");
+  EXPECT_EQ(desk.draft(), "");
+  open_again(desk, "6");
+  EXPECT_EQ(desk.draft(), "3 m/m");
+  EXPECT_TRUE(desk.awaits_prediction());
+  EXPECT_TRUE(desk.answers().empty());
+
+  LessonDesk french(model, "fr");
+  french.set_covers(desk.covers());
+  open_again(french, "6");
+  EXPECT_EQ(french.draft(), "3 m/m") << "the window in another language";
+  french.predict("3 m/min");
+  EXPECT_EQ(french.draft(), "");
 }
 
 TEST_F(LessonDeskTest, WorkOnALessonIsForItsSheet) {

@@ -9,6 +9,7 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTest>
 #include <QTextBrowser>
@@ -79,7 +80,7 @@ TEST_F(LessonViewTest, TheListTakesThePanelUntilALessonIsChosen) {
   EXPECT_THAT(text, HasSubstr("Before you look"));
   EXPECT_THAT(text, HasSubstr("On my control"));
   EXPECT_THAT(text, Not(HasSubstr("**")));
-  EXPECT_THAT(question(), HasSubstr("Which feed do the circles of 2.5 mm reach"));
+  EXPECT_THAT(question(), HasSubstr("Which feed do the circles of radius 2.5 mm reach"));
   view.panel_actions()[5]->trigger();
   EXPECT_TRUE(view.shows_list()) << "and back";
 }
@@ -105,6 +106,10 @@ TEST_F(LessonViewTest, TheFieldForThePredictionIsInPlaceOfTheQuestions) {
   EXPECT_FALSE(view.panel_actions()[4]->isEnabled()) << "the answer";
   EXPECT_FALSE(view.predict_button().isEnabled()) << "nothing is written";
   QTest::keyClicks(&view.own_prediction(), "3 < 6 m/min");
+  choose_lesson(12);
+  EXPECT_EQ(view.own_prediction().toPlainText(), "");
+  choose_lesson(6);
+  EXPECT_EQ(view.own_prediction().toPlainText(), "3 < 6 m/min");
   click(&view.predict_button());
   wait_for("3000 mm/min");
   EXPECT_FALSE(view.own_prediction().isVisible());
@@ -121,8 +126,26 @@ TEST_F(LessonViewTest, ATeacherShowsTheRunByOneCommand) {
   EXPECT_TRUE(view.question().isVisible());
 }
 
+TEST_F(LessonViewTest, AStepReadsATextToItsEndFirst) {
+  desk.unlock(false);
+  view.resize(360, 420);
+  choose_lesson(6);
+  QScrollBar& bar = *view.text().verticalScrollBar();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return bar.maximum() > 0; }, patience));
+  view.step(true);
+  EXPECT_TRUE(desk.awaits_prediction());
+  EXPECT_GT(bar.value(), 0);
+  for (int i = 0; i < 20 && bar.value() < bar.maximum(); ++i) {
+    view.step(true);
+  }
+  EXPECT_TRUE(desk.awaits_prediction());
+  view.step(true);
+  EXPECT_FALSE(desk.awaits_prediction());
+}
+
 TEST_F(LessonViewTest, StepsGoThroughRunQuestionsAndAnswers) {
   desk.unlock(false);
+  view.resize(360, 2400);  // room for all texts
   choose_lesson(6);
   view.step(false);
   EXPECT_TRUE(desk.awaits_prediction());

@@ -233,11 +233,11 @@ export class Charts {
     });
   }
 
-  /** Paler where there are several nodes a pixel, which fill the plot. */
-  inkOf() {
+  /** A colour, paler where there are several nodes a pixel, which fill the plot. */
+  inkOf(colour) {
     const { run, axis, range, width } = this;
     const nodes = firstAtLeast(run[axis], range[1]) - lastAtMost(run[axis], range[0]);
-    return nodes > 3 * width ? `${run.colour}a6` : run.colour;
+    return nodes > 3 * width ? `${colour}a6` : colour;
   }
 
   make() {
@@ -250,9 +250,9 @@ export class Charts {
       const ofAxis = (name) => {
         const ink = () => themeColour(this.host, `--axis-${name.toLowerCase()}`);
         const limit = { ...line(ink, 1), dash: [6, 4] };
-        return [limit, limit, line(ink, 1.25)];
+        return [limit, limit, line(() => this.inkOf(ink()), 1.25)];
       };
-      const series = [{}, ...asked, ...(plot.axes?.flatMap(ofAxis) ?? [line(() => this.inkOf(), 1.25)])];
+      const series = [{}, ...asked, ...(plot.axes?.flatMap(ofAxis) ?? [line(() => this.inkOf(this.run.colour), 1.25)])];
       const axis = {
         stroke: muted,
         grid: { stroke: grid, width: 1 },
