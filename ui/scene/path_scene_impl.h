@@ -4,11 +4,15 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
+#include <algorithm>
 #include <array>
 #include <functional>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "ui/scene/camera/fit_outline.h"
 #include "ui/scene/draw/axes_box.h"
 #include "ui/scene/draw/axes_cube.h"
 #include "ui/scene/draw/captions.h"
@@ -20,6 +24,7 @@
 #include "ui/scene/path/shown_extent.h"
 #include "ui/scene/path_scene.h"
 #include "ui/scene/render_callback.h"
+#include "ui/scene/render_window.h"
 #include "ui/scene/window_layers.h"
 
 namespace feedscope::ui {
@@ -155,13 +160,17 @@ class PathScene::Impl : public ScenePaths {
 
   /// Before each frame: follows the window's size and draws what depends on the camera.
   void prepare() {
-    layers.place(frame, projection(), scale, moving);  // says what the legend needs
+    Projection view = projection();
+    const ViewMotion motion = !moving                             ? ViewMotion::none
+                              : draws_in_software(stage.window()) ? ViewMotion::in_software
+                                                                  : ViewMotion::on_gpu;
+    layers.place(frame, view, scale, motion);  // says what the legend needs
     if (camera.fitted() && fitted_in != fitted_window()) {
       fit_now();
+      view = projection();
+      layers.place(frame, view, scale, motion);
     }
-    const Projection view = projection();
     const std::optional<Vec3> tip = cursor ? std::optional(frame.to_scene(*cursor)) : std::nullopt;
-    layers.place(frame, view, scale, moving);
     tool_drawn.place(tip, tool_direction(cursor_at), view, frame, scale);
     constexpr double lifted = 40;  // pixels at most, of the path's layers
     camera.set_clipping(lifted * scale / view.scale + beyond, beyond);

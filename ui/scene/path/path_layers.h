@@ -43,6 +43,9 @@ struct PathLook {
       scale_with;  ///< a path coloured by the same scale, elsewhere; may be null
 };
 
+/// Whether the view moves, and who draws it then.
+enum class ViewMotion { none, on_gpu, in_software };
+
 /// The lines of a run: rapids dashed and pale under all others, and none where they would cover the picture,
 /// programmed path thin, executed path coloured, blends wide with an edge, other runs thin unless the colours
 /// compare with one, a range of time underlaid. Of the executed path a stretch may be drawn in full, the rest
@@ -50,7 +53,8 @@ struct PathLook {
 ///
 /// Where lines would cover the picture, they are drawn thinner; where the edges of blends would cover the
 /// path, the edges are omitted. Zooming in brings both back. Paths of many points are drawn without what is
-/// smaller than a pixel, and coarser while the view moves.
+/// smaller than a pixel, and coarser while the view moves; in software with thin lines then, too: each wide
+/// one takes several times as long.
 class PathLayers {
  public:
   /// `below`: of a layer of the window below that of `renderer`, with the same camera: there a range and what
@@ -70,7 +74,7 @@ class PathLayers {
   /// Behind the tool, in the colour of what is highlighted.
   PathTrail& trail() { return trail_; }
   /// Before each frame. `scale`: size of text and lines.
-  void place(const SceneFrame& frame, const Projection& view, double scale, bool moving);
+  void place(const SceneFrame& frame, const Projection& view, double scale, ViewMotion motion);
 
   /// Whether rapids are drawn in a view.
   bool shows_rapids(const Projection& view, double scale) const;
