@@ -95,17 +95,23 @@ class PathScene::Impl : public ScenePaths {
   }
 
   void rebuild() {
+    const std::array paths{shown_programmed(), shown_executed()};
+    const bool others = std::exchange(framed, paths) != paths;
     const bool fitted = camera.fitted();
     const CameraState state = camera.state(frame);
-    const ShownExtent extent = shown_extent({shown_programmed(), shown_executed()});
-    near = extent.fitted;
-    frame = frame_around(extent.fitted);
-    beyond = extent.beyond() / frame.unit;
-    layers.show(shown_programmed(), shown_executed(), shown_overlays(colours(), texts), frame);
+    if (others) {
+      const ShownExtent extent = shown_extent({paths[0], paths[1]});
+      near = extent.fitted;
+      frame = frame_around(extent.fitted);
+      beyond = extent.beyond() / frame.unit;
+    }
+    layers.show(paths[0], paths[1], shown_overlays(colours(), texts), frame);
     apply_stretch();
-    camera.set_state(state, frame);
-    if (fitted) {
-      fit_now();
+    if (others) {
+      camera.set_state(state, frame);
+      if (fitted) {
+        fit_now();
+      }
     }
     changed();
   }
@@ -122,6 +128,18 @@ class PathScene::Impl : public ScenePaths {
   void fit_to(std::vector<Vec3> points) {
     for (Vec3& point : points) {
       point = frame.to_scene(point);
+    }
+    if (!camera.perspective()) {  // then what is within the outline stays there, however it is fitted
+      const Projection view = projection();
+      std::vector<Vec2> seen(points.size());
+      std::ranges::transform(points, seen.begin(), [&](const Vec3& point) {
+        return Vec2(point.dot(view.right), point.dot(view.up));
+      });
+      seen = convex_hull(std::move(seen));
+      points.resize(seen.size());
+      std::ranges::transform(seen, points.begin(), [&](const Vec2& corner) -> Vec3 {
+        return corner.x() * view.right + corner.y() * view.up;
+      });
     }
     camera.fit(stage.width(), stage.height(), room(), covered(), [&](const Projection& view) {
       std::vector<Vec2> outline;
@@ -209,6 +227,7 @@ class PathScene::Impl : public ScenePaths {
   SceneFrame frame = frame_around({});
   double beyond = 0;  ///< how far outside the frame's box rapids may be [scene units]
   Bounds near;        ///< what a fit looks at [mm]
+  std::array<std::shared_ptr<const SampledPath>, 2> framed;  ///< what `frame` is around
   bool axes = false;
   bool legend = true;
   bool cube_shown = false;
