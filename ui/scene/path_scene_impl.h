@@ -4,11 +4,15 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
+#include <algorithm>
 #include <array>
 #include <functional>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "ui/scene/camera/fit_outline.h"
 #include "ui/scene/draw/axes_box.h"
 #include "ui/scene/draw/axes_cube.h"
 #include "ui/scene/draw/captions.h"
@@ -20,6 +24,7 @@
 #include "ui/scene/path/shown_extent.h"
 #include "ui/scene/path_scene.h"
 #include "ui/scene/render_callback.h"
+#include "ui/scene/render_window.h"
 #include "ui/scene/window_layers.h"
 
 namespace feedscope::ui {
@@ -95,17 +100,23 @@ class PathScene::Impl : public ScenePaths {
   }
 
   void rebuild() {
+    const std::array paths{shown_programmed(), shown_executed()};
+    const bool others = std::exchange(framed, paths) != paths;
     const bool fitted = camera.fitted();
     const CameraState state = camera.state(frame);
-    const ShownExtent extent = shown_extent({shown_programmed(), shown_executed()});
-    near = extent.fitted;
-    frame = frame_around(extent.fitted);
-    beyond = extent.beyond() / frame.unit;
-    layers.show(shown_programmed(), shown_executed(), shown_overlays(colours(), texts), frame);
+    if (others) {
+      const ShownExtent extent = shown_extent({paths[0], paths[1]});
+      near = extent.fitted;
+      frame = frame_around(extent.fitted);
+      beyond = extent.beyond() / frame.unit;
+    }
+    layers.show(paths[0], paths[1], shown_overlays(colours(), texts), frame);
     apply_stretch();
-    camera.set_state(state, frame);
-    if (fitted) {
-      fit_now();
+    if (others) {
+      camera.set_state(state, frame);
+      if (fitted) {
+        fit_now();
+      }
     }
     changed();
   }
@@ -147,6 +158,18 @@ class PathScene::Impl : public ScenePaths {
     for (Vec3& point : points) {
       point = frame.to_scene(point);
     }
+    if (!camera.perspective()) {  // then what is within the outline stays there, however it is fitted
+      const Projection view = projection();
+      std::vector<Vec2> seen(points.size());
+      std::ranges::transform(points, seen.begin(), [&](const Vec3& point) {
+        return Vec2(point.dot(view.right), point.dot(view.up));
+      });
+      seen = convex_hull(std::move(seen));
+      points.resize(seen.size());
+      std::ranges::transform(seen, points.begin(), [&](const Vec2& corner) -> Vec3 {
+        return corner.x() * view.right + corner.y() * view.up;
+      });
+    }
     camera.fit(stage.width(), stage.height(), room(), covered(), [&](const Projection& view) {
       std::vector<Vec2> outline;
       if (axes) {
@@ -184,13 +207,17 @@ class PathScene::Impl : public ScenePaths {
 
   /// Before each frame: follows the window's size and draws the parts that depend on the camera.
   void prepare() {
-    layers.place(frame, projection(), scale, moving);  // determines the contents of the legend
+    Projection view = projection();
+    const ViewMotion motion = !moving                             ? ViewMotion::none
+                              : draws_in_software(stage.window()) ? ViewMotion::in_software
+                                                                  : ViewMotion::on_gpu;
+    layers.place(frame, view, scale, motion);  // says what the legend needs
     if (camera.fitted() && fitted_in != fitted_window()) {
       fit_now();
+      view = projection();
+      layers.place(frame, view, scale, motion);
     }
-    const Projection view = projection();
     const std::optional<Vec3> tip = cursor ? std::optional(frame.to_scene(*cursor)) : std::nullopt;
-    layers.place(frame, view, scale, moving);
     tool_drawn.place(tip, tool_direction(cursor_at), view, frame, scale);
     constexpr double lifted = 40;  // pixels at most, of the path's layers
     camera.set_clipping(lifted * scale / view.scale + beyond, beyond);
@@ -227,8 +254,9 @@ class PathScene::Impl : public ScenePaths {
   PathLook look;
   SceneTexts texts;
   SceneFrame frame = frame_around({});
-  double beyond = 0;  ///< extent of rapids outside the frame's box [scene units]
-  Bounds near;        ///< extent of a fit [mm]
+  double beyond = 0;  ///< how far outside the frame's box rapids may be [scene units]
+  Bounds near;        ///< what a fit looks at [mm]
+  std::array<std::shared_ptr<const SampledPath>, 2> framed;  ///< what `frame` is around
   bool axes = false;
   bool legend = true;
   bool cube_shown = false;

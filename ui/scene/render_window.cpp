@@ -1,5 +1,10 @@
 #include "ui/scene/render_window.h"
 
+#include <vtkNew.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <cstddef>
+#include <cstring>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -38,10 +43,25 @@ vtkSmartPointer<vtkGenericOpenGLRenderWindow> make_render_window(RenderBackend b
   return window;
 }
 
+bool draws_in_software(const vtkRenderWindow* window) {
+  const auto* shown = dynamic_cast<const GlRenderWindow*>(window);
+  return shown != nullptr && shown->draws_in_software();
+}
+
 void set_rough_edges(vtkRenderWindow* window, bool rough) {
-  const auto* gpu = dynamic_cast<const GlRenderWindow*>(window);
-  if (window != nullptr && (gpu == nullptr || gpu->draws_in_software())) {
+  if (draws_in_software(window)) {
     window->SetMultiSamples(rough ? 0 : samples_in_software);
+  }
+}
+
+void read_frame(vtkRenderWindow& window, const std::function<unsigned char*(int y)>& row_at) {
+  const int width = window.GetSize()[0];
+  const int height = window.GetSize()[1];
+  const vtkNew<vtkUnsignedCharArray> pixels;
+  window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, pixels);  // as Mesa has them
+  const auto row = static_cast<std::size_t>(width) * 4;
+  for (int y = 0; y < height; ++y) {
+    std::memcpy(row_at(height - 1 - y), pixels->GetPointer(0) + static_cast<std::size_t>(y) * row, row);
   }
 }
 

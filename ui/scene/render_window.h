@@ -3,6 +3,7 @@
 #include <vtkSmartPointer.h>
 
 #include <cstdint>
+#include <functional>
 
 class vtkGenericOpenGLRenderWindow;
 class vtkRenderWindow;
@@ -20,8 +21,15 @@ enum class RenderBackend : std::uint8_t {
 /// InputError if there is no OpenGL 3.2 without a display.
 vtkSmartPointer<vtkGenericOpenGLRenderWindow> make_render_window(RenderBackend backend);
 
-/// Whether `window` (of make_render_window; or none) may have jagged edges, which is several times as fast
-/// without a GPU; a GPU always smooths them. Applies from the next frame on.
+/// Whether the processor draws `window` (of make_render_window; or none); false before its first frame.
+bool draws_in_software(const vtkRenderWindow* window);
+
+/// Whether `window` may be drawn with jagged edges, several times as fast where the processor draws; a GPU
+/// smooths them always. Holds from the next frame on.
 void set_rough_edges(vtkRenderWindow* window, bool rough);
+
+/// Copies the last frame of `window`, 4 bytes a pixel (red, green, blue, alpha), its upper row first.
+/// `row_at`: where row `y` from above goes.
+void read_frame(vtkRenderWindow& window, const std::function<unsigned char*(int y)>& row_at);
 
 }  // namespace feedscope::ui

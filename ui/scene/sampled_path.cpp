@@ -74,10 +74,9 @@ SampledPath sample_programmed(const Toolpath& toolpath, std::size_t max_points) 
 
 namespace {
 
-constexpr std::size_t many_points = 100'000;  // with fewer, one level of detail is enough
-constexpr std::size_t quick_points = 25'000;  // drawn in software within a few hundredths of a second
+constexpr std::size_t quick_points = 10'000;  // drawn in software in a hundredth of a second
 constexpr double points_across = 16'000;      // along the largest extent, at the first level
-constexpr double coarsest_points_across = 100;
+constexpr double coarsest_points_across = 50;
 
 /// The points of `level` without those closer than `spacing` [mm] to the previously kept one and to the next.
 PathLevel thinned(const SampledPath& path, const PathLevel& level, double spacing) {
@@ -102,7 +101,7 @@ PathLevel thinned(const SampledPath& path, const PathLevel& level, double spacin
 
 std::vector<PathLevel> levels_of(const SampledPath& path) {
   std::vector<PathLevel> levels{{0, path.size(), {}}};
-  if (path.size() <= many_points) {
+  if (path.size() <= 2 * quick_points) {
     return levels;
   }
   const Bounds cut = cut_bounds(path);

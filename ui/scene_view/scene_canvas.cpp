@@ -3,13 +3,14 @@
 #include <vtkCallbackCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 #include <QPainter>
 #include <QSurfaceFormat>
 #include <cmath>
+
+#include "ui/scene/render_window.h"
 
 namespace feedscope::ui {
 namespace {
@@ -99,7 +100,7 @@ SoftwareCanvas::SoftwareCanvas(vtkGenericOpenGLRenderWindow& window, QWidget* pa
 }
 
 void SoftwareCanvas::request_frame() {
-  image_ = QImage();
+  drawn_ = false;
   update();
 }
 
@@ -113,18 +114,19 @@ void SoftwareCanvas::resizeEvent(QResizeEvent*) {
 }
 
 void SoftwareCanvas::paintEvent(QPaintEvent*) {
-  if (image_.isNull() || image_.size() != pixel_size()) {
+  if (!drawn_ || image_.size() != pixel_size()) {
     if (auto* other = QOpenGLContext::currentContext()) {
       other->doneCurrent();
     }
     window_.SetSize(pixel_size().width(), pixel_size().height());
     window_.Render();
-    const int* size = window_.GetSize();
-    const vtkNew<vtkUnsignedCharArray> pixel_data;
-    window_.GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixel_data, 0);
+    const QSize size(window_.GetSize()[0], window_.GetSize()[1]);
+    if (image_.size() != size) {
+      image_ = QImage(size, QImage::Format_RGBX8888);
+    }
+    read_frame(window_, [this](int y) { return image_.scanLine(y); });
     window_.ReleaseCurrent();
-    image_ =
-        QImage(pixel_data->GetPointer(0), size[0], size[1], size[0] * 3, QImage::Format_RGB888).mirrored();
+    drawn_ = true;
   }
   QPainter(this).drawImage(rect(), image_);
 }

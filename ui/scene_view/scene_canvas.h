@@ -44,7 +44,8 @@ class SoftwareCanvas : public QWidget {
   QSize pixel_size() const;
 
   vtkGenericOpenGLRenderWindow& window_;
-  QImage image_;  ///< null: draw again
+  QImage image_;
+  bool drawn_ = false;  ///< image_ is the scene as it is
 };
 
 }  // namespace feedscope::ui

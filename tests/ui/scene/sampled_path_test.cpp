@@ -393,7 +393,7 @@ TEST(Levels, HalveAtLeastAndKeepEndsAndTheBeginningsOfLongSpans) {
       ASSERT_LT(levels[level][k], levels[level][k + 1]);
     }
   }
-  EXPECT_LT(levels.back().size(), 25'000);
+  EXPECT_LT(levels.back().size(), 10'000);
 }
 
 /// A rapid from far away takes no points from the part while the view turns.
@@ -406,7 +406,7 @@ TEST(Levels, AreThoseOfWhatIsCut) {
   path.kinds.front() = SpanKind::rapid;
   const auto levels = levels_of(path);
   ASSERT_GE(levels.size(), 2U);
-  EXPECT_LE(levels.back().spacing, 1.0 / 100);
+  EXPECT_LE(levels.back().spacing, 1.0 / 50);
 }
 
 TEST(Boxes, HoldTheirSpans) {

@@ -33,8 +33,9 @@ constexpr double blend_edge_width = 7;
 constexpr double curve_edge_width = 6;
 constexpr double range_width = 12;
 
-constexpr double max_covered = 0.5;   // of the path, by edges of blends
-constexpr double dashes_across = 90;  // along the largest extent
+constexpr std::size_t few_wide_lines = 3000;  // drawn in software while the view moves
+constexpr double max_covered = 0.5;           // of the path by edges of blends
+constexpr double dashes_across = 90;          // along the largest extent
 
 bool is_cut(SpanKind kind) {
   return kind != SpanKind::rapid && kind != SpanKind::gap;
@@ -488,8 +489,9 @@ void PathLayers::update_parts(const SceneFrame& frame, const Projection& view, b
   }
 }
 
-void PathLayers::place(const SceneFrame& frame, const Projection& view, double scale, bool moving) {
-  constexpr double sparse = 0.15;  // of the picture covered, so that edges are distinct
+void PathLayers::place(const SceneFrame& frame, const Projection& view, double scale, ViewMotion motion) {
+  const bool moving = motion != ViewMotion::none;
+  constexpr double sparse = 0.15;  // of the picture covered, so that edges mark something
   constexpr double comfortable = 0.35;
   const auto covered = [&](double curve_width, double blend_width) {
     return crowding(frame, view,
@@ -533,7 +535,9 @@ void PathLayers::place(const SceneFrame& frame, const Projection& view, double s
     }
     vtkActor& actor = *layer.actors[level];
     const Style style = style_of(layer.role, thinner);
-    const auto pixels = static_cast<float>(std::max(1.0, style.width * scale));
+    const bool many = layer.path != nullptr && layer.path->samples().levels[level].size() > few_wide_lines;
+    const bool thin = motion == ViewMotion::in_software && many && layer.role != Role::range;
+    const auto pixels = static_cast<float>(thin ? 1.0 : std::max(1.0, style.width * scale));
     actor.GetProperty()->SetLineWidth(pixels);
     actor.GetProperty()->SetPointSize(pixels);
     const Projection::Lift lift = view.lift(style.height * std::max(scale / view.scale, 2e-6));

@@ -43,14 +43,18 @@ struct PathLook {
       scale_with;  ///< a path elsewhere with the same colour scale; may be null
 };
 
-/// The lines of a run: rapids dashed and pale under all others, and omitted where they would cover the
-/// picture; programmed path thin; executed path coloured; blends wide with an edge; other runs thin unless
-/// the colours compare with one; a highlighted range of time under the path. A part of the executed path may
-/// be drawn in full, the rest pale or not at all.
+/// Whether the view moves, and who draws it then.
+enum class ViewMotion { none, on_gpu, in_software };
+
+/// The lines of a run: rapids dashed and pale under all others, and none where they would cover the picture,
+/// programmed path thin, executed path coloured, blends wide with an edge, other runs thin unless the colours
+/// compare with one, a range of time underlaid. Of the executed path a stretch may be drawn in full, the rest
+/// pale or not at all.
 ///
-/// Where lines would cover the picture, they are thinner; where the edges of blends would cover the path,
-/// they are omitted. Zooming in restores both. Paths of many points are drawn without parts smaller than a
-/// pixel, and more coarsely while the view moves.
+/// Where lines would cover the picture, they are drawn thinner; where the edges of blends would cover the
+/// path, the edges are omitted. Zooming in brings both back. Paths of many points are drawn without what is
+/// smaller than a pixel, and coarser while the view moves; in software with thin lines then, too: each wide
+/// one takes several times as long.
 class PathLayers {
  public:
   /// `below`: of a layer under that of `renderer`, with the same camera: there highlighted ranges and pale
@@ -70,7 +74,7 @@ class PathLayers {
   /// The trail of the tool, in the colour of highlights.
   PathTrail& trail() { return trail_; }
   /// Before each frame. `scale`: size of text and lines.
-  void place(const SceneFrame& frame, const Projection& view, double scale, bool moving);
+  void place(const SceneFrame& frame, const Projection& view, double scale, ViewMotion motion);
 
   /// Whether rapids are drawn in a view.
   bool shows_rapids(const Projection& view, double scale) const;

@@ -1,5 +1,7 @@
 #include "ui/scene/path/shown_extent.h"
 
+#include <algorithm>
+
 namespace feedscope::ui {
 
 namespace {
@@ -52,14 +54,19 @@ ShownExtent shown_extent(std::initializer_list<std::shared_ptr<const SampledPath
 
 std::vector<Vec3> outline_points(std::initializer_list<std::shared_ptr<const SampledPath>> paths,
                                  const Bounds& near, bool rapids) {
+  constexpr std::size_t enough_points = 50'000;
   std::vector<Vec3> points;
   bool cuts = false;
   for (const auto& path : paths) {
     if (!path) {
       continue;
     }
-    const PathLevel level = path->levels.empty() ? PathLevel{0, path->size(), {}} : path->levels.back();
-    bool before = false;  // whether the span that ends here is cut
+    const PathLevel all{0, path->size(), {}};
+    const auto& levels = path->levels;
+    const auto enough =
+        std::ranges::find_if(levels, [](const PathLevel& level) { return level.size() <= enough_points; });
+    const PathLevel& level = levels.empty() ? all : enough == levels.end() ? levels.back() : *enough;
+    bool before = false;  // the span that ends here is cut
     for (std::size_t k = 0; k < level.size(); ++k) {
       const SpanKind kind = path->kinds[level[k]];
       const bool cut = k + 1 < level.size() && kind != SpanKind::rapid && kind != SpanKind::gap;

@@ -6,7 +6,7 @@ namespace feedscope::ui {
 
 namespace {
 
-constexpr std::size_t points_moving = 30'000;  // drawn points of a path while the view moves
+constexpr std::size_t points_moving = 10'000;  // drawn of a path while the view moves
 
 }  // namespace
 
