@@ -24,14 +24,14 @@ struct LessonEntry {
   bool half_day = false;  ///< in the course of half a day; all lessons are in that of two days
 };
 
-/// What covers or shows runs before a prediction is written down, by ids of lessons; not kept in a session.
+/// State of the predictions that are not stored yet, by ids of lessons; not kept in a session.
 struct LessonCovers {
-  std::map<std::string, QString> drafts;  ///< predictions that are typed and not written down yet
-  std::set<std::string> revealed;         ///< their runs are shown without a prediction
+  std::map<std::string, QString> drafts;  ///< predictions that are typed but not stored
+  std::set<std::string> revealed;         ///< lessons whose runs are shown without a prediction
 };
 
-/// The lesson that is worked on in the window: its texts with the numbers measured, the question one is at,
-/// and what the current run measures of it. Reading, simulating and measuring run on other threads.
+/// The open lesson: its texts with the measured numbers, the current question, and its measurement on the
+/// current run. Reading, simulating and measuring run on other threads.
 class LessonDesk : public QObject {
   Q_OBJECT
 
@@ -58,10 +58,10 @@ class LessonDesk : public QObject {
   QString prediction() const;
   /// Stores the prediction, once, and sets up the window.
   void predict(const QString& text);
-  /// What is typed of it, to be there again when the lesson is; not when it is written down.
+  /// Typed text of a prediction that is not stored, kept for when the lesson is opened again.
   QString draft() const;
   void set_draft(const QString& text);
-  /// The same without a prediction.
+  /// Uncovers the run without a prediction.
   void reveal();
   /// Whether lessons show their run without a prediction; set by a teacher.
   bool unlocked() const { return unlocked_; }

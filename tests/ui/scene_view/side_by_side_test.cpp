@@ -18,7 +18,6 @@
 #include "ui/charts/charts_panel.h"
 #include "ui/program_text/program_panel.h"
 #include "ui/scene_view/split_overlay.h"
-#include "ui/window/action_table.h"
 #include "ui/window/main_window.h"
 #include "ui/window/menus/action_table.h"
 #include "ui/window/panels/status_panel.h"

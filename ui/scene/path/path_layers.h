@@ -46,15 +46,15 @@ struct PathLook {
 /// Whether the view moves, and who draws it then.
 enum class ViewMotion { none, on_gpu, in_software };
 
-/// The lines of a run: rapids dashed and pale under all others, and none where they would cover the picture,
-/// programmed path thin, executed path coloured, blends wide with an edge, other runs thin unless the colours
-/// compare with one, a range of time underlaid. Of the executed path a stretch may be drawn in full, the rest
-/// pale or not at all.
+/// The lines of a run: rapids dashed and pale under all others, and omitted where they would cover the
+/// picture; programmed path thin; executed path coloured; blends wide with an edge; other runs thin unless
+/// the colours compare with one; a highlighted range of time under the path. A part of the executed path may
+/// be drawn in full, the rest pale or not at all.
 ///
-/// Where lines would cover the picture, they are drawn thinner; where the edges of blends would cover the
-/// path, the edges are omitted. Zooming in brings both back. Paths of many points are drawn without what is
-/// smaller than a pixel, and coarser while the view moves; in software with thin lines then, too: each wide
-/// one takes several times as long.
+/// Where lines would cover the picture, they are thinner; where the edges of blends would cover the path,
+/// they are omitted. Zooming in restores both. Paths of many points are drawn without parts smaller than a
+/// pixel, and more coarsely while the view moves, in software with thin lines: a wide line takes several
+/// times as long.
 class PathLayers {
  public:
   /// `below`: of a layer under that of `renderer`, with the same camera: there highlighted ranges and pale
