@@ -257,7 +257,11 @@ ComparisonLayout lay_out(const ComparisonBars& bars, const QSize& size, const QF
   layout.axis = QRectF(left, bottom, right - left, axis_height);
   const double most = bars.longest > 0 ? headroom * bars.longest : 1;
   layout.pixels_per_second = layout.plot.width() / most;
-  layout.ticks = round_ticks(0, most, std::max(2, static_cast<int>(layout.plot.width() / tick_distance)));
+  const int most_ticks = std::max(2, static_cast<int>(layout.plot.width() / tick_distance));
+  layout.ticks = round_ticks(0, most, most_ticks);
+  if (layout.ticks.values.size() < 2) {
+    layout.ticks = round_ticks(0, most, most_ticks + 1);  // zero alone is no scale
+  }
   return layout;
 }
 

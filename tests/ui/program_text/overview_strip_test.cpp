@@ -94,10 +94,10 @@ TEST_F(OverviewStripTest, TipsTellTimeShareAndFeed) {
   show_text(program_with_slow_line(20, 7));
   const QPoint at_slow(2, view.top_of(7) + 3);
   EXPECT_THAT(tip_of(margin, at_slow).toStdString(),
-              AllOf(HasSubstr("Line 7"), HasSubstr("30\u00a0s"), HasSubstr("% of the cycle time"),
+              AllOf(HasSubstr("Line 7"), HasSubstr("30.0\u00a0s"), HasSubstr("% of the cycle time"),
                     HasSubstr("1000 mm/min")));
   EXPECT_THAT(tip_of(margin, {2, view.top_of(1) + 3}).toStdString(), HasSubstr("takes no time"));
-  EXPECT_THAT(tip_of(strip, {2, view.top_of(7) + 3}).toStdString(), HasSubstr("30\u00a0s"));
+  EXPECT_THAT(tip_of(strip, {2, view.top_of(7) + 3}).toStdString(), HasSubstr("30.0\u00a0s"));
 }
 
 TEST_F(OverviewStripTest, TheMarginShowsTheSlowLineHot) {
@@ -118,7 +118,7 @@ TEST(LineTimeText, SaysHowOftenALineRan) {
   const LineTimes times(*run.trajectory);
   EXPECT_THAT(
       line_time_text(times, 4, 4).toStdString(),
-      AllOf(HasSubstr("executed 5 times"), HasSubstr("0.5\u00a0s, 50.00 %"), HasSubstr("600 mm/min")));
+      AllOf(HasSubstr("executed 5 times"), HasSubstr("0.500\u00a0s, 50.00 %"), HasSubstr("600 mm/min")));
   EXPECT_EQ(line_time_text(times, 1, 3), "");
   EXPECT_THAT(line_time_text(times, 4, 5).toStdString(), HasSubstr("Lines 4 to 5"));
 }

@@ -73,7 +73,7 @@ TEST_F(RunsViewTest, CopyTakesTheWholeTable) {
     EXPECT_EQ(line.count('\t'), RunTable::columns - 1) << line.toStdString();
   }
   EXPECT_TRUE(lines[0].startsWith("Run\tMachine"));
-  EXPECT_TRUE(lines[1].startsWith("one two\tSpinner"));
+  EXPECT_TRUE(lines[1].startsWith("A one two\tSpinner"));
 }
 
 TEST_F(RunsViewTest, CommandsActOnTheCurrentRun) {

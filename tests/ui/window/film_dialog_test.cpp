@@ -86,11 +86,11 @@ TEST_F(FilmDialogTest, OffersTheLanguagesOfPicturesAndBeginsWithThatOfTheWindow)
 TEST_F(FilmDialogTest, SaysWhileOneTypesHowLongTheFilmWillBe) {
   FilmDialog dialog(subject_, FEEDSCOPE_EXECUTABLE);
   dialog.choose(small_film());
-  EXPECT_EQ(dialog.length_text(), QStringLiteral("0.6\u00a0s in 3 frames"));
+  EXPECT_EQ(dialog.length_text(), QStringLiteral("0.600\u00a0s in 3 frames"));
   auto& rate = *dialog.findChild<WholeNumberBox*>();
   rate.selectAll();
   QTest::keyClicks(&rate, "10");
-  EXPECT_EQ(dialog.length_text(), QStringLiteral("0.5\u00a0s in 5 frames")) << "before Enter";
+  EXPECT_EQ(dialog.length_text(), QStringLiteral("0.500\u00a0s in 5 frames")) << "before Enter";
   auto* to = dialog.findChildren<NumberBox*>()[1];
   to->selectAll();
   QTest::keyClicks(to, "0.4");

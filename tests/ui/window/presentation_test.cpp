@@ -227,7 +227,9 @@ TEST_F(PresentationTest, TheKeysOfAPresenterGoThroughTheLesson) {
   QTest::keyClick(&window, Qt::Key_PageDown);
   EXPECT_TRUE(lesson.answer_button().isChecked());
   lesson.own_answer().setFocus();
-  QTest::keyClick(&lesson.own_answer(), Qt::Key_PageDown);
+  for (int page = 0; page < 10 && desk().question() == 0; ++page) {
+    QTest::keyClick(&lesson.own_answer(), Qt::Key_PageDown);  // reads the answer to its end first
+  }
   EXPECT_EQ(desk().question(), 1U);
   QTest::keyClick(&lesson.own_answer(), Qt::Key_PageUp);
   EXPECT_EQ(desk().question(), 0U);

@@ -189,7 +189,7 @@ class WhoseDataTest : public testing::TestWithParam<unsigned> {
       const std::size_t row = runs().row_of(window.scenes().choice()->currentData().toInt());
       if (row < runs().items().size()) {
         EXPECT_TRUE(is_of(row, second->scene().trajectory())) << "second view";
-        EXPECT_EQ(window.scenes().choice()->currentText(), runs().title(runs().items()[row]));
+        EXPECT_EQ(window.scenes().choice()->currentText(), runs().lettered_title(row));
       } else {
         EXPECT_EQ(second->scene().trajectory(), nullptr) << "second view of no run";
       }
