@@ -117,6 +117,9 @@ void LensOverlay::place() {
   const double ratio = view_.canvas().devicePixelRatioF();
   const auto [upper, lower] = *corners;
   QRect at((QPointF(upper[0], upper[1]) / ratio).toPoint() + canvas.topLeft(), QSize(1, 1) * usual_side());
+  // The corner of the frame before may lie outside a view that has become smaller.
+  at.moveRight(std::min(at.right(), canvas.right() - margin));
+  at.moveBottom(std::min(at.bottom(), canvas.bottom() - margin));
   if (large_) {
     const bool left = at.center().x() < canvas.center().x();
     const QPoint corner = left ? at.bottomLeft() : at.bottomRight();
