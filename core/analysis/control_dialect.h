@@ -28,6 +28,6 @@ struct ControlMismatch {
 std::optional<ControlMismatch> control_mismatch(const Machine& machine, Dialect dialect);
 
 /// "The program is written for Heidenhain, but Spinner MVC 850 has a Siemens Sinumerik 840D. ..."
-std::string describe(const ControlMismatch& mismatch);
+Message describe(const ControlMismatch& mismatch);
 
 }  // namespace feedscope

@@ -9,12 +9,9 @@ namespace feedscope {
 
 /// What of the program's path control a run does not follow, one sentence each, in a fixed order; empty where
 /// it follows all that the program asks for. Tolerances that the setup replaces on purpose are not named.
-std::vector<std::string> ignored_path_control(const Toolpath& toolpath, const Setup& setup);
+std::vector<Message> ignored_path_control(const Toolpath& toolpath, const Setup& setup);
 
 /// The same of a program as it was read, and what a run makes of its curves: they are arcs by then.
-std::vector<std::string> ignored_path_control(const LoadedProgram& program, const Setup& setup);
-
-/// Every sentence that ignored_path_control() may give, for translators.
-std::vector<std::string> all_ignored_path_control();
+std::vector<Message> ignored_path_control(const LoadedProgram& program, const Setup& setup);
 
 }  // namespace feedscope

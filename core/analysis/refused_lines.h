@@ -23,9 +23,9 @@ bool is_refused(const Run& run);
 bool is_out_of_reach(const Run& run);
 
 /// "5, 9, 20 to 22 and 7 more": numbers of the first of these lines.
-std::string line_list(const std::vector<Diagnostic>& lines);
+Message line_list(const std::vector<Diagnostic>& lines);
 
 /// How many lines the control refuses, and which; empty for none.
-std::string refused_note(const std::vector<Diagnostic>& lines);
+Message refused_note(const std::vector<Diagnostic>& lines);
 
 }  // namespace feedscope

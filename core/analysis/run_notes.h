@@ -21,7 +21,7 @@ std::vector<PoorDamping> poorly_damped(const Machine& machine);
 /// Axes without a drive on a machine with drives: "Z", "X and Z"; empty: all have one, or none.
 std::string axes_without_drive(const Machine& machine);
 /// Both in words, one sentence each.
-std::vector<std::string> drive_notes(const Machine& machine);
+std::vector<Message> drive_notes(const Machine& machine);
 
 /// Of a model that limits no jerk though it has ramps: which of the largest values it has not; else null;
 /// translatable.
@@ -51,12 +51,12 @@ std::optional<UnreachableFeed> feed_beyond_machine(const LoadedProgram& program,
 /// The first of those that are most severe; `faults`: one at least.
 const Diagnostic& most_severe(const std::vector<Diagnostic>& faults);
 /// What of the program the machine cannot do, in one sentence; empty if nothing.
-std::string machine_fault_note(const std::vector<Diagnostic>& faults);
+Message machine_fault_note(const std::vector<Diagnostic>& faults);
 
 /// What is to be known of a run before its figures are trusted, one sentence each: a control that does not
 /// read the program's dialect, a machine that gives work offsets which the program was not read with,
 /// ignored_path_control(), refused_note(), jump_note(), a tolerance that Heidenhain advises against,
 /// feed_beyond_machine(), then drive_notes().
-std::vector<std::string> run_notes(const LoadedProgram& program, const Setup& setup);
+std::vector<Message> run_notes(const LoadedProgram& program, const Setup& setup);
 
 }  // namespace feedscope

@@ -19,6 +19,6 @@ struct UndeterminedLimit {
 /// machine without such numbers costs nothing.
 std::vector<UndeterminedLimit> undetermined_limits(const Run& run);
 /// As one sentence.
-std::string describe(const UndeterminedLimit& limit);
+Message describe(const UndeterminedLimit& limit);
 
 }  // namespace feedscope

@@ -4,12 +4,14 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/message.h"
+
 namespace feedscope {
 
 /// A number as people type it, on the command line, in a setting or a field.
 struct TypedNumber {
   std::optional<double> value;  ///< none: it cannot be read
-  std::string problem;          ///< why there is none and what to write instead; "" if it is not a number
+  Message problem;              ///< why there is none and what to write instead; "" if it is not a number
 };
 
 /// Reads one finite number, with an exponent too ("1e-3"). A point is always the decimal sign. A single comma

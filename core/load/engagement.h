@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/message.h"
+
 namespace feedscope {
 
 /// With the tool on which side of the cut: `up` (conventional) begins a chip thin, `down` (climb) thick.
@@ -56,9 +58,9 @@ std::optional<std::vector<ProgramLines>> ranges_of(std::string_view text);
 std::string ranges_text(const std::vector<ProgramLines>& ranges);
 
 /// What is wrong with the numbers of an operation, with what to do; empty if nothing is.
-std::string operation_problem(const Engagement& operation);
+Message operation_problem(const Engagement& operation);
 
 /// "tool 1", "tool 1, lines 10 to 20", "all tools": how messages and tables name an operation.
-std::string describe(const Engagement& operation);
+Message describe(const Engagement& operation);
 
 }  // namespace feedscope

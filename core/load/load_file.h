@@ -33,6 +33,6 @@ std::string load_file_text(const LoadSetup& setup);
 std::vector<Material> read_materials(const std::filesystem::path& file);
 
 /// Two operations that apply to the same tool and lines, and what to do; empty if there are none.
-std::string overlap_problem(const std::vector<Engagement>& operations);
+Message overlap_problem(const std::vector<Engagement>& operations);
 
 }  // namespace feedscope

@@ -6,10 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
+
 namespace feedscope {
 
+/// Where the keys of a file stand that are in no table.
+inline constexpr const char* the_file = "";
+
 /// A value of a TOML file that knows where it stands, so that its reader can say what is wrong where.
-/// `where` of the functions below names the table in messages: "[axes.X]", "the file".
+/// `where` of the functions below names the table in messages: "[axes.X]", the_file.
 class ConfigNode {
  public:
   enum class Kind : std::uint8_t { text, number, truth, list, table, other };
@@ -25,7 +30,8 @@ class ConfigNode {
 
   std::string place() const;  ///< "FILE:LINE:COLUMN"
   /// Throws InputError with the place in front.
-  [[noreturn]] void fail(const std::string& message) const;
+  [[noreturn]] void fail(const Message& what) const;
+  [[noreturn]] void fail(const std::string& text) const { fail(Message::as_written(text)); }
 
   /// The value of a key, nullptr if this table has none.
   const ConfigNode* find(const std::string& key) const;
@@ -57,7 +63,7 @@ class ConfigNode {
 
 /// Reads a TOML file of at most 1 MiB. `what` for messages: "machine file". Throws InputError naming file and
 /// reason, for wrong syntax line and column too.
-ConfigNode read_config_file(const std::filesystem::path& file, const std::string& what);
+ConfigNode read_config_file(const std::filesystem::path& file, Translatable what);
 /// The same of a text; `name` stands for the file in messages.
 ConfigNode parse_config(const std::string& text, const std::string& name);
 

@@ -24,7 +24,7 @@ struct ModelInfo {
   std::string summary;                ///< two or three sentences
   std::vector<SettingSpec> settings;  ///< beyond those of common_settings()
   std::vector<std::string> uses;      ///< keys of common_settings() that it reads
-  std::vector<std::string> remarks;   ///< what Guarantees cannot say, one sentence each
+  std::vector<Message> remarks;       ///< what Guarantees cannot say, one sentence each
   LimitTraits limits = {};            ///< for explanations
 };
 

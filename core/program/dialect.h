@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 
+#include "core/base/message.h"
 #include "core/program/text/source_text.h"
 
 namespace feedscope {
@@ -33,9 +34,9 @@ Dialect dialect_of_id(std::string_view id);
 
 /// A language that is recognised and not read.
 struct ForeignLanguage {
-  std::string_view title;    ///< of the control
-  std::string_view meaning;  ///< what its words mean that the dialects read otherwise
-  std::uint32_t line = 0;    ///< of the first word of it; 0: the ending of the file's name says it
+  std::string_view title;  ///< of the control
+  Translatable meaning;    ///< what its words mean that the dialects read otherwise
+  std::uint32_t line = 0;  ///< of the first word of it; 0: the ending of the file's name says it
 };
 
 /// The language of a control that is not supported, by words and file names that only it has.

@@ -39,7 +39,7 @@ struct Machining {
   /// Direction from the tip to the spindle in the coordinates that are shown, of length 1, that a vector of
   /// the program gives. None, and an error, where it has no length: `words` names its words, `example` writes
   /// one.
-  std::optional<Vec3> tool_direction(const Vec3& vector, std::string_view words, std::string_view example,
+  std::optional<Vec3> tool_direction(const Vec3& vector, const Message& words, std::string_view example,
                                      std::uint32_t column) const;
 };
 

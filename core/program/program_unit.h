@@ -27,7 +27,7 @@ struct ProgramUnit {
 };
 
 /// "inch, by the program", "mm, by --unit", "mm, assumed: the program does not define its unit".
-std::string describe(const ProgramUnit& unit);
+Message describe(const ProgramUnit& unit);
 
 /// What a program cuts, as far as sizes tell units apart.
 struct CutSize {

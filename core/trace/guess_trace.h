@@ -1,7 +1,8 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
+
+#include "core/base/message.h"
 
 namespace feedscope {
 
@@ -14,7 +15,7 @@ enum class TraceGuess {
 
 struct GuessedTrace {
   TraceGuess guess = TraceGuess::none;
-  std::string problem;  ///< why the columns must be told, for people; else empty
+  Message problem;  ///< why the columns must be told, for people; else empty
 };
 
 /// Looks at the first mebibyte of a file, packed by gzip or not. Does not throw: a file that cannot be read

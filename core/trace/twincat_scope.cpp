@@ -109,8 +109,8 @@ class ScopeReader {
         return;
       }
     }
-    throw InputError(fmt::format("{}:{}: no samples follow the head of the TwinCAT Scope export",
-                                 text_.name(), text_.line_number()));
+    throw InputError(message(NC_("core", "{}:{}: no samples follow the head of the TwinCAT Scope export"),
+                             text_.name(), text_.line_number()));
   }
 
   /// A number with a comma among the first rows decides.

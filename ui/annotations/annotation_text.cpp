@@ -50,7 +50,7 @@ std::vector<AnnotationField> annotation_fields() {
       {"deviation", Annotations::tr("contour error"),
        [](const Values& v) { return amount_text(v.contour_error, Dimension::error); }},
       {"cause", Annotations::tr("limiting cause"),
-       [](const Values& v) { return core_text(cause_title(v.at.cause)); }},
+       [](const Values& v) { return shown_cause(v.at.cause); }},
       {"distance", Annotations::tr("straight-line distance between the two places"),
        [](const Values& v) { return amount_text(v.distance, Dimension::length); }},
       {"duration", Annotations::tr("time between the two places"),

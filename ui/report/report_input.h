@@ -49,7 +49,7 @@ inline const Summary& summary_of(const ReportRun& run) {
 /// A run that was asked for and cannot be simulated.
 struct UnmadeRun {
   QString name;
-  std::string why;  ///< as the library says it
+  Message why;
 };
 
 /// What a control recorded of the program.

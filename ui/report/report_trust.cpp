@@ -8,8 +8,8 @@
 
 #include "core/analysis/program_facts.h"
 #include "core/analysis/setup_options.h"
-#include "ui/language/composed_text.h"
 #include "ui/language/core_texts.h"
+#include "ui/language/in_language.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"
 #include "ui/report/html_table.h"

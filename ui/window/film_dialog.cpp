@@ -22,7 +22,7 @@
 #include "core/base/error.h"
 #include "ui/fields/number_box.h"
 #include "ui/fields/whole_number_box.h"
-#include "ui/language/failure_text.h"
+#include "ui/language/in_language.h"
 #include "ui/language/texts.h"
 #include "ui/report/ogg_film.h"
 #include "ui/session/session_file.h"

@@ -143,9 +143,9 @@ void StatusPanel::count_diagnostics() {
 }
 
 QString StatusPanel::cause_text(const State& state) {
-  const QString cause = core_text(cause_title(state.cause));
+  const QString cause = shown_cause(state.cause);
   return state.cause.kind == CauseKind::ramp_down
-             ? tr("cause: %1 (%2)").arg(cause, core_text(cause_title(state.slower_place)))
+             ? tr("cause: %1 (%2)").arg(cause, shown_cause(state.slower_place))
              : tr("cause: %1").arg(cause);
 }
 

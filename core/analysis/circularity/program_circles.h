@@ -28,6 +28,6 @@ inline constexpr std::size_t max_program_circles = 200;
 ProgramCircles program_circles(const Run& run, Progress* progress = nullptr);
 
 /// What of the program is not evaluated and why, or that it has no full circle; a sentence each, in English.
-std::vector<std::string> program_circle_notes(const ProgramCircles& circles);
+std::vector<Message> program_circle_notes(const ProgramCircles& circles);
 
 }  // namespace feedscope

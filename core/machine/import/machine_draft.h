@@ -48,8 +48,8 @@ class MachineDraft {
 
   /// A number of the configuration; what is none is an error in the notes.
   std::optional<double> number(std::string_view text, const GivenValue& given);
-  void note(Severity severity, const ConfigurationPlace& place, const char* code, std::string message,
-            std::string hint = "");
+  void note(Severity severity, const ConfigurationPlace& place, const char* code, Message what,
+            Message hint = {});
   /// A value of the file that nothing here uses; finish() lists all of them in one note.
   void leave_out(const std::string& name);
   /// "my.ini, line 5": for messages that speak of a second place.

@@ -63,8 +63,9 @@ ImportedMachine import_from(std::string_view bytes, const fs::path& folder, cons
     for (const ConfigurationFormat* known : formats) {
       kinds.emplace_back(known->kind);
     }
-    throw InputError(fmt::format("'{}' is not the configuration of a control that can be imported; known: {}",
-                                 name, fmt::join(kinds, ", ")));
+    throw InputError(
+        message(NC_("core", "'{}' is not the configuration of a control that can be imported; known: {}"),
+                name, fmt::to_string(fmt::join(kinds, ", "))));
   }
   MachineDraft draft(utf8_text(fs::path(name).filename().string()), model_settings);
   draft.machine().id = utf8_text(id_of(name));
@@ -97,7 +98,7 @@ std::string configuration_kind_of(const fs::path& file) {
 }
 
 ImportedMachine import_machine(const fs::path& file, const std::vector<SettingSpec>& model_settings) {
-  const std::string text = file_text(file, "configuration of a control", largest_configuration);
+  const std::string text = file_text(file, NC_("core", "configuration of a control"), largest_configuration);
   const fs::path folder = file.parent_path();
   return import_from(text, folder.empty() ? fs::path(".") : folder, file.string(), model_settings);
 }

@@ -12,11 +12,11 @@ namespace feedscope {
 /// Why grbl rejects a line: the number of its message "error:N", and the word or value it is about.
 struct GrblError {
   int number = 0;
-  std::string about = {};
+  Message about = {};
 };
 
 /// What a grbl of version 1.1 says of it, in our words.
-std::string_view grbl_error_text(int number);
+Translatable grbl_error_text(int number);
 
 /// One line as grbl reads it: its commands and values.
 struct GrblLine {

@@ -19,7 +19,7 @@ struct KlipperLimitChange {
   std::optional<double> minimum_cruise_ratio;
   /// Of older versions, instead of the ratio: 1 - this / acceleration [mm/s2].
   std::optional<double> acceleration_to_deceleration;
-  std::string fault;  ///< why Klipper rejects the line; empty: it does not
+  Message fault;  ///< why Klipper rejects the line; empty: it does not
 
   void apply(KlipperSettings& limits) const;
 };

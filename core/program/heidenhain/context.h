@@ -43,7 +43,7 @@ struct Context {
 };
 
 /// Throws ReadFault "unread-word" about the rest of the statement, which does not belong into `where`.
-[[noreturn]] void throw_unread_words(Scanner& scanner, std::string_view where);
+[[noreturn]] void throw_unread_words(Scanner& scanner, const Message& where);
 
 /// What the parts of the readers have in common: short names for what they work on.
 class Part {

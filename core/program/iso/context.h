@@ -44,7 +44,7 @@ class Part {
   }
   /// True, and reported, if the block has no word `letter`, which G word `g` needs; `effect` says what
   /// happens without it.
-  bool lacks(MessageCode code, char letter, int g, std::uint32_t column, std::string_view effect) const;
+  bool lacks(MessageCode code, char letter, int g, std::uint32_t column, Translatable effect) const;
 
   BlockWords& words_;
   ModalState& modal_;

@@ -61,8 +61,8 @@ struct GCode {
   GGroup group = GGroup::none;
   GAction action = GAction::accept;
   Severity severity = Severity::info;  ///< of the report, where there is one
-  std::string_view subject;            ///< what it is; empty: nothing to report
-  std::string_view effect;             ///< what that means for the path shown
+  Translatable subject;                ///< what it is; empty: nothing to report
+  Translatable effect;                 ///< what that means for the path shown
   bool needs_axes = false;             ///< harmless in a block without X, Y and Z
 };
 

@@ -36,6 +36,9 @@ struct AxisBlock {
 /// inverse time stays that.
 AxisBlock turning_alone(const PathWriter& path, double unit, bool rapid);
 
+/// Name under which a tool vector moves several axes.
+inline constexpr std::string_view orientation_axis = "tool orientation";
+
 /// Axes other than X, Y and Z. Program::other_axes names those that move, and each is reported once for each
 /// kind of motion, unless it is a rotary axis of ReadOptions; what A, B and C do is in
 /// Program::rotary_moves.
@@ -45,7 +48,7 @@ class OtherAxes {
   OtherAxes(Program& program, const LineRunner& lines, DiagnosticLog& log, const ReadOptions& options)
       : program_(program), lines_(lines), log_(log), options_(options) {}
 
-  /// It goes to `target` [mm], [deg]; a name with a blank in it, "tool orientation", stands for several axes.
+  /// It goes to `target` [mm], [deg]; orientation_axis stands for several axes.
   void move(std::string_view axis, double target, AxisMotion motion, std::uint32_t column,
             const AxisBlock& block = {});
   /// The control turns the rotary axes so that the tool has this unit direction in the coordinates shown.
@@ -65,6 +68,7 @@ class OtherAxes {
     std::array<bool, 3> reported{};  ///< by AxisMotion
   };
 
+  static Message moves_text(std::string_view axis, double target, AxisMotion motion);
   RotaryMove& move_of_block();
   void note_turn(std::size_t axis, double target, AxisMotion motion, std::uint32_t column,
                  const AxisBlock& block);

@@ -22,7 +22,7 @@
 namespace feedscope {
 
 /// What the messages say of an arc that cannot be.
-inline constexpr std::string_view straight_instead = "a straight line to its end is used instead";
+inline constexpr Translatable straight_instead = NC_("core", "a straight line to its end is used instead");
 
 /// An arc to be, in programmed coordinates.
 struct ArcRequest {
@@ -36,7 +36,7 @@ struct ArcRequest {
   /// A centre that the words would give if they were read another way, and that way's name: a hint where
   /// the centre itself does not fit.
   Vec3 other_center = Vec3::Zero();
-  std::string_view other_reading;
+  Message other_reading;
 };
 
 /// What the motion words of every dialect come to: takes motions in programmed coordinates, one after the

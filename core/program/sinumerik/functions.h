@@ -91,8 +91,8 @@ struct Function {
   Group group = Group::none;
   Action action = Action::accept;
   Severity severity = Severity::info;  ///< of the report, where there is one
-  std::string_view subject = {};       ///< what it is; empty: nothing to report
-  std::string_view effect = {};        ///< what that means for the path shown
+  Translatable subject = {};           ///< what it is; empty: nothing to report
+  Translatable effect = {};            ///< what that means for the path shown
 };
 
 /// nullptr for what is not known. G numbers without leading zeros: "G1", "G641".

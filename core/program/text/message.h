@@ -3,6 +3,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/message.h"
+
 namespace feedscope {
 
 /// Program text fit for a message: quoted, short, plain characters only.
@@ -12,6 +14,6 @@ std::string in_quotes(std::string_view text);
 std::string g_name(int number);
 
 /// What to do where a work offset has no value: "G54.1 P3".
-std::string missing_offset_hint(std::string name);
+Message missing_offset_hint(std::string name);
 
 }  // namespace feedscope

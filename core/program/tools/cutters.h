@@ -27,7 +27,7 @@ class Cutters {
   /// Name of the table that was used; empty: none was.
   const std::string& table_name() const { return table_name_; }
   /// What is wrong with a table beside the program; empty: nothing, or there is none.
-  const std::string& table_fault() const { return table_fault_; }
+  const Message& table_fault() const { return table_fault_; }
 
  private:
   void read_table_beside();
@@ -39,7 +39,7 @@ class Cutters {
   CutterRadii table_;
   bool has_table_ = false;
   std::string table_name_;
-  std::string table_fault_;
+  Message table_fault_;
 };
 
 }  // namespace feedscope

@@ -34,7 +34,7 @@ class ToolRack {
   /// The same where the path depends on it: Program::cutters names it.
   std::optional<double> use_radius_of(std::string_view tool, std::optional<double> programmed);
   /// What to do about a radius that nothing gives, behind "the path shown is the programmed contour; ".
-  static std::string radius_hint(std::string_view tool);
+  static Message radius_hint(std::string_view tool);
 
  private:
   /// In Program::tools; -1 if it is not there.

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/analysis/run_notes.h"
+#include "tests/support/english.h"
 
 namespace feedscope {
 namespace {
@@ -71,8 +72,8 @@ TEST(ControlDialect, AMismatchNamesBothAndWhatToDo) {
 TEST(RunNotes, BeginWithTheControlThenWhatIsNotFollowed) {
   const LoadedProgram program =
       load_program(std::make_shared<const SourceText>("a.mpf", "G71\nG642 CTOL=0.02\nG1 X10 F1000\nY10\n"));
-  EXPECT_THAT(run_notes(program, make_setup({"spinner-mvc850", "essid", {}})), IsEmpty());
-  const auto notes = run_notes(program, make_setup({"dmg-mori-evo40", "cam", {}}));
+  EXPECT_THAT(in_english(run_notes(program, make_setup({"spinner-mvc850", "essid", {}}))), IsEmpty());
+  const auto notes = in_english(run_notes(program, make_setup({"dmg-mori-evo40", "cam", {}})));
   ASSERT_EQ(notes.size(), 2U);
   EXPECT_THAT(notes[0], HasSubstr("Heidenhain TNC 640"));
   EXPECT_THAT(notes[1], HasSubstr("Tolerances"));
