@@ -84,7 +84,7 @@ TEST_F(FrenchFailures, OfLoadFiles) {
 
 TEST_F(FrenchFailures, SayWhyBehindTheFile) {
   EXPECT_EQ(said_of([] { file_text("/", NC_("core", "lesson"), 1); }),
-            "'/' est un dossier\u00a0; donnez un fichier");
+            "'/' est un dossier\u00a0; il faut un fichier\u00a0: leçon");
 }
 
 TEST(FailureText, IsAsItWasThrownInEnglish) {

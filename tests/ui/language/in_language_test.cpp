@@ -204,7 +204,7 @@ TEST_F(InLanguage, LeavesTextsOfOthersAsTheyAre) {
 TEST_F(InLanguage, TranslatesMessagesWithinMessages) {
   std::vector<Diagnostic> refused;
   for (const std::uint32_t line : {1U, 5U, 6U, 7U, 20U}) {
-    refused.push_back({.line = line});
+    refused.emplace_back().line = line;
   }
   EXPECT_EQ(
       in_language(refused_note(refused)).toStdString(),
