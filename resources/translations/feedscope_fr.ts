@@ -9432,7 +9432,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>{} is below {} mm</source>
-        <translation>{} est au-dessous de {} mm</translation>
+        <translation>{} est inférieure à {} mm</translation>
     </message>
     <message>
         <source>{} mm is used, the smallest that is simulated</source>
