@@ -62,11 +62,12 @@ TEST(ControlDialect, AMismatchNamesBothAndWhatToDo) {
   EXPECT_FALSE(control_mismatch(spinner, Dialect::iso));
   const auto heidenhain = control_mismatch(spinner, Dialect::heidenhain);
   ASSERT_TRUE(heidenhain);
-  EXPECT_THAT(describe(*heidenhain), AllOf(HasSubstr("Heidenhain"), HasSubstr("Spinner MVC 850"),
-                                           HasSubstr("Siemens Sinumerik 840D"), HasSubstr("dmg-mori-evo40")));
+  EXPECT_THAT(describe(*heidenhain).english(),
+              AllOf(HasSubstr("Heidenhain"), HasSubstr("Spinner MVC 850"),
+                    HasSubstr("Siemens Sinumerik 840D"), HasSubstr("dmg-mori-evo40")));
   const auto fanuc = control_mismatch(spinner, Dialect::fanuc);
   ASSERT_TRUE(fanuc);
-  EXPECT_THAT(describe(*fanuc), AllOf(HasSubstr("Fanuc"), HasSubstr("your own machine file")));
+  EXPECT_THAT(describe(*fanuc).english(), AllOf(HasSubstr("Fanuc"), HasSubstr("your own machine file")));
 }
 
 TEST(RunNotes, BeginWithTheControlThenWhatIsNotFollowed) {

@@ -492,8 +492,9 @@ TEST(ToolVectors, ThatCannotBeFollowedAreReported) {
   const auto across =
       run_on(trunnion(), "TRAORI\nG1 X10 F1000 B3=-0.9 C3=1\nX20 A3=0.9 B3=0 C3=1\n", Dialect::sinumerik);
   EXPECT_THAT(across->machine_faults,
-              testing::Contains(
-                  testing::Field(&Diagnostic::message, HasSubstr("turns by 90 degrees within one block"))));
+              testing::Contains(testing::Field(
+                  &Diagnostic::message,
+                  testing::Property(&Message::english, HasSubstr("turns by 90 degrees within one block")))));
 }
 
 TEST(SegmentTurns, AreGivenUpWhenCancelled) {
