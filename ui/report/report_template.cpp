@@ -89,7 +89,7 @@ constexpr auto translated = std::to_array<const char*>({
     QT_TRANSLATE_NOOP("ReportWords", "With Feedscope %1:"),
 });
 
-QString in_language(const QString& text) {
+QString word_of_template(const QString& text) {
   const auto found =
       std::ranges::find(translated, text, [](const char* known) { return QString::fromUtf8(known); });
   return found == translated.end() ? text : ReportWords::tr(*found);
@@ -214,7 +214,7 @@ QString ReportTemplate::filled(const std::function<QString(const QString&)>& blo
       }
       page += part.kind == Kind::text    ? part.text
               : part.kind == Kind::block ? find(part.text)
-                                         : with_blocks(in_language(part.text), found);
+                                         : with_blocks(word_of_template(part.text), found);
     }
   }
   return page;
