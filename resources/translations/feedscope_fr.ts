@@ -9392,11 +9392,11 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>tool orientation moves to {} in a feed move, which is not simulated</source>
-        <translation>l’orientation de l’outil change dans un déplacement en avance, ce qui n’est pas simulé</translation>
+        <translation>l’orientation de l’outil va à {} dans un déplacement en avance, ce qui n’est pas simulé</translation>
     </message>
     <message>
         <source>tool orientation moves to {}, which is not simulated</source>
-        <translation>l’orientation de l’outil change, ce qui n’est pas simulé</translation>
+        <translation>l’orientation de l’outil va à {}, ce qui n’est pas simulé</translation>
     </message>
     <message>
         <source>axis {} moves to {} in a feed move, which is not simulated</source>
