@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/base/geometry.h"
+#include "core/base/message.h"
 
 namespace feedscope {
 

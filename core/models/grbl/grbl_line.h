@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/message.h"
+
 namespace feedscope {
 
 /// Why grbl rejects a line: the number of its message "error:N", and the word or value it is about.

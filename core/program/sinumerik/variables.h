@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/message.h"
+
 namespace feedscope::sinumerik {
 
 enum class Type : std::uint8_t { real, integer, boolean, text, axis };
