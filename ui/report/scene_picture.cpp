@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 #include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkNew.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <QPaintEngine>
 #include <QPainter>
 #include <cmath>
-#include <cstring>
+#include <utility>
 
 #include "core/base/error.h"
 #include "ui/report/scene_vectors.h"
@@ -43,6 +41,24 @@ std::vector<OverlayRun> overlays_of(const ReportInput& input, std::size_t row) {
   return overlays;
 }
 
+using PictureWindow = vtkSmartPointer<vtkGenericOpenGLRenderWindow>;
+
+/// The last window of this thread that a picture was drawn in, for the next one: Mesa has compiled its
+/// shaders, which takes longer than most pictures do. Null: there is none.
+PictureWindow& spare_window() {
+  thread_local PictureWindow spare;
+  return spare;
+}
+
+PictureWindow take_window(bool transparent) {
+  PictureWindow window = transparent ? nullptr : std::exchange(spare_window(), nullptr);
+  if (window == nullptr) {
+    window = make_render_window(RenderBackend::software);
+    window->SetAlphaBitPlanes(transparent ? 1 : 0);
+  }
+  return window;
+}
+
 QSize pixels_of(const QSizeF& size, double ratio) {
   const QSize pixels(static_cast<int>(std::lround(size.width() * ratio)),
                      static_cast<int>(std::lround(size.height() * ratio)));
@@ -60,11 +76,7 @@ QSize pixels_of(const QSizeF& size, double ratio) {
 }  // namespace
 
 ScenePicture::ScenePicture(const ReportInput& input, std::size_t row, ThemeKind theme, bool transparent)
-    : input_(input),
-      row_(row),
-      window_(make_render_window(RenderBackend::software)),
-      theme_(theme),
-      transparent_(transparent) {
+    : input_(input), row_(row), window_(take_window(transparent)), theme_(theme), transparent_(transparent) {
   const ReportRun& run = input.runs[row];
   scene_.set_background(theme == ThemeKind::dark ? Background::dark : Background::light);
   scene_.set_transparent(transparent);
@@ -74,9 +86,6 @@ ScenePicture::ScenePicture(const ReportInput& input, std::size_t row, ThemeKind 
   scene_.set_overlays(overlays_of(input, row));
   scene_.set_warning(reading_faults_text(*input.program().program).toStdString());
   scene_.set_run_colour(rgb_of(run.colour));
-  if (transparent) {
-    window_->SetAlphaBitPlanes(1);
-  }
   scene_.attach(*window_);
   set_scene_state(scene_, input.scene);
   show_stretch();
@@ -115,6 +124,13 @@ std::shared_ptr<const SampledPath> ScenePicture::samples() {
 
 ScenePicture::~ScenePicture() {
   scene_.detach();
+  if (!transparent_) {
+    if (window_->IsCurrent()) {
+      window_->ReleaseCurrent();
+    }
+    window_->SetSize(0, 0);  // as a new one
+    spare_window() = std::move(window_);
+  }
 }
 
 void ScenePicture::prepare(const QSizeF& size, const SceneScale& scale) {
@@ -127,14 +143,8 @@ QImage ScenePicture::image(const QSizeF& size, const SceneScale& scale) {
   prepare(size, scale);
   const QSize pixels = pixels_of(size, scale.pixel_ratio);
   window_->Render();
-  const vtkNew<vtkUnsignedCharArray> data;
-  window_->GetRGBACharPixelData(0, 0, pixels.width() - 1, pixels.height() - 1, 0, data);
   QImage image(pixels, transparent_ ? QImage::Format_RGBA8888_Premultiplied : QImage::Format_RGBX8888);
-  const auto row = static_cast<std::size_t>(pixels.width()) * 4;
-  for (int y = 0; y < pixels.height(); ++y) {
-    std::memcpy(image.scanLine(pixels.height() - 1 - y),
-                data->GetPointer(0) + static_cast<std::size_t>(y) * row, row);
-  }
+  read_frame(*window_, [&image](int y) { return image.scanLine(y); });
   return image;
 }
 
@@ -152,7 +162,7 @@ AnnotatedView ScenePicture::annotated(const QSizeF& size, const SceneScale& scal
 /// False: the frame cannot be drawn as vectors.
 bool ScenePicture::paint_lines(QPainter& painter, const QRectF& place, const SceneScale& scale) {
   prepare(place.size(), scale);
-  window_->Render();  // makes what it draws
+  scene_.lay_out();
   painter.save();
   if (!transparent_) {
     const Rgb& colour =
