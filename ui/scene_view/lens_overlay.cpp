@@ -117,9 +117,10 @@ void LensOverlay::place() {
   const double ratio = view_.canvas().devicePixelRatioF();
   const auto [upper, lower] = *corners;
   QRect at((QPointF(upper[0], upper[1]) / ratio).toPoint() + canvas.topLeft(), QSize(1, 1) * usual_side());
-  // The corner of the frame before may lie outside a view that has become smaller.
+  // All of it is in the view, also in a small one where there is no room above the legend.
   at.moveRight(std::min(at.right(), canvas.right() - margin));
   at.moveBottom(std::min(at.bottom(), canvas.bottom() - margin));
+  at.moveTop(std::max(at.top(), canvas.top() + margin));
   if (large_) {
     const bool left = at.center().x() < canvas.center().x();
     const QPoint corner = left ? at.bottomLeft() : at.bottomRight();

@@ -81,7 +81,8 @@ TEST_F(LensOverlayTest, LiesInACornerOfTheViewAndGrowsThereByAClick) {
   EXPECT_TRUE(lens.geometry().contains(small)) << "a second click finds it where the first did";
   QTest::mouseClick(&lens, Qt::LeftButton);
   EXPECT_EQ(lens.geometry(), small);
-  window.resize(640, 480);
+  window.resize(1024, 768);
+  QApplication::processEvents();
   EXPECT_FALSE(lens.isVisible()) << "it would cover the path";
   lens.action()->trigger();
   ASSERT_TRUE(lens.isVisible());
