@@ -103,13 +103,20 @@ void LensPicture::draw_title(QPainter& painter, const View& view) const {
   painter.setPen(view.ink(1));
   const QRectF inner = view.title.adjusted(margin * scale_, 0, -margin * scale_, 0);
   painter.setFont(font_of(painter.font(), title_pixels * scale_));
-  const QString stretch =
-      lens_.deviates ? tr("across × %1").arg(factor_text(lens_.stretch())) : tr("no deviation");
-  painter.drawText(inner, Qt::AlignRight | Qt::AlignVCenter, stretch);
   const QFontMetricsF metrics(painter.font());
-  const double room = inner.width() - metrics.horizontalAdvance(stretch) - margin / 2 * scale_;
+  const auto room_beside = [&](const QString& text) {
+    return inner.width() - metrics.horizontalAdvance(text) - margin / 2 * scale_;
+  };
+  const QString line = tr("line %1").arg(lens_.line);
+  const QString factor = factor_text(lens_.stretch());
+  QString stretch = lens_.deviates ? tr("across × %1").arg(factor) : tr("no deviation");
+  if (lens_.deviates && metrics.horizontalAdvance(line) > room_beside(stretch)) {
+    stretch = QStringLiteral("× %1").arg(factor);
+  }
+  painter.drawText(inner, Qt::AlignRight | Qt::AlignVCenter, stretch);
+  const double room = room_beside(stretch);
   const QString whole = tr("Lens: line %1").arg(lens_.line);
-  const QString title = metrics.horizontalAdvance(whole) <= room ? whole : tr("line %1").arg(lens_.line);
+  const QString title = metrics.horizontalAdvance(whole) <= room ? whole : line;
   painter.drawText(inner, Qt::AlignLeft | Qt::AlignVCenter, metrics.elidedText(title, Qt::ElideRight, room));
   painter.setPen(QPen(view.ink(0.25), scale_));
   painter.drawLine(view.title.bottomLeft(), view.title.bottomRight());
