@@ -65,7 +65,7 @@ std::string_view number_in_front(std::string_view text, std::string_view unit) {
   return runs_on ? std::string_view() : without_blanks_behind(front);
 }
 
-/// What stands after the longest number in front: "lb" of "0.5 lb"; empty without a number.
+/// Text after the longest number at the start: "lb" of "0.5 lb"; empty without a number.
 std::string_view unit_behind(std::string_view text) {
   for (std::size_t size = text.size() - std::min<std::size_t>(text.size(), 1); size > 0; --size) {
     if (typed_number(without_blanks_behind(text.substr(0, size))).value) {
@@ -76,7 +76,7 @@ std::string_view unit_behind(std::string_view text) {
   return {};
 }
 
-/// Those that a value of a key may have; empty where it has none but its own.
+/// Names of the units that values of a key in `unit` may have; empty if there is only its own.
 std::vector<std::string_view> names_of_units(std::string_view unit) {
   std::vector<std::string_view> names;
   for (const WrittenUnit& written : written_units) {

@@ -23,7 +23,7 @@ class GrblRun {
   void queue_line(const std::array<float, 3>& target, const Segment& segment);
   void run_out();
   void prepare();
-  /// Part of a block that is laid as one piece.
+  /// Part of a block that becomes one piece.
   struct Ramp {
     double before = 0;  ///< speed [mm/s]
     double after = 0;   ///< speed [mm/s]

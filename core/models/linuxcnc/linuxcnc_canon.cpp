@@ -213,7 +213,7 @@ void LinuxCncCanon::send_line(const Vec3& from, const Vec3& to, double feed, boo
 }
 
 /// The control uses the longest time that any axis, linear or rotary, needs for its part of the block at its
-/// velocity and at its acceleration. It ignores the motion of the joints behind its kinematics.
+/// velocity and at its acceleration. It ignores the motion of the joints that its kinematics derive.
 void LinuxCncCanon::lower_by_turn(std::uint32_t block, LinuxCncSegment& move, AxisBound& velocity,
                                   AxisBound& acceleration) const {
   const SegmentTurn* turn = toolpath_.segment_turn(block);

@@ -39,8 +39,9 @@ constexpr double min_cosine = 0.5;
 
 constexpr int deepest = 60;
 
-/// Largest curvature of a knot times the chord of an adjacent curve. Curves that follow the motion turn less;
-/// where a curve is laid because it is short, next to a standstill, the curvature of the motion has no bound.
+/// Largest curvature of a knot times the chord of an adjacent curve. Curves that follow the motion turn less.
+/// Next to a standstill a curve can be accepted for its shortness alone, and the curvature of the motion is
+/// unbounded there.
 constexpr double max_bend = 2;
 
 /// Lowers the curvature of `knot` to `most` [1/mm]; true if it was larger.
