@@ -12,7 +12,7 @@
 
 #include "ui/charts/plot_margins.h"
 #include "ui/language/core_texts.h"
-#include "ui/scene/cause_colour.h"
+#include "ui/theme/cause_colours.h"
 #include "ui/theme/theme.h"
 
 namespace feedscope::ui {
@@ -32,11 +32,6 @@ int item_gap() {
   return type_pixels(14);
 }
 constexpr double min_named_share = 0.0005;  // of the visible time; smaller shares would read 0.0 %
-
-QColor colour_of(CauseKind kind) {
-  const Rgb rgb = cause_colour(kind);
-  return QColor::fromRgbF(static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2]));
-}
 
 QString percent(double share) {
   const double value = 100 * share;
@@ -224,7 +219,7 @@ void CauseStrip::draw_legend(QPainter& painter) const {
     const Share& share = shares_[i];
     const bool shown = !highlighted_.has_value() || highlighted_ == share.kind;
     const QRect box(share.place.left(), (row - swatch_side()) / 2, swatch_side(), swatch_side());
-    painter.fillRect(box, shown ? colour_of(share.kind) : faint);
+    painter.fillRect(box, shown ? colour_of_cause(share.kind, theme_of(palette())) : faint);
     painter.setPen(theme_colours(palette()).frame);
     painter.drawRect(box.adjusted(0, 0, -1, -1));
     painter.setPen(shown ? text : faint);
@@ -243,6 +238,7 @@ void CauseStrip::draw_strip(QPainter& painter) const {
   const QRect bar = strip();
   const ThemeColours& colours = theme_colours(palette());
   painter.fillRect(QRect(0, bar.top(), width(), bar.height()), colours.plot);
+  const ThemeKind theme = theme_of(palette());
   const double column = static_cast<double>(bar.width()) / static_cast<double>(columns_.size());
   const auto is_drawn = [this](std::size_t i) {
     return i < columns_.size() && columns_[i].has_value() &&
@@ -256,7 +252,8 @@ void CauseStrip::draw_strip(QPainter& painter) const {
     if (is_drawn(i)) {  // overlaps the next one: PDF viewers show the background between edges
       const double left = bar.left() + static_cast<double>(i) * column;
       const double right = bar.left() + (static_cast<double>(end) + (is_drawn(end) ? 0.5 : 0)) * column;
-      painter.fillRect(QRectF(left, bar.top() + 1, right - left, bar.height() - 2), colour_of(*columns_[i]));
+      painter.fillRect(QRectF(left, bar.top() + 1, right - left, bar.height() - 2),
+                       colour_of_cause(*columns_[i], theme));
     }
     i = end;
   }

@@ -23,9 +23,9 @@
 #include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"
 #include "ui/language/time_texts.h"
-#include "ui/scene/cause_colour.h"
 #include "ui/shared/panel_action.h"
 #include "ui/shared/row_copy.h"
+#include "ui/theme/cause_colours.h"
 #include "ui/theme/theme.h"
 #include "ui/theme/type_size.h"
 
@@ -69,11 +69,6 @@ QIcon line_icon(const RunItem& item, std::size_t row, const QWidget& widget) {
   painter.drawLine(QPointF(0, size.height() / 2.0), QPointF(size.width(), size.height() / 2.0));
   painter.end();
   return picture;
-}
-
-QColor colour_of(CauseKind kind) {
-  const Rgb rgb = cause_colour(kind);
-  return QColor::fromRgbF(static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2]));
 }
 
 }  // namespace
@@ -448,7 +443,7 @@ void DecideView::show_causes() {
     for (std::size_t i = 0; i < std::min(most_causes, groups.size()); ++i) {
       rows.push_back(
           {TimeTexts::group(groups[i]), TimeTexts::change(groups[i].loss),
-           groups[i].loss / groups.front().loss, colour_of(groups[i].kind),
+           groups[i].loss / groups.front().loss, colour_of_cause(groups[i].kind, theme_of(palette())),
            tr("%1.\nClick to go to the worst place, in line %2.")
                .arg(TimeTexts::in_common(groups[i]), QString::number(groups[i].worst.front().line))});
     }

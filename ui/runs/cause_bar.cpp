@@ -4,8 +4,8 @@
 #include <QPainter>
 
 #include "ui/language/core_texts.h"
-#include "ui/scene/cause_colour.h"
 #include "ui/shared/plot_text.h"
+#include "ui/theme/cause_colours.h"
 
 namespace feedscope::ui {
 
@@ -18,11 +18,6 @@ struct BarTexts {
 constexpr double separated = 3;  // wider parts are separated from the previous one by a white line
 const QColor rest_color(0xb4, 0xba, 0xc2);
 const QColor refused_color(0xff, 0xff, 0xff, 0xa0);
-
-QColor color_of(CauseKind kind) {
-  const Rgb rgb = cause_colour(kind);
-  return QColor::fromRgbF(static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2]));
-}
 
 /// The part of a piece for a text that does not cross the line at `x`: the wider side.
 QRectF clear_side(const QRectF& piece, double x) {
@@ -42,7 +37,7 @@ QRectF clear_side(const QRectF& piece, double x) {
 
 void fill_cause(QPainter& painter, const QRectF& area, const std::optional<CauseKind>& kind) {
   if (kind) {
-    painter.fillRect(area, color_of(*kind));
+    painter.fillRect(area, colour_of_cause(*kind));
   } else {
     painter.fillRect(area, Qt::white);
     painter.fillRect(area, QBrush(rest_color, Qt::BDiagPattern));
@@ -80,7 +75,7 @@ double paint_cause_bar(QPainter& painter, const ComparisonBar& bar, const CauseB
       painter.drawLine(piece.topLeft(), piece.bottomLeft());
     }
     const QRectF room = how.line ? clear_side(piece, *how.line) : piece;
-    painter.setPen(text_on(kind ? color_of(*kind) : QColor(Qt::white)));
+    painter.setPen(text_on(kind ? colour_of_cause(*kind) : QColor(Qt::white)));
     painter.drawText(room, Qt::AlignCenter, how.text(part, room.width()));
     left = piece.right();
   }

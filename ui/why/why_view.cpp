@@ -17,9 +17,9 @@
 
 #include "ui/fields/focus_outline.h"
 #include "ui/language/texts.h"
-#include "ui/scene/cause_colour.h"
 #include "ui/shared/panel_action.h"
 #include "ui/shared/row_copy.h"
+#include "ui/theme/cause_colours.h"
 #include "ui/theme/theme.h"
 #include "ui/theme/type_size.h"
 #include "ui/why/why_text.h"
@@ -35,17 +35,11 @@ constexpr double short_simulation = 0.3;       // [s]
 constexpr auto resting_time = std::chrono::milliseconds(500);
 constexpr int margin = 8;
 
-QColor colour_of(Cause cause) {
-  const Rgb colour = cause_colour(cause.kind);
-  return QColor::fromRgbF(static_cast<float>(colour[0]), static_cast<float>(colour[1]),
-                          static_cast<float>(colour[2]));
-}
-
 /// A square in the colour of the cause in scene and charts.
-QIcon icon_of(Cause cause) {
+QIcon icon_of(CauseKind kind, ThemeKind theme) {
   constexpr int size = 12;
   QPixmap square(size, size);
-  square.fill(colour_of(cause));
+  square.fill(colour_of_cause(kind, theme));
   return square;
 }
 
@@ -309,8 +303,9 @@ void WhyView::show_nothing() {
 
 void WhyView::show_reason(const Explanation& why) {
   const State& state = why.state;
-  heading_->setText(QStringLiteral("<span style='color:%1'>■</span> %2")
-                        .arg(colour_of(state.cause).name(), WhyText::cause(state.cause)));
+  heading_->setText(
+      QStringLiteral("<span style='color:%1'>■</span> %2")
+          .arg(colour_of_cause(state.cause.kind, theme_of(palette())).name(), WhyText::cause(state.cause)));
   const QString feed = WhyText::speed(state.speed);
   place_->setText(
       state.programmed_feed > 0
@@ -339,8 +334,9 @@ void WhyView::show_ahead(const Explanation& why) {
   const Reason& reason = why.ahead->reason;
   const QString formula = WhyText::formula(reason);
   const QString muted = theme_colours(palette()).muted.name();
-  ahead_heading_->setText(QStringLiteral("<span style='color:%1'>■</span> <b>%2</b>")
-                              .arg(colour_of(reason.cause).name(), WhyText::cause(reason.cause)));
+  ahead_heading_->setText(
+      QStringLiteral("<span style='color:%1'>■</span> <b>%2</b>")
+          .arg(colour_of_cause(reason.cause.kind, theme_of(palette())).name(), WhyText::cause(reason.cause)));
   ahead_sentence_->setText(WhyText::sentence(*why.ahead, why.state));
   ahead_formula_->setText(formula);
   ahead_formula_->setVisible(!formula.isEmpty());
@@ -366,7 +362,7 @@ void WhyView::show_neighbours() {
     button->setVisible(shown_ != nullptr && stretch.has_value());
     action->setEnabled(stretch.has_value());
     if (stretch) {
-      button->setIcon(icon_of(stretch->cause));
+      button->setIcon(icon_of(stretch->cause.kind, theme_of(palette())));
       button->setAccessibleName(text.arg(WhyText::cause(stretch->cause), QString::number(stretch->line)));
     }
   };

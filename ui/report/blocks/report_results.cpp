@@ -15,7 +15,7 @@
 #include "ui/report/report_numbers.h"
 #include "ui/report/report_tables.h"
 #include "ui/report/report_words.h"
-#include "ui/scene/cause_colour.h"
+#include "ui/theme/cause_colours.h"
 #include "ui/workbench/reading_faults.h"
 
 namespace feedscope::ui {
@@ -118,10 +118,7 @@ QString fastest_sentence(const std::vector<ReportRun>& runs) {
 }
 
 QString swatch(CauseKind kind) {
-  const Rgb rgb = cause_colour(kind);
-  const QColor colour =
-      QColor::fromRgbF(static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2]));
-  return QStringLiteral("<span style=\"color:%1\">■</span>&nbsp;").arg(colour.name());
+  return QStringLiteral("<span style=\"color:%1\">■</span>&nbsp;").arg(colour_of_cause(kind).name());
 }
 
 /// Causes that take time in any run, by their time in all runs together, the longest first.
