@@ -29,6 +29,7 @@ constexpr int top_margin = 3;
 constexpr int bottom_margin = 3;
 constexpr int labelled_bottom_margin = 20;
 constexpr int tick_distance = 14;  // [px]
+constexpr int tick_gap = 6;        // [px] from a tick's label to the plot
 constexpr double overlay_width = 1.4;
 constexpr double band_edge = 1.3;
 constexpr double finest_zoom = 1e-6;  // of the largest value; finer, all tick labels are equal
@@ -37,7 +38,7 @@ constexpr double widest_values = 1e12;
 QValueAxis* make_axis(QChart* chart, Qt::Alignment side) {
   auto* axis = new QValueAxis(chart);
   axis->setTickType(QValueAxis::TicksDynamic);
-  axis->setTruncateLabels(false);
+  axis->setLabelsVisible(false);  // Qt Charts would shorten long numbers and write a hyphen for a minus
   chart->addAxis(axis, side);
   return axis;
 }
@@ -88,11 +89,9 @@ KinematicChart::KinematicChart(ChartSpec spec, ViewRange& range, QWidget* parent
   chart()->legend()->hide();
   chart()->setBackgroundRoundness(0);
   chart()->setMargins({});
-  chart()->setLocalizeNumbers(true);
   chart()->setAnimationOptions(QChart::NoAnimation);
   chart()->layout()->setContentsMargins(0, 0, 0, 0);
   abscissa_ = make_axis(chart(), Qt::AlignBottom);
-  abscissa_->setLabelsVisible(false);  // see draw_abscissa()
   ordinate_ = make_axis(chart(), Qt::AlignLeft);
   apply_colours();
   setRenderHint(QPainter::Antialiasing);
@@ -319,13 +318,26 @@ void KinematicChart::draw_picture(QPainter& painter) {
   draw_limit_lines(painter, chart()->plotArea(), shown_limits(), colours, line_pixels(1, *this),
                    [this](double value) { return height_of(value); });
   painter.restore();
+  draw_ordinate(painter);
   if (!abscissa_title_.isEmpty()) {
     draw_abscissa(painter);
   }
 }
 
+void KinematicChart::draw_ordinate(QPainter& painter) const {
+  const QFontMetricsF metrics(ordinate_->labelsFont());
+  const double right = chart()->plotArea().left() - type_pixels(tick_gap);
+  painter.setFont(ordinate_->labelsFont());
+  painter.setPen(theme_colours(palette()).text);
+  for (const double tick : multiples(ordinate_->tickInterval(), values_.lower, values_.upper)) {
+    const QRectF place(0, height_of(tick) - metrics.height() / 2, right, metrics.height());
+    painter.drawText(place, Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip,
+                     tick_text(*ordinate_, tick));
+  }
+}
+
 /// Draws the tick labels, the last one moved to the left where it would be cut off, and the title in their
-/// row: left of them, or in place of those at the right end. Qt Charts would truncate long numbers.
+/// row: left of them, or in place of those at the right end.
 void KinematicChart::draw_abscissa(QPainter& painter) const {
   const QFontMetricsF metrics(abscissa_->labelsFont());
   const QRectF plot = chart()->plotArea();
@@ -338,9 +350,8 @@ void KinematicChart::draw_abscissa(QPainter& painter) const {
   const double title = left ? plot.left() - half_label - wide : row.right() - wide;
   painter.drawText(QRectF(title, row.top(), wide, row.height()), Qt::AlignCenter, abscissa_title_);
   (left ? row.setLeft(title + wide) : row.setRight(title));
-  const double step = abscissa_->tickInterval();
-  for (const double tick : multiples(step, range_.lower(), range_.upper())) {
-    const QString number = QLocale().toString(tick, 'f', step_decimals(step));
+  for (const double tick : multiples(abscissa_->tickInterval(), range_.lower(), range_.upper())) {
+    const QString number = tick_text(*abscissa_, tick);
     const double half = metrics.horizontalAdvance(number) / 2;
     QRectF place(pixel_of(tick) - half, row.top(), 2 * half, row.height());
     place.moveRight(std::min(place.right(), viewport()->width() - 1.0));

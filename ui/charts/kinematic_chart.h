@@ -115,6 +115,7 @@ class KinematicChart : public QChartView {
   /// Omits limits of axes without a shown curve.
   const std::vector<LimitLine>& shown_limits() const;
   void draw_picture(QPainter& painter);
+  void draw_ordinate(QPainter& painter) const;
   void draw_abscissa(QPainter& painter) const;
   void draw_curves(QPainter& painter) const;
   void draw_extents(QPainter& painter, const std::vector<Extent>& extents, const QColor& color, double width,

@@ -1,6 +1,6 @@
 #include "ui/charts/value_ticks.h"
 
-#include <QString>
+#include <QLocale>
 #include <algorithm>
 #include <cmath>
 
@@ -31,15 +31,16 @@ double tick_step(const Interval& range, int most, double closest) {
 
 void show_range(QValueAxis* axis, const Interval& range, int most, double closest) {
   const double step = tick_step(range, most, closest);
-  if (std::max(std::abs(range.lower), std::abs(range.upper)) >= long_number) {
-    axis->setLabelFormat(QStringLiteral("%.4g"));
-  } else {
-    axis->setLabelFormat(QStringLiteral("%.%1f").arg(step_decimals(step)));
-  }
   axis->setTickInterval(step);
-  constexpr double nudge = 1e-9;  // of a step: rounding must not turn 0 into "-0.0"
-  axis->setTickAnchor(nudge * step);
   axis->setRange(range.lower, range.upper);
+}
+
+QString tick_text(const QValueAxis& axis, double value) {
+  const bool is_long = axis.alignment() == Qt::AlignLeft &&
+                       std::max(std::abs(axis.min()), std::abs(axis.max())) >= long_number;
+  const QString text = is_long ? QLocale().toString(value, 'g', 4)
+                               : QLocale().toString(value, 'f', step_decimals(axis.tickInterval()));
+  return text.startsWith('-') ? QChar(0x2212) + text.mid(1) : text;
 }
 
 }  // namespace feedscope::ui
