@@ -1,5 +1,6 @@
 #include "ui/workbench/setup_edit.h"
 
+#include <algorithm>
 #include <set>
 
 #include "core/base/error.h"
@@ -38,14 +39,23 @@ bool SetupEdit::is_common(const std::function<bool(const SetupState&)>& same_par
   return true;
 }
 
+/// Of a limit of an axis, that of all axes: runs with another jerk of X are compared in their jerk.
 bool SetupEdit::same_in_all(const std::string& key) const {
-  return is_common([&](const SetupState& other) {
-    try {
-      other.spec(key);
-      return other.value(key) == state().value(key);
-    } catch (const InputError&) {
-      return true;  // its machine or model has no such value
+  std::vector<std::string> keys{key};
+  if (const std::size_t point = key.find('.'); point != std::string::npos) {
+    for (const char axis : axis_names(file().machine)) {
+      keys.push_back(axis_key(axis, key.substr(point + 1)));
     }
+  }
+  return is_common([&](const SetupState& other) {
+    return std::ranges::all_of(keys, [&](const std::string& each) {
+      try {
+        other.spec(each);
+        return other.value(each) == state().value(each);
+      } catch (const InputError&) {
+        return true;  // its machine or model has no such value
+      }
+    });
   });
 }
 

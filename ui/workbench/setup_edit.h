@@ -26,8 +26,8 @@ class SetupEdit : public QObject {
   std::optional<double> interpolation_period() const;
 
   /// Whether a change applies to all runs. It nevertheless applies to the current run only if the runs differ
-  /// in the changed value, if the current run equals another one (such as a copy to be changed), and not to
-  /// runs whose model or machine does not take the value.
+  /// in the changed value or in this limit of another axis, if the current run equals another one (such as a
+  /// copy to be changed), and not to runs whose model or machine does not take the value.
   void set_for_all(bool all) { for_all_ = all; }
   bool for_all() const { return for_all_; }
   /// Sets another machine; discards edits except those in which the runs differ.

@@ -349,6 +349,17 @@ TEST_F(ComparedSetupsTest, ACopyIsThereToBeChanged) {
   EXPECT_FALSE(setup(0).edited("alpha"));
 }
 
+TEST_F(ComparedSetupsTest, ACopyWithAnotherJerkOfXIsComparedInTheJerkOfAllAxes) {
+  runs.duplicate(0);
+  for (const char* key : {"X.jerk", "Y.jerk", "Z.jerk"}) {
+    edit.set(key, 7.0);
+    EXPECT_TRUE(setup(1).edited(key));
+    EXPECT_FALSE(setup(0).edited(key)) << key;
+  }
+  edit.set("X.acceleration", 0.5);
+  EXPECT_TRUE(setup(0).edited("X.acceleration")) << "no run differs in it";
+}
+
 TEST_F(ComparedSetupsTest, OfTheCurrentRunAloneWhereThatIsWanted) {
   edit.set_for_all(false);
   edit.set("X.jerk", 7.0);
