@@ -375,8 +375,8 @@
         <translation>au moins %1</translation>
     </message>
     <message>
-        <source>not told</source>
-        <translation>non révélé</translation>
+        <source>not found</source>
+        <translation>non trouvé</translation>
     </message>
     <message>
         <source>A recording of the test program tells it: part %1.</source>
@@ -395,16 +395,16 @@
         <translation>%1&#xa0;; les avances diffèrent de %2 (moyenne quadratique).</translation>
     </message>
     <message>
-        <source>The part %1 of the test program would tell: %2</source>
-        <translation>La partie %1 du programme d’essai donnerait : %2</translation>
+        <source>The part %1 of the test program would show: %2</source>
+        <translation>La partie %1 du programme d’essai montrerait : %2</translation>
     </message>
     <message>
         <source>With 95 % probability the true value is %1, if the control is of this model.</source>
         <translation>Avec une probabilité de 95&#xa0;%, la vraie valeur est %1, si la commande suit ce modèle.</translation>
     </message>
     <message>
-        <source>Told: %1 of %2 numbers.</source>
-        <translation>Révélés&#xa0;: %1 nombres sur %2.</translation>
+        <source>Found: %1 of %2 values.</source>
+        <translation>Trouvées&#xa0;: %1 valeurs sur %2.</translation>
     </message>
     <message>
         <source>The others keep the value that explains the recording as well.</source>
@@ -419,24 +419,24 @@
         <translation>Avec une probabilité de 95 %, la vraie valeur est %1, si l’entraînement est linéaire et les deux positions du même instant.</translation>
     </message>
     <message>
-        <source>Drive of %1: not told.</source>
-        <translation>Entraînement de %1&#xa0;: non révélé.</translation>
+        <source>Drive of %1: not found.</source>
+        <translation>Entraînement de %1&#xa0;: non trouvé.</translation>
     </message>
     <message>
         <source>Drive of %1: following error %2 (rms), %3 of it unexplained</source>
         <translation>Entraînement de %1&#xa0;: écart de poursuite %2 (moyenne quadratique), dont %3 inexpliqué</translation>
     </message>
     <message>
-        <source>%1: too much for its numbers to be told.</source>
-        <translation>%1&#xa0;: trop pour que ses nombres soient révélés.</translation>
+        <source>%1: too much to find its values.</source>
+        <translation>%1&#xa0;: trop pour trouver ses valeurs.</translation>
     </message>
     <message>
-        <source>Drive of %1: not told, the actual positions seem to be %2 ms later than the set ones.</source>
-        <translation>Entraînement de %1&#xa0;: non révélé, les positions réelles semblent suivre les consignes de %2 ms.</translation>
+        <source>Drive of %1: not found, the actual positions seem to be %2 ms later than the set ones.</source>
+        <translation>Entraînement de %1&#xa0;: non trouvé, les positions réelles semblent suivre les consignes de %2 ms.</translation>
     </message>
     <message>
-        <source>No part of the test program would tell this value.</source>
-        <translation>Aucune partie du programme d’essai ne révélerait cette valeur.</translation>
+        <source>No part of the test program would show this value.</source>
+        <translation>Aucune partie du programme d’essai ne montrerait cette valeur.</translation>
     </message>
     <message>
         <source>Not looked for: %1. With these the model may explain it.</source>
@@ -1913,8 +1913,8 @@
         <translation>± (95&#xa0;%)</translation>
     </message>
     <message>
-        <source>Source, or why it is not told</source>
-        <translation>Source, ou pourquoi il n’est pas révélé</translation>
+        <source>Source, or why it was not found</source>
+        <translation>Source, ou pourquoi la valeur n’est pas trouvée</translation>
     </message>
     <message>
         <source>Section</source>
@@ -11896,8 +11896,8 @@ max. : %1 %</translation>
 <context>
     <name>feedscope::ui::FitChoice</name>
     <message>
-        <source>Limits and settings that the search begins with; those that are not looked for, or not told, stay</source>
-        <translation>Limites et réglages de départ de la recherche&#xa0;; ceux qui ne sont pas cherchés, ou pas révélés, restent</translation>
+        <source>Limits and settings that the search begins with; those that are not looked for, or not found, stay</source>
+        <translation>Limites et réglages de départ de la recherche&#xa0;; ceux qui ne sont pas cherchés, ou pas trouvés, restent</translation>
     </message>
     <message>
         <source>Control models that are fitted</source>
@@ -15701,7 +15701,7 @@ Ensemble&#xa0;: %4</translation>
         <translation>Le programme reste dans ce carré en X et Y autour de l’origine</translation>
     </message>
     <message>
-        <source>As fast as the machine may feed: velocities beyond it are told by the rapids alone, if at all</source>
+        <source>As fast as the machine may feed: only rapids show higher velocities, if anything does</source>
         <translation>Aussi vite que la machine peut avancer&#xa0;: au-delà, seuls les déplacements rapides peuvent révéler des vitesses</translation>
     </message>
     <message>

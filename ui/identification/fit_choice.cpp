@@ -40,7 +40,7 @@ FitChoice::FitChoice(Workbench& workbench, QWidget* parent)
       models_(new QListWidget(this)),
       parameters_(new QTreeWidget(this)) {
   machines_->setToolTip(tr(
-      "Limits and settings that the search begins with; those that are not looked for, or not told, stay"));
+      "Limits and settings that the search begins with; those that are not looked for, or not found, stay"));
   machines_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   machines_->setMinimumContentsLength(machine_characters);
   machines_->setFocusPolicy(Qt::StrongFocus);

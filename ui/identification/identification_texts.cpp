@@ -49,7 +49,7 @@ QString IdentificationTexts::value(double value, const FitParameter& parameter) 
 QString IdentificationTexts::found_value(const IdentifiedParameter& parameter) {
   const double factor = key_unit(parameter.parameter.unit).factor;
   if (!parameter.told) {
-    return parameter.at_least ? tr("at least %1").arg(number(*parameter.at_least * factor)) : tr("not told");
+    return parameter.at_least ? tr("at least %1").arg(number(*parameter.at_least * factor)) : tr("not found");
   }
   return QLocale().toString(parameter.value * factor, 'f', decimals_by(parameter.uncertainty * factor));
 }
@@ -91,7 +91,7 @@ QString IdentificationTexts::explanation(const IdentifiedParameter& parameter, b
     return reason;
   }
   return reason + ' ' +
-         (part.isEmpty() ? tr("No part of the test program would tell this value.")
+         (part.isEmpty() ? tr("No part of the test program would show this value.")
                          : tr("A recording of the test program tells it: part %1.").arg(part));
 }
 
@@ -138,18 +138,19 @@ QStringList IdentificationTexts::drives(const Identification& found) {
   for (const DriveFit& drive : found.drives) {
     const QString axis(QLatin1Char(drive.axis));
     if (drive.samples == 0 || !(drive.following_error > 0)) {
-      lines.append(tr("Drive of %1: not told.").arg(axis));
+      lines.append(tr("Drive of %1: not found.").arg(axis));
       continue;
     }
     if (drive.delay != 0) {
-      lines.append(tr("Drive of %1: not told, the actual positions seem to be %2 ms later than the set ones.")
-                       .arg(axis, QLocale().toString(1e3 * drive.delay, 'f', 1)));
+      lines.append(
+          tr("Drive of %1: not found, the actual positions seem to be %2 ms later than the set ones.")
+              .arg(axis, QLocale().toString(1e3 * drive.delay, 'f', 1)));
       continue;
     }
     const QString errors = tr("Drive of %1: following error %2 (rms), %3 of it unexplained")
                                .arg(axis, amount_text(drive.following_error, Dimension::error),
                                     amount_text(drive.left, Dimension::error));
-    lines.append(drive.explains ? errors + '.' : tr("%1: too much for its numbers to be told.").arg(errors));
+    lines.append(drive.explains ? errors + '.' : tr("%1: too much to find its values.").arg(errors));
   }
   return lines;
 }
@@ -169,13 +170,13 @@ QString IdentificationTexts::summary(const Identification& found) {
       known->second.append(setting_title(one.parameter.key));
     }
   }
-  QStringList lines{tr("Told: %1 of %2 numbers.").arg(told).arg(found.parameters.size())};
+  QStringList lines{tr("Found: %1 of %2 values.").arg(told).arg(found.parameters.size())};
   if (told < static_cast<qsizetype>(found.parameters.size())) {
     lines.front() += ' ' + tr("The others keep the value that explains the recording as well.");
   }
   for (const auto& [part, titles] : by_part) {
     lines.append(
-        tr("The part %1 of the test program would tell: %2").arg(part, titles.join(QStringLiteral(", "))));
+        tr("The part %1 of the test program would show: %2").arg(part, titles.join(QStringLiteral(", "))));
   }
   return lines.join(QStringLiteral("\n"));
 }

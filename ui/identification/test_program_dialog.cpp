@@ -80,7 +80,7 @@ TestProgramDialog::TestProgramDialog(Dialect dialect, Setup setup, const std::fi
   feed_->setSuffix(' ' + unit_of(Dimension::feed));
   feed_->setValue(in_shown_unit(usual.feed_max, Dimension::feed));
   feed_->setToolTip(
-      tr("As fast as the machine may feed: velocities beyond it are told by the rapids alone, if at all"));
+      tr("As fast as the machine may feed: only rapids show higher velocities, if anything does"));
   room_->setWordWrap(true);
   parts_->setHeaderLabels({tr("Line"), tr("Part"), tr("Time"), tr("What a recording of it tells")});
   parts_->headerItem()->setToolTip(time_column, tr("On %1").arg(QString::fromStdString(setup_.machine.name)));

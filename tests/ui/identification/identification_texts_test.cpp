@@ -38,7 +38,7 @@ TEST_F(IdentificationTextsTest, WhatIsNotToldSaysWhatWouldTellIt) {
   one.reason = "It changes nothing that these traces show.";
   EXPECT_EQ(IdentificationTexts::found(one), "not told");
   EXPECT_THAT(IdentificationTexts::explanation(one, true).toStdString(),
-              HasSubstr("No part of the test program would tell this value"));
+              HasSubstr("No part of the test program would show this value"));
   one.told_by = "SINGLE MOVES OF X";
   EXPECT_EQ(
       IdentificationTexts::explanation(one, true),

@@ -123,7 +123,7 @@ TEST_F(IdentificationViewTest, FindsTheMachineThatATraceWasRecordedOn) {
   EXPECT_EQ(found(0, 1), "0.75");
   EXPECT_NEAR(found(0).section(' ', 0, 0).toDouble(), 1.3, 0.013) << found(0).toStdString();
   EXPECT_THAT(found(0).toStdString(), HasSubstr(" ± "));
-  EXPECT_EQ(found(2), "not told");
+  EXPECT_EQ(found(2), "not found");
   view.result().parameters().setCurrentItem(view.result().parameters().topLevelItem(2));
   EXPECT_THAT(view.result().explanation().toStdString(), HasSubstr("part SINGLE MOVES OF Z"));
 }
@@ -225,7 +225,7 @@ TEST_F(IdentificationViewTest, ComparesModelsByHowWellTheyExplain) {
   EXPECT_EQ(models.topLevelItem(1)->text(3), "no");
   view.result().choose(1);
   EXPECT_THAT(view.result().verdict().toStdString(), HasSubstr("does not explain"));
-  EXPECT_EQ(found(0), "not told");
+  EXPECT_EQ(found(0), "not found");
 }
 
 TEST_F(IdentificationViewTest, TakesTimesOfSectionsInsteadOfATrace) {

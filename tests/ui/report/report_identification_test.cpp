@@ -56,7 +56,7 @@ TEST_F(ReportIdentification, WhatIsNotToldSaysWhatWouldTellIt) {
   EXPECT_THAT(html, HasSubstr("at least 0.5"));
   EXPECT_THAT(html, HasSubstr("It changes nothing that these traces show."));
   EXPECT_THAT(html, HasSubstr("A recording of the test program tells it: part SINGLE MOVES OF Z."));
-  EXPECT_THAT(html, HasSubstr("Told: 1 of 2 numbers."));
+  EXPECT_THAT(html, HasSubstr("Found: 1 of 2 values."));
 }
 
 TEST_F(ReportIdentification, ComparesTheModelsAndSaysWhichCouldNotBeFitted) {
@@ -75,7 +75,7 @@ TEST_F(ReportIdentification, AModelThatDoesNotExplainSaysSo) {
   input.identification.chosen = 1;
   const std::string html = block();
   EXPECT_THAT(html, HasSubstr("does not explain what was recorded"));
-  EXPECT_THAT(html, Not(HasSubstr("Told: ")));
+  EXPECT_THAT(html, Not(HasSubstr("Found: ")));
   EXPECT_THAT(html, Not(HasSubstr("Tick other models"))) << "there is nothing to tick on paper";
 }
 

@@ -87,7 +87,7 @@ QString numbers_table(const IdentificationOutcome& outcome, const Identification
   HtmlTable table("llrrrl", {22, 8, 10, 15, 10, 35});
   table.add_head({ReportWords::tr("Limit or setting"), ReportWords::tr("Unit"), ReportWords::tr("Begun with"),
                   ReportWords::tr("Found"), ReportWords::tr("± (95 %)"),
-                  ReportWords::tr("Source, or why it is not told")});
+                  ReportWords::tr("Source, or why it was not found")});
   for (const IdentifiedParameter& one : found.parameters) {
     const QString value = IdentificationTexts::found_value(one);
     table.add({html_text(setting_title(one.parameter.key)), html_text(key_unit(one.parameter.unit).text),
