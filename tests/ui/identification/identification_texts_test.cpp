@@ -36,7 +36,7 @@ TEST_F(IdentificationTextsTest, WhatIsNotToldSaysWhatWouldTellIt) {
   one.told = false;
   one.start = 2;
   one.reason = "It changes nothing that these traces show.";
-  EXPECT_EQ(IdentificationTexts::found(one), "not told");
+  EXPECT_EQ(IdentificationTexts::found(one), "not found");
   EXPECT_THAT(IdentificationTexts::explanation(one, true).toStdString(),
               HasSubstr("No part of the test program would show this value"));
   one.told_by = "SINGLE MOVES OF X";
