@@ -4,6 +4,7 @@
 #include <QUndoCommand>
 #include <algorithm>
 
+#include "core/base/error.h"
 #include "core/machine/contour_tolerance.h"
 #include "ui/workbench/setting_texts.h"
 #include "ui/workbench/tolerance_text.h"
@@ -37,13 +38,15 @@ QString run_letter(std::size_t row) {
 
 namespace {
 
+bool is_tolerance(const std::string& key) {
+  return key == contour_tolerance_key || key == program_tolerance_key;
+}
+
 /// What was changed of a setup, one text each.
 QStringList changed_texts(const SetupState& setup, std::string_view left_out) {
   std::map<std::string, SettingValue> changed = setup.edits();
-  std::erase_if(changed, [&](const auto& edit) {
-    return edit.first == contour_tolerance_key || edit.first == program_tolerance_key ||
-           edit.first == left_out;
-  });
+  std::erase_if(changed,
+                [&](const auto& edit) { return is_tolerance(edit.first) || edit.first == left_out; });
   return setting_texts(changed);
 }
 
@@ -65,6 +68,22 @@ QString joined(QStringList parts, qsizetype most) {
     parts.append(RunList::tr("%n more", "changed settings, behind two of them", static_cast<int>(more)));
   }
   return parts.join(QStringLiteral(", "));
+}
+
+/// Values of `item` of what is changed in any of the runs without a name.
+QStringList compared_texts(const RunItem& item, std::span<const RunItem> items) {
+  std::map<std::string, SettingValue> values;
+  for (const RunItem& other : items) {
+    for (const auto& [key, value] : other.setup.edits()) {
+      try {
+        if (other.name.isEmpty() && !is_tolerance(key)) {
+          values.insert({key, item.setup.value(key)});
+        }
+      } catch (const InputError&) {  // its machine or model has no such value
+      }
+    }
+  }
+  return setting_texts(values);
 }
 
 }  // namespace
@@ -99,6 +118,11 @@ QStringList short_run_titles(std::span<const RunItem> items, std::span<const Pat
     QStringList own = parts[i];
     own.removeIf([&](const QString& part) { return runs_with[part] == unnamed; });
     constexpr qsizetype most = 4;
+    constexpr qsizetype most_compared = 2;
+    if (own.isEmpty()) {
+      own = compared_texts(items[i], items);
+      own = own.size() > most_compared ? QStringList() : own;
+    }
     titles.append(!items[i].name.isEmpty() ? items[i].name
                   : own.isEmpty()          ? run_title(items[i], feed_controls)
                                            : joined(own, most));

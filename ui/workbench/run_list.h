@@ -48,7 +48,7 @@ QString run_title(const RunItem& item, std::span<const PathControl> feed_control
 QStringList run_titles(std::span<const RunItem> items, std::span<const PathControl> feed_controls);
 
 /// Titles that distinguish the runs: as run_titles(), without the common parts of unnamed runs: "0.02 mm" for
-/// runs that differ in nothing else.
+/// runs that differ in nothing else. A run without parts of its own has its values of what others change.
 QStringList short_run_titles(std::span<const RunItem> items, std::span<const PathControl> feed_controls);
 
 /// `names`, with "(2)" after the second of equal names, "(3)" after the third.

@@ -366,6 +366,15 @@ TEST_F(ComparedSetupsTest, OfTheCurrentRunAloneWhereThatIsWanted) {
   EXPECT_FALSE(setup(1).edited("X.jerk"));
 }
 
+TEST_F(ComparedSetupsTest, TheRunThatIsNotChangedIsNamedByWhatTheOthersChange) {
+  runs.remove(2);
+  runs.remove(1);
+  SetupState other = setup(0);
+  other.set("X.jerk", 22.5);
+  runs.duplicate_as(0, other);
+  EXPECT_EQ(short_run_titles(runs.items(), {}), QStringList({"X Jerk 15 m/s³", "X Jerk 22.5 m/s³"}));
+}
+
 TEST_F(ComparedSetupsTest, ShortTitlesAreWhatTellsTheRunsApart) {
   runs.remove(2);
   EXPECT_EQ(short_run_titles(runs.items(), {}), QStringList({"0.1 mm", "0.02 mm"}));
